@@ -1,0 +1,34 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace mien {
+
+/// Where in a file a fault lies. `line` and `column` count from 1; 0 means unknown.
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+};
+
+/// "file:line:column" with the unknown parts left out.
+std::string to_string(const Place& place);
+
+/// Something that the user gave is wrong: a file, a manifest, an option.
+///
+/// `what()` reads "file:line:column: what is wrong; how to mend it". The command line turns it into
+/// exit code 2.
+class Error : public std::runtime_error {
+ public:
+  Error(Place place, std::string_view wrong, std::string_view remedy);
+  Error(std::string_view wrong, std::string_view remedy) : Error(Place{}, wrong, remedy) {}
+
+  const Place& place() const { return place_; }
+
+ private:
+  Place place_;
+};
+
+}  // namespace mien

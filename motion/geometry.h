@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace mien::motion {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Quat = Eigen::Quaterniond;
+
+inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double radians_per_degree = pi / 180.0;
+
+}  // namespace mien::motion
