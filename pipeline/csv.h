@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/error.h"
+
+namespace mien::pipeline {
+
+/// One field and where it starts.
+struct CsvField {
+  std::string text;
+  int line = 0;
+  int column = 0;
+};
+
+/// A table with a header, RFC 4180: comma separated, quotes doubled, CRLF or LF, UTF-8 with or
+/// without byte order mark. Every row has as many fields as the header. Empty lines are skipped.
+struct CsvTable {
+  std::string file;
+  std::vector<CsvField> header;
+  std::vector<std::vector<CsvField>> rows;
+};
+
+/// Throws Error with line and column: unclosed quote, text after a quote, a row of another length,
+/// a column name that occurs twice, no header.
+CsvTable read_csv(const std::filesystem::path& file);
+CsvTable parse_csv(std::string_view text, const std::string& file);
+
+/// Index of a column, or −1.
+int find_column(const CsvTable& table, std::string_view name);
+
+/// Index of a column. Throws Error that lists the columns there are.
+int require_column(const CsvTable& table, std::string_view name);
+
+/// Where a field is, for messages.
+Place place_of(const CsvTable& table, const CsvField& field);
+
+/// The field as a finite number. Throws Error.
+double number_in(const CsvTable& table, const CsvField& field);
+
+/// The shortest decimal that reads back as the same double: "0.1", "-3", "1e-07", "nan".
+std::string shortest(double value);
+
+/// Collects rows and writes them with LF line ends, quoting where necessary.
+class CsvWriter {
+ public:
+  explicit CsvWriter(std::vector<std::string> header);
+
+  /// As many fields as the header.
+  void row(const std::vector<std::string>& fields);
+
+  const std::string& text() const { return text_; }
+
+ private:
+  std::size_t width_;
+  std::string text_;
+};
+
+}  // namespace mien::pipeline

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/error.h"
+
+namespace mien::pipeline {
+
+/// One thing that is wrong in a file that the user wrote.
+struct Fault {
+  Place place;
+  std::string path;    ///< "stimuli[2].adjectives.quicknes"; empty for the file as a whole
+  std::string wrong;   ///< "unknown parameter"
+  std::string remedy;  ///< "did you mean \"quickness\"?"
+};
+
+/// "file:line:column: path.to.key: what is wrong; how to mend it"
+std::string to_string(const Fault& fault);
+
+/// Orders faults as a reader of the file meets them and drops repetitions.
+std::vector<Fault> in_reading_order(std::vector<Fault> faults);
+
+/// Several faults at once; `what()` has a line for each. The command line turns it into exit
+/// code 2.
+class Faults : public Error {
+ public:
+  /// `faults` must not be empty.
+  explicit Faults(std::vector<Fault> faults);
+
+  const std::vector<Fault>& list() const { return faults_; }
+  const char* what() const noexcept override { return text_.c_str(); }
+
+ private:
+  std::vector<Fault> faults_;
+  std::string text_;
+};
+
+/// The candidate that `word` was probably meant to be (optimal string alignment distance of at most
+/// a third of its length); empty when none is near. Ties go to the first candidate.
+std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
+
+/// "did you mean \"…\"?" when there is a near candidate, else "use one of: a, b, c" (cut after
+/// `most` words).
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
+                       std::size_t most = 12);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "motion/error.h"
+
+namespace mien::pipeline {
+
+/// Where each value of a manifest was written, by its path: "stimuli[2].adjectives.quickness".
+using Places = std::map<std::string, Place>;
+
+/// The place of `path`, or of the nearest ancestor that was written.
+Place place_of(const Places& places, const std::string& path);
+
+/// Numbers by name, in the order of the manifest.
+using NamedValues = std::vector<std::pair<std::string, double>>;
+
+/// The motions that are blended: a built-in set or the files of a folder.
+struct Examples {
+  enum class Cycle { automatic, whole };  ///< cut one gait cycle, or take the whole motion
+  enum class Labels { from_name, file_name };
+
+  std::string builtin;           ///< "walks-10" of "builtin:walks-10"; empty for a folder
+  std::filesystem::path folder;  ///< resolved
+  std::string include = "*";     ///< glob on file names
+  std::string exclude;           ///< glob on file names; empty excludes nothing
+  Cycle cycle = Cycle::automatic;
+  Labels labels = Labels::from_name;  ///< the part of the name that differs, or all of it
+  std::vector<std::pair<std::string, std::string>> given_labels;  ///< file stem → label
+};
+
+/// What people thought of the examples.
+struct Ratings {
+  enum class Source { none, builtin, simulated, file };
+
+  Source source = Source::none;
+  std::filesystem::path file;  ///< CSV of answers or of means, resolved
+  int raters = 14;             ///< simulated only
+};
+
+/// What the ratings are on: the built-in 41 adjective pairs, or a file.
+struct ScalesSource {
+  std::filesystem::path file;  ///< empty: built-in
+};
+
+/// How a clip becomes a picture. The names are presets of `scenes`.
+struct Look {
+  std::string scene = "studio";
+  std::string figure = "stick";
+  std::string camera = "three-quarter";
+
+  friend bool operator==(const Look&, const Look&) = default;
+};
+
+enum class Quality { draft, standard, final };
+enum class FrameFormat { none, png, png16, exr };
+
+/// What is written for a stimulus, and how large.
+struct Output {
+  std::array<int, 2> size{960, 540};  ///< pixels
+  double fps = 30.0;
+  int cycles = 3;         ///< repetitions of a looping clip
+  bool in_place = false;  ///< walk on the spot instead of travelling
+  Quality quality = Quality::standard;
+  FrameFormat frames = FrameFormat::png;
+  bool video = true;  ///< MP4; `video: []` turns it off
+  bool bvh = true;    ///< clips/<id>.bvh
+  bool glb = false;   ///< clips/<id>.glb
+
+  friend bool operator==(const Output&, const Output&) = default;
+};
+
+/// How examples become a clip.
+struct Interpolation {
+  enum class PoseBlend { direction_vectors, karcher };
+  enum class TimeWarp { linear, cubic };
+
+  PoseBlend pose_blend = PoseBlend::karcher;
+  TimeWarp time_warp = TimeWarp::linear;
+  bool foot_lock = true;
+
+  friend bool operator==(const Interpolation&, const Interpolation&) = default;
+};
+
+/// A motion file shown as it is.
+struct ClipSource {
+  std::filesystem::path file;                ///< resolved
+  std::optional<std::array<int, 2>> frames;  ///< first and last, counted from 0; all when absent
+};
+
+enum class Role { target, created, reference };
+
+/// One motion to make. Exactly one of adjectives, weights and clip is given.
+struct Stimulus {
+  std::string path;  ///< in the manifest: "stimuli[2]"
+  std::string id;    ///< safe as a file name
+  Role role = Role::created;
+  NamedValues adjectives;  ///< parameter → 0…1
+  NamedValues weights;     ///< example → share, ≥ 0, not all 0
+  std::optional<ClipSource> clip;
+  Look look;                    ///< the manifest's with this stimulus's own values over it
+  Output output;                ///< likewise
+  Interpolation interpolation;  ///< likewise
+};
+
+/// A comparison sheet.
+struct Sheet {
+  std::string path;       ///< in the manifest: "sheets[0]"
+  std::string id;         ///< file name; "<target>_<created>" unless given
+  std::string target;     ///< stimulus or example
+  std::string created;    ///< stimulus or example
+  std::string reference;  ///< stimulus or example; empty for none
+};
+
+/// A production as its author wrote it, defaults filled in and overrides merged.
+struct Manifest {
+  std::filesystem::path file;
+  std::string study;
+  std::uint64_t seed = 0;
+  Examples examples;
+  Ratings ratings;
+  ScalesSource scales;
+  Look look;
+  Output output;
+  Interpolation interpolation;
+  std::vector<Stimulus> stimuli;
+  std::vector<Sheet> sheets;
+  Places places;
+};
+
+}  // namespace mien::pipeline

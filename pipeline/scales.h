@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mien::pipeline {
+
+/// A rating scale with two ends, as a study names it.
+struct Scale {
+  std::string id;    ///< as manifests and answers name it: "sad-happy", "extraversion"
+  std::string low;   ///< English name of the low end
+  std::string high;  ///< English name of the high end
+  std::string japanese_low;
+  std::string japanese_high;
+  double least = -2.0;  ///< the answer that means `low`
+  double most = 2.0;    ///< the answer that means `high`
+};
+
+/// Several scales whose mean is a parameter of its own.
+struct ScaleGroup {
+  std::string id;  ///< "quickness"
+  std::string japanese;
+  std::vector<std::string> scales;  ///< ids
+};
+
+/// The scales of a study.
+struct ScaleSet {
+  std::string name;
+  std::vector<Scale> scales;
+  std::vector<ScaleGroup> groups;  ///< primary parameters; may be empty
+};
+
+/// The 41 adjective pairs and the four primary groups of the adjective paper (its tables 1 and 2).
+/// Japanese is our translation.
+ScaleSet builtin_scales();
+
+/// Reads a scales file (YAML, manifests/adjectives.scales.yaml is the pattern). Throws Faults.
+ScaleSet read_scales(const std::filesystem::path& file);
+ScaleSet parse_scales(std::string_view yaml, const std::string& file);
+
+const Scale* find_scale(const ScaleSet& set, std::string_view id);
+
+/// What `adjectives:` may name: the groups, then the scales.
+std::vector<std::string> parameter_names(const ScaleSet& set);
+
+/// An answer as a share of the range: 0 at the low end, 1 at the high end.
+double share_of(const Scale& scale, double answer);
+
+}  // namespace mien::pipeline
