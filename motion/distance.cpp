@@ -1,0 +1,120 @@
+#include "motion/distance.h"
+
+#include <algorithm>
+#include <cassert>
+#include <span>
+
+#include "motion/rotation.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// A view on the world: where its origin lies on the floor and where its +Z points.
+struct Viewpoint {
+  Vec3 origin = Vec3::Zero();
+  Quat facing = Quat::Identity();
+};
+
+Viewpoint below_pelvis(const Pose& pose) {
+  Vec3 origin = pose.root_position;
+  origin.y() = 0.0;
+  return {origin, heading(pose.rotations[0] * Vec3::UnitZ())};
+}
+
+std::vector<Vec3> seen_from(const Viewpoint& viewpoint, std::vector<Vec3> positions) {
+  for (Vec3& p : positions) p = viewpoint.facing.conjugate() * (p - viewpoint.origin);
+  return positions;
+}
+
+/// Joint positions of a motion as the alignment wants them.
+class AlignedMotion {
+ public:
+  AlignedMotion(const Clip& clip, Alignment alignment)
+      : clip_(clip), alignment_(alignment), start_(below_pelvis(clip.poses.front())) {
+    assert(is_body(clip.body));
+  }
+
+  std::vector<Vec3> joints_at(double seconds) const {
+    const Pose pose = pose_at(clip_, seconds);
+    const bool follows = alignment_ == Alignment::pelvis;
+    return seen_from(follows ? below_pelvis(pose) : start_, world_positions(clip_.body, pose));
+  }
+
+ private:
+  const Clip& clip_;
+  Alignment alignment_;
+  Viewpoint start_;
+};
+
+using JointDistances = Eigen::Vector<double, distance_joints>;
+
+JointDistances distances(std::span<const Vec3> from, std::span<const Vec3> to) {
+  JointDistances result;
+  for (int j = 0; j < distance_joints; ++j) {
+    const auto joint = static_cast<size_t>(j + 1);  // 0 is the pelvis
+    result[j] = (from[joint] - to[joint]).norm();
+  }
+  return result;
+}
+
+/// Seconds → seconds, linear between matching marks.
+double mapped(double seconds, std::span<const double> from, std::span<const double> to) {
+  size_t k = 1;
+  while (k + 1 < from.size() && seconds > from[k]) ++k;
+  const double t = (seconds - from[k - 1]) / (from[k] - from[k - 1]);
+  return (1.0 - t) * to[k - 1] + t * to[k];
+}
+
+}  // namespace
+
+double corresponding_time(const Example& timing, const Example& motion, double share) {
+  const auto& from = timing.keytimes;
+  const auto& to = motion.keytimes;
+  if (from.size() != to.size() || from.size() < 2 || from == to) {
+    return share * motion.clip.duration_seconds();
+  }
+  return mapped(from.front() + share * (from.back() - from.front()), from, to);
+}
+
+Distance distance(const Example& target, const Example& created, Alignment alignment) {
+  const AlignedMotion wanted(target.clip, alignment);
+  const AlignedMotion made(created.clip, alignment);
+  const auto distances_at = [&](double share) {
+    return distances(wanted.joints_at(corresponding_time(target, target, share)),
+                     made.joints_at(corresponding_time(target, created, share)));
+  };
+
+  Distance result;
+  result.alignment = alignment;
+  for (int t = 0; t < distance_times; ++t) {
+    result.by_joint_and_time.col(t) = distances_at(t / (distance_times - 1.0));
+  }
+  result.sum = result.by_joint_and_time.sum();
+  result.mean = result.sum / (distance_times * distance_joints);
+
+  const int frames = target.clip.frame_count();
+  const int last = target.clip.loops ? frames : std::max(1, frames - 1);
+  for (int frame = 0; frame < frames; ++frame) {
+    result.mpjpe += distances_at(static_cast<double>(frame) / last).mean() / frames;
+  }
+  return result;
+}
+
+std::array<double, distance_joints> Distance::by_joint() const {
+  std::array<double, distance_joints> means;
+  for (int j = 0; j < distance_joints; ++j) {
+    means[static_cast<size_t>(j)] = by_joint_and_time.row(j).mean();
+  }
+  return means;
+}
+
+std::array<double, distance_times> Distance::by_time() const {
+  std::array<double, distance_times> means;
+  for (int t = 0; t < distance_times; ++t) {
+    means[static_cast<size_t>(t)] = by_joint_and_time.col(t).mean();
+  }
+  return means;
+}
+
+}  // namespace mien::motion
