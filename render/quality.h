@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+namespace mien::render {
+
+/// How much work goes into a picture. The same values give the same bytes.
+struct Quality {
+  int samples_per_pixel = 16;  ///< primary rays a pixel, each with one shadow ray a light
+  int sky_rays = 2;            ///< rays towards the sky for each primary ray that meets the figure
+  float filter_width = 2.0f;   ///< whole width of the Blackman–Harris filter, pixels
+  std::uint64_t seed = 0;      ///< another seed, another noise pattern
+
+  /// Trace the rays that are known to meet nothing too. Same picture, bit for bit, only slower: it
+  /// is there to prove that.
+  bool exhaustive = false;
+};
+
+Quality draft_quality();     ///< previews: 4 samples
+Quality standard_quality();  ///< videos: 16 samples
+Quality final_quality();     ///< print and publication: 128 samples
+
+}  // namespace mien::render

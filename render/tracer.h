@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/camera.h"
+#include "render/film.h"
+#include "render/quality.h"
+#include "render/scene.h"
+
+namespace mien::render {
+
+struct TracerOptions {
+  int threads = 0;  ///< 0: one a core. No influence on the picture.
+
+  /// Instruction set that Embree is pinned to: "sse2", "sse4.2", "avx", "avx2", "avx512". Empty:
+  /// avx2, or sse4.2 on a machine without. No influence on the picture: Embree only finds
+  /// candidates, the intersections are our own.
+  std::string instruction_set;
+};
+
+/// Draws scenes with Embree: Lambert surfaces under area lights and a sky, direct light only, soft
+/// shadows, filtered by a Blackman–Harris filter.
+///
+/// A picture depends on the scene, camera and quality alone: not on threads, on what was traced
+/// before, nor on the machine. One trace at a time a Tracer; several Tracers may work side by side.
+class Tracer {
+ public:
+  /// Throws Error when the machine cannot run Embree with that instruction set.
+  explicit Tracer(const TracerOptions& options = {});
+  ~Tracer();
+  Tracer(Tracer&&) noexcept;
+  Tracer& operator=(Tracer&&) noexcept;
+
+  /// Throws std::invalid_argument when the scene or camera is degenerate (validate, frame_of).
+  Film trace(const Scene& scene, const Camera& camera, const Quality& quality);
+
+  /// For the provenance: "Embree 3.13.5, avx2".
+  std::string description() const;
+
+  int threads() const;
+
+ private:
+  struct Engine;
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace mien::render

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace mien::render {
+
+/// A point (metres) or direction in world space: right-handed, +Y up, the floor at y = 0.
+using Vec3 = Eigen::Vector3f;
+
+/// Linear light, Rec.709 primaries. Albedo, radiance or pixel: the name of the member says which.
+using Color = Eigen::Array3f;
+
+}  // namespace mien::render
