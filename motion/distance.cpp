@@ -10,43 +10,6 @@ namespace mien::motion {
 
 namespace {
 
-/// A view on the world: where its origin lies on the floor and where its +Z points.
-struct Viewpoint {
-  Vec3 origin = Vec3::Zero();
-  Quat facing = Quat::Identity();
-};
-
-Viewpoint below_pelvis(const Pose& pose) {
-  Vec3 origin = pose.root_position;
-  origin.y() = 0.0;
-  return {origin, heading(pose.rotations[0] * Vec3::UnitZ())};
-}
-
-std::vector<Vec3> seen_from(const Viewpoint& viewpoint, std::vector<Vec3> positions) {
-  for (Vec3& p : positions) p = viewpoint.facing.conjugate() * (p - viewpoint.origin);
-  return positions;
-}
-
-/// Joint positions of a motion as the alignment wants them.
-class AlignedMotion {
- public:
-  AlignedMotion(const Clip& clip, Alignment alignment)
-      : clip_(clip), alignment_(alignment), start_(below_pelvis(clip.poses.front())) {
-    assert(is_body(clip.body));
-  }
-
-  std::vector<Vec3> joints_at(double seconds) const {
-    const Pose pose = pose_at(clip_, seconds);
-    const bool follows = alignment_ == Alignment::pelvis;
-    return seen_from(follows ? below_pelvis(pose) : start_, world_positions(clip_.body, pose));
-  }
-
- private:
-  const Clip& clip_;
-  Alignment alignment_;
-  Viewpoint start_;
-};
-
 using JointDistances = Eigen::Vector<double, distance_joints>;
 
 JointDistances distances(std::span<const Vec3> from, std::span<const Vec3> to) {
@@ -68,6 +31,16 @@ double mapped(double seconds, std::span<const double> from, std::span<const doub
 
 }  // namespace
 
+Pose aligned_pose_at(const Clip& clip, double seconds, Alignment alignment) {
+  Pose pose = pose_at(clip, seconds);
+  const Pose& seen_from = alignment == Alignment::pelvis ? pose : clip.poses.front();
+  const Vec3 origin(seen_from.root_position.x(), 0.0, seen_from.root_position.z());
+  const Quat facing = heading(seen_from.rotations[0] * Vec3::UnitZ());
+  pose.root_position = facing.conjugate() * (pose.root_position - origin);
+  pose.rotations[0] = facing.conjugate() * pose.rotations[0];
+  return pose;
+}
+
 double corresponding_time(const Example& timing, const Example& motion, double share) {
   const auto& from = timing.keytimes;
   const auto& to = motion.keytimes;
@@ -78,11 +51,13 @@ double corresponding_time(const Example& timing, const Example& motion, double s
 }
 
 Distance distance(const Example& target, const Example& created, Alignment alignment) {
-  const AlignedMotion wanted(target.clip, alignment);
-  const AlignedMotion made(created.clip, alignment);
+  assert(is_body(target.clip.body) && is_body(created.clip.body));
+  const auto joints = [&](const Example& motion, double share) {
+    const double seconds = corresponding_time(target, motion, share);
+    return world_positions(motion.clip.body, aligned_pose_at(motion.clip, seconds, alignment));
+  };
   const auto distances_at = [&](double share) {
-    return distances(wanted.joints_at(corresponding_time(target, target, share)),
-                     made.joints_at(corresponding_time(target, created, share)));
+    return distances(joints(target, share), joints(created, share));
   };
 
   Distance result;

@@ -38,6 +38,10 @@ struct Distance {
 Distance distance(const Example& target, const Example& created,
                   Alignment alignment = Alignment::pelvis);
 
+/// The pose at a time as the comparison sees it: the alignment's place on the floor and heading
+/// taken away, bones and height kept.
+Pose aligned_pose_at(const Clip& clip, double seconds, Alignment alignment);
+
 /// Time in `motion` (seconds) that corresponds to the share `share` ∈ [0, 1] of `timing`'s
 /// duration.
 double corresponding_time(const Example& timing, const Example& motion, double share);
