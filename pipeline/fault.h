@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "motion/error.h"
@@ -36,14 +35,5 @@ class Faults : public Error {
   std::vector<Fault> faults_;
   std::string text_;
 };
-
-/// The candidate that `word` was probably meant to be (optimal string alignment distance of at most
-/// a third of its length); empty when none is near. Ties go to the first candidate.
-std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
-
-/// "did you mean \"…\"?" when there is a near candidate, else "use one of: a, b, c" (cut after
-/// `most` words).
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
-                       std::size_t most = 12);
 
 }  // namespace mien::pipeline

@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "motion/blend.h"
 #include "motion/error.h"
+#include "motion/time_warp.h"
 
 namespace mien::pipeline {
 
@@ -79,11 +81,8 @@ struct Output {
 
 /// How examples become a clip.
 struct Interpolation {
-  enum class PoseBlend { direction_vectors, karcher };
-  enum class TimeWarp { linear, cubic };
-
-  PoseBlend pose_blend = PoseBlend::karcher;
-  TimeWarp time_warp = TimeWarp::linear;
+  motion::RotationBlend rotations = motion::RotationBlend::karcher_mean;
+  motion::WarpShape time_warp = motion::WarpShape::monotone;
   bool foot_lock = true;
 
   friend bool operator==(const Interpolation&, const Interpolation&) = default;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace mien::pipeline {
+
+/// Line and column of a byte, both from 1; columns count characters, not bytes.
+struct TextPosition {
+  int line = 1;
+  int column = 1;
+};
+
+/// The first place at which the text is not UTF-8 (overlong forms, surrogates and zero bytes
+/// included).
+std::optional<TextPosition> first_invalid_utf8(std::string_view text);
+
+/// Number of characters in valid UTF-8.
+std::size_t count_characters(std::string_view text);
+
+}  // namespace mien::pipeline
