@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/vector.h"
+
+namespace mien::scenes {
+
+/// What a figure stands for; its hue says it on every picture and sheet.
+enum class Role { target, created, reference, neutral };
+
+/// A figure's colours, linear Rec.709 albedo. Left limbs are lighter than right ones, so that legs
+/// and arms can be told apart when they cross.
+struct FigureColours {
+  render::Color middle;
+  render::Color left;
+  render::Color right;
+};
+
+/// Target green, created blue, reference red, neutral slate.
+FigureColours colours_of(Role role);
+
+}  // namespace mien::scenes

@@ -1,0 +1,157 @@
+#include "scenes/stick_figure.h"
+
+#include <array>
+
+namespace mien::scenes {
+
+namespace {
+
+using motion::BodyJoint;
+
+/// Radii at a stature of 1.75 m: of the joint's sphere, and of its bone at the far end.
+struct Thickness {
+  double joint;
+  double far;
+};
+
+constexpr double drawn_stature = 1.75;
+constexpr double plain_radius = 0.022;
+constexpr double head_radius = 0.092;
+
+Thickness thickness_of(BodyJoint joint) {
+  switch (joint) {
+    case motion::Pelvis:
+      return {0.062, 0.058};
+    case motion::Spine:
+      return {0.058, 0.062};
+    case motion::Chest:
+      return {0.064, 0.036};
+    case motion::Neck:
+      return {0.034, 0.034};
+    case motion::Head:
+      return {0.036, 0.036};
+    case motion::LeftClavicle:
+    case motion::RightClavicle:
+      return {0.036, 0.042};
+    case motion::LeftShoulder:
+    case motion::RightShoulder:
+      return {0.044, 0.033};
+    case motion::LeftElbow:
+    case motion::RightElbow:
+      return {0.035, 0.025};
+    case motion::LeftWrist:
+    case motion::RightWrist:
+      return {0.027, 0.024};
+    case motion::LeftHip:
+    case motion::RightHip:
+      return {0.060, 0.043};
+    case motion::LeftKnee:
+    case motion::RightKnee:
+      return {0.046, 0.031};
+    case motion::LeftAnkle:
+    case motion::RightAnkle:
+      return {0.034, 0.026};
+    default:
+      return {0.027, 0.020};
+  }
+}
+
+/// Material indices of the three shades, appended to the scene.
+struct Shades {
+  int middle;
+  int left;
+  int right;
+
+  int of(BodyJoint joint) const {
+    if (motion::is_left(joint)) return left;
+    return motion::is_right(joint) ? right : middle;
+  }
+};
+
+Shades add_materials(render::Scene& scene, const FigureColours& colours) {
+  const auto add = [&](const render::Color& albedo) {
+    scene.materials.push_back({albedo, 0.03f, 0.55f});
+    return static_cast<int>(scene.materials.size()) - 1;
+  };
+  const int middle = add(colours.middle);
+  const int left = add(colours.left);
+  const int right = add(colours.right);
+  return {middle, left, right};
+}
+
+render::Vec3 to_render(const motion::Vec3& point) { return point.cast<float>(); }
+
+void add_capsule(render::Scene& scene, const motion::Vec3& start, const motion::Vec3& end,
+                 double start_radius, double end_radius, int material) {
+  scene.capsules.push_back({to_render(start), to_render(end), static_cast<float>(start_radius),
+                            static_cast<float>(end_radius), material});
+}
+
+void add_sphere(render::Scene& scene, const motion::Vec3& centre, double radius, int material) {
+  scene.spheres.push_back({to_render(centre), static_cast<float>(radius), material});
+}
+
+void add_body(render::Scene& scene, const motion::Skeleton& body,
+              const motion::JointTransforms& world, const Shades& shades, double scale) {
+  for (size_t j = 0; j < motion::body_joint_count; ++j) {
+    const auto joint = BodyJoint(j);
+    const Thickness own = thickness_of(joint);
+    const int shade = shades.of(joint);
+    if (joint != motion::Head) add_sphere(scene, world.positions[j], own.joint * scale, shade);
+    if (j > 0) {
+      const auto parent = static_cast<size_t>(motion::body_parents[j]);
+      const Thickness from = thickness_of(BodyJoint(parent));
+      // Hips and clavicles branch off the trunk: their bone takes their own side and thickness.
+      const bool branches = joint == motion::LeftHip || joint == motion::RightHip ||
+                            joint == motion::LeftClavicle || joint == motion::RightClavicle;
+      const double far = branches ? own.joint : from.far;
+      add_capsule(scene, world.positions[parent], world.positions[j],
+                  (branches ? own.joint : from.joint) * scale, far * scale,
+                  branches ? shade : shades.of(BodyJoint(parent)));
+    }
+    const auto& tip = body.joints[j].tip;
+    if (!tip || tip->norm() < 1e-6) continue;
+    const motion::Vec3 end = world.positions[j] + world.rotations[j] * *tip;
+    if (joint == motion::Head) {
+      const double radius = std::min(head_radius * scale, 0.6 * tip->norm());
+      const motion::Vec3 up = (end - world.positions[j]).normalized();
+      add_capsule(scene, world.positions[j] + up * (0.4 * radius), end - up * radius, 0.82 * radius,
+                  radius, shade);
+    } else {
+      add_capsule(scene, world.positions[j], end, own.joint * scale, own.far * scale, shade);
+    }
+  }
+}
+
+void add_any_skeleton(render::Scene& scene, const motion::Skeleton& skeleton,
+                      const motion::JointTransforms& world, int shade, double scale) {
+  const double radius = plain_radius * scale;
+  for (size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const motion::Joint& joint = skeleton.joints[j];
+    add_sphere(scene, world.positions[j], 1.3 * radius, shade);
+    if (joint.parent >= 0) {
+      add_capsule(scene, world.positions[static_cast<size_t>(joint.parent)], world.positions[j],
+                  radius, radius, shade);
+    }
+    if (joint.tip && joint.tip->norm() > 1e-6) {
+      add_capsule(scene, world.positions[j], world.positions[j] + world.rotations[j] * *joint.tip,
+                  radius, 0.8 * radius, shade);
+    }
+  }
+}
+
+}  // namespace
+
+void add_stick_figure(render::Scene& scene, const motion::Skeleton& skeleton,
+                      const motion::Pose& pose, const FigureColours& colours, double height_m) {
+  const Shades shades = add_materials(scene, colours);
+  const motion::JointTransforms world = motion::world_transforms(skeleton, pose);
+  const double scale = height_m / drawn_stature;
+  if (motion::is_body(skeleton)) {
+    add_body(scene, skeleton, world, shades, scale);
+  } else {
+    add_any_skeleton(scene, skeleton, world, shades.middle, scale);
+  }
+}
+
+}  // namespace mien::scenes
