@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/clip.h"
+
+namespace mien::motion {
+
+/// A stretch of frames in which one foot stands on the floor. In a looping clip `last` may lie
+/// beyond the last frame: the plant goes on in the next cycle.
+struct FootPlant {
+  bool left = true;
+  int first = 0;  ///< frame
+  int last = 0;   ///< frame, included
+};
+
+struct FootLockOptions {
+  double blend_seconds = 0.17;  ///< a foot's correction fades in and out over this (Kovar 2002)
+  double flat_metres = 0.02;    ///< the sole is flat while heel and ball are this near their lowest
+  double extension = 0.98;      ///< share of the leg's length that a correction may ask for
+};
+
+/// Removes foot skate: while planted, a foot turns about its heel until the sole is flat, stands
+/// still, and turns about its ball until it leaves the floor. Corrections fade over the swing; the
+/// pelvis sinks, smoothly, where a leg would have to stretch; knees stay in their plane and bones
+/// keep their lengths (after Kovar, Schreiner and Gleicher 2002). The clip must travel, not walk in
+/// place.
+Clip foot_locked(const Clip& clip, const std::vector<FootPlant>& plants,
+                 const FootLockOptions& options = {});
+
+/// Horizontal distance, metres, that the planted part of a foot moves during a plant: the ball from
+/// flat sole to the end, the heel from the start to flat sole. Largest over all plants.
+double planted_drift(const Clip& clip, const std::vector<FootPlant>& plants,
+                     const FootLockOptions& options = {});
+
+}  // namespace mien::motion
