@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "motion/error.h"
+
 namespace mien::pipeline {
 
 namespace {
