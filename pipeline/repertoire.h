@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/example.h"
+#include "pipeline/impressions.h"
+#include "pipeline/manifest.h"
+#include "pipeline/scales.h"
+
+namespace mien::pipeline {
+
+/// What a study has to make motions from: its examples and what people think of them.
+struct Repertoire {
+  motion::ExampleSet examples;
+  std::vector<RatedExample> names;  ///< aligned with the examples
+  ScaleSet scales;
+  std::optional<Impressions> impressions;
+  ParameterTable parameters;  ///< empty without ratings
+  bool simulated_ratings = false;
+  std::vector<std::string> warnings;  ///< plain sentences
+};
+
+/// Files that the repertoire is made of: they determine every clip that is made from it.
+std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest);
+
+/// Reads, maps, cuts and aligns the examples, and averages their ratings. Throws Error.
+Repertoire load_repertoire(const Manifest& manifest);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "motion/example.h"
+#include "pipeline/manifest.h"
+#include "pipeline/repertoire.h"
+
+namespace mien::pipeline {
+
+/// A motion that was made, and how.
+struct Synthesis {
+  motion::Example motion;   ///< at the output's frame rate; one cycle of a loop, travelling
+  Eigen::VectorXd weights;  ///< one an example; empty when a file is shown as it is
+  NamedValues asked;        ///< the parameters that the stimulus sets
+  NamedValues reached;      ///< the same parameters as the blend has them: Σ weight · value
+  double planted_drift_m = 0.0;  ///< horizontal, largest over all plants of the result
+  std::vector<std::string> warnings;
+};
+
+/// Blend weights of a stimulus: given, or from its adjectives by the cardinal basis over the
+/// parameters that it names.
+Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire);
+
+/// Makes a stimulus's motion: weights, blend, foot lock. A stimulus with `clip:` is read from its
+/// file, mapped onto the body and otherwise left as captured. Throws Error.
+Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire);
+
+/// An example of the repertoire as if a stimulus had asked for it alone (sheets may name one).
+Synthesis synthesize_example(const std::string& name, const Output& output,
+                             const Interpolation& interpolation, const Repertoire& repertoire);
+
+/// What the video shows: a loop repeated `output.cycles` times, in place when asked for.
+motion::Clip shown_clip(const Synthesis& synthesis, const Output& output);
+
+}  // namespace mien::pipeline
