@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+namespace mien::render {
+
+/// A separable Blackman–Harris reconstruction filter (Harris 1978, four terms), applied by
+/// importance sampling: samples are placed with the filter's density and weigh the same (Ernst et
+/// al. 2006), so that no pixel touches another.
+class Filter {
+ public:
+  /// `width` is the whole width in pixels, more than 0.
+  explicit Filter(float width);
+
+  /// Offset from the pixel's centre for a random number in [0, 1).
+  float offset(float u) const {
+    const float position = u * intervals;
+    const auto index = static_cast<std::size_t>(position);
+    const float part = position - static_cast<float>(index);
+    return offsets_[index] + part * (offsets_[index + 1] - offsets_[index]);
+  }
+
+  float half_width() const { return offsets_[intervals]; }
+
+ private:
+  static constexpr int intervals = 1024;
+  std::array<float, intervals + 1> offsets_;  // of equal shares of the filter's area
+};
+
+}  // namespace mien::render

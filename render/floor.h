@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "render/camera.h"
+#include "render/scene.h"
+
+namespace mien::render {
+
+/// Radiance of the floor at a point, nothing in its way to the lights and the sky, before it fades.
+/// Staging can use it to choose Sky::below.
+Color unshadowed_floor(const Scene& scene, const Vec3& point);
+
+/// What a pixel shows when no figure is near: backdrop or unshadowed floor, in closed form, taken
+/// at the pixel's centre with the grid filtered over the pixel.
+struct SetPixel {
+  Color radiance = Color::Zero();
+  bool shows_floor = false;
+  Vec3 point = Vec3::Zero();             ///< of the floor, at the pixel's centre
+  Color visible_albedo = Color::Zero();  ///< of the floor, times how little of it has faded
+};
+SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, float x, float y);
+
+/// Distance along a unit direction at which a ray meets the floor from above.
+std::optional<float> distance_to_floor(const Vec3& origin, const Vec3& direction);
+
+/// Share of the interval [x − width/2, x + width/2] that lines of `line_width` centred on every
+/// multiple of `spacing` cover. All metres.
+float line_cover(float x, float width, float spacing, float line_width);
+
+}  // namespace mien::render

@@ -1,0 +1,119 @@
+#include "render/image_io.h"
+
+#include <memory>
+#include <utility>
+
+#include <OpenImageIO/imageio.h>
+
+#include "render/error.h"
+
+namespace mien::render {
+namespace {
+
+using OIIO::ImageInput;
+using OIIO::ImageOutput;
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& wrong) {
+  throw Error(path.string() + ": " + wrong);
+}
+
+void write(const std::filesystem::path& path, const ImageSpec& spec, TypeDesc given,
+           const void* channels) {
+  const std::unique_ptr<ImageOutput> output = ImageOutput::create(path.string());
+  if (!output) fail(path, OIIO::geterror());
+  output->threads(1);
+  if (!output->open(path.string(), spec) || !output->write_image(given, channels) ||
+      !output->close())
+    fail(path, output->geterror());
+}
+
+ImageSpec spec_of(int width, int height, TypeDesc stored, const char* color_space) {
+  ImageSpec spec(width, height, 3, stored);
+  spec.attribute("oiio:ColorSpace", color_space);
+  return spec;
+}
+
+template <class Channel>
+void write_png_of(const std::filesystem::path& path, const Image<Channel>& image, TypeDesc depth) {
+  ImageSpec spec = spec_of(image.width, image.height, depth, "sRGB");
+  // Rendered gradients gain little from more effort, and a frame is written many times as fast.
+  spec.attribute("png:compressionLevel", 3);
+  write(path, spec, depth, image.channels.data());
+}
+
+std::unique_ptr<ImageInput> opened(const std::filesystem::path& path, const char* format) {
+  std::unique_ptr<ImageInput> input = ImageInput::open(path.string());
+  if (!input) fail(path, OIIO::geterror());
+  if (format != nullptr && std::string(input->format_name()) != format)
+    fail(path, std::string("is not ") + format + " but " + input->format_name());
+  input->threads(1);
+  return input;
+}
+
+template <class Channel>
+Image<Channel> read(const std::filesystem::path& path, const char* format, TypeDesc wanted) {
+  const std::unique_ptr<ImageInput> input = opened(path, format);
+  const ImageSpec& spec = input->spec();
+  if (spec.nchannels != 3) fail(path, "does not have three channels");
+  if (format == std::string("png") && spec.format != wanted)
+    fail(path, "has another number of bits a channel");
+  Image<Channel> image(spec.width, spec.height);
+  if (!input->read_image(0, 0, 0, 3, wanted, image.channels.data())) fail(path, input->geterror());
+  return image;
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Image8& image) {
+  write_png_of(path, image, TypeDesc::UINT8);
+}
+
+void write_png(const std::filesystem::path& path, const Image16& image) {
+  write_png_of(path, image, TypeDesc::UINT16);
+}
+
+void write_exr(const std::filesystem::path& path, const Film& film, ExrDepth depth) {
+  const TypeDesc stored = depth == ExrDepth::Half ? TypeDesc::HALF : TypeDesc::FLOAT;
+  ImageSpec spec = spec_of(film.width, film.height, stored, "Linear");
+  spec.attribute("compression", "zip");
+  write(path, spec, TypeDesc::FLOAT, film.channels.data());
+}
+
+Image8 read_png8(const std::filesystem::path& path) {
+  return read<std::uint8_t>(path, "png", TypeDesc::UINT8);
+}
+
+Image16 read_png16(const std::filesystem::path& path) {
+  return read<std::uint16_t>(path, "png", TypeDesc::UINT16);
+}
+
+Film read_exr(const std::filesystem::path& path) {
+  return read<float>(path, "openexr", TypeDesc::FLOAT);
+}
+
+ImageSummary check_image(const std::filesystem::path& path) {
+  const std::unique_ptr<ImageInput> input = opened(path, nullptr);
+  const ImageSpec& spec = input->spec();
+  std::vector<float> channels(static_cast<std::size_t>(spec.image_pixels()) *
+                              static_cast<std::size_t>(spec.nchannels));
+  if (!input->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, channels.data()))
+    fail(path, input->geterror());
+  ImageSummary summary;
+  summary.format = input->format_name();
+  summary.width = spec.width;
+  summary.height = spec.height;
+  summary.channels = spec.nchannels;
+  summary.bits = static_cast<int>(8 * spec.format.size());
+  summary.color_space = spec.get_string_attribute("oiio:ColorSpace");
+  return summary;
+}
+
+std::string image_library() {
+  return std::string("OpenImageIO ") + std::to_string(OIIO::openimageio_version() / 10000) + "." +
+         std::to_string(OIIO::openimageio_version() / 100 % 100) + "." +
+         std::to_string(OIIO::openimageio_version() % 100);
+}
+
+}  // namespace mien::render

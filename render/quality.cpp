@@ -1,0 +1,21 @@
+#include "render/quality.h"
+
+namespace mien::render {
+
+Quality draft_quality() {
+  Quality quality;
+  quality.samples_per_pixel = 4;
+  quality.sky_rays = 1;
+  return quality;
+}
+
+Quality standard_quality() { return {}; }
+
+Quality final_quality() {
+  Quality quality;
+  quality.samples_per_pixel = 128;
+  quality.sky_rays = 2;
+  return quality;
+}
+
+}  // namespace mien::render

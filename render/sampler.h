@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace mien::render {
+
+/// A point of the unit square, both coordinates in [0, 1).
+struct Point2 {
+  float u;
+  float v;
+};
+
+/// Well mixed 32 bits that depend on every bit of both words.
+constexpr std::uint32_t mixed(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t x = a ^ (b * 0x9e3779b9u + 0x85ebca6bu);
+  x = (x ^ (x >> 16)) * 0x21f0aaadu;
+  x = (x ^ (x >> 15)) * 0x735a2d97u;
+  return x ^ (x >> 15);
+}
+
+constexpr std::uint32_t reversed_bits(std::uint32_t x) {
+  x = (x >> 16) | (x << 16);
+  x = ((x & 0xff00ff00u) >> 8) | ((x & 0x00ff00ffu) << 8);
+  x = ((x & 0xf0f0f0f0u) >> 4) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x & 0xccccccccu) >> 2) | ((x & 0x33333333u) << 2);
+  return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
+}
+
+/// The point of that index in the two-dimensional Sobol sequence, as 32-bit fractions. The first
+/// dimension is the van der Corput sequence; the second multiplies by the Pascal matrix modulo 2,
+/// here in five steps (Ahmed 2024).
+constexpr std::array<std::uint32_t, 2> sobol(std::uint32_t index) {
+  std::uint32_t v = index;
+  v ^= v >> 16;
+  v ^= (v & 0xff00ff00u) >> 8;
+  v ^= (v & 0xf0f0f0f0u) >> 4;
+  v ^= (v & 0xccccccccu) >> 2;
+  v ^= (v & 0xaaaaaaaau) >> 1;
+  return {reversed_bits(index), reversed_bits(v)};
+}
+
+/// Owen's nested uniform scrambling of a 32-bit fraction whose bits are reversed: a hash in which
+/// every bit depends on the seed and on the lower bits only (Laine & Karras 2011, constants of
+/// Vegdahl 2021).
+constexpr std::uint32_t scrambled_reversed(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= (seed >> 16) | 1u;
+  x ^= x * 0x05526c56u;
+  x ^= x * 0x53a22864u;
+  return x;
+}
+
+/// The top 24 bits as a float in [0, 1).
+constexpr float unit_float(std::uint32_t fraction) {
+  return static_cast<float>(fraction >> 8) * 0x1p-24f;
+}
+
+/// Point `index` of an Owen-scrambled Sobol sequence in an order of its own; another seed gives an
+/// independent sequence, so pairs of dimensions are padded with seeds of their own (Burley 2020).
+/// Every aligned block of 2^k indices is a (0, k, 2)-net.
+constexpr Point2 sample_point(std::uint32_t index, std::uint32_t seed) {
+  const std::uint32_t shuffled =
+      reversed_bits(scrambled_reversed(reversed_bits(index), mixed(seed, 0)));
+  const std::array<std::uint32_t, 2> point = sobol(shuffled);
+  return {unit_float(reversed_bits(scrambled_reversed(reversed_bits(point[0]), mixed(seed, 1)))),
+          unit_float(reversed_bits(scrambled_reversed(reversed_bits(point[1]), mixed(seed, 2))))};
+}
+
+/// What a pair of random numbers is for; lights count on from the last.
+enum class Dimension : std::uint32_t { FilmPosition, FigureSky, FloorSky, FirstLight };
+
+/// The random numbers of a pixel, a pure function of the seed, pixel, dimension and index.
+class PixelSampler {
+ public:
+  PixelSampler() = default;
+  PixelSampler(std::uint64_t seed, int x, int y)
+      : seed_(mixed(
+            mixed(mixed(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)),
+                  static_cast<std::uint32_t>(x)),
+            static_cast<std::uint32_t>(y))) {}
+
+  Point2 point(Dimension dimension, int index) const {
+    return sample_point(static_cast<std::uint32_t>(index),
+                        mixed(seed_, static_cast<std::uint32_t>(dimension)));
+  }
+  Point2 light_point(int light, int index) const {
+    return sample_point(static_cast<std::uint32_t>(index),
+                        mixed(seed_, static_cast<std::uint32_t>(Dimension::FirstLight) +
+                                         static_cast<std::uint32_t>(light)));
+  }
+
+ private:
+  std::uint32_t seed_ = 0;
+};
+
+}  // namespace mien::render
