@@ -3,23 +3,16 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "motion/blend.h"
-#include "motion/error.h"
 #include "motion/time_warp.h"
+#include "pipeline/places.h"
 
 namespace mien::pipeline {
-
-/// Where each value of a manifest was written, by its path: "stimuli[2].adjectives.quickness".
-using Places = std::map<std::string, Place>;
-
-/// The place of `path`, or of the nearest ancestor that was written.
-Place place_of(const Places& places, const std::string& path);
 
 /// Numbers by name, in the order of the manifest.
 using NamedValues = std::vector<std::pair<std::string, double>>;

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace mien::pipeline {
@@ -34,20 +32,28 @@ struct ScaleSet {
   std::vector<ScaleGroup> groups;  ///< primary parameters; may be empty
 };
 
-/// The 41 adjective pairs and the four primary groups of the adjective paper (its tables 1 and 2).
-/// Japanese is our translation.
+/// The 41 adjective pairs and the four primary groups (Table 2) of the adjective paper, answered on
+/// −2 … 2.
 ScaleSet builtin_scales();
 
-/// Reads a scales file (YAML, manifests/adjectives.scales.yaml is the pattern). Throws Faults.
+/// Reads a scales file. Throws Faults that list everything wrong with it:
+///
+///     name: five factors
+///     range: [-3, 3]              # of every scale that does not give its own
+///     scales:
+///       extraversion: {low: introverted, high: extraverted, ja: [内向的な, 外向的な]}
+///     groups:                     # optional
+///       energy: {scales: [extraversion], ja: 活力}
 ScaleSet read_scales(const std::filesystem::path& file);
 ScaleSet parse_scales(std::string_view yaml, const std::string& file);
 
+/// The scale of that id, or nullptr.
 const Scale* find_scale(const ScaleSet& set, std::string_view id);
 
 /// What `adjectives:` may name: the groups, then the scales.
 std::vector<std::string> parameter_names(const ScaleSet& set);
 
-/// An answer as a share of the range: 0 at the low end, 1 at the high end.
+/// An answer as a share of the scale: 0 at the low end, 1 at the high end.
 double share_of(const Scale& scale, double answer);
 
 }  // namespace mien::pipeline

@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t most_bytes = 4 << 20;
 constexpr std::size_t most_values = 100'000;
 constexpr std::size_t deepest = 100;
+constexpr std::size_t longest_key = 200;
 
 /// Leaves the parser after a fault that makes the rest meaningless.
 struct Abandoned {};
@@ -79,7 +80,8 @@ class PlaceFinder {
 /// Builds the tree from the parser's events.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const std::string& file, std::vector<Fault>& faults) : file_(file), faults_(faults) {}
+  TreeBuilder(const PlaceFinder& places, std::vector<Fault>& faults)
+      : places_(places), faults_(faults) {}
 
   YamlNode take_root() { return std::move(root_); }
 
@@ -193,6 +195,8 @@ class TreeBuilder : public YAML::EventHandler {
     map.skips_value = true;
     if (key.kind != YamlNode::Kind::scalar) {
       fault(key.place, "a key must be plain text", "write \"name: value\"");
+    } else if (key.text.size() > longest_key) {
+      fault(key.place, "a key of more than 200 bytes", "shorten it");
     } else if (const auto first = map.lines.find(key.text); first != map.lines.end()) {
       fault(key.place,
             "\"" + key.text + "\" is already given on line " + std::to_string(first->second),
@@ -264,8 +268,9 @@ Fault syntax_fault(const PlaceFinder& places, const YAML::ParserException& error
 }
 
 std::optional<Fault> refuse_text(std::string_view text, const std::string& file) {
+  const Place whole{file, 0, 0};
   if (text.size() > most_bytes) {
-    return Fault{{file, 0, 0}, "", "larger than 4 MiB", "split it"};
+    return Fault{whole, "", "larger than 4 MiB", "split it"};
   }
   if (const auto place = first_invalid_utf8(text)) {
     return Fault{{file, place->line, place->column}, "", "not UTF-8 text", "save it as UTF-8"};
@@ -279,7 +284,8 @@ YamlNode parse(std::string_view text, const PlaceFinder& places, const std::stri
   YAML::Parser parser(stream);
   TreeBuilder builder(places, faults);
   if (!parser.HandleNextDocument(builder)) {
-    faults.push_back({{file, 0, 0}, "", "the file is empty", "write a document into it"});
+    const Place whole{file, 0, 0};
+    faults.push_back({whole, "", "the file is empty", "write a document into it"});
     return {};
   }
   YamlNode root = builder.take_root();

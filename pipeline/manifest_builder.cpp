@@ -1,0 +1,247 @@
+#include "pipeline/manifest_builder.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "pipeline/yaml_json.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// The member, or nullptr.
+const json* member(const json& object, const char* key) {
+  if (!object.is_object()) return nullptr;
+  const auto found = object.find(key);
+  return found == object.end() ? nullptr : &*found;
+}
+
+void assign(const json* value, std::string& target) {
+  if (value != nullptr && value->is_string()) target = value->get<std::string>();
+}
+
+void assign(const json* value, bool& target) {
+  if (value != nullptr && value->is_boolean()) target = value->get<bool>();
+}
+
+void assign(const json* value, double& target) {
+  if (value != nullptr && value->is_number()) target = value->get<double>();
+}
+
+void assign(const json* value, int& target) {
+  if (value == nullptr || !value->is_number_integer()) return;
+  const auto number = value->get<std::int64_t>();
+  if (std::in_range<int>(number)) target = static_cast<int>(number);
+}
+
+void assign(const json* value, std::uint64_t& target) {
+  if (value != nullptr && value->is_number_unsigned()) target = value->get<std::uint64_t>();
+}
+
+void assign(const json* value, std::array<int, 2>& target) {
+  if (value == nullptr || !value->is_array() || value->size() != 2) return;
+  assign(&(*value)[0], target[0]);
+  assign(&(*value)[1], target[1]);
+}
+
+template <class Enum>
+using Words = std::initializer_list<std::pair<const char*, Enum>>;
+
+template <class Enum>
+void assign(const json* value, Enum& target, Words<Enum> words) {
+  if (value == nullptr || !value->is_string()) return;
+  for (const auto& [word, meaning] : words) {
+    if (*value == word) target = meaning;
+  }
+}
+
+bool contains(const json& array, const char* word) {
+  return std::find(array.begin(), array.end(), word) != array.end();
+}
+
+/// Builds one manifest; knows the folder that paths start from and the places that give the
+/// members of a map their written order.
+class Builder {
+ public:
+  Builder(Places places, const fs::path& file) : folder_(file.parent_path()) {
+    manifest_.file = file;
+    manifest_.places = std::move(places);
+  }
+
+  Manifest build(const json& document) {
+    assign(member(document, "study"), manifest_.study);
+    assign(member(document, "seed"), manifest_.seed);
+    if (const json* examples = member(document, "examples")) read_examples(*examples);
+    if (const json* look = member(document, "look")) overlay(*look, manifest_.look);
+    if (const json* output = member(document, "output")) overlay(*output, manifest_.output);
+    if (const json* how = member(document, "interpolation")) {
+      overlay(*how, manifest_.interpolation);
+    }
+    if (const json* stimuli = member(document, "stimuli"); stimuli && stimuli->is_array()) {
+      for (const json& stimulus : *stimuli) read_stimulus(stimulus);
+    }
+    if (const json* sheets = member(document, "sheets"); sheets && sheets->is_array()) {
+      for (const json& sheet : *sheets) read_sheet(sheet);
+    }
+    return std::move(manifest_);
+  }
+
+ private:
+  fs::path resolved(const std::string& path) const {
+    return path.empty() ? fs::path() : (folder_ / path).lexically_normal();
+  }
+
+  NamedValues named_values(const json* map, const std::string& path) const {
+    NamedValues values;
+    if (map == nullptr || !map->is_object()) return values;
+    for (const std::string& key : written_order(*map, path, manifest_.places)) {
+      if ((*map)[key].is_number()) values.emplace_back(key, (*map)[key].get<double>());
+    }
+    return values;
+  }
+
+  void read_examples(const json& examples) {
+    if (const json* set = member(examples, "set")) read_set(*set);
+    Ratings& ratings = manifest_.ratings;
+    if (!manifest_.examples.builtin.empty()) ratings.source = Ratings::Source::builtin;
+    if (const json* source = member(examples, "ratings"); source && source->is_string()) {
+      ratings.source = Ratings::Source::file;
+      assign(source, ratings.source,
+             {{"none", Ratings::Source::none},
+              {"builtin", Ratings::Source::builtin},
+              {"simulated", Ratings::Source::simulated}});
+      if (ratings.source == Ratings::Source::file) {
+        ratings.file = resolved(source->get<std::string>());
+      }
+    }
+    assign(member(examples, "raters"), ratings.raters);
+    std::string scales = "builtin";
+    assign(member(examples, "scales"), scales);
+    if (scales != "builtin") manifest_.scales.file = resolved(scales);
+  }
+
+  void read_set(const json& set) {
+    Examples& examples = manifest_.examples;
+    if (set.is_string()) {
+      constexpr std::string_view prefix = "builtin:";
+      const auto& name = set.get_ref<const std::string&>();
+      if (name.starts_with(prefix)) examples.builtin = name.substr(prefix.size());
+      return;
+    }
+    std::string folder;
+    assign(member(set, "folder"), folder);
+    examples.folder = resolved(folder);
+    assign(member(set, "include"), examples.include);
+    assign(member(set, "exclude"), examples.exclude);
+    assign(member(set, "cycle"), examples.cycle,
+           {{"auto", Examples::Cycle::automatic}, {"whole", Examples::Cycle::whole}});
+    const json* labels = member(set, "labels");
+    assign(
+        labels, examples.labels,
+        {{"from-name", Examples::Labels::from_name}, {"file-name", Examples::Labels::file_name}});
+    if (labels == nullptr || !labels->is_object()) return;
+    const std::string path = "examples.set.labels";
+    for (const std::string& stem : written_order(*labels, path, manifest_.places)) {
+      if ((*labels)[stem].is_string()) {
+        examples.given_labels.emplace_back(stem, (*labels)[stem].get<std::string>());
+      }
+    }
+  }
+
+  static void overlay(const json& given, Look& look) {
+    assign(member(given, "scene"), look.scene);
+    assign(member(given, "figure"), look.figure);
+    assign(member(given, "camera"), look.camera);
+  }
+
+  static void overlay(const json& given, Output& output) {
+    assign(member(given, "size"), output.size);
+    assign(member(given, "fps"), output.fps);
+    assign(member(given, "cycles"), output.cycles);
+    assign(member(given, "in_place"), output.in_place);
+    assign(member(given, "quality"), output.quality,
+           {{"draft", Quality::draft}, {"standard", Quality::standard}, {"final", Quality::final}});
+    assign(member(given, "frames"), output.frames,
+           {{"none", FrameFormat::none},
+            {"png", FrameFormat::png},
+            {"png16", FrameFormat::png16},
+            {"exr", FrameFormat::exr}});
+    if (const json* video = member(given, "video"); video && video->is_array()) {
+      output.video = contains(*video, "mp4");
+    }
+    if (const json* clips = member(given, "clips"); clips && clips->is_array()) {
+      output.bvh = contains(*clips, "bvh");
+      output.glb = contains(*clips, "glb");
+    }
+  }
+
+  static void overlay(const json& given, Interpolation& interpolation) {
+    assign(member(given, "rotations"), interpolation.rotations,
+           {{"karcher-mean", motion::RotationBlend::karcher_mean},
+            {"direction-vectors", motion::RotationBlend::direction_vectors}});
+    assign(member(given, "time_warp"), interpolation.time_warp,
+           {{"monotone", motion::WarpShape::monotone}, {"linear", motion::WarpShape::linear}});
+    assign(member(given, "foot_lock"), interpolation.foot_lock);
+  }
+
+  void read_stimulus(const json& given) {
+    Stimulus stimulus;
+    stimulus.path = element_path("stimuli", manifest_.stimuli.size());
+    assign(member(given, "id"), stimulus.id);
+    assign(member(given, "role"), stimulus.role,
+           {{"target", Role::target}, {"created", Role::created}, {"reference", Role::reference}});
+    stimulus.adjectives =
+        named_values(member(given, "adjectives"), member_path(stimulus.path, "adjectives"));
+    stimulus.weights =
+        named_values(member(given, "weights"), member_path(stimulus.path, "weights"));
+    if (const json* clip = member(given, "clip")) stimulus.clip = read_clip(*clip);
+    stimulus.look = manifest_.look;
+    stimulus.output = manifest_.output;
+    stimulus.interpolation = manifest_.interpolation;
+    if (const json* look = member(given, "look")) overlay(*look, stimulus.look);
+    if (const json* output = member(given, "output")) overlay(*output, stimulus.output);
+    if (const json* how = member(given, "interpolation")) overlay(*how, stimulus.interpolation);
+    manifest_.stimuli.push_back(std::move(stimulus));
+  }
+
+  ClipSource read_clip(const json& given) const {
+    ClipSource clip;
+    std::string file;
+    assign(&given, file);
+    assign(member(given, "file"), file);
+    clip.file = resolved(file);
+    if (const json* frames = member(given, "frames")) {
+      clip.frames = {0, std::numeric_limits<int>::max()};
+      assign(frames, *clip.frames);
+    }
+    return clip;
+  }
+
+  void read_sheet(const json& given) {
+    Sheet sheet;
+    sheet.path = element_path("sheets", manifest_.sheets.size());
+    if (const json* compare = member(given, "compare")) {
+      assign(member(*compare, "target"), sheet.target);
+      assign(member(*compare, "created"), sheet.created);
+      assign(member(*compare, "reference"), sheet.reference);
+    }
+    sheet.id = sheet.target + "_" + sheet.created;
+    assign(member(given, "id"), sheet.id);
+    manifest_.sheets.push_back(std::move(sheet));
+  }
+
+  fs::path folder_;
+  Manifest manifest_;
+};
+
+}  // namespace
+
+Manifest build_manifest(const json& document, Places places, const fs::path& file) {
+  return Builder(std::move(places), file).build(document);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,228 @@
+#include "pipeline/manifest_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "motion/nearest_word.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Largest picture of H.264 level 6.2: 139,264 macroblocks of 16 × 16 pixels.
+constexpr std::int64_t most_video_pixels = 139'264LL * 256;
+
+constexpr std::array<std::string_view, 4> motion_endings{".bvh", ".amc", ".gltf", ".glb"};
+
+class Checker {
+ public:
+  explicit Checker(const Manifest& manifest) : manifest_(manifest) {}
+
+  std::vector<Fault> take() { return std::move(faults_); }
+
+  void meaning() {
+    check_examples();
+    check_output("output", manifest_.output);
+    std::map<std::string, std::string> ids;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      check_unique(stimulus.id, stimulus.path, ids);
+      check_stimulus(stimulus);
+    }
+    std::map<std::string, std::string> sheet_ids;
+    for (const Sheet& sheet : manifest_.sheets) check_sheet(sheet, sheet_ids);
+  }
+
+  void names(const Vocabulary& vocabulary) {
+    std::vector<std::string> motions;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      const std::string adjectives = member_path(stimulus.path, "adjectives");
+      for (const auto& [name, value] : stimulus.adjectives) {
+        check_key(adjectives, name, "parameter", vocabulary.parameters);
+      }
+      const std::string weights = member_path(stimulus.path, "weights");
+      for (const auto& [name, value] : stimulus.weights) {
+        check_key(weights, name, "example", vocabulary.examples);
+      }
+      motions.push_back(stimulus.id);
+    }
+    motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
+    for (const Sheet& sheet : manifest_.sheets) {
+      const std::string compare = member_path(sheet.path, "compare");
+      check_motion(member_path(compare, "target"), sheet.target, motions);
+      check_motion(member_path(compare, "created"), sheet.created, motions);
+      check_motion(member_path(compare, "reference"), sheet.reference, motions);
+    }
+  }
+
+ private:
+  void add(const std::string& path, std::string wrong, std::string remedy) {
+    faults_.push_back(
+        {place_of(manifest_.places, path), path, std::move(wrong), std::move(remedy)});
+  }
+
+  bool was_given(const std::string& path) const { return manifest_.places.values.contains(path); }
+
+  void check_examples() {
+    const Examples& examples = manifest_.examples;
+    std::error_code error;
+    if (!examples.folder.empty() && !fs::is_directory(examples.folder, error)) {
+      add("examples.set.folder", "there is no folder " + examples.folder.string(),
+          "correct the path; it is taken from the manifest's folder");
+    }
+    const Ratings& ratings = manifest_.ratings;
+    if (ratings.source == Ratings::Source::file) {
+      check_file("examples.ratings", ratings.file, "'builtin', 'simulated', 'none' or a CSV file");
+    }
+    if (ratings.source == Ratings::Source::builtin && !examples.folder.empty()) {
+      add("examples.ratings", "only built-in sets have built-in ratings",
+          "name a CSV file, or use simulated");
+    }
+    if (!manifest_.scales.file.empty()) {
+      check_file("examples.scales", manifest_.scales.file, "'builtin' or a YAML file");
+      if (ratings.source == Ratings::Source::builtin) {
+        add("examples.scales", "built-in ratings are on the built-in scales",
+            "use ratings: simulated, or leave scales out");
+      }
+    }
+  }
+
+  void check_file(const std::string& path, const fs::path& file, const std::string& expected) {
+    std::error_code error;
+    if (fs::is_regular_file(file, error)) return;
+    add(path, "there is no file " + file.string(),
+        "give " + expected + "; paths are taken from the manifest's folder");
+  }
+
+  void check_output(const std::string& path, const Output& output) {
+    if (!was_given(member_path(path, "size")) && !was_given(member_path(path, "video"))) return;
+    const auto [width, height] = output.size;
+    if (!output.video || width <= 0 || height <= 0) return;
+    const std::string size = member_path(path, "size");
+    if (width % 2 != 0 || height % 2 != 0) {
+      add(size, "a video needs an even width and height",
+          "use [" + std::to_string(width + width % 2) + ", " + std::to_string(height + height % 2) +
+              "], or video: []");
+    }
+    if (std::int64_t{width} * height > most_video_pixels) {
+      add(size, "too large for a video", "use at most 35 million pixels, or video: []");
+    }
+  }
+
+  void check_unique(const std::string& id, const std::string& path,
+                    std::map<std::string, std::string>& taken) {
+    if (id.empty()) return;
+    const auto [first, is_new] = taken.emplace(id, path);
+    if (is_new) return;
+    add(member_path(path, "id"), "\"" + id + "\" is already the id of " + first->second,
+        "give each its own");
+  }
+
+  void check_stimulus(const Stimulus& stimulus) {
+    const bool has_examples = was_given("examples");
+    if (!stimulus.adjectives.empty()) {
+      const std::string path = member_path(stimulus.path, "adjectives");
+      if (!has_examples) {
+        add(path, "adjectives need examples", "add examples: {set: builtin:walks-10}");
+      } else if (manifest_.ratings.source == Ratings::Source::none) {
+        add(path, "adjectives need ratings of the examples",
+            "add ratings: with a CSV file or 'simulated' to examples");
+      }
+    }
+    if (!stimulus.weights.empty()) check_weights(stimulus, has_examples);
+    if (stimulus.clip) check_clip(stimulus.path, *stimulus.clip);
+    check_output(member_path(stimulus.path, "output"), stimulus.output);
+  }
+
+  void check_weights(const Stimulus& stimulus, bool has_examples) {
+    const std::string path = member_path(stimulus.path, "weights");
+    if (!has_examples) add(path, "weights need examples", "add examples: {set: builtin:walks-10}");
+    const auto is_positive = [](const auto& weight) { return weight.second > 0; };
+    if (std::none_of(stimulus.weights.begin(), stimulus.weights.end(), is_positive)) {
+      add(path, "no weight is above 0", "give at least one example a share");
+    }
+  }
+
+  void check_clip(const std::string& stimulus, const ClipSource& clip) {
+    const std::string path = member_path(stimulus, "clip");
+    const std::string file =
+        was_given(member_path(path, "file")) ? member_path(path, "file") : path;
+    if (!clip.file.empty()) {
+      check_file(file, clip.file, "a motion file (.bvh, .amc, .gltf, .glb)");
+      check_ending(file, clip.file);
+    }
+    if (clip.frames && (*clip.frames)[0] > (*clip.frames)[1]) {
+      add(member_path(path, "frames"), "the first frame comes after the last", "exchange the two");
+    }
+  }
+
+  void check_ending(const std::string& path, const fs::path& file) {
+    std::string ending = file.extension().string();
+    for (char& c : ending) {
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    const auto known = std::find(motion_endings.begin(), motion_endings.end(), ending);
+    if (known != motion_endings.end()) return;
+    add(path, "\"" + ending + "\" is no kind of motion file", "use .bvh, .amc, .gltf or .glb");
+  }
+
+  void check_sheet(const Sheet& sheet, std::map<std::string, std::string>& ids) {
+    if (sheet.target.empty() || sheet.created.empty()) return;
+    const std::string compare = member_path(sheet.path, "compare");
+    if (sheet.target == sheet.created) {
+      add(member_path(compare, "created"), "the same motion as the target", "name another one");
+    } else {
+      check_unique(sheet.id, sheet.path, ids);
+    }
+  }
+
+  void check_key(const std::string& map, const std::string& name, const std::string& what,
+                 const std::vector<std::string>& known) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    const std::string path = member_path(map, name);
+    faults_.push_back(
+        {key_place_of(manifest_.places, path), path, "unknown " + what, remedy_for(name, known)});
+  }
+
+  void check_motion(const std::string& path, const std::string& name,
+                    const std::vector<std::string>& known) {
+    if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
+    add(path, "\"" + name + "\" is neither a stimulus nor an example", remedy_for(name, known));
+  }
+
+  /// A near name, else a list that stays readable.
+  static std::string remedy_for(const std::string& name, const std::vector<std::string>& known) {
+    constexpr std::size_t most = 12;
+    if (known.empty()) return "there are none to name";
+    if (motion::nearest_word(name, known) || known.size() <= most) {
+      return motion::did_you_mean(name, known);
+    }
+    const std::vector<std::string> some(known.begin(), known.begin() + most);
+    return motion::did_you_mean("", some) + ", … (" + std::to_string(known.size()) + " in all)";
+  }
+
+  const Manifest& manifest_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace
+
+std::vector<Fault> check_meaning(const Manifest& manifest) {
+  Checker checker(manifest);
+  checker.meaning();
+  return checker.take();
+}
+
+std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary) {
+  Checker checker(manifest);
+  checker.names(vocabulary);
+  return checker.take();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "motion/error.h"
+
+namespace mien::pipeline {
+
+/// Where the values of a document were written, by their paths: "stimuli[2].adjectives.quickness".
+struct Places {
+  std::map<std::string, Place> values;
+  std::map<std::string, Place> keys;  ///< of the names of a map's members
+};
+
+/// "stimuli[2]" + "look" = "stimuli[2].look"; "" + "look" = "look".
+std::string member_path(const std::string& path, std::string_view key);
+
+/// "stimuli" + 2 = "stimuli[2]".
+std::string element_path(const std::string& path, std::size_t index);
+
+/// The place of a value, or of the nearest enclosing one that was written.
+Place place_of(const Places& places, std::string path);
+
+/// The place of a member's name; where there is none, that of the value.
+Place key_place_of(const Places& places, const std::string& path);
+
+}  // namespace mien::pipeline
