@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "motion/error.h"
+
+namespace mien::motion {
+
+/// A place in a text that is being read from its start to its end. Lines end with LF, CR LF or CR.
+struct TextCursor {
+  std::string_view text;
+  std::string file;  ///< name for error messages
+  size_t at = 0;     ///< index of the next character
+};
+
+/// A cursor at the start of the text; a UTF-8 byte order mark is left out.
+TextCursor start_of(std::string_view text, std::string file);
+
+/// Line and column (in characters, not bytes) of an index.
+Place place_at(const TextCursor& cursor, size_t index);
+
+[[noreturn]] void fail(const TextCursor& cursor, size_t index, std::string_view wrong,
+                       std::string_view remedy);
+
+/// A word as an error message shows it: in quotes, cut when long, unprintable bytes as '?'.
+std::string quoted(std::string_view word);
+
+/// Equal but for the case of ASCII letters.
+bool same_word(std::string_view a, std::string_view b);
+
+bool at_end(const TextCursor& cursor);
+bool at_line_end(const TextCursor& cursor);
+
+void skip_blanks(TextCursor& cursor);  ///< within the line
+void skip_space(TextCursor& cursor);   ///< over line ends too
+void skip_line(TextCursor& cursor);    ///< to the next line's start
+
+/// The next word, wherever it is; a brace is a word of its own. Empty at the end.
+std::string_view take_word(TextCursor& cursor);
+
+/// The next word of this line, without regard to braces; empty when there is none.
+std::string_view take_word_on_line(TextCursor& cursor);
+
+/// The next word, which must be a finite number below 1e12; `meaning` says what it is for ("a
+/// channel of frame 3"). Throws mien::Error.
+double take_number(TextCursor& cursor, std::string_view meaning);
+
+/// The next word, which must be a whole number from 0 to 2^31 − 1. Throws mien::Error.
+long take_count(TextCursor& cursor, std::string_view meaning);
+
+}  // namespace mien::motion
