@@ -1,0 +1,38 @@
+#include "motion/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/measured_calibration.h"
+#include "motion/proportions.h"
+#include "motion/rest_calibration.h"
+#include "motion/rotation.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// The zero pose's constants, with those joints measured instead that it has clearly wrong.
+std::array<Quat, body_joint_count> rest_checked(const std::array<Quat, body_joint_count>& rest,
+                                                const MeasuredCalibration& measured) {
+  std::array<Quat, body_joint_count> constants = rest;
+  for (int j = 0; j < body_joint_count; ++j) {
+    const bool wrong = angle_between(rest[j], measured.constants[j]) > 25 * radians_per_degree;
+    if (measured.has_evidence[j] && wrong) constants[j] = measured.constants[j];
+  }
+  return constants;
+}
+
+}  // namespace
+
+Calibration calibrate(std::span<const RigMotion> motions) {
+  const MeasuredCalibration measured = measured_calibration(motions);
+  const auto rest = rest_calibration(motions.front());
+  Calibration calibration;
+  calibration.from_rest_pose = rest.has_value();
+  calibration.to_body = rest ? rest_checked(*rest, measured) : measured.constants;
+  calibration.body = proportions(motions, calibration.to_body);
+  return calibration;
+}
+
+}  // namespace mien::motion
