@@ -50,7 +50,7 @@ class Checker {
       for (const auto& [name, value] : stimulus.weights) {
         check_key(weights, name, "example", vocabulary.examples);
       }
-      motions.push_back(stimulus.id);
+      if (!stimulus.id.empty()) motions.push_back(stimulus.id);
     }
     motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
     for (const Sheet& sheet : manifest_.sheets) {

@@ -101,6 +101,7 @@ class Explainer {
         (type == "array" && value_.is_array()) || (type == "object" && value_.is_object());
     if (right) return false;
     std::string remedy = example_of(node_);
+    if (type == "boolean") remedy = "write true or false";
     if (type == "string" && value_.is_primitive() && !value_.is_null()) {
       remedy = "put it in quotes: \"" + shown(value_) + "\"";
     }
@@ -126,10 +127,15 @@ class Explainer {
     if (std::find(choices.begin(), choices.end(), value_) != choices.end()) return;
     std::vector<std::string> words;
     for (const json& choice : choices) words.push_back(as_yaml(choice));
-    const std::string remedy = value_.is_string()
-                                   ? motion::did_you_mean(value_.get<std::string>(), words)
-                                   : fmt::format("use {}", fmt::join(words, " or "));
-    add(shown(value_) + " is not one of " + fmt::format("{}", fmt::join(words, ", ")), remedy);
+    if (words.size() == 1) return add("must be " + words[0] + " but is " + shown(value_), "");
+    const std::string word = value_.is_string() ? value_.get<std::string>() : shown(value_);
+    const bool is_near = motion::nearest_word(word, words).has_value();
+    const std::string choices_listed = fmt::format("{}", fmt::join(words, ", "));
+    if (is_near) {
+      add(shown(value_) + " is not one of " + choices_listed, motion::did_you_mean(word, words));
+    } else {
+      add(shown(value_) + " is not one of the choices", "use one of " + choices_listed);
+    }
   }
 
   void explain_range() {

@@ -1,86 +1,103 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
-#include <string_view>
+#include <vector>
+
+#include "pipeline/receipt.h"
 
 namespace mien::pipeline {
-
-/// 128-bit content hash (XXH3), 32 hexadecimal digits.
-using Hash = std::string;
-
-Hash hash_of(std::string_view bytes);
-/// Throws std::system_error when the file cannot be read.
-Hash hash_of_file(const std::filesystem::path& file);
-
-/// Builds a key out of everything that determines an artifact. Order and boundaries count.
-class KeyBuilder {
- public:
-  KeyBuilder& add(std::string_view name, std::string_view value);
-  KeyBuilder& add(std::string_view name, double value);
-  KeyBuilder& add(std::string_view name, std::int64_t value);
-
-  Hash key() const;
-
- private:
-  std::string determinants_;
-};
-
-/// What is known about a published artifact.
-struct Receipt {
-  Hash key;
-  std::string path;  ///< relative to the study's folder, with '/'
-  Hash hash;         ///< of the bytes; of a frame sequence: of its frames' hashes in order
-  std::uint64_t size = 0;
-};
 
 /// A second attempt at the same key gave other bytes.
 struct Nondeterminism {
   std::string path;
-  Hash key;
   Hash before;
   Hash now;
 };
 
+/// Another run works in the same folder.
+class StoreBusy : public std::runtime_error {
+ public:
+  using runtime_error::runtime_error;
+};
+
+class FrameStore;
+
 /// The folder of one study and the only way to write into it.
 ///
-/// An artifact is written under a name unique to the attempt, flushed to disk, verified by the
-/// caller's check, hashed, and published by rename; its receipt follows. An artifact counts as
-/// present only if its receipt has the key asked for and its size and hash still agree.
+/// An artifact is written into a folder of the attempt's own, verified by the caller's check,
+/// flushed to disk, hashed, and published by rename; its receipt follows. An artifact counts as
+/// present only if its receipt has the key asked for and its size and hash still agree, so what a
+/// killed run or an editor left behind is made again.
 class Store {
  public:
-  /// Writes the artifact to the given temporary path.
-  using Write = std::function<void(const std::filesystem::path& temporary)>;
+  /// Writes the artifact to the given path, which has the artifact's own file name.
+  using Write = std::function<void(const std::filesystem::path& file)>;
   /// Reads the written file back and throws if it is not what it should be.
-  using Verify = std::function<void(const std::filesystem::path& written)>;
+  using Verify = std::function<void(const std::filesystem::path& file)>;
 
-  enum class Wait { fail, wait };
-
-  /// Creates the folder, takes its lock and removes what killed attempts left. With Wait::fail a
-  /// folder in use throws Error; otherwise the call blocks until the other run has ended.
-  explicit Store(std::filesystem::path folder, Wait wait = Wait::fail);
+  /// Creates the folder, takes its lock and removes what killed attempts left. Throws StoreBusy
+  /// when another process has the lock.
+  explicit Store(std::filesystem::path folder);
   ~Store();
-  Store(Store&& other) noexcept;
-  Store& operator=(Store&&) = delete;
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
 
-  const std::filesystem::path& folder() const { return folder_; }
-  std::filesystem::path path_of(std::string_view relative) const;
+  const std::filesystem::path& folder() const;
 
   /// The receipt of an artifact that is present with this key.
   std::optional<Receipt> find(const std::string& path, const Hash& key) const;
 
-  /// Makes an artifact. Thread-safe for different paths.
+  /// Makes an artifact. Different paths may be made at the same time.
   Receipt put(const std::string& path, const Hash& key, const Write& write, const Verify& verify);
 
-  /// All nondeterminism met by `put` so far, by path.
+  /// Begins or resumes a sequence of frames. It must not outlive the store.
+  FrameStore frames(const std::string& path, const Hash& key);
+
+  /// All nondeterminism met so far, by path.
   std::vector<Nondeterminism> nondeterminism() const;
 
  private:
-  std::filesystem::path folder_;
-  int lock_ = -1;
+  friend class FrameStore;
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// A frame sequence in the making. Frames of a killed attempt at the same key, and those of a
+/// published sequence of that key that still agree with its receipt, are taken over.
+class FrameStore {
+ public:
+  /// The file of a frame that is already there with the hash noted for it; the caller decodes it
+  /// and calls `discard` when that fails.
+  std::optional<std::filesystem::path> find(const std::string& name) const;
+
+  void discard(const std::string& name);
+
+  /// Writes one frame, verifies it and notes its hash. Returns its file. One thread at a time.
+  std::filesystem::path put(const std::string& name, const Store::Write& write,
+                            const Store::Verify& verify);
+
+  /// Publishes the frames of these names, in this order, and nothing else. All must be there.
+  Receipt publish(const std::vector<std::string>& names);
+
+ private:
+  friend class Store;
+  FrameStore(Store::State& store, std::string path, Hash key);
+  void take_back_unreceipted();
+  void read_journal();
+  void adopt_published();
+
+  Store::State* store_;
+  std::string path_;
+  Hash key_;
+  std::filesystem::path folder_;   ///< of the frames so far
+  std::filesystem::path journal_;  ///< a line "hash size name" for each, after the key
+  std::map<std::string, FrameReceipt> noted_;
 };
 
 }  // namespace mien::pipeline

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace mien::pipeline {
+
+/// All of a file. Throws std::system_error.
+std::string read_file(const std::filesystem::path& file);
+
+/// Creates or replaces a file. Throws std::system_error, also when the disk is full.
+void write_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// Waits until a file's (or a folder's) content is on the disk. Throws std::system_error.
+void flush_to_disk(const std::filesystem::path& file);
+
+/// Waits until everything written to the file system that holds `folder` is on the disk.
+void flush_file_system(const std::filesystem::path& folder);
+
+}  // namespace mien::pipeline
