@@ -35,7 +35,7 @@ void expect_brace(TextCursor& cursor, std::string_view brace, std::string_view a
   if (word == brace) return;
   fail(cursor, place,
        "expected \"" + std::string(brace) + "\" after " + std::string(after) + ", found " +
-           (word.empty() ? "the end" : quoted(word)),
+           (word.empty() ? "the end" : in_quotes(word)),
        "check that the file is complete and its braces match");
 }
 
@@ -129,12 +129,12 @@ class HierarchyReader {
     if (same_word(word, "MOTION") && !joints().empty()) return false;
     const std::string expected = joints().empty() ? "ROOT" : "MOTION";
     fail(cursor_, place,
-         "expected " + expected + ", found " + (word.empty() ? "the end" : quoted(word)),
+         "expected " + expected + ", found " + (word.empty() ? "the end" : in_quotes(word)),
          word.empty() ? "the file was cut short: get it again" : "check the braces above");
   }
 
   [[noreturn]] void refuse_in_joint(std::string_view word, size_t place) {
-    const std::string name = quoted(joints()[static_cast<size_t>(open_.back().joint)].name);
+    const std::string name = in_quotes(joints()[static_cast<size_t>(open_.back().joint)].name);
     if (word.empty() || same_word(word, "MOTION")) {
       fail(cursor_, place, "joint " + name + " is not closed by \"}\"",
            word.empty() ? "the file was cut short: get it again" : "add the closing brace");
@@ -143,7 +143,7 @@ class HierarchyReader {
       fail(cursor_, place, "joint " + name + " names more channels than CHANNELS counts",
            "make the count after CHANNELS that of the names");
     }
-    fail(cursor_, place, "unknown word " + quoted(word) + " in joint " + name,
+    fail(cursor_, place, "unknown word " + in_quotes(word) + " in joint " + name,
          "a joint holds OFFSET, CHANNELS, JOINT and End Site");
   }
 
@@ -151,7 +151,7 @@ class HierarchyReader {
     Joint joint;
     joint.name = take_name(cursor_, keyword);
     joint.parent = open_.empty() ? -1 : open_.back().joint;
-    expect_brace(cursor_, "{", std::string(keyword) + " " + quoted(joint.name));
+    expect_brace(cursor_, "{", std::string(keyword) + " " + in_quotes(joint.name));
     open_.push_back({static_cast<int>(joints().size()), place});
     joints().push_back(std::move(joint));
   }
@@ -159,9 +159,10 @@ class HierarchyReader {
   void close_joint() {
     const OpenJoint& closed = open_.back();
     if (!closed.has_offset) {
-      fail(cursor_, closed.place,
-           "joint " + quoted(joints()[static_cast<size_t>(closed.joint)].name) + " has no OFFSET",
-           "write \"OFFSET x y z\" between its braces");
+      fail(
+          cursor_, closed.place,
+          "joint " + in_quotes(joints()[static_cast<size_t>(closed.joint)].name) + " has no OFFSET",
+          "write \"OFFSET x y z\" between its braces");
     }
     open_.pop_back();
   }
@@ -197,12 +198,12 @@ class HierarchyReader {
     std::optional<BvhChannel> channel = channel_named(word);
     if (!channel) {
       fail(cursor_, place,
-           "expected a channel name, found " + (word.empty() ? "the end" : quoted(word)),
+           "expected a channel name, found " + (word.empty() ? "the end" : in_quotes(word)),
            "channels are Xposition Yposition Zposition Xrotation Yrotation Zrotation, as many as "
            "CHANNELS counts");
     }
     if (!channel->rotation && std::exchange(moved[static_cast<size_t>(channel->axis)], true)) {
-      fail(cursor_, place, quoted(word) + " stands twice in one joint", "remove one");
+      fail(cursor_, place, in_quotes(word) + " stands twice in one joint", "remove one");
     }
     channel->joint = joint;
     hierarchy_.channels.push_back(*channel);

@@ -43,7 +43,7 @@ double take_frame_rate(TextCursor& cursor) {
   const double seconds = take_number(cursor, "seconds a frame");
   if (!(seconds >= 1e-5 && seconds <= 3600.0)) {
     fail(cursor, place,
-         "a frame time of " + std::string(quoted(cursor.text.substr(place, cursor.at - place))) +
+         "a frame time of " + std::string(in_quotes(cursor.text.substr(place, cursor.at - place))) +
              " seconds",
          "give the seconds between two frames, e.g. 0.0333333");
   }

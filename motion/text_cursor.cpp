@@ -33,7 +33,7 @@ std::string_view word_at(const TextCursor& cursor) {
          at_end(cursor) ? "the text ends here: was the file cut short?" : "add the number");
   }
   const bool comma = word.find(',') != std::string_view::npos;
-  fail(cursor, cursor.at, quoted(word) + " is not a usable number, " + std::string(meaning),
+  fail(cursor, cursor.at, in_quotes(word) + " is not a usable number, " + std::string(meaning),
        comma ? "write decimals with a point and separate numbers by spaces"
              : "give a finite decimal number below 1e12");
 }
@@ -71,7 +71,7 @@ void fail(const TextCursor& cursor, size_t index, std::string_view wrong, std::s
   throw Error(place_at(cursor, index), wrong, remedy);
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr size_t longest = 40;
   std::string shown = "\"";
   size_t length = std::min(word.size(), longest);
@@ -148,7 +148,7 @@ long take_count(TextCursor& cursor, std::string_view meaning) {
   const std::from_chars_result result =
       std::from_chars(word.data(), word.data() + word.size(), value);
   if (result.ec != std::errc{} || result.ptr != word.data() + word.size() || value < 0) {
-    fail(cursor, cursor.at, quoted(word) + " is not a usable count, " + std::string(meaning),
+    fail(cursor, cursor.at, in_quotes(word) + " is not a usable count, " + std::string(meaning),
          "give a whole number, 0 or more");
   }
   cursor.at += word.size();

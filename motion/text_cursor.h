@@ -24,7 +24,7 @@ Place place_at(const TextCursor& cursor, size_t index);
                        std::string_view remedy);
 
 /// A word as an error message shows it: in quotes, cut when long, unprintable bytes as '?'.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 /// Equal but for the case of ASCII letters.
 bool same_word(std::string_view a, std::string_view b);
