@@ -33,6 +33,11 @@ Scale scale_from(const std::string& id, const json& given, Range range) {
   if (given.contains("range")) range = given["range"].get<Range>();
   scale.least = range[0];
   scale.most = range[1];
+  if (given.contains("loadings")) {
+    for (const auto& [axis, loading] : given["loadings"].items()) {
+      scale.loadings.emplace_back(axis, loading.get<double>());
+    }
+  }
   return scale;
 }
 
@@ -95,8 +100,14 @@ ScaleSet builtin_scales() {
   set.name = "adjective pairs";
   std::map<motion::Primary, std::vector<std::string>> members;
   for (const motion::AdjectivePair& pair : motion::adjective_pairs()) {
-    set.scales.push_back({std::string(pair.key), std::string(pair.low), std::string(pair.high),
-                          std::string(pair.ja_low), std::string(pair.ja_high), -2.0, 2.0});
+    set.scales.push_back({std::string(pair.key),
+                          std::string(pair.low),
+                          std::string(pair.high),
+                          std::string(pair.ja_low),
+                          std::string(pair.ja_high),
+                          -2.0,
+                          2.0,
+                          {}});
     if (pair.table_2) members[*pair.table_2].emplace_back(pair.key);
   }
   for (int i = 0; i < motion::primary_count; ++i) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace mien::pipeline {
@@ -16,6 +17,9 @@ struct Scale {
   std::string japanese_high;
   double least = -2.0;  ///< the answer that means `low`
   double most = 2.0;    ///< the answer that means `high`
+
+  /// For simulated raters only: how much each style impression (simulated_raters.h) counts.
+  std::vector<std::pair<std::string, double>> loadings = {};
 };
 
 /// Several scales whose mean is a parameter of its own.

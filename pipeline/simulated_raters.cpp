@@ -13,13 +13,13 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr std::array<std::string_view, style_axis_count> axis_names = {
+constexpr std::array<std::string_view, motion::style_impression_count> impression_names = {
     "quickness", "clearness", "activeness", "largeness",
     "valence",   "arousal",   "tension",    "stability"};
 
 struct PairLoadings {
   std::string_view pair;
-  StyleAxes loadings;
+  motion::StyleProfile loadings;
 };
 
 // Ours: what the words mean, leaning to the cluster of the adjective paper that they belong to.
@@ -68,7 +68,7 @@ constexpr std::array<PairLoadings, 41> pair_loadings = {{
     {"narrow-wide", {0, 0, 0, 0.9, 0, 0, 0, 0}},
 }};
 
-std::optional<StyleAxes> builtin_loadings(std::string_view id) {
+std::optional<motion::StyleProfile> builtin_loadings(std::string_view id) {
   for (const PairLoadings& pair : pair_loadings) {
     if (pair.pair == id) return pair.loadings;
   }
@@ -86,14 +86,16 @@ double answer_of(const Scale& scale, double share_of_half_range) {
 
 }  // namespace
 
-std::string_view name_of(StyleAxis axis) { return axis_names[static_cast<size_t>(axis)]; }
+const std::array<std::string_view, motion::style_impression_count>& style_impression_names() {
+  return impression_names;
+}
 
-StyleAxes loadings_of(const Scale& scale) {
+motion::StyleProfile loadings_of(const Scale& scale) {
   if (!scale.loadings.empty()) {
-    StyleAxes loadings{};
-    for (const auto& [axis, value] : scale.loadings) {
-      const auto found = std::find(axis_names.begin(), axis_names.end(), axis);
-      loadings[static_cast<size_t>(found - axis_names.begin())] = value;
+    motion::StyleProfile loadings{};
+    for (const auto& [impression, value] : scale.loadings) {
+      const auto found = std::find(impression_names.begin(), impression_names.end(), impression);
+      loadings[static_cast<size_t>(found - impression_names.begin())] = value;
     }
     return loadings;
   }
@@ -110,9 +112,10 @@ Answers simulate_answers(const std::vector<StyledStimulus>& stimuli, const Scale
     const std::string rater = fmt::format("simulated-{:02}", r + 1);
     for (const StyledStimulus& stimulus : stimuli) {
       for (const Scale& scale : scales.scales) {
-        const StyleAxes loadings = loadings_of(scale);
+        const motion::StyleProfile loadings = loadings_of(scale);
         double impression = 0.0;
-        for (size_t a = 0; a < loadings.size(); ++a) impression += loadings[a] * stimulus.axes[a];
+        for (size_t a = 0; a < loadings.size(); ++a)
+          impression += loadings[a] * stimulus.profile[a];
         const double gain =
             1.0 +
             raters.gain_spread * normal(raters.seed, fmt::format("gain/{}/{}", rater, scale.id));

@@ -6,35 +6,20 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/style_profile.h"
 #include "pipeline/answers.h"
 #include "pipeline/scales.h"
 
 namespace mien::pipeline {
 
-/// What simulated raters see of a motion.
-enum StyleAxis : int {
-  quickness,
-  clearness,
-  activeness,
-  largeness,
-  valence,
-  arousal,
-  tension,
-  stability,
-};
+/// Names of the style impressions (motion/style_profile.h) as scales files write them: "quickness"
+/// … "stability".
+const std::array<std::string_view, motion::style_impression_count>& style_impression_names();
 
-inline constexpr int style_axis_count = 8;
-
-/// "quickness" … "stability".
-std::string_view name_of(StyleAxis axis);
-
-/// One number an axis: of a motion, how much of it is there (−1 … 1); of a scale, how much it
-/// counts.
-using StyleAxes = std::array<double, style_axis_count>;
-
+/// A motion and what simulated raters see in it.
 struct StyledStimulus {
   std::string name;
-  StyleAxes axes;
+  motion::StyleProfile profile;
 };
 
 struct SimulatedRaters {
@@ -45,9 +30,9 @@ struct SimulatedRaters {
   double offset_spread = 0.06;  ///< of the raters' leaning towards one end
 };
 
-/// How a scale's answer follows from the axes: its loadings from the scales file, else those of the
-/// built-in adjective pair of that id. Throws Error when there are neither.
-StyleAxes loadings_of(const Scale& scale);
+/// How a scale's answer follows from the impressions: its loadings from the scales file, else those
+/// of the built-in adjective pair of that id. Throws Error when there are neither.
+motion::StyleProfile loadings_of(const Scale& scale);
 
 /// Answers that nobody gave: each rater answers, on each scale, the loadings' weighted sum of the
 /// axes times his own gain plus his own offset plus noise, squashed into the scale's range and

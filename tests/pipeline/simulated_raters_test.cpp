@@ -46,7 +46,7 @@ TEST(SimulatedRaters, KnowEveryBuiltInPair) {
   for (const motion::AdjectivePair& pair : motion::adjective_pairs()) {
     Scale scale;
     scale.id = pair.key;
-    const StyleAxes loadings = loadings_of(scale);
+    const motion::StyleProfile loadings = loadings_of(scale);
     double most = 0.0;
     for (double loading : loadings) most = std::max(most, std::abs(loading));
     EXPECT_GE(most, 0.3) << pair.key;
@@ -80,7 +80,7 @@ TEST(SimulatedRaters, AnswerOnceEachWithinTheRangeInWholeSteps) {
   }
 }
 
-TEST(SimulatedRaters, OrderWalksAsTheirAxesSay) {
+TEST(SimulatedRaters, OrderWalksAsTheirProfilesSay) {
   const ScaleSet scales = builtin_scales();
   const Answers answers = simulate_answers(three_walks(), scales, {.count = 40});
   const ParameterTable table = parameter_table(

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/example.h"
+#include "pipeline/simulated_raters.h"
+
+namespace mien::pipeline {
+
+/// What simulated raters see in motions that were never described otherwise: each measure
+/// (motion/measured_style.h) is standardised over the set and summed into the style impressions
+/// with the loadings listed in the source; tanh keeps the result within −1 … 1. A set of one motion
+/// is all 0.
+std::vector<StyledStimulus> measured_profiles(const motion::ExampleSet& set);
+
+}  // namespace mien::pipeline
