@@ -1,0 +1,29 @@
+#pragma once
+
+#include <atomic>
+#include <stop_token>
+#include <thread>
+
+namespace mien::pipeline {
+
+/// Turns SIGINT and SIGTERM into a stop request. A second signal ends the program at once with exit
+/// code 130. Must be made before any other thread, because it blocks these signals for the threads
+/// that follow and waits for them in one of its own.
+class SignalWatch {
+ public:
+  SignalWatch();
+  ~SignalWatch();
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+
+  std::stop_token token() const { return source_.get_token(); }
+
+ private:
+  void watch();
+
+  std::stop_source source_;
+  std::atomic<bool> closing_ = false;
+  std::thread thread_;
+};
+
+}  // namespace mien::pipeline
