@@ -13,8 +13,8 @@ namespace {
 using motion::motion_measure_count;
 
 // Ours, after what is known of how walks look (Montepare et al. 1987, Roether et al. 2009): a row
-// an axis; columns speed, tempo, travel, hand range, hand speed, hand spread, elbow flexion, trunk
-// lean, head pitch, bounce, sway, asymmetry.
+// an impression; columns speed, tempo, travel, hand range, hand speed, hand spread, elbow flexion,
+// trunk lean, head pitch, bounce, sway, asymmetry.
 constexpr double loadings[motion::style_impression_count][motion_measure_count] = {
     /* quickness  */ {0.6, 0.6, 0.1, 0, 0.2, 0, 0, 0, 0, 0, 0, 0},
     /* clearness  */ {0.1, 0, 0.2, 0.1, 0, 0, 0, -0.4, -0.5, 0, -0.2, -0.6},

@@ -35,9 +35,9 @@ struct SimulatedRaters {
 motion::StyleProfile loadings_of(const Scale& scale);
 
 /// Answers that nobody gave: each rater answers, on each scale, the loadings' weighted sum of the
-/// axes times his own gain plus his own offset plus noise, squashed into the scale's range and
-/// rounded to a whole step where the range has whole ends. Every number depends on (seed, rater,
-/// stimulus, scale) alone. The result is marked as simulated.
+/// impressions times his own gain plus his own offset plus noise, squashed into the scale's range
+/// and rounded to a whole step where the range has whole ends. Every number depends on (seed,
+/// rater, stimulus, scale) alone. The result is marked as simulated.
 Answers simulate_answers(const std::vector<StyledStimulus>& stimuli, const ScaleSet& scales,
                          const SimulatedRaters& raters);
 
