@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/example.h"
+#include "motion/style_profile.h"
+
+namespace mien::motion {
+
+/// A walk that comes with the program.
+struct NamedStyle {
+  std::string name;
+  WalkStyle style;
+};
+
+/// Names of the built-in sets.
+std::vector<std::string_view> builtin_set_names();
+
+/// The styles of a built-in set, in its fixed order. An unknown name throws mien::Error that lists
+/// the known ones.
+///
+/// "walks-10": normal, brisk, slow, happy, sad, angry, proud, afraid, tired, relaxed.
+/// "walks-27": nine emotions from around the circumplex of affect, each fast, at its own speed and
+/// slow: "happy-fast", "happy-normal", "happy-slow", …
+std::vector<NamedStyle> builtin_styles(std::string_view name);
+
+/// The set's walks, made by the parametric walker on the standard body; marked as simulated.
+ExampleSet builtin_examples(std::string_view name, double frames_per_second = 30.0);
+
+/// What each example of the set looks like, in the same order.
+std::vector<StyleProfile> builtin_profiles(std::string_view name);
+
+}  // namespace mien::motion

@@ -1,0 +1,79 @@
+#pragma once
+
+namespace mien::motion {
+
+/// How somebody walks on level ground: the knobs of the parametric walker. The defaults are an
+/// ordinary adult walk at a comfortable speed. Angles in degrees, lengths in metres for a stature
+/// of 1.75 m (scaled with leg length on other bodies), shares as fractions of the gait cycle.
+///
+/// "Range" is from one extreme to the other, "amplitude" is half of that.
+struct WalkStyle {
+  // Time and steps. Step length = speed · 60 / cadence.
+  double speed_m_s = 1.35;
+  double cadence_steps_min = 112.0;
+  double stance_share = 0.605;  ///< foot on the floor, of the cycle; above ½, else it is a run
+  double step_width_m = 0.09;   ///< between the lines on which left and right foot land
+  double foot_progression_deg = 7.0;  ///< toes out of the line of travel
+
+  // Feet and legs.
+  double heel_strike_deg = 20.0;    ///< sole against the floor at heel strike, toes up
+  double heel_rise_share = 0.28;    ///< phase at which the heel begins to leave the floor
+  double toe_off_deg = 66.0;        ///< sole against the floor at toe off, heel up
+  double swing_knee_deg = 61.0;     ///< peak knee flexion of the swing
+  double stance_knee_deg = 5.0;     ///< least knee flexion while standing on the leg
+  double foot_clearance_m = 0.015;  ///< least height of the toes over their height when planted
+  double knee_splay_deg = 0.0;      ///< knees turned out of the line of the feet
+
+  // Pelvis.
+  double bounce_m = 0.045;            ///< vertical range, twice a cycle
+  double sway_m = 0.042;              ///< lateral range, once a cycle
+  double pelvis_rotation_deg = 6.0;   ///< amplitude about the vertical, swinging side forward
+  double pelvis_obliquity_deg = 3.5;  ///< amplitude in the frontal plane, swinging side down
+  double pelvis_tilt_deg = 4.0;       ///< mean, forward
+
+  // Trunk and head.
+  double trunk_lean_deg = 2.0;     ///< of the lumbar spine from the vertical, forward
+  double chest_flexion_deg = 0.0;  ///< of the chest on the spine: slumped; below 0 the chest is out
+  double trunk_rotation_deg = 5.0;  ///< amplitude of the shoulder line, against the pelvis
+  double trunk_sway_deg = 1.0;      ///< amplitude of leaning sideways over the standing leg
+  double neck_flexion_deg = 8.0;    ///< of the neck from the vertical, forward
+  double head_pitch_deg = 0.0;      ///< of the head from level, looking down; below 0 chin up
+  double head_sway_deg = 0.0;       ///< amplitude of tilting sideways with the steps
+
+  // Shoulders and arms.
+  double shoulder_elevation_deg = 0.0;    ///< clavicles up: shrugged
+  double shoulder_protraction_deg = 0.0;  ///< clavicles forward: rounded; below 0 drawn back
+  double arm_swing_deg = 34.0;            ///< range of the upper arm, forward–backward
+  double arm_flexion_deg = -4.0;          ///< mean of the upper arm from the vertical, forward
+  double arm_abduction_deg = 9.0;         ///< upper arms away from the trunk
+  double arm_rotation_deg = 8.0;          ///< upper arms turned inwards about their length
+  double elbow_flexion_deg = 24.0;        ///< mean
+  double elbow_swing_deg = 22.0;          ///< range, most flexed at the forward end of the swing
+  double forearm_pronation_deg = 25.0;    ///< from palms facing the thighs to palms facing back
+  double wrist_flexion_deg = 6.0;         ///< mean
+  double wrist_swing_deg = 10.0;          ///< range: the hand trailing the forearm
+  double arm_lag_share = 0.045;           ///< how much later the forearm swings than the upper arm
+
+  /// How abruptly arms and trunk swing: 0 sinusoidal; towards 1 they dart across and dwell at the
+  /// ends (tense, marching); towards −1 they float through the ends (languid). In [−1, 1].
+  double sharpness = 0.0;
+
+  /// How heavily the weight comes down: the pelvis sinks this much more after each heel strike,
+  /// metres.
+  double impact_m = 0.0;
+};
+
+/// Step length, metres.
+double step_length_m(const WalkStyle& style);
+
+/// Vertical range of the pelvis that goes with a step length when the knees stay near their normal
+/// curves: it grows with the square of the step, as for an inverted pendulum.
+double natural_bounce_m(double step_length);
+
+/// How an ordinary adult walks at another speed and cadence. With longer steps the heel strikes and
+/// the toe leaves the floor at a steeper angle, the pelvis turns and bounces more; with higher
+/// speed stance is shorter and arms swing wider (Murray et al. 1984; Winter 1991).
+/// `ordinary_walk(1.35, 112)` is the default style.
+WalkStyle ordinary_walk(double speed_m_s, double cadence_steps_min);
+
+}  // namespace mien::motion
