@@ -44,14 +44,14 @@ render::Scene studio(const Vec3& centre, const Vec3& forward) {
   scene.sky.zenith = render::Color(0.46f, 0.47f, 0.48f);
   scene.sky.horizon = render::Color(0.36f, 0.365f, 0.37f);
   scene.sky.below = render::Color(0.26f, 0.26f, 0.255f);
-  scene.sky.backdrop_horizon = render::linear_from_srgb8(226, 228, 230);
-  scene.sky.backdrop_zenith = render::linear_from_srgb8(186, 192, 199);
+  scene.sky.backdrop_horizon = render::linear_from_srgb8(210, 211, 211);
+  scene.sky.backdrop_zenith = render::linear_from_srgb8(238, 241, 245);
   scene.ground.albedo = render::Color(0.70f, 0.70f, 0.69f);
   scene.ground.line_albedo = render::Color(0.52f, 0.53f, 0.54f);
   scene.ground.line_spacing = 0.5f;
   scene.ground.line_width = 0.010f;
-  scene.ground.fade_start = 7.0f;
-  scene.ground.fade_end = 34.0f;
+  scene.ground.fade_start = 6.0f;
+  scene.ground.fade_end = 30.0f;
   return scene;
 }
 
