@@ -4,40 +4,42 @@ namespace mien::motion {
 
 WalkStyle brisk_walk() {
   WalkStyle s = ordinary_walk(1.75, 126.0);
-  s.trunk_lean_deg = 4.0;
-  s.elbow_flexion_deg = 36.0;
-  s.elbow_swing_deg = 34.0;
-  s.arm_swing_deg = 48.0;
+  s.trunk_lean_deg = 3.0;
+  s.elbow_flexion_deg = 34.0;
+  s.elbow_swing_deg = 32.0;
+  s.arm_swing_deg = 52.0;
   s.trunk_rotation_deg = 6.5;
   return s;
 }
 
 WalkStyle slow_walk() {
   WalkStyle s = ordinary_walk(0.85, 86.0);
-  s.sway_m = 0.052;
+  s.sway_m = 0.054;
   return s;
 }
 
 WalkStyle happy_walk() {
   WalkStyle s = ordinary_walk(1.48, 117.0);
   s.bounce_m *= 1.3;
-  s.heel_rise_share = 0.24;
+  s.heel_rise_share = 0.26;
   s.sway_m = 0.05;
   s.swing_knee_deg = 66.0;
   s.foot_clearance_m = 0.025;
-  s.pelvis_obliquity_deg = 4.5;
-  s.trunk_lean_deg = 0.0;
+  s.pelvis_obliquity_deg = 5.0;
+  s.trunk_lean_deg = -1.0;
   s.chest_flexion_deg = -5.0;
   s.trunk_rotation_deg = 9.0;
-  s.neck_flexion_deg = 4.0;
-  s.head_pitch_deg = -5.0;
+  s.neck_flexion_deg = 6.0;
+  s.head_pitch_deg = -6.0;
   s.head_sway_deg = 3.0;
   s.shoulder_protraction_deg = -3.0;
-  s.arm_swing_deg = 58.0;
-  s.arm_flexion_deg = 0.0;
+  s.arm_swing_deg = 60.0;
+  s.arm_flexion_deg = -2.0;
   s.arm_abduction_deg = 12.0;
-  s.elbow_flexion_deg = 34.0;
-  s.elbow_swing_deg = 36.0;
+  s.elbow_flexion_deg = 28.0;
+  s.elbow_swing_deg = 32.0;
+  s.shoulder_elevation_deg = -4.0;
+  s.arm_rotation_deg = 14.0;
   return s;
 }
 
@@ -48,12 +50,12 @@ WalkStyle sad_walk() {
   s.stance_knee_deg = 8.0;
   s.foot_clearance_m = 0.010;
   s.pelvis_tilt_deg = 2.0;
-  s.trunk_lean_deg = 8.0;
-  s.chest_flexion_deg = 14.0;
+  s.trunk_lean_deg = 6.0;
+  s.chest_flexion_deg = 16.0;
   s.trunk_rotation_deg = 2.5;
-  s.neck_flexion_deg = 32.0;
+  s.neck_flexion_deg = 36.0;
   s.head_pitch_deg = 30.0;
-  s.shoulder_elevation_deg = -4.0;
+  s.shoulder_elevation_deg = -10.0;
   s.shoulder_protraction_deg = 14.0;
   s.arm_swing_deg = 10.0;
   s.arm_flexion_deg = 2.0;
@@ -71,12 +73,12 @@ WalkStyle angry_walk() {
   s.heel_strike_deg = 24.0;
   s.impact_m = 0.014;
   s.stance_knee_deg = 7.0;
-  s.trunk_lean_deg = 9.0;
-  s.chest_flexion_deg = 3.0;
+  s.trunk_lean_deg = 8.0;
+  s.chest_flexion_deg = 6.0;
   s.trunk_rotation_deg = 9.0;
-  s.neck_flexion_deg = 20.0;
+  s.neck_flexion_deg = 24.0;
   s.head_pitch_deg = 8.0;
-  s.shoulder_elevation_deg = 6.0;
+  s.shoulder_elevation_deg = 3.0;
   s.shoulder_protraction_deg = 6.0;
   s.arm_swing_deg = 50.0;
   s.arm_flexion_deg = -2.0;
@@ -104,14 +106,15 @@ WalkStyle proud_walk() {
   s.chest_flexion_deg = -9.0;
   s.trunk_rotation_deg = 7.0;
   s.trunk_sway_deg = 2.0;
-  s.neck_flexion_deg = -2.0;
+  s.neck_flexion_deg = 0.0;
   s.head_pitch_deg = -10.0;
-  s.shoulder_elevation_deg = 2.0;
+  s.shoulder_elevation_deg = -3.0;
   s.shoulder_protraction_deg = -10.0;
   s.arm_swing_deg = 40.0;
   s.arm_flexion_deg = -8.0;
   s.arm_abduction_deg = 17.0;
   s.elbow_flexion_deg = 26.0;
+  s.arm_rotation_deg = 4.0;
   return s;
 }
 
@@ -125,18 +128,18 @@ WalkStyle afraid_walk() {
   s.bounce_m *= 0.7;
   s.sway_m = 0.030;
   s.pelvis_tilt_deg = 0.0;
-  s.trunk_lean_deg = 8.0;
-  s.chest_flexion_deg = 12.0;
+  s.trunk_lean_deg = 6.0;
+  s.chest_flexion_deg = 14.0;
   s.trunk_rotation_deg = 2.0;
-  s.neck_flexion_deg = 24.0;
+  s.neck_flexion_deg = 30.0;
   s.head_pitch_deg = 4.0;
-  s.shoulder_elevation_deg = 13.0;
+  s.shoulder_elevation_deg = 9.0;
   s.shoulder_protraction_deg = 16.0;
   s.arm_swing_deg = 7.0;
-  s.arm_flexion_deg = 12.0;
-  s.arm_abduction_deg = 4.0;
-  s.arm_rotation_deg = 34.0;
-  s.elbow_flexion_deg = 82.0;
+  s.arm_flexion_deg = 4.0;
+  s.arm_abduction_deg = 6.0;
+  s.arm_rotation_deg = 38.0;
+  s.elbow_flexion_deg = 102.0;
   s.elbow_swing_deg = 6.0;
   s.wrist_flexion_deg = 18.0;
   s.wrist_swing_deg = 2.0;
@@ -154,19 +157,19 @@ WalkStyle tired_walk() {
   s.stance_knee_deg = 12.0;
   s.foot_clearance_m = 0.006;
   s.impact_m = 0.010;
-  s.sway_m = 0.075;
+  s.sway_m = 0.085;
   s.pelvis_tilt_deg = 0.0;
-  s.trunk_lean_deg = 10.0;
-  s.chest_flexion_deg = 10.0;
+  s.trunk_lean_deg = 9.0;
+  s.chest_flexion_deg = 13.0;
   s.trunk_rotation_deg = 3.0;
-  s.trunk_sway_deg = 4.0;
-  s.neck_flexion_deg = 26.0;
+  s.trunk_sway_deg = 5.0;
+  s.neck_flexion_deg = 32.0;
   s.head_pitch_deg = 16.0;
-  s.head_sway_deg = 4.0;
-  s.shoulder_elevation_deg = -6.0;
+  s.head_sway_deg = 6.0;
+  s.shoulder_elevation_deg = -11.0;
   s.shoulder_protraction_deg = 8.0;
   s.arm_swing_deg = 16.0;
-  s.arm_flexion_deg = 4.0;
+  s.arm_flexion_deg = 6.0;
   s.arm_abduction_deg = 8.0;
   s.elbow_flexion_deg = 9.0;
   s.elbow_swing_deg = 6.0;
@@ -182,16 +185,16 @@ WalkStyle relaxed_walk() {
   s.foot_progression_deg = 12.0;
   s.sway_m = 0.056;
   s.pelvis_rotation_deg = 7.0;
-  s.pelvis_obliquity_deg = 5.0;
+  s.pelvis_obliquity_deg = 5.5;
   s.pelvis_tilt_deg = 2.0;
-  s.trunk_lean_deg = -2.0;
-  s.chest_flexion_deg = 2.0;
+  s.trunk_lean_deg = -4.0;
+  s.chest_flexion_deg = 4.0;
   s.trunk_sway_deg = 2.0;
-  s.neck_flexion_deg = 8.0;
+  s.neck_flexion_deg = 14.0;
   s.head_pitch_deg = -2.0;
   s.head_sway_deg = 2.0;
-  s.shoulder_elevation_deg = -4.0;
-  s.arm_swing_deg = 38.0;
+  s.shoulder_elevation_deg = -8.0;
+  s.arm_swing_deg = 40.0;
   s.arm_abduction_deg = 11.0;
   s.elbow_flexion_deg = 19.0;
   s.elbow_swing_deg = 20.0;

@@ -7,7 +7,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double foot_flat_share = 0.09;  // of the cycle, at the normal heel-strike angle
+constexpr double foot_flat_share = 0.10;  // of the cycle, at the normal heel-strike angle
 
 }  // namespace
 
@@ -38,7 +38,7 @@ double stance_pitch(const WalkStyle& style, double phase) {
   }
   if (phase <= rise) return 0.0;
   const double risen = (phase - rise) / (style.stance_share - rise);
-  return -radians_per_degree * style.toe_off_deg * std::pow(risen, 5.0) * (2.2 - 1.2 * risen);
+  return -radians_per_degree * style.toe_off_deg * std::pow(risen, 5.0) * (2.5 - 1.5 * risen);
 }
 
 FootPose stance_foot(const FootShape& shape, const WalkStyle& style, const Vec3& print, double yaw,

@@ -111,7 +111,8 @@ FootPose swinging_foot(const LegCycle& leg, double phase) {
   LegLine line;
   line.knee_flexion = swing_knee_flexion(leg, phase);
   line.swing = at(leg.swing_angle, x);
-  line.outward = at(leg.outward, x);
+  constexpr double circumduction = 0.014;  // of the leg's length: the foot passes outside
+  line.outward = at(leg.outward, x) + circumduction * (leg.thigh_m + leg.shank_m) * bump(x, 3, 3);
   FootPose foot;
   foot.yaw = yaw(leg);
   foot.pitch = at(leg.pitch, x) + 0.5 * leg.lift * bump(x, 3, 3);

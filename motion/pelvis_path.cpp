@@ -8,7 +8,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double top = 0.279;           // phase of the highest point, in left single support
+constexpr double top = 0.285;           // phase of the highest point, in left single support
 constexpr double fastest = 0.08;        // phase of the greatest forward speed
 constexpr double surge = 0.04;          // amplitude of the forward speed, of its mean
 constexpr double leftmost = 0.30;       // phase
@@ -30,7 +30,7 @@ Vec3 pelvis_position(const PelvisPath& path, double phase) {
   const double surge_length = surge * path.stride_m / (4.0 * pi);
   return {0.5 * path.style.sway_m * wave(1, phase, leftmost),
           path.mean_height_m +
-              0.5 * path.style.bounce_m * (wave(2, phase, top) + 0.14 * wave(4, phase, 0.13)) -
+              0.5 * path.style.bounce_m * (wave(2, phase, top) + 0.14 * wave(4, phase, 0.14)) -
               path.style.impact_m * loading_dip(phase),
           path.stride_m * phase + surge_length * std::sin(4.0 * pi * (phase - fastest))};
 }

@@ -14,15 +14,23 @@ namespace {
 
 constexpr double unreachable = -std::numeric_limits<double>::infinity();
 
+/// Hip to ankle when the knee is as straight as it may be. A knee that is all but straight at heel
+/// strike would have to give way with a jerk when the weight comes onto it.
+double longest_leg(const LegCycle& leg, double phase) {
+  constexpr double loading = 0.06;
+  const double more = phase < loading ? 2.0 : 0.0;
+  return leg_length_at(leg, radians_per_degree * (leg.pelvis.style.stance_knee_deg + more));
+}
+
 /// Highest mean height of the pelvis at which this leg keeps the style's knee flexion all through
 /// its stance. A leg whose pelvis is still at mean height 0 is expected.
 double highest_pelvis(const LegCycle& leg) {
   constexpr int samples = 128;
-  const double longest = leg_length_at(leg, radians_per_degree * leg.pelvis.style.stance_knee_deg);
   double highest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= samples; ++i) {
     const double phase = leg.pelvis.style.stance_share * i / samples;
     const Vec3 line = hip_position(leg, phase + leg.phase_offset) - planted_foot(leg, phase).ankle;
+    const double longest = longest_leg(leg, phase);
     const double across = std::hypot(line.x(), line.z());
     if (across >= longest) return unreachable;
     highest = std::min(highest, std::sqrt(longest * longest - across * across) - line.y());

@@ -43,7 +43,9 @@ Cues cues_of(const WalkStyle& style) {
   c.spread = (style.arm_abduction_deg - n.arm_abduction_deg) / 7.0;
   c.upright = -(0.5 * lean + style.chest_flexion_deg - n.chest_flexion_deg) / 10.0;
   c.head_up = -(nod + 0.5 * neck) / 14.0;
-  c.shrug = (style.shoulder_elevation_deg + 0.5 * style.shoulder_protraction_deg) / 10.0;
+  c.shrug = (style.shoulder_elevation_deg - n.shoulder_elevation_deg +
+             0.5 * (style.shoulder_protraction_deg - n.shoulder_protraction_deg)) /
+            10.0;
   c.bounce = (style.bounce_m - natural) / (0.5 * natural);
   c.sway = (style.sway_m - n.sway_m) / 0.02 + (style.trunk_sway_deg - n.trunk_sway_deg) / 2.5 +
            (style.head_sway_deg - n.head_sway_deg) / 2.5;

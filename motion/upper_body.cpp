@@ -66,7 +66,7 @@ Arm arm_at(const WalkStyle& style, double phase) {
   const double later = late - 0.6 * style.arm_lag_share;
   const double swing = arm_swing_shape(phase, style.sharpness);
   const double flexion = style.arm_flexion_deg + 0.5 * style.arm_swing_deg * swing;
-  const double abduction = style.arm_abduction_deg + 0.04 * style.arm_swing_deg * swing;
+  const double abduction = style.arm_abduction_deg + 0.06 * style.arm_swing_deg * swing;
   const double elbow =
       style.elbow_flexion_deg + 0.5 * style.elbow_swing_deg * elbow_shape(late, style.sharpness);
   const double wrist =
@@ -74,7 +74,9 @@ Arm arm_at(const WalkStyle& style, double phase) {
   Arm arm;
   arm.clavicle = turn_y(-(style.shoulder_protraction_deg + 0.08 * style.arm_swing_deg * swing)) *
                  turn_z(style.shoulder_elevation_deg);
-  arm.shoulder = turn_x(-flexion) * turn_z(-(90.0 - abduction)) * turn_x(style.arm_rotation_deg);
+  // The hand swings forward across the body and back away from it.
+  const double inward = style.arm_rotation_deg + 0.35 * style.elbow_swing_deg * swing;
+  arm.shoulder = turn_x(-flexion) * turn_z(-(90.0 - abduction)) * turn_x(inward);
   arm.elbow = turn_y(-elbow) * turn_x(style.forearm_pronation_deg);
   arm.wrist = turn_z(-wrist);
   return arm;

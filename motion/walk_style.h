@@ -17,36 +17,36 @@ struct WalkStyle {
 
   // Feet and legs.
   double heel_strike_deg = 20.0;    ///< sole against the floor at heel strike, toes up
-  double heel_rise_share = 0.28;    ///< phase at which the heel begins to leave the floor
+  double heel_rise_share = 0.31;    ///< phase at which the heel begins to leave the floor
   double toe_off_deg = 66.0;        ///< sole against the floor at toe off, heel up
   double swing_knee_deg = 61.0;     ///< peak knee flexion of the swing
-  double stance_knee_deg = 5.0;     ///< least knee flexion while standing on the leg
+  double stance_knee_deg = 5.0;     ///< least knee flexion in stance; 2° more at heel strike
   double foot_clearance_m = 0.015;  ///< least height of the toes over their height when planted
   double knee_splay_deg = 0.0;      ///< knees turned out of the line of the feet
 
   // Pelvis.
-  double bounce_m = 0.045;            ///< vertical range, twice a cycle
-  double sway_m = 0.042;              ///< lateral range, once a cycle
+  double bounce_m = 0.043;            ///< vertical range, twice a cycle
+  double sway_m = 0.045;              ///< lateral range, once a cycle
   double pelvis_rotation_deg = 6.0;   ///< amplitude about the vertical, swinging side forward
-  double pelvis_obliquity_deg = 3.5;  ///< amplitude in the frontal plane, swinging side down
+  double pelvis_obliquity_deg = 4.0;  ///< amplitude in the frontal plane, swinging side down
   double pelvis_tilt_deg = 4.0;       ///< mean, forward
 
   // Trunk and head.
-  double trunk_lean_deg = 2.0;     ///< of the lumbar spine from the vertical, forward
-  double chest_flexion_deg = 0.0;  ///< of the chest on the spine: slumped; below 0 the chest is out
+  double trunk_lean_deg = 0.5;     ///< of the lumbar spine from the vertical, forward
+  double chest_flexion_deg = 3.0;  ///< of the chest on the spine: slumped; below 0 the chest is out
   double trunk_rotation_deg = 5.0;  ///< amplitude of the shoulder line, against the pelvis
-  double trunk_sway_deg = 1.0;      ///< amplitude of leaning sideways over the standing leg
-  double neck_flexion_deg = 8.0;    ///< of the neck from the vertical, forward
+  double trunk_sway_deg = 1.2;      ///< amplitude of leaning sideways over the standing leg
+  double neck_flexion_deg = 13.0;   ///< of the neck from the vertical, forward
   double head_pitch_deg = 0.0;      ///< of the head from level, looking down; below 0 chin up
   double head_sway_deg = 0.0;       ///< amplitude of tilting sideways with the steps
 
   // Shoulders and arms.
-  double shoulder_elevation_deg = 0.0;    ///< clavicles up: shrugged
+  double shoulder_elevation_deg = -5.0;   ///< clavicles up: shrugged; at ease they drop
   double shoulder_protraction_deg = 0.0;  ///< clavicles forward: rounded; below 0 drawn back
-  double arm_swing_deg = 34.0;            ///< range of the upper arm, forward–backward
+  double arm_swing_deg = 38.0;            ///< range of the upper arm, forward–backward
   double arm_flexion_deg = -4.0;          ///< mean of the upper arm from the vertical, forward
   double arm_abduction_deg = 9.0;         ///< upper arms away from the trunk
-  double arm_rotation_deg = 8.0;          ///< upper arms turned inwards about their length
+  double arm_rotation_deg = 16.0;         ///< upper arms turned inwards about their length
   double elbow_flexion_deg = 24.0;        ///< mean
   double elbow_swing_deg = 22.0;          ///< range, most flexed at the forward end of the swing
   double forearm_pronation_deg = 25.0;    ///< from palms facing the thighs to palms facing back
