@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "motion/calibration.h"
 #include "motion/error.h"
@@ -111,6 +113,42 @@ std::vector<Quat> local_rotations(const RigMotion& motion, const JointTransforms
   return local;
 }
 
+/// The canonical body where the rig is: the floor neither levelled nor at y = 0.
+Clip as_recorded(const Recording& recording, const BodyMapping& mapping) {
+  const RigMotion motion = rig_motion(recording, mapping.joints, mapping.to_y_up);
+  Clip clip;
+  clip.name = recording.name;
+  clip.body = mapping.body;
+  clip.frames_per_second = recording.frames_per_second;
+  for (const JointTransforms& frame : motion.frames) {
+    Pose pose;
+    pose.root_position = mapping.metres_per_unit * motion.point(frame, Pelvis);
+    pose.rotations = local_rotations(motion, frame, mapping);
+    clip.poses.push_back(std::move(pose));
+  }
+  return clip;
+}
+
+void check_joints(const Recording& recording, const BodyMapping& mapping) {
+  for (const MappedJoint& joint : mapping.joints) {
+    for (int rig_joint : joint.group) {
+      if (rig_joint < recording.skeleton.size()) continue;
+      throw Error(Place{recording.name}, "it has other joints than the rig that was calibrated",
+                  "recognise this recording by itself");
+    }
+  }
+}
+
+void warn_of_sloping_floor(BodyMapping& mapping, const Recording& recording) {
+  const double slope =
+      angle_between(Quat::Identity(), floor_levelling(as_recorded(recording, mapping)));
+  if (slope == 0.0) return;
+  std::ostringstream warning;
+  warning << "The floor of " << recording.name << " slopes by " << std::fixed
+          << std::setprecision(1) << slope / radians_per_degree << "°; it is levelled.";
+  mapping.warnings.push_back(warning.str());
+}
+
 void make_continuous(std::vector<Pose>& poses) {
   for (size_t t = 1; t < poses.size(); ++t) {
     for (int j = 0; j < body_joint_count; ++j) {
@@ -164,6 +202,7 @@ BodyMapping recognise(std::span<const Recording> recordings) {
   mapping.body = calibration.body;
   set_scale(mapping, first.format);
   warn_of_missing(mapping);
+  for (const Recording& recording : recordings) warn_of_sloping_floor(mapping, recording);
   mapping.confidence = mean_confidence(mapping.joints);
   return mapping;
 }
@@ -172,23 +211,12 @@ BodyMapping recognise(const Recording& recording) { return recognise(std::span(&
 
 Clip to_body(const Recording& recording, const BodyMapping& mapping) {
   check_frames(recording);
-  for (const MappedJoint& joint : mapping.joints) {
-    for (int rig_joint : joint.group) {
-      if (rig_joint < recording.skeleton.size()) continue;
-      throw Error(Place{recording.name}, "it has other joints than the rig that was calibrated",
-                  "recognise this recording by itself");
-    }
-  }
-  const RigMotion motion = rig_motion(recording, mapping.joints, mapping.to_y_up);
-  Clip clip;
-  clip.name = recording.name;
-  clip.body = mapping.body;
-  clip.frames_per_second = recording.frames_per_second;
-  for (const JointTransforms& frame : motion.frames) {
-    Pose pose;
-    pose.root_position = mapping.metres_per_unit * motion.point(frame, Pelvis);
-    pose.rotations = local_rotations(motion, frame, mapping);
-    clip.poses.push_back(std::move(pose));
+  check_joints(recording, mapping);
+  Clip clip = as_recorded(recording, mapping);
+  const Quat levelling = floor_levelling(clip);
+  for (Pose& pose : clip.poses) {
+    pose.root_position = levelling * pose.root_position;
+    pose.rotations[Pelvis] = (levelling * pose.rotations[Pelvis]).normalized();
   }
   make_continuous(clip.poses);
   const double floor = floor_height(clip);

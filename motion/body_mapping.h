@@ -42,7 +42,8 @@ bool same_rig(const Skeleton& a, const Skeleton& b);
 /// joints correspond one to one and keep their offsets.
 ///
 /// The floor is the level of the feet's lowest points while they rest (third percentile), so that a
-/// few frames of noise or a foot in the ground do not move it. Throws Error when the recording has
+/// few frames of noise or a foot in the ground do not move it. A floor that slopes in the recording
+/// is levelled first (floor.h). Throws Error when the recording has
 /// another rig than the mapping.
 Clip to_body(const Recording& recording, const BodyMapping& mapping);
 

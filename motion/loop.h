@@ -1,0 +1,20 @@
+#pragma once
+
+#include "motion/clip.h"
+
+namespace mien::motion {
+
+/// Frames `start` to `end` of a clip as a loop. Frame `end` is the next cycle's first frame, so the
+/// loop has end − start frames and its seam is no jump: the difference between the two is spread
+/// over the cycle (rotations by their logarithms, the root's height and sideways position and its
+/// heading), then the difference of velocities fades over 0.2 s on either side (after Holden's
+/// looping demonstration). The horizontal way from `start` to `end` becomes `cycle_displacement`.
+///
+/// 0 ≤ start, end < frames, end − start ≥ 3 and the clip itself does not loop.
+Clip closed_loop(const Clip& clip, int start, int end);
+
+/// The loop begun `frames` later (or earlier): the same motion for ever, another first frame. The
+/// first frame stands where it stood in the first cycle.
+Clip shifted_loop(const Clip& loop, int frames);
+
+}  // namespace mien::motion

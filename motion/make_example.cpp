@@ -1,0 +1,139 @@
+#include "motion/make_example.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "motion/error.h"
+#include "motion/filter.h"
+#include "motion/loop.h"
+#include "motion/peaks.h"
+#include "motion/seam_cost.h"
+#include "motion/straighten.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double least_end_seconds = 0.2;
+
+/// The largest of the four ends' speeds relative to the pelvis, m/s.
+std::vector<double> end_speeds(const Clip& clip) {
+  const double rate = clip.frames_per_second;
+  std::vector<double> largest(clip.poses.size(), 0.0);
+  const std::vector<std::vector<Vec3>> paths = joint_paths(clip);
+  for (const BodyJoint end : {LeftWrist, RightWrist, LeftToe, RightToe}) {
+    std::vector<Vec3> path;
+    for (const auto& positions : paths) path.push_back(positions[end] - positions[Pelvis]);
+    const std::vector<Vec3> velocity =
+        derivative(low_pass(path, std::min(3.0, 0.3 * rate), rate), rate);
+    for (size_t t = 0; t < largest.size(); ++t) {
+      largest[t] = std::max(largest[t], velocity[t].norm());
+    }
+  }
+  return largest;
+}
+
+PreparedExample whole_example(const Clip& clip) {
+  PreparedExample prepared;
+  prepared.example.name = clip.name;
+  prepared.example.clip = straightened(clip);
+  std::vector<double>& keytimes = prepared.example.keytimes;
+  keytimes.push_back(0.0);
+  for (const SpeedMinimum& minimum : speed_minima(clip)) keytimes.push_back(minimum.seconds);
+  keytimes.push_back(clip.duration_seconds());
+  return prepared;
+}
+
+/// Keytimes of the cycle in the time of a loop that is a little longer or shorter. Ascending order
+/// is kept as both ends scale alike.
+std::vector<double> scaled_keytimes(const GaitCycle& cycle, double duration) {
+  const double scale = duration / cycle.keytimes.back();
+  std::vector<double> keytimes;
+  for (double keytime : cycle.keytimes) keytimes.push_back(keytime * scale);
+  keytimes.back() = duration;
+  return keytimes;
+}
+
+PreparedExample looped_example(const Clip& clip, const GaitCycle& cycle, CyclePlace cut) {
+  const Clip loop = closed_loop(clip, cut.start, cut.end);
+  const auto to_strike = static_cast<int>(std::lround(cycle.left_strike)) - cut.start;
+  PreparedExample prepared;
+  prepared.cycle = cycle;
+  prepared.cycle->start_frame = cut.start;
+  prepared.cycle->end_frame = cut.end;
+  prepared.example.name = clip.name;
+  prepared.example.clip = straightened(shifted_loop(loop, to_strike));
+  prepared.example.keytimes = scaled_keytimes(cycle, loop.duration_seconds());
+  return prepared;
+}
+
+Error bad_frames(const Clip& clip, const FrameRange& frames, const std::string& wrong) {
+  return Error(
+      Place{clip.name},
+      "frames " + std::to_string(frames.first) + "–" + std::to_string(frames.last) + " " + wrong,
+      "give the frames of two successive strikes of one foot (frames count from 0)");
+}
+
+PreparedExample example_of_frames(const Clip& clip, const FrameRange& frames) {
+  if (frames.first < 0 || frames.last >= clip.frame_count() || frames.last - frames.first < 8) {
+    throw bad_frames(clip, frames,
+                     "do not lie in the clip of " + std::to_string(clip.frame_count()) +
+                         " frames with at least 8 between them");
+  }
+  auto cycle = cycle_of_loop(closed_loop(clip, frames.first, frames.last));
+  if (!cycle) throw bad_frames(clip, frames, "hold no gait cycle of one left and one right step");
+  cycle->left_strike += frames.first;
+  return looped_example(clip, *cycle, {frames.first, frames.last});
+}
+
+/// A loop that is an example already, but for its first frame and direction.
+PreparedExample example_of_loop(const Clip& loop) {
+  PreparedExample prepared;
+  prepared.cycle = cycle_of_loop(loop);
+  prepared.example.name = loop.name;
+  if (!prepared.cycle) {
+    prepared.example.clip = straightened(loop);
+    prepared.example.keytimes = {0.0, loop.duration_seconds()};
+    return prepared;
+  }
+  const auto to_strike = static_cast<int>(std::lround(prepared.cycle->left_strike));
+  prepared.example.clip = straightened(shifted_loop(loop, to_strike));
+  prepared.example.keytimes = scaled_keytimes(*prepared.cycle, loop.duration_seconds());
+  return prepared;
+}
+
+}  // namespace
+
+PreparedExample prepare_example(const Clip& clip, const ExampleOptions& options) {
+  if (clip.frame_count() < 2) {
+    throw Error(Place{clip.name}, "it holds fewer than two frames", "give a motion, not a pose");
+  }
+  if (clip.loops) return example_of_loop(clip);
+  if (options.frames) return example_of_frames(clip, *options.frames);
+  if (options.cycle == CycleChoice::whole) return whole_example(clip);
+  const auto cycle = steadiest_cycle(clip);
+  if (!cycle) return whole_example(clip);
+  return looped_example(clip, *cycle, best_cut(clip, {cycle->start_frame, cycle->end_frame}));
+}
+
+Example make_example(const Clip& clip, const ExampleOptions& options) {
+  return prepare_example(clip, options).example;
+}
+
+std::vector<SpeedMinimum> speed_minima(const Clip& clip) {
+  std::vector<double> slowness = end_speeds(clip);
+  const double top = slowness.empty() ? 0.0 : *std::max_element(slowness.begin(), slowness.end());
+  for (double& value : slowness) value = -value;
+  const double rate = clip.frames_per_second;
+  std::vector<SpeedMinimum> minima;
+  for (const Peak& peak : prominent_peaks(slowness, 0.25 * top, 0.0)) {
+    const double seconds = peak.place / rate;
+    const bool inside =
+        seconds > least_end_seconds && seconds < clip.duration_seconds() - least_end_seconds;
+    if (top > 0.0 && inside) minima.push_back({seconds, peak.prominence});
+  }
+  return minima;
+}
+
+}  // namespace mien::motion
