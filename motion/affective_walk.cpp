@@ -40,20 +40,20 @@ WalkStyle affective_walk(double valence, double arousal) {
   s.foot_progression_deg += 3.0 * v - 3.0 * tension;
 
   s.trunk_lean_deg += -2.5 * v + 5.0 * tension + 4.0 * weariness;
-  s.chest_flexion_deg += -5.0 * v - 1.5 * a + 3.0 * weariness;
+  s.chest_flexion_deg += -5.0 * v - 1.5 * a + 4.0 * gloom + 4.0 * weariness;
   s.trunk_rotation_deg = std::max(2.0, s.trunk_rotation_deg * (1.0 + 0.45 * v + 0.30 * a));
   s.trunk_sway_deg += 2.5 * weariness;
-  s.neck_flexion_deg += -6.0 * v + 10.0 * weariness + 8.0 * tension;
-  s.head_pitch_deg += -9.0 * v - 3.0 * a + 10.0 * weariness;
+  s.neck_flexion_deg += -6.0 * v + 5.0 * gloom + 10.0 * weariness + 6.0 * tension;
+  s.head_pitch_deg += -7.0 * v - 3.0 * a + 8.0 * gloom + 10.0 * weariness - 6.0 * tension;
   s.head_sway_deg += 2.0 * std::max(v, 0.0) + 2.0 * weariness;
 
   s.shoulder_elevation_deg += 9.0 * tension - 5.0 * weariness;
   s.shoulder_protraction_deg += -5.0 * v + 5.0 * tension + 3.0 * weariness;
-  s.arm_swing_deg = std::max(6.0, s.arm_swing_deg * (1.0 + 0.30 * v + 0.15 * a - 0.45 * tension));
+  s.arm_swing_deg = std::max(6.0, s.arm_swing_deg * (1.0 + 0.30 * v + 0.15 * a - 0.50 * tension));
   s.arm_flexion_deg += 3.0 * gloom + 4.0 * tension;
   s.arm_abduction_deg += 3.0 * v + 2.0 * tension;
   s.arm_rotation_deg += 14.0 * tension;
-  s.elbow_flexion_deg = std::max(8.0, s.elbow_flexion_deg + 9.0 * a + 26.0 * tension);
+  s.elbow_flexion_deg = std::max(8.0, s.elbow_flexion_deg + 9.0 * a + 36.0 * tension);
   s.elbow_swing_deg = std::max(4.0, s.elbow_swing_deg * (1.0 + 0.25 * v - 0.30 * tension));
   s.arm_lag_share += 0.03 * std::max(-a, 0.0) - 0.02 * tension;
   s.sharpness = 0.6 * tension - 0.5 * std::max(-a, 0.0);

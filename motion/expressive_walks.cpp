@@ -137,9 +137,9 @@ WalkStyle afraid_walk() {
   s.shoulder_protraction_deg = 16.0;
   s.arm_swing_deg = 7.0;
   s.arm_flexion_deg = 4.0;
-  s.arm_abduction_deg = 6.0;
-  s.arm_rotation_deg = 38.0;
-  s.elbow_flexion_deg = 102.0;
+  s.arm_abduction_deg = 5.0;
+  s.arm_rotation_deg = 20.0;
+  s.elbow_flexion_deg = 112.0;
   s.elbow_swing_deg = 6.0;
   s.wrist_flexion_deg = 18.0;
   s.wrist_swing_deg = 2.0;

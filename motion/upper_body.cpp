@@ -75,7 +75,7 @@ Arm arm_at(const WalkStyle& style, double phase) {
   arm.clavicle = turn_y(-(style.shoulder_protraction_deg + 0.08 * style.arm_swing_deg * swing)) *
                  turn_z(style.shoulder_elevation_deg);
   // The hand swings forward across the body and back away from it.
-  const double inward = style.arm_rotation_deg + 0.35 * style.elbow_swing_deg * swing;
+  const double inward = style.arm_rotation_deg + 0.2 * style.elbow_swing_deg * swing;
   arm.shoulder = turn_x(-flexion) * turn_z(-(90.0 - abduction)) * turn_x(inward);
   arm.elbow = turn_y(-elbow) * turn_x(style.forearm_pronation_deg);
   arm.wrist = turn_z(-wrist);

@@ -46,7 +46,7 @@ struct WalkStyle {
   double arm_swing_deg = 38.0;            ///< range of the upper arm, forward–backward
   double arm_flexion_deg = -4.0;          ///< mean of the upper arm from the vertical, forward
   double arm_abduction_deg = 9.0;         ///< upper arms away from the trunk
-  double arm_rotation_deg = 16.0;         ///< upper arms turned inwards about their length
+  double arm_rotation_deg = 12.0;         ///< upper arms turned inwards about their length
   double elbow_flexion_deg = 24.0;        ///< mean
   double elbow_swing_deg = 22.0;          ///< range, most flexed at the forward end of the swing
   double forearm_pronation_deg = 25.0;    ///< from palms facing the thighs to palms facing back
