@@ -16,6 +16,8 @@ double fourier(double mean, std::span<const Harmonic> harmonics, double phase) {
   return value;
 }
 
+double wave(int n, double phase, double peak) { return std::cos(2.0 * pi * n * (phase - peak)); }
+
 double quintic(const CurveEnd& from, const CurveEnd& to, double x) {
   const double rise = to.value - from.value - from.rate;
   const double bend = to.rate - from.rate;
@@ -50,14 +52,13 @@ constexpr double dwell = 0.45;  // largest k that still looks like a living arm
 
 }  // namespace
 
-double pelvis_rotation_shape(double phase) { return std::cos(2.0 * pi * (phase - 0.01)); }
+double pelvis_rotation_shape(double phase) { return wave(1, phase, 0.01); }
 
 double pelvis_obliquity_shape(double phase) {
   // The third harmonic makes the drop of the swinging side quick (in the loading response) and its
   // recovery slow.
   constexpr double peak = 0.19;
-  return 0.68 * std::cos(2.0 * pi * (phase - peak - 0.03)) +
-         0.34 * std::cos(6.0 * pi * (phase - peak));
+  return 0.68 * wave(1, phase, peak + 0.03) + 0.34 * wave(3, phase, peak);
 }
 
 double shoulder_rotation_shape(double phase, double sharpness) {

@@ -46,9 +46,8 @@ StanceState stance_state(const LegCycle& leg, double phase) {
   return {line.knee_flexion - normal, line.swing, line.outward, foot.pitch, foot.toe_extension};
 }
 
-/// Value and slope where the swing leaves the stance (`sign` −1, two more states before) or meets
-/// it
-/// (+1, two more after). Slopes are taken with respect to the share of the swing.
+/// Value and slope where the swing leaves the stance (`sign` −1: the states go back in time) or
+/// meets it (+1: they go on). Slopes are taken with respect to the share of the swing.
 CurveEnd curve_end(const std::array<StanceState, 3>& states, double StanceState::*member,
                    double sign, double step, double swing_share) {
   const double a = states[0].*member;

@@ -14,8 +14,6 @@ constexpr double surge = 0.04;          // amplitude of the forward speed, of it
 constexpr double leftmost = 0.30;       // phase
 constexpr double tilt_amplitude = 1.0;  // degrees, twice a cycle
 
-double wave(int n, double phase, double peak) { return std::cos(2.0 * pi * n * (phase - peak)); }
-
 /// A dip of depth 1 in each loading response, otherwise near 0: a raised cosine to the fourth
 /// power.
 double loading_dip(double phase) {

@@ -1,7 +1,5 @@
 #include "motion/upper_body.h"
 
-#include <cmath>
-
 #include "motion/body.h"
 #include "motion/gait_curves.h"
 
@@ -18,8 +16,6 @@ Quat turn_y(double degrees) {
 Quat turn_z(double degrees) {
   return Quat(Eigen::AngleAxisd(radians_per_degree * degrees, Vec3::UnitZ()));
 }
-
-double wave(int n, double phase, double peak) { return std::cos(2.0 * pi * n * (phase - peak)); }
 
 /// The same turn on the other side of the body.
 Quat mirrored_turn(const Quat& q) { return Quat(q.w(), q.x(), -q.y(), -q.z()); }

@@ -1,6 +1,5 @@
 #include "motion/builtin_sets.h"
 
-#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -12,14 +11,6 @@
 
 namespace mien::motion {
 namespace {
-
-std::map<std::string, StyleProfile> profiles_by_name(std::string_view set) {
-  std::map<std::string, StyleProfile> result;
-  const std::vector<NamedStyle> styles = builtin_styles(set);
-  const std::vector<StyleProfile> profiles = builtin_profiles(set);
-  for (size_t i = 0; i < styles.size(); ++i) result[styles[i].name] = profiles[i];
-  return result;
-}
 
 /// Angle of a rotation about the x axis of its own frame, degrees.
 double about_x_deg(const Quat& rotation) {
@@ -138,60 +129,6 @@ TEST(BuiltinSets, JointsStayWithinTheirLimits) {
       }
     }
   }
-}
-
-TEST(StyleProfile, OrdinaryWalkIsInTheMiddle) {
-  for (const double value : profile(WalkStyle{})) EXPECT_DOUBLE_EQ(value, 0.0);
-}
-
-TEST(StyleProfile, EmotionsDifferAsPeopleSeeThem) {
-  const auto p = profiles_by_name("walks-10");
-  EXPECT_GT(p.at("brisk")[Quickness], 0.5);
-  EXPECT_LT(p.at("slow")[Quickness], -0.5);
-  EXPECT_GT(p.at("happy")[Valence], 0.5);
-  EXPECT_LT(p.at("sad")[Valence], -0.5);
-  EXPECT_GT(p.at("angry")[Arousal], 0.5);
-  EXPECT_LT(p.at("tired")[Arousal], -0.5);
-  EXPECT_GT(p.at("proud")[Largeness], 0.4);
-  EXPECT_LT(p.at("afraid")[Largeness], -0.5);
-  EXPECT_GT(p.at("proud")[Clearness], 0.3);
-  EXPECT_LT(p.at("tired")[Clearness], -0.5);
-  EXPECT_GT(p.at("angry")[Tension], 0.5);
-  EXPECT_GT(p.at("afraid")[Tension], 0.5);
-  EXPECT_LT(p.at("relaxed")[Tension], -0.2);
-  EXPECT_GT(p.at("happy")[Activeness], 0.5);
-  EXPECT_LT(p.at("sad")[Activeness], -0.4);
-  EXPECT_LT(p.at("tired")[Stability], -0.5);
-}
-
-TEST(StyleProfile, FollowsTheCircumplex) {
-  double agreement_valence = 0.0;
-  double agreement_arousal = 0.0;
-  for (const Emotion& emotion : circumplex_emotions()) {
-    const StyleProfile seen = profile(affective_walk(emotion.valence, emotion.arousal));
-    agreement_valence += seen[Valence] * emotion.valence;
-    agreement_arousal += seen[Arousal] * emotion.arousal;
-    if (std::abs(emotion.valence) > 0.4) {
-      EXPECT_GT(seen[Valence] * emotion.valence, 0.0) << emotion.name;
-    }
-    if (std::abs(emotion.arousal) > 0.5) {
-      EXPECT_GT(seen[Arousal] * emotion.arousal, 0.0) << emotion.name;
-    }
-  }
-  EXPECT_GT(agreement_valence, 1.5);
-  EXPECT_GT(agreement_arousal, 1.5);
-}
-
-TEST(AffectiveWalk, NeutralIsAnOrdinaryWalkAndPacesComposeToNothing) {
-  const WalkStyle style = affective_walk(0.3, -0.4);
-  const WalkStyle back = at_pace(at_pace(style, 1.25), 0.8);
-  EXPECT_NEAR(back.speed_m_s, style.speed_m_s, 1e-12);
-  EXPECT_NEAR(back.cadence_steps_min, style.cadence_steps_min, 1e-12);
-  EXPECT_NEAR(back.bounce_m, style.bounce_m, 1e-12);
-  EXPECT_NEAR(back.arm_swing_deg, style.arm_swing_deg, 1e-9);
-  const WalkStyle neutral = affective_walk(0.0, 0.0);
-  EXPECT_DOUBLE_EQ(neutral.head_pitch_deg, WalkStyle{}.head_pitch_deg);
-  EXPECT_DOUBLE_EQ(neutral.sharpness, 0.0);
 }
 
 }  // namespace

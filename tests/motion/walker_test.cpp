@@ -261,6 +261,17 @@ TEST(Walker, SmallerBodyTakesProportionallySmallerSteps) {
   EXPECT_LT(test::planted_travel(small, true), 1e-3);
 }
 
+TEST(Walker, BodyWithCrookedUnequalLegsKeepsItsFeetToo) {
+  Skeleton body = standard_body();
+  body.joints[LeftKnee].offset = Vec3(0.01, -0.42, 0.015);
+  body.joints[LeftAnkle].offset = Vec3(-0.01, -0.415, -0.02);
+  body.joints[RightKnee].offset = Vec3(0.0, -0.435, 0.01);
+  body.joints[RightToe].offset = Vec3(-0.01, -0.055, 0.12);
+  const Clip clip = walk(WalkStyle{}, 60.0, body).clip;
+  for (const bool left : {true, false}) EXPECT_LT(test::planted_travel(clip, left), 1e-3);
+  EXPECT_GT(test::lowest_point(clip), -1e-3);
+}
+
 TEST(Walker, WiderStyleParametersShowInTheMotion) {
   const auto arm_range = [](const WalkStyle& style) {
     const Clip clip = walk(style, 60.0, standard_body()).clip;
