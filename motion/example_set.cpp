@@ -1,0 +1,123 @@
+#include "motion/example_set.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "motion/body_mapping.h"
+#include "motion/error.h"
+#include "motion/file_labels.h"
+#include "motion/motion_file.h"
+#include "motion/retarget.h"
+
+namespace mien::motion {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_motion_file(const fs::path& path) {
+  static const std::set<std::string> extensions = {".bvh", ".amc", ".gltf", ".glb"};
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extensions.count(extension) > 0;
+}
+
+/// Mappings of all recordings, calibrated over those that share a rig.
+std::vector<BodyMapping> mappings_of(const std::vector<Recording>& recordings) {
+  std::vector<BodyMapping> mappings(recordings.size());
+  std::vector<bool> done(recordings.size(), false);
+  for (size_t i = 0; i < recordings.size(); ++i) {
+    if (done[i]) continue;
+    std::vector<Recording> rig;
+    std::vector<size_t> members;
+    for (size_t k = i; k < recordings.size(); ++k) {
+      if (done[k] || !same_rig(recordings[i].skeleton, recordings[k].skeleton)) continue;
+      rig.push_back(recordings[k]);
+      members.push_back(k);
+      done[k] = true;
+    }
+    const BodyMapping mapping = recognise(rig);
+    for (const size_t k : members) mappings[k] = mapping;
+  }
+  return mappings;
+}
+
+std::vector<std::string> names_of(const ExampleFolder& folder,
+                                  const std::vector<std::string>& stems) {
+  std::vector<std::string> names = folder.shorten_names ? labels_from_names(stems) : stems;
+  const std::map<std::string, std::string> given(folder.names.begin(), folder.names.end());
+  std::set<std::string> seen;
+  for (size_t i = 0; i < stems.size(); ++i) {
+    if (const auto name = given.find(stems[i]); name != given.end()) names[i] = name->second;
+    if (seen.insert(names[i]).second) continue;
+    throw Error({folder.path.string(), 0, 0}, "two motions are called \"" + names[i] + "\"",
+                "give one another label");
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<fs::path> example_files(const ExampleFolder& folder) {
+  std::error_code failed;
+  fs::directory_iterator entries(folder.path, failed);
+  if (failed) {
+    throw Error({folder.path.string(), 0, 0}, "is no folder that can be read",
+                "name the folder that holds the motion files");
+  }
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : entries) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_regular_file() || !is_motion_file(entry.path())) continue;
+    if (!matches_glob(folder.include, name)) continue;
+    if (!folder.exclude.empty() && matches_glob(folder.exclude, name)) continue;
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  if (files.empty()) {
+    throw Error({folder.path.string(), 0, 0},
+                "holds no motion file that matches \"" + folder.include + "\"",
+                "BVH, AMC and glTF files are taken; mind upper and lower case");
+  }
+  return files;
+}
+
+LoadedExamples load_examples(const ExampleFolder& folder) {
+  std::vector<Recording> recordings;
+  LoadedExamples loaded;
+  for (const fs::path& file : example_files(folder)) {
+    recordings.push_back(read_motion(file));
+    loaded.file_stems.push_back(file.stem().string());
+  }
+  const std::vector<std::string> names = names_of(folder, loaded.file_stems);
+  const std::vector<BodyMapping> mappings = mappings_of(recordings);
+  loaded.set.name = folder.path.filename().string();
+  for (size_t i = 0; i < recordings.size(); ++i) {
+    PreparedExample prepared =
+        prepare_example(to_body(recordings[i], mappings[i]), {.cycle = folder.cycle});
+    prepared.example.name = names[i];
+    if (prepared.cycle) {
+      for (const std::string& warning : prepared.cycle->warnings) {
+        loaded.warnings.push_back(names[i] + ": " + warning);
+      }
+    }
+    loaded.set.examples.push_back(std::move(prepared.example));
+  }
+  const size_t keytimes = loaded.set.examples.front().keytimes.size();
+  const Skeleton& body = loaded.set.examples.front().clip.body;
+  for (size_t i = 0; i < names.size(); ++i) {
+    Example& example = loaded.set.examples[i];
+    if (example.keytimes.size() != keytimes) {
+      throw Error({(folder.path / loaded.file_stems[i]).string(), 0, 0},
+                  "\"" + names[i] + "\" has " + std::to_string(example.keytimes.size()) +
+                      " keytimes and \"" + names[0] + "\" has " + std::to_string(keytimes),
+                  "leave it out with exclude, or take all motions whole with cycle: whole");
+    }
+    if (i > 0) example.clip = retarget(example.clip, body);
+  }
+  return loaded;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "motion/example.h"
+#include "motion/make_example.h"
+
+namespace mien::motion {
+
+/// Motion files that make a set of examples.
+struct ExampleFolder {
+  std::filesystem::path path;
+  std::string include = "*";  ///< pattern of file names (file_labels.h)
+  std::string exclude;        ///< pattern; empty leaves nothing out
+  CycleChoice cycle = CycleChoice::automatic;
+  bool shorten_names = true;  ///< name examples by the part of the file name in which they differ
+  std::vector<std::pair<std::string, std::string>> names;  ///< file stem → name, goes before
+};
+
+/// The motion files that are chosen, ordered by name. Throws Error: no such folder, no such file.
+std::vector<std::filesystem::path> example_files(const ExampleFolder& folder);
+
+/// A set and where it is from.
+struct LoadedExamples {
+  ExampleSet set;
+  std::vector<std::string> file_stems;  ///< aligned with the examples
+  std::vector<std::string> warnings;    ///< plain sentences that name the example
+};
+
+/// Reads the files, maps all files of one rig together, cuts and straightens each motion
+/// (make_example.h), and puts all on the first one's body (retarget.h). Throws Error naming the
+/// file that cannot be used: unreadable, no human, another number of keytimes than the first, or a
+/// name that occurs twice.
+LoadedExamples load_examples(const ExampleFolder& folder);
+
+}  // namespace mien::motion

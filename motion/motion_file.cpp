@@ -1,0 +1,38 @@
+#include "motion/motion_file.h"
+
+#include <algorithm>
+#include <string>
+
+#include "motion/acclaim.h"
+#include "motion/bvh.h"
+#include "motion/error.h"
+
+namespace mien::motion {
+
+namespace {
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace
+
+Recording read_motion(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".bvh") return read_bvh(path);
+  if (extension == ".amc") return read_amc(path);
+  throw Error({path.string(), 0, 0}, "is no motion file that can be read",
+              "BVH (.bvh), Acclaim (.amc) and glTF (.gltf, .glb) can");
+}
+
+void write_motion(const Recording& recording, const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".bvh") return write_bvh(recording, path);
+  throw Error({path.string(), 0, 0}, "is no motion file that can be written",
+              "BVH (.bvh) and binary glTF (.glb) can");
+}
+
+}  // namespace mien::motion

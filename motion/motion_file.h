@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "motion/recording.h"
+
+namespace mien::motion {
+
+/// Reads a motion by its file's extension: .bvh, .amc (with its .asf), .gltf, .glb. Throws
+/// mien::Error: no such file, another extension, or what the reader of the format finds wrong.
+Recording read_motion(const std::filesystem::path& path);
+
+/// Writes a motion by its file's extension: .bvh, .glb. Throws mien::Error.
+void write_motion(const Recording& recording, const std::filesystem::path& path);
+
+}  // namespace mien::motion
