@@ -17,7 +17,10 @@ std::array<Quat, body_joint_count> rest_checked(const std::array<Quat, body_join
                                                 const MeasuredCalibration& measured) {
   std::array<Quat, body_joint_count> constants = rest;
   for (int j = 0; j < body_joint_count; ++j) {
-    const bool wrong = angle_between(rest[j], measured.constants[j]) > 25 * radians_per_degree;
+    // A sole that stands on the floor says more about the foot than a figure nobody posed.
+    const bool is_foot = j == LeftAnkle || j == RightAnkle;
+    const double tolerance = (is_foot ? 12 : 25) * radians_per_degree;
+    const bool wrong = angle_between(rest[j], measured.constants[j]) > tolerance;
     if (measured.has_evidence[j] && wrong) constants[j] = measured.constants[j];
   }
   return constants;

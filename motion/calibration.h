@@ -20,11 +20,12 @@ struct Calibration {
 ///
 /// Each bone of the rig is laid on `rest_direction` of its joint. The twist about the bone comes
 /// from the rig's zero pose when that is a plausible standing figure. Otherwise, and wherever the
-/// zero pose is off by more than 25°, it is measured: thighs and shanks by the axis about which the
-/// knee bends, upper arms and forearms by that of the elbow (mean over the frames bent more than
-/// 15°), trunk by the lines through hips and shoulders, neck, head, clavicles and hands by their
-/// mean attitude to chest and forearm, feet by standing flat. A measured reference within 20° of an
-/// axis of the rig's own joint frame gives way to that axis, so that all recordings of a rig agree.
+/// zero pose is off by more than 25° (feet: 12°), it is measured: thighs and shanks by the axis
+/// about which the knee bends, upper arms and forearms by that of the elbow (mean over the frames
+/// bent more than 15°), trunk by the lines through hips and shoulders, neck, head, clavicles and
+/// hands by their mean attitude to chest and forearm, feet by standing flat. A measured reference
+/// within 20° of an axis of the rig's own joint frame gives way to that axis, so that all
+/// recordings of a rig agree.
 Calibration calibrate(std::span<const RigMotion> motions);
 
 }  // namespace mien::motion

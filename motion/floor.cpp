@@ -116,7 +116,7 @@ Quat floor_levelling(const Clip& clip) {
   if (resting.plants < 5) return Quat::Identity();
   const Slope slope = fitted_slope(resting.points);
   const double degrees = std::abs(std::atan(slope.rise)) / radians_per_degree;
-  const bool is_slope = slope.spread > 0.4 && degrees > 1.0 && degrees < 6.0 &&
+  const bool is_slope = slope.spread > 0.4 && degrees > 1.5 && degrees < 6.0 &&
                         slope.error_sloping < 0.6 * slope.error_level;
   if (!is_slope) return Quat::Identity();
   const Vec3 up_the_slope = (slope.direction + slope.rise * Vec3::UnitY()).normalized();

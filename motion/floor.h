@@ -14,7 +14,7 @@ std::vector<double> lowest_sole_heights(const Clip& clip);
 double floor_height(const Clip& clip);
 
 /// The rotation that levels a floor which slopes in the recording, as happens when the capture
-/// volume was not levelled: identity unless both feet rest along one slope of 1–6°, over at least
+/// volume was not levelled: identity unless both feet rest along one slope of 1.5–6°, over at least
 /// 0.8 m and five separate plants, and a level floor would leave much larger errors.
 Quat floor_levelling(const Clip& clip);
 

@@ -13,8 +13,8 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double least_steadiness =
-    0.05;  // below it steps are no walk: climbing, dancing, standing
+// Below it steps are no walk: climbing, dancing, standing.
+constexpr double least_steadiness = 0.1;
 
 Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
 
@@ -142,6 +142,33 @@ std::optional<GaitCycle> cycle_by_likeness(const Clip& clip) {
   return cycle;
 }
 
+/// The last step of a take: one foot's strike to the other's next.
+std::optional<GaitCycle> half_cycle(const Clip& clip) {
+  std::vector<GaitEvent> strikes;
+  for (const GaitEvent& event : gait_events(clip)) {
+    if (event.kind == GaitEvent::Kind::heel_strike) strikes.push_back(event);
+  }
+  for (size_t i = strikes.size(); i-- > 1;) {
+    const double seconds = (strikes[i].frame - strikes[i - 1].frame) / clip.frames_per_second;
+    if (strikes[i].left == strikes[i - 1].left || seconds < 0.2 || seconds > 1.2) continue;
+    const int start = static_cast<int>(std::lround(strikes[i - 1].frame));
+    const int end = static_cast<int>(std::lround(strikes[i].frame));
+    if (start < 0 || end >= clip.frame_count() || end - start < 4) continue;
+    auto cycle = cycle_of_loop(mirrored_loop(clip, start, end));
+    if (!cycle) continue;
+    cycle->start_frame = start;
+    cycle->end_frame = end;
+    cycle->starts_left = strikes[i - 1].left;
+    cycle->left_strike += start;
+    cycle->is_half = true;
+    cycle->steadiness = least_steadiness;
+    cycle->warnings.push_back(
+        "The take holds no full cycle; one step and its mirror image stand for it.");
+    return cycle;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<GaitCycle> gait_cycles(const Clip& clip) {
@@ -159,7 +186,11 @@ std::vector<GaitCycle> gait_cycles(const Clip& clip) {
 
 std::optional<GaitCycle> steadiest_cycle(const Clip& clip) {
   const std::vector<GaitCycle> cycles = gait_cycles(clip);
-  if (cycles.empty()) return clip.loops ? std::nullopt : cycle_by_likeness(clip);
+  if (cycles.empty() && clip.loops) return std::nullopt;
+  if (cycles.empty()) {
+    const auto alike = cycle_by_likeness(clip);
+    return alike ? alike : half_cycle(clip);
+  }
   const GaitCycle& best = *std::max_element(
       cycles.begin(), cycles.end(),
       [](const GaitCycle& a, const GaitCycle& b) { return a.steadiness < b.steadiness; });

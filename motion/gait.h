@@ -26,6 +26,7 @@ struct GaitCycle {
   double left_strike = 0.0;  ///< frame of the left heel strike in [start_frame, end_frame)
   std::array<double, gait_keytime_count> keytimes{};
   double speed_m_s = 0.0;   ///< pelvis displacement over the cycle by the period
+  bool is_half = false;     ///< one step only; the other is its mirror image (`mirrored_loop`)
   bool has_flight = false;  ///< running: both feet off the floor between toe off and strike
   double steadiness = 0.0;  ///< 0–1; 1: constant speed, straight, of typical period, seamless
   std::vector<std::string> warnings;  ///< plain sentences
@@ -35,7 +36,7 @@ struct GaitCycle {
 /// pair, from right to right.
 std::vector<GaitCycle> gait_cycles(const Clip& clip);
 
-/// The steadiest cycle; empty when the clip holds none that is a walk or run (steadiness ≥ 0.05). A
+/// The steadiest cycle; empty when the clip holds none that is a walk or run (steadiness ≥ 0.1). A
 /// take too short for two strikes of one foot gives the two moments, 0.5–2 s apart, at which the
 /// pose is most alike, when a left and a right step lie between.
 std::optional<GaitCycle> steadiest_cycle(const Clip& clip);

@@ -19,6 +19,16 @@ constexpr double confirm_seconds = 0.1;
 constexpr double settle_seconds = 0.25;
 constexpr double margin_seconds = 0.15;  // from either end of a clip
 
+/// Contact for telling when feet meet and leave the floor, also in running, where they rest for
+/// less than a tenth of a second and never quite stand still.
+ContactOptions event_contact() {
+  ContactOptions options;
+  options.on_speed = 0.4;
+  options.off_speed = 0.6;
+  options.shortest_plant = 0.05;
+  return options;
+}
+
 Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
 
 std::vector<double> along(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
@@ -126,8 +136,8 @@ FootProgress foot_progress(const Clip& clip) {
 }
 
 std::vector<GaitEvent> gait_events(const Clip& clip) {
-  if (!clip.loops) return events_of_take(clip, foot_plants(clip));
-  ContactOptions options;
+  ContactOptions options = event_contact();
+  if (!clip.loops) return events_of_take(clip, foot_plants(clip, options));
   options.floor_velocity = floor_velocity(clip);
   const Clip laps = repeated(clip, 3);
   const int frames = clip.frame_count();

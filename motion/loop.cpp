@@ -1,8 +1,11 @@
 #include "motion/loop.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
+#include "motion/gait_events.h"
+#include "motion/mirror.h"
 #include "motion/rotation.h"
 
 namespace mien::motion {
@@ -22,53 +25,106 @@ double fading(double seconds, double fade) {
   return fade * (s * s * s - 2.0 * s * s + s);
 }
 
-/// What to add to sample `i` of a signal of n samples so that its end meets its start: `difference`
-/// is end − start, `speed_change` the velocity at the end − at the start.
-struct Closing {
-  Vec3 difference = Vec3::Zero();
-  Vec3 speed_change = Vec3::Zero();
+/// Share of a difference at the seam that sample `i` of n takes: ½ at the start, −½ at the end.
+double offset_share(int i, int n) { return 0.5 - static_cast<double>(i) / (n - 1); }
 
-  Vec3 offset(int i, int n) const {
-    return (0.5 - static_cast<double>(i) / (n - 1)) * difference;
-  }
-
-  Vec3 fade(int i, int n, double rate) const {
-    const double duration = (n - 1) / rate;
-    const double time = i / rate;
-    // Two fades must not overlap by more than half a short cycle.
-    const double b = std::min(fade_seconds, 0.5 * duration);
-    return 0.5 * (fading(time, b) + fading(duration - time, b)) * speed_change;
-  }
+/// The two fades of a speed change of 1 at the seam: ½ of it after the start, ½ before the end.
+struct Fade {
+  double after_start = 0.0;
+  double before_end = 0.0;
 };
 
-/// Rotation as seen from the frame before it, as velocities: exact for steady turning.
+Fade fade_share(int i, int n, double rate) {
+  const double duration = (n - 1) / rate;
+  // Two fades must not overlap by more than half a short cycle.
+  const double b = std::min(fade_seconds, 0.5 * duration);
+  return {0.5 * fading(i / rate, b), 0.5 * fading(duration - i / rate, b)};
+}
+
+/// Rotation velocity at the first of three frames.
 Vec3 rotation_velocity(const Quat& q0, const Quat& q1, const Quat& q2, double rate) {
   return start_velocity(Vec3::Zero(), log(q1 * q0.conjugate()), log(q2 * q0.conjugate()), rate);
 }
 
-void close_rotations(std::vector<Pose>& poses, size_t joint, double rate) {
+/// Velocity at the end − velocity at the start of a joint's rotation.
+Vec3 rotation_speed_change(const std::vector<Pose>& poses, int joint, int start_joint,
+                           bool mirror_start, double rate) {
+  const size_t n = poses.size();
+  const Vec3 start =
+      rotation_velocity(poses[0].rotations[start_joint], poses[1].rotations[start_joint],
+                        poses[2].rotations[start_joint], rate);
+  const Vec3 end = -rotation_velocity(poses[n - 1].rotations[joint], poses[n - 2].rotations[joint],
+                                      poses[n - 3].rotations[joint], rate);
+  return end - (mirror_start ? mirrored_turn(start) : start);
+}
+
+Vec3 root_speed_change(const std::vector<Pose>& poses, bool mirror_start, double rate) {
+  const size_t n = poses.size();
+  const Vec3 start =
+      start_velocity(poses[0].root_position, poses[1].root_position, poses[2].root_position, rate);
+  const Vec3 end = -start_velocity(poses[n - 1].root_position, poses[n - 2].root_position,
+                                   poses[n - 3].root_position, rate);
+  return end - (mirror_start ? mirrored_place(start) : start);
+}
+
+void close_rotations(std::vector<Pose>& poses, int joint, double rate) {
   const int n = static_cast<int>(poses.size());
   const auto at = [&](int i) -> Quat& { return poses[i].rotations[joint]; };
-  Closing closing;
-  closing.difference = log(at(n - 1) * at(0).conjugate());
-  for (int i = 0; i < n; ++i) at(i) = exp(closing.offset(i, n)) * at(i);
-  closing.speed_change = -rotation_velocity(at(n - 1), at(n - 2), at(n - 3), rate) -
-                         rotation_velocity(at(0), at(1), at(2), rate);
+  const Vec3 difference = log(at(n - 1) * at(0).conjugate());
+  for (int i = 0; i < n; ++i) at(i) = exp(offset_share(i, n) * difference) * at(i);
+  const Vec3 change = rotation_speed_change(poses, joint, joint, false, rate);
   for (int i = 0; i < n; ++i) {
-    at(i) = (exp(closing.fade(i, n, rate)) * at(i)).normalized();
+    const Fade fade = fade_share(i, n, rate);
+    at(i) = (exp((fade.after_start + fade.before_end) * change) * at(i)).normalized();
   }
 }
 
 /// Closes what `travel` does not explain: the way along it stays.
 void close_root(std::vector<Pose>& poses, const Vec3& travel, double rate) {
   const int n = static_cast<int>(poses.size());
-  const auto at = [&](int i) -> Vec3& { return poses[i].root_position; };
-  Closing closing;
-  closing.difference = at(n - 1) - at(0) - travel;
-  for (int i = 0; i < n; ++i) at(i) += closing.offset(i, n);
-  closing.speed_change = -start_velocity(at(n - 1), at(n - 2), at(n - 3), rate) -
-                         start_velocity(at(0), at(1), at(2), rate);
-  for (int i = 0; i < n; ++i) at(i) += closing.fade(i, n, rate);
+  const Vec3 difference = poses.back().root_position - poses.front().root_position - travel;
+  for (int i = 0; i < n; ++i) poses[i].root_position += offset_share(i, n) * difference;
+  const Vec3 change = root_speed_change(poses, false, rate);
+  for (int i = 0; i < n; ++i) {
+    const Fade fade = fade_share(i, n, rate);
+    poses[i].root_position += (fade.after_start + fade.before_end) * change;
+  }
+}
+
+/// Makes the end of a step along +Z meet the mirror image of its start, `travel` on. A correction
+/// at the start is the mirror image of what it must be at the seam, on the joint of the other side.
+void close_step(std::vector<Pose>& poses, double travel, double rate) {
+  const int n = static_cast<int>(poses.size());
+  const Pose start = mirrored(poses.front());
+  std::array<Vec3, body_joint_count> differences;
+  for (int j = 0; j < body_joint_count; ++j) {
+    differences[j] = log(poses.back().rotations[j] * start.rotations[j].conjugate());
+  }
+  const Vec3 root = poses.back().root_position - start.root_position - Vec3(0.0, 0.0, travel);
+  for (int i = 0; i < n; ++i) {
+    const double share = static_cast<double>(i) / (n - 1);
+    for (int j = 0; j < body_joint_count; ++j) {
+      const Vec3 at_start = mirrored_turn(differences[mirrored(BodyJoint(j))]);
+      const Vec3 offset = 0.5 * ((1.0 - share) * at_start - share * differences[j]);
+      poses[i].rotations[j] = exp(offset) * poses[i].rotations[j];
+    }
+    poses[i].root_position += 0.5 * ((1.0 - share) * mirrored_place(root) - share * root);
+  }
+  std::array<Vec3, body_joint_count> changes;
+  for (int j = 0; j < body_joint_count; ++j) {
+    changes[j] = rotation_speed_change(poses, j, mirrored(BodyJoint(j)), true, rate);
+  }
+  const Vec3 root_change = root_speed_change(poses, true, rate);
+  for (int i = 0; i < n; ++i) {
+    const Fade fade = fade_share(i, n, rate);
+    for (int j = 0; j < body_joint_count; ++j) {
+      const Vec3 after_start = mirrored_turn(changes[mirrored(BodyJoint(j))]);
+      const Vec3 turn = fade.after_start * after_start + fade.before_end * changes[j];
+      poses[i].rotations[j] = (exp(turn) * poses[i].rotations[j]).normalized();
+    }
+    poses[i].root_position +=
+        fade.after_start * mirrored_place(root_change) + fade.before_end * root_change;
+  }
 }
 
 }  // namespace
@@ -79,13 +135,40 @@ Clip closed_loop(const Clip& clip, int start, int end) {
   loop.poses.assign(clip.poses.begin() + start, clip.poses.begin() + end + 1);
   Vec3 travel = loop.poses.back().root_position - loop.poses.front().root_position;
   travel.y() = 0.0;
-  for (size_t j = 0; j < body_joint_count; ++j) {
+  for (int j = 0; j < body_joint_count; ++j) {
     close_rotations(loop.poses, j, clip.frames_per_second);
   }
   close_root(loop.poses, travel, clip.frames_per_second);
   loop.poses.pop_back();
   loop.loops = true;
   loop.cycle_displacement = travel;
+  return loop;
+}
+
+Clip mirrored_loop(const Clip& clip, int start, int end) {
+  assert(!clip.loops && start >= 0 && end < clip.frame_count() && end - start >= 3);
+  const std::vector<Vec3> directions = walking_directions(clip);
+  Vec3 direction = Vec3::Zero();
+  for (int t = start; t <= end; ++t) direction += directions[t];
+  const Quat turn = heading(direction).conjugate();
+  Clip loop = clip;
+  loop.poses.assign(clip.poses.begin() + start, clip.poses.begin() + end + 1);
+  const Vec3 middle =
+      turn * (0.5 * (loop.poses.front().root_position + loop.poses.back().root_position));
+  for (Pose& pose : loop.poses) {
+    pose.root_position = turn * pose.root_position - Vec3(middle.x(), 0.0, 0.0);
+    pose.rotations[Pelvis] = turn * pose.rotations[Pelvis];
+  }
+  const double travel = loop.poses.back().root_position.z() - loop.poses.front().root_position.z();
+  close_step(loop.poses, travel, clip.frames_per_second);
+  loop.poses.pop_back();
+  const size_t half = loop.poses.size();
+  for (size_t i = 0; i < half; ++i) {
+    loop.poses.push_back(mirrored(loop.poses[i]));
+    loop.poses.back().root_position.z() += travel;
+  }
+  loop.loops = true;
+  loop.cycle_displacement = Vec3(0.0, 0.0, 2.0 * travel);
   return loop;
 }
 

@@ -13,6 +13,11 @@ namespace mien::motion {
 /// 0 ≤ start, end < frames, end − start ≥ 3 and the clip itself does not loop.
 Clip closed_loop(const Clip& clip, int start, int end);
 
+/// One step, frames `start` to `end`, and its mirror image as a loop of 2·(end − start) frames, for
+/// takes too short for two steps. The step is turned so that it walks along +Z and its end is made
+/// to meet the mirror image of its start, in the way of `closed_loop`. Same conditions.
+Clip mirrored_loop(const Clip& clip, int start, int end);
+
 /// The loop begun `frames` later (or earlier): the same motion for ever, another first frame. The
 /// first frame stands where it stood in the first cycle.
 Clip shifted_loop(const Clip& loop, int frames);

@@ -6,6 +6,7 @@
 
 #include "motion/error.h"
 #include "motion/filter.h"
+#include "motion/floor.h"
 #include "motion/loop.h"
 #include "motion/peaks.h"
 #include "motion/seam_cost.h"
@@ -55,15 +56,23 @@ std::vector<double> scaled_keytimes(const GaitCycle& cycle, double duration) {
   return keytimes;
 }
 
+/// A cycle's feet may rest elsewhere than those of the whole take did.
+Clip on_the_floor(Clip clip) {
+  const double floor = floor_height(clip);
+  for (Pose& pose : clip.poses) pose.root_position.y() -= floor;
+  return clip;
+}
+
 PreparedExample looped_example(const Clip& clip, const GaitCycle& cycle, CyclePlace cut) {
-  const Clip loop = closed_loop(clip, cut.start, cut.end);
+  const Clip loop = cycle.is_half ? mirrored_loop(clip, cut.start, cut.end)
+                                  : closed_loop(clip, cut.start, cut.end);
   const auto to_strike = static_cast<int>(std::lround(cycle.left_strike)) - cut.start;
   PreparedExample prepared;
   prepared.cycle = cycle;
   prepared.cycle->start_frame = cut.start;
   prepared.cycle->end_frame = cut.end;
   prepared.example.name = clip.name;
-  prepared.example.clip = straightened(shifted_loop(loop, to_strike));
+  prepared.example.clip = on_the_floor(straightened(shifted_loop(loop, to_strike)));
   prepared.example.keytimes = scaled_keytimes(cycle, loop.duration_seconds());
   return prepared;
 }
@@ -114,11 +123,27 @@ PreparedExample prepare_example(const Clip& clip, const ExampleOptions& options)
   if (options.cycle == CycleChoice::whole) return whole_example(clip);
   const auto cycle = steadiest_cycle(clip);
   if (!cycle) return whole_example(clip);
-  return looped_example(clip, *cycle, best_cut(clip, {cycle->start_frame, cycle->end_frame}));
+  const CyclePlace place{cycle->start_frame, cycle->end_frame};
+  return looped_example(clip, *cycle, cycle->is_half ? place : best_cut(clip, place));
 }
 
 Example make_example(const Clip& clip, const ExampleOptions& options) {
   return prepare_example(clip, options).example;
+}
+
+void even_keytimes(std::vector<Example>& examples) {
+  size_t fewest = examples.empty() ? 0 : examples.front().keytimes.size();
+  for (const Example& example : examples) fewest = std::min(fewest, example.keytimes.size());
+  for (Example& example : examples) {
+    if (example.clip.loops || example.keytimes.size() == fewest) continue;
+    std::vector<SpeedMinimum> minima = speed_minima(example.clip);
+    std::stable_sort(
+        minima.begin(), minima.end(),
+        [](const SpeedMinimum& a, const SpeedMinimum& b) { return a.depth > b.depth; });
+    example.keytimes = {0.0, example.clip.duration_seconds()};
+    for (size_t i = 0; i + 2 < fewest; ++i) example.keytimes.push_back(minima[i].seconds);
+    std::sort(example.keytimes.begin(), example.keytimes.end());
+  }
 }
 
 std::vector<SpeedMinimum> speed_minima(const Clip& clip) {

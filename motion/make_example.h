@@ -35,11 +35,15 @@ struct PreparedExample {
 /// with the 7 keytimes of gait.h. Without a cycle: the whole clip straightened, with the keytimes
 /// start, minima of speed (`speed_minima`), end.
 ///
-/// Throws Error, naming the clip, when it has fewer than two frames, or when frames given by hand lie
-/// outside it or hold no cycle.
+/// Throws Error, naming the clip, when it has fewer than two frames, or when frames given by hand
+/// lie outside it or hold no cycle.
 PreparedExample prepare_example(const Clip& clip, const ExampleOptions& options = {});
 
 Example make_example(const Clip& clip, const ExampleOptions& options = {});
+
+/// Gives performances (examples that do not loop) the same number of keytimes, as blending needs:
+/// each keeps its start, its end and as many of its deepest pauses as the one with the fewest has.
+void even_keytimes(std::vector<Example>& examples);
 
 /// A pause of a motion: where the body is slowest between two faster stretches.
 struct SpeedMinimum {

@@ -95,10 +95,14 @@ Vec3 bone_direction(const RestFigure& figure, BodyJoint joint) {
   return rest_direction(joint);
 }
 
-/// Feet stand flat: only turned to where the toes point.
+/// A sole lies square to its shank, so that spread legs stand flat when they come together, and is
+/// turned to where the toes point.
 Quat foot_frame(const RestFigure& figure, BodyJoint ankle) {
   const auto toe = BodyJoint(ankle + 1);
-  return figure.has(toe) ? heading(figure.point(toe) - figure.point(ankle)) : Quat::Identity();
+  const auto knee = BodyJoint(ankle - 1);
+  const Quat spread = Quat::FromTwoVectors(rest_direction(knee), bone_direction(figure, knee));
+  if (!figure.has(toe)) return spread;
+  return spread * heading(spread.conjugate() * (figure.point(toe) - figure.point(ankle)));
 }
 
 Quat canonical_frame(const RestFigure& figure, BodyJoint joint) {

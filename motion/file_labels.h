@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien::motion {
+
+/// Whether a file name matches a pattern of `*` (any characters), `?` (any one) and `[abc]`,
+/// `[a-z]`,
+/// `[!a]` (one of, one not of). Upper and lower case differ.
+bool matches_glob(std::string_view pattern, std::string_view name);
+
+/// Short labels for files that belong together: what all stems (names without extension) begin or
+/// end with alike is taken off, in whole parts between "_", "." and spaces.
+/// {"dataset-1_walk_sad_001", "dataset-1_walk_proud_001"} gives {"sad", "proud"}. A single stem
+/// stays as it is.
+std::vector<std::string> labels_from_names(std::span<const std::string> stems);
+
+/// Labels by a regular expression (ECMAScript) searched in each stem: its first group that took
+/// part in the match, or the whole match when it has no group. Throws Error when the pattern is no
+/// regular expression or a stem does not match.
+std::vector<std::string> labels_by_pattern(std::span<const std::string> stems,
+                                           const std::string& pattern);
+
+}  // namespace mien::motion
