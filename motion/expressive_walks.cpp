@@ -35,7 +35,7 @@ WalkStyle happy_walk() {
   s.shoulder_protraction_deg = -3.0;
   s.arm_swing_deg = 60.0;
   s.arm_flexion_deg = -2.0;
-  s.arm_abduction_deg = 12.0;
+  s.arm_abduction_deg = 14.0;
   s.elbow_flexion_deg = 28.0;
   s.elbow_swing_deg = 32.0;
   s.shoulder_elevation_deg = -4.0;
@@ -59,7 +59,7 @@ WalkStyle sad_walk() {
   s.shoulder_protraction_deg = 14.0;
   s.arm_swing_deg = 10.0;
   s.arm_flexion_deg = 2.0;
-  s.arm_abduction_deg = 6.0;
+  s.arm_abduction_deg = 7.0;
   s.elbow_flexion_deg = 12.0;
   s.elbow_swing_deg = 5.0;
   s.wrist_swing_deg = 4.0;
@@ -170,7 +170,7 @@ WalkStyle tired_walk() {
   s.shoulder_protraction_deg = 8.0;
   s.arm_swing_deg = 16.0;
   s.arm_flexion_deg = 6.0;
-  s.arm_abduction_deg = 8.0;
+  s.arm_abduction_deg = 9.0;
   s.elbow_flexion_deg = 9.0;
   s.elbow_swing_deg = 6.0;
   s.wrist_swing_deg = 12.0;
@@ -195,7 +195,7 @@ WalkStyle relaxed_walk() {
   s.head_sway_deg = 2.0;
   s.shoulder_elevation_deg = -8.0;
   s.arm_swing_deg = 40.0;
-  s.arm_abduction_deg = 11.0;
+  s.arm_abduction_deg = 12.0;
   s.elbow_flexion_deg = 19.0;
   s.elbow_swing_deg = 20.0;
   s.wrist_swing_deg = 18.0;

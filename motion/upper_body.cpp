@@ -73,7 +73,8 @@ Arm arm_at(const WalkStyle& style, double phase) {
   // The hand swings forward across the body and back away from it.
   const double inward = style.arm_rotation_deg + 0.2 * style.elbow_swing_deg * swing;
   arm.shoulder = turn_x(-flexion) * turn_z(-(90.0 - abduction)) * turn_x(inward);
-  arm.elbow = turn_y(-elbow) * turn_x(style.forearm_pronation_deg);
+  constexpr double carrying_angle = 10.0;  // the hanging forearm points away from the hip
+  arm.elbow = turn_y(-elbow) * turn_z(carrying_angle) * turn_x(style.forearm_pronation_deg);
   arm.wrist = turn_z(-wrist);
   return arm;
 }

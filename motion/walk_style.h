@@ -35,7 +35,7 @@ struct WalkStyle {
   double trunk_lean_deg = 0.5;     ///< of the lumbar spine from the vertical, forward
   double chest_flexion_deg = 3.0;  ///< of the chest on the spine: slumped; below 0 the chest is out
   double trunk_rotation_deg = 5.0;  ///< amplitude of the shoulder line, against the pelvis
-  double trunk_sway_deg = 1.2;      ///< amplitude of leaning sideways over the standing leg
+  double trunk_sway_deg = 1.5;      ///< amplitude of leaning sideways over the standing leg
   double neck_flexion_deg = 13.0;   ///< of the neck from the vertical, forward
   double head_pitch_deg = 0.0;      ///< of the head from level, looking down; below 0 chin up
   double head_sway_deg = 0.0;       ///< amplitude of tilting sideways with the steps
@@ -45,7 +45,7 @@ struct WalkStyle {
   double shoulder_protraction_deg = 0.0;  ///< clavicles forward: rounded; below 0 drawn back
   double arm_swing_deg = 38.0;            ///< range of the upper arm, forward–backward
   double arm_flexion_deg = -4.0;          ///< mean of the upper arm from the vertical, forward
-  double arm_abduction_deg = 9.0;         ///< upper arms away from the trunk
+  double arm_abduction_deg = 11.0;        ///< upper arms away from the trunk
   double arm_rotation_deg = 12.0;         ///< upper arms turned inwards about their length
   double elbow_flexion_deg = 24.0;        ///< mean
   double elbow_swing_deg = 22.0;          ///< range, most flexed at the forward end of the swing
