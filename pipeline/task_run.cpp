@@ -7,11 +7,28 @@
 #include <thread>
 #include <utility>
 
+#include "motion/error.h"
 #include "pipeline/task_graph.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+TaskOutcome with_products(TaskState state, std::vector<Receipt> products) {
+  TaskOutcome outcome;
+  outcome.state = state;
+  outcome.products = std::move(products);
+  return outcome;
+}
+
+TaskOutcome without_products(TaskState state) { return with_products(state, {}); }
+
+TaskOutcome failure(const std::exception& error, bool is_bad_input) {
+  TaskOutcome outcome = without_products(TaskState::failed);
+  outcome.error = error.what();
+  outcome.is_bad_input = is_bad_input;
+  return outcome;
+}
 
 /// Worker threads that take tasks in graph order as soon as their inputs are there.
 class Runner {
@@ -40,7 +57,7 @@ class Runner {
     while (ended_ < graph_.tasks.size()) {
       if (const auto next = take_next()) {
         perform(*next, lock);
-      } else {
+      } else if (ended_ < graph_.tasks.size()) {
         changed_.wait(lock);
       }
     }
@@ -71,7 +88,8 @@ class Runner {
       if (ready == Readiness::not_yet) continue;
       begun_[i] = true;
       if (ready == Readiness::ready && !stop_.stop_requested()) return i;
-      end(i, {ready == Readiness::never ? TaskState::skipped : TaskState::interrupted, "", {}});
+      const bool is_blocked = ready == Readiness::never;
+      end(i, without_products(is_blocked ? TaskState::skipped : TaskState::interrupted));
     }
     return std::nullopt;
   }
@@ -98,14 +116,16 @@ class Runner {
   TaskOutcome outcome_of(const Task& task, const std::vector<Hash>& keys) {
     try {
       if (auto present = find_products(task, keys, store_.folder())) {
-        return {TaskState::cached, "", std::move(*present)};
+        return with_products(TaskState::cached, std::move(*present));
       }
       make(task, keys);
-      return {TaskState::made, "", published(task, keys)};
+      return with_products(TaskState::made, published(task, keys));
     } catch (const Interrupted&) {
-      return {TaskState::interrupted, "", {}};
+      return without_products(TaskState::interrupted);
+    } catch (const Error& error) {
+      return failure(error, true);
     } catch (const std::exception& error) {
-      return {TaskState::failed, error.what(), {}};
+      return failure(error, false);
     }
   }
 
