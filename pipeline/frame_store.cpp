@@ -36,7 +36,7 @@ void FrameStore::take_back_unreceipted() {
   fs::rename(target, folder_);
 }
 
-/// A journal whose last line was cut off by a crash is read up to there.
+/// A journal whose last line was cut off by a crash is read up to there, and then written whole.
 void FrameStore::read_journal() {
   std::ifstream stream(journal_);
   std::string line;
@@ -52,28 +52,37 @@ void FrameStore::read_journal() {
     std::istringstream fields(line);
     if (fields >> frame.hash >> frame.size >> frame.name) noted_[frame.name] = frame;
   }
+  write_journal();
+}
+
+void FrameStore::write_journal() const {
+  std::string journal = key_ + "\n";
+  for (const auto& [name, frame] : noted_) journal += journal_line(frame);
+  write_file(journal_, journal);
 }
 
 /// Takes over a published sequence of the same key, of which some frames no longer agree.
 void FrameStore::adopt_published() {
   const std::optional<Receipt> receipt = read_receipt(store_->folder, path_);
   if (!receipt || receipt->key != key_ || !fs::is_directory(store_->folder / path_)) return;
-  std::string journal = key_ + "\n";
-  for (const FrameReceipt& frame : receipt->frames) {
-    journal += journal_line(frame);
-    noted_[frame.name] = frame;
-  }
-  write_file(journal_, journal);
+  for (const FrameReceipt& frame : receipt->frames) noted_[frame.name] = frame;
+  write_journal();
   fs::remove_all(folder_);
   fs::rename(store_->folder / path_, folder_);
 }
 
 std::optional<fs::path> FrameStore::find(const std::string& name) const {
-  const auto frame = noted_.find(name);
-  if (frame == noted_.end()) return std::nullopt;
+  const std::optional<FrameReceipt> frame = noted(name);
   fs::path file = folder_ / name;
-  if (!agrees(file, frame->second.hash, frame->second.size)) return std::nullopt;
+  if (!frame || !agrees(file, frame->hash, frame->size)) return std::nullopt;
   return file;
+}
+
+std::optional<FrameReceipt> FrameStore::noted(const std::string& name) const {
+  const std::lock_guard guard(mutex_);
+  const auto found = noted_.find(name);
+  if (found == noted_.end()) return std::nullopt;
+  return found->second;
 }
 
 void FrameStore::discard(const std::string& name) { fs::remove(folder_ / name); }
@@ -84,11 +93,12 @@ fs::path FrameStore::put(const std::string& name, const Store::Write& write,
   write(attempt / name);
   verify(attempt / name);
   const FrameReceipt frame{name, hash_of_file(attempt / name), fs::file_size(attempt / name)};
-  if (const auto before = noted_.find(name); before != noted_.end()) {
-    store_->compare(path_ + "/" + name, before->second.hash, frame.hash);
+  if (const auto before = noted(name)) {
+    store_->compare(path_ + "/" + name, before->hash, frame.hash);
   }
   fs::rename(attempt / name, folder_ / name);
   fs::remove(attempt);
+  const std::lock_guard guard(mutex_);
   std::ofstream(journal_, std::ios::app) << journal_line(frame);
   noted_[name] = frame;
   return folder_ / name;

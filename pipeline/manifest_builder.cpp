@@ -39,7 +39,8 @@ void assign(const json* value, int& target) {
 }
 
 void assign(const json* value, std::uint64_t& target) {
-  if (value != nullptr && value->is_number_unsigned()) target = value->get<std::uint64_t>();
+  if (value == nullptr || !value->is_number_integer() || *value < 0) return;
+  target = value->get<std::uint64_t>();
 }
 
 void assign(const json* value, std::array<int, 2>& target) {

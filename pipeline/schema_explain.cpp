@@ -183,10 +183,10 @@ class Explainer {
     for (const json& key : node_["required"]) {
       if (value_.contains(key)) continue;
       const std::string name = key.get<std::string>();
-      const json& member = *narrowed(member_schema(schema_, name), {}).node;
       std::string remedy = "add it";
-      if (member.contains("examples")) {
-        remedy += ", for example " + name + ": " + as_yaml(member["examples"][0]);
+      const SchemaNode member = narrowed(member_schema(schema_, name), {});
+      if (member && member.node->contains("examples")) {
+        remedy += ", for example " + name + ": " + as_yaml((*member.node)["examples"][0]);
       }
       faults_.push_back({place_of(places_, path_), member_path(path_, name), "missing", remedy});
     }

@@ -86,8 +86,8 @@ Receipt Store::put(const std::string& path, const Hash& key, const Write& write,
   return receipt;
 }
 
-FrameStore Store::frames(const std::string& path, const Hash& key) {
-  return FrameStore(*state_, path, key);
+std::unique_ptr<FrameStore> Store::frames(const std::string& path, const Hash& key) {
+  return std::unique_ptr<FrameStore>(new FrameStore(*state_, path, key));
 }
 
 std::vector<Nondeterminism> Store::nondeterminism() const {

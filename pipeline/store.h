@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -57,7 +58,7 @@ class Store {
   Receipt put(const std::string& path, const Hash& key, const Write& write, const Verify& verify);
 
   /// Begins or resumes a sequence of frames. It must not outlive the store.
-  FrameStore frames(const std::string& path, const Hash& key);
+  std::unique_ptr<FrameStore> frames(const std::string& path, const Hash& key);
 
   /// All nondeterminism met so far, by path.
   std::vector<Nondeterminism> nondeterminism() const;
@@ -68,17 +69,22 @@ class Store {
   std::unique_ptr<State> state_;
 };
 
-/// A frame sequence in the making. Frames of a killed attempt at the same key, and those of a
-/// published sequence of that key that still agree with its receipt, are taken over.
+/// A frame sequence in the making; frames of different names may be found and put at the same time.
+///
+/// Frames of a killed attempt at the same key, and those of a published sequence of that key that
+/// still agree with its receipt, are taken over.
 class FrameStore {
  public:
+  FrameStore(const FrameStore&) = delete;
+  FrameStore& operator=(const FrameStore&) = delete;
+
   /// The file of a frame that is already there with the hash noted for it; the caller decodes it
   /// and calls `discard` when that fails.
   std::optional<std::filesystem::path> find(const std::string& name) const;
 
   void discard(const std::string& name);
 
-  /// Writes one frame, verifies it and notes its hash. Returns its file. One thread at a time.
+  /// Writes one frame, verifies it and notes its hash. Returns its file.
   std::filesystem::path put(const std::string& name, const Store::Write& write,
                             const Store::Verify& verify);
 
@@ -88,8 +94,10 @@ class FrameStore {
  private:
   friend class Store;
   FrameStore(Store::State& store, std::string path, Hash key);
+  std::optional<FrameReceipt> noted(const std::string& name) const;
   void take_back_unreceipted();
   void read_journal();
+  void write_journal() const;
   void adopt_published();
 
   Store::State* store_;
@@ -97,6 +105,7 @@ class FrameStore {
   Hash key_;
   std::filesystem::path folder_;   ///< of the frames so far
   std::filesystem::path journal_;  ///< a line "hash size name" for each, after the key
+  mutable std::mutex mutex_;       ///< of noted_ and the journal
   std::map<std::string, FrameReceipt> noted_;
 };
 

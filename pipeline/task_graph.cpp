@@ -20,9 +20,10 @@ std::vector<const TaskOutcome*> inputs_of(const TaskGraph& graph, const Task& ta
 
 void TaskGraph::add(Task task) {
   assert(!task.products.empty());
-  for (const std::string& input : task.inputs) assert(indices_.contains(input));
-  const bool is_new = indices_.emplace(task.id, tasks.size()).second;
-  assert(is_new);
+  assert(std::all_of(task.inputs.begin(), task.inputs.end(),
+                     [&](const std::string& input) { return indices_.contains(input); }));
+  assert(!indices_.contains(task.id));
+  indices_.emplace(task.id, tasks.size());
   tasks.push_back(std::move(task));
 }
 

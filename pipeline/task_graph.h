@@ -71,6 +71,7 @@ enum class TaskState {
 struct TaskOutcome {
   TaskState state = TaskState::waiting;
   std::string error;
+  bool is_bad_input = false;      ///< failed through the user's files, not the machine
   std::vector<Receipt> products;  ///< when cached or made, in the task's order
 };
 

@@ -14,6 +14,7 @@
 #include <yaml-cpp/parser.h>
 
 #include "pipeline/utf8.h"
+#include "pipeline/yaml_places.h"
 
 namespace mien::pipeline {
 
@@ -48,39 +49,26 @@ struct OpenNode {
   std::vector<YamlNode> merged;                   ///< values of `<<`
 };
 
-/// Turns the parser's marks, whose columns count bytes, into places.
-class PlaceFinder {
- public:
-  PlaceFinder(std::string_view text, const std::string& file) : file_(file) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
-      lines_.push_back(text.substr(0, end));
-      text.remove_prefix(end);
+/// Whether a quoted scalar ends. (The parser takes the end of the file for its closing quote.)
+bool is_closed(std::string_view text) {
+  const char quote = text.empty() ? '\0' : text[0];
+  if (quote != '"' && quote != '\'') return true;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"') {
+      ++i;
+    } else if (text[i] == quote && quote == '\'' && text.substr(i, 2) == "''") {
+      ++i;
+    } else if (text[i] == quote) {
+      return true;
     }
   }
-
-  Place at(const YAML::Mark& mark) const {
-    const auto line = static_cast<std::size_t>(mark.line);
-    auto column = static_cast<std::size_t>(mark.column);
-    if (line < lines_.size()) column = count_characters(lines_[line].substr(0, column));
-    return {file_, mark.line + 1, static_cast<int>(column) + 1};
-  }
-
-  std::string_view line(int number) const {
-    const auto index = static_cast<std::size_t>(number - 1);
-    return index < lines_.size() ? lines_[index] : std::string_view();
-  }
-
- private:
-  const std::string& file_;
-  std::vector<std::string_view> lines_;
-};
+  return false;
+}
 
 /// Builds the tree from the parser's events.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const PlaceFinder& places, std::vector<Fault>& faults)
+  TreeBuilder(const YamlPlaces& places, std::vector<Fault>& faults)
       : places_(places), faults_(faults) {}
 
   YamlNode take_root() { return std::move(root_); }
@@ -98,6 +86,9 @@ class TreeBuilder : public YAML::EventHandler {
     node.text = value;
     node.quoted = tag == "!" || tag == "tag:yaml.org,2002:str";
     if (!node.quoted) refuse_tag(tag, node.place);
+    if (node.quoted && !is_closed(places_.text_from(mark))) {
+      fault(node.place, "a quote that is not closed", "add the closing quote");
+    }
     add(std::move(node), anchor);
   }
 
@@ -236,7 +227,7 @@ class TreeBuilder : public YAML::EventHandler {
     }
   }
 
-  const PlaceFinder& places_;
+  const YamlPlaces& places_;
   std::vector<Fault>& faults_;
   YamlNode root_;
   std::vector<OpenNode> stack_;
@@ -245,7 +236,7 @@ class TreeBuilder : public YAML::EventHandler {
 };
 
 /// The first tab among the spaces that begin a line, up to `last_line`.
-std::optional<Place> tab_in_indentation(const PlaceFinder& places, const Place& last) {
+std::optional<Place> tab_in_indentation(const YamlPlaces& places, const Place& last) {
   for (int line = 1; line <= last.line; ++line) {
     const std::string_view text = places.line(line);
     const std::size_t stop = text.find_first_not_of(' ');
@@ -256,7 +247,7 @@ std::optional<Place> tab_in_indentation(const PlaceFinder& places, const Place& 
 }
 
 /// At the parser's mark, unless a plainer reason stands before it.
-Fault syntax_fault(const PlaceFinder& places, const YAML::ParserException& error) {
+Fault syntax_fault(const YamlPlaces& places, const YAML::ParserException& error) {
   const Place place = places.at(error.mark);
   if (const auto tab = tab_in_indentation(places, place)) {
     return {*tab, "", "a tab in the indentation", "use spaces"};
@@ -278,7 +269,7 @@ std::optional<Fault> refuse_text(std::string_view text, const std::string& file)
   return std::nullopt;
 }
 
-YamlNode parse(std::string_view text, const PlaceFinder& places, const std::string& file,
+YamlNode parse(std::string_view text, const YamlPlaces& places, const std::string& file,
                std::vector<Fault>& faults) {
   std::istringstream stream{std::string(text)};
   YAML::Parser parser(stream);
@@ -304,7 +295,7 @@ YamlNode read_yaml(std::string_view text, const std::string& file, std::vector<F
     faults.push_back(std::move(*fault));
     return {};
   }
-  const PlaceFinder places(text, file);
+  const YamlPlaces places(text, file);
   try {
     return parse(text, places, file, faults);
   } catch (const YAML::ParserException& error) {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <yaml-cpp/mark.h>
+
+#include "motion/error.h"
+
+namespace mien::pipeline {
+
+/// Turns the YAML parser's marks, whose columns count bytes, into places, whose columns count
+/// characters. Text and file name outlive it.
+class YamlPlaces {
+ public:
+  YamlPlaces(std::string_view text, const std::string& file);
+
+  Place at(const YAML::Mark& mark) const;
+
+  /// A line with its end, counted from 1; empty when there is no such line.
+  std::string_view line(int number) const;
+
+  /// The text from the mark on.
+  std::string_view text_from(const YAML::Mark& mark) const;
+
+ private:
+  std::string_view text_;
+  const std::string& file_;
+  std::vector<std::string_view> lines_;
+};
+
+}  // namespace mien::pipeline

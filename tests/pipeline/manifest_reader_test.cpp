@@ -1,0 +1,324 @@
+#include "pipeline/manifest_reader.h"
+
+#include <ostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/files.h"
+#include "pipeline/manifest_checks.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+const std::string head = "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n";
+
+class ManifestReaderTest : public testing::Test {
+ protected:
+  ManifestReaderTest() {
+    write_file(folder.path() / "walk.bvh", "");
+    write_file(folder.path() / "notes.txt", "");
+    write_file(folder.path() / "answers.csv", "");
+    std::filesystem::create_directory(folder.path() / "captures");
+  }
+
+  ManifestReading parse(const std::string& text) const {
+    return parse_manifest(text, folder.path() / "m.yaml", [](const std::string& name) {
+      return name == "FPS" ? std::optional<std::string>("50") : std::nullopt;
+    });
+  }
+
+  /// All faults, one a line, names of folders left out.
+  std::string faults_in(const std::string& text) const { return told(parse(text).faults); }
+
+  /// Of a manifest whose first three lines are good.
+  std::string faults_after_head(const std::string& rest) const { return faults_in(head + rest); }
+
+  std::string told(const std::vector<Fault>& faults) const {
+    std::string text;
+    for (const Fault& fault : faults) text += to_string(fault) + "\n";
+    const std::string prefix = folder.path().string() + "/";
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) {
+      text.erase(at, prefix.size());
+    }
+    return text;
+  }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(ManifestReaderTest, ReadsEveryKindOfValue) {
+  const ManifestReading reading = parse(R"(mien: 1
+study: all
+seed: 7
+examples:
+  set: {folder: captures, include: "*w*.bvh", exclude: x*, cycle: whole, labels: {b: beta, a: alpha}}
+  ratings: answers.csv
+  raters: 20
+look: {camera: side}
+output: {size: [640, 360], fps: 25, cycles: 2, in_place: true, quality: draft, video: [], frames: exr, clips: [glb]}
+interpolation: {rotations: direction-vectors, time_warp: linear, foot_lock: false}
+stimuli:
+  - {id: one, role: target, adjectives: {zeal: 0.5, age: 1}, output: {fps: 50}}
+  - {id: two, weights: {b: 1, a: 2}, look: {camera: orbit}, interpolation: {foot_lock: true}}
+  - {id: three, clip: walk.bvh}
+  - {id: four, clip: {file: walk.bvh, frames: [3, 9]}}
+sheets:
+  - compare: {target: one, created: two, reference: a}
+  - {id: own, compare: {target: one, created: three}}
+)");
+  EXPECT_EQ(told(reading.faults), "");
+  const Manifest& manifest = reading.manifest;
+  EXPECT_EQ(manifest.study, "all");
+  EXPECT_EQ(manifest.seed, 7u);
+  EXPECT_EQ(manifest.examples.folder, folder.path() / "captures");
+  EXPECT_EQ(manifest.examples.include, "*w*.bvh");
+  EXPECT_EQ(manifest.examples.exclude, "x*");
+  EXPECT_EQ(manifest.examples.cycle, Examples::Cycle::whole);
+  const std::vector<std::pair<std::string, std::string>> labels = {{"b", "beta"}, {"a", "alpha"}};
+  EXPECT_EQ(manifest.examples.given_labels, labels);
+  EXPECT_EQ(manifest.ratings.source, Ratings::Source::file);
+  EXPECT_EQ(manifest.ratings.file, folder.path() / "answers.csv");
+  EXPECT_EQ(manifest.ratings.raters, 20);
+  EXPECT_EQ(manifest.output.size, (std::array<int, 2>{640, 360}));
+  EXPECT_TRUE(manifest.output.in_place);
+  EXPECT_FALSE(manifest.output.video);
+  EXPECT_EQ(manifest.output.frames, FrameFormat::exr);
+  EXPECT_TRUE(manifest.output.glb);
+  EXPECT_FALSE(manifest.output.bvh);
+  EXPECT_EQ(manifest.interpolation.rotations, motion::RotationBlend::direction_vectors);
+  ASSERT_EQ(manifest.stimuli.size(), 4u);
+  EXPECT_EQ(manifest.stimuli[0].role, Role::target);
+  EXPECT_EQ(manifest.stimuli[0].adjectives, (NamedValues{{"zeal", 0.5}, {"age", 1.0}}));
+  EXPECT_EQ(manifest.stimuli[3].clip->frames, (std::array<int, 2>{3, 9}));
+  EXPECT_EQ(manifest.sheets[0].id, "one_two");
+  EXPECT_EQ(manifest.sheets[0].reference, "a");
+  EXPECT_EQ(manifest.sheets[1].id, "own");
+}
+
+TEST_F(ManifestReaderTest, LaysAStimulussOwnValuesOverTheManifests) {
+  const Manifest manifest = parse(head + R"(look: {camera: side}
+output: {cycles: 5, fps: 25}
+stimuli:
+  - {id: a, clip: walk.bvh, output: {fps: 50, size: [320, 180]}}
+  - {id: b, clip: walk.bvh, look: {camera: orbit}}
+)")
+                                .manifest;
+  EXPECT_EQ(manifest.stimuli[0].output.fps, 50.0);
+  EXPECT_EQ(manifest.stimuli[0].output.cycles, 5);
+  EXPECT_EQ(manifest.stimuli[0].look.camera, "side");
+  EXPECT_EQ(manifest.stimuli[1].output.fps, 25.0);
+  EXPECT_EQ(manifest.stimuli[1].look.camera, "orbit");
+  EXPECT_EQ(manifest.stimuli[1].look.scene, "studio");
+}
+
+TEST_F(ManifestReaderTest, BuiltInSetsBringTheirRatings) {
+  EXPECT_EQ(parse(head).manifest.ratings.source, Ratings::Source::builtin);
+  EXPECT_EQ(parse("examples: {set: {folder: captures}}\n").manifest.ratings.source,
+            Ratings::Source::none);
+}
+
+TEST_F(ManifestReaderTest, ExpandsVariablesToTheTypeThatIsWanted) {
+  const ManifestReading reading = parse(
+      "mien: 1\nstudy: ${FPS}\noutput: {fps: \"${FPS}\", cycles: \"${CYCLES:-4}\"}\n"
+      "stimuli:\n  - id: a\n    clip: ${NOWHERE:-walk}.bvh\n");
+  EXPECT_EQ(told(reading.faults), "");
+  EXPECT_EQ(reading.manifest.study, "50");
+  EXPECT_EQ(reading.manifest.output.fps, 50.0);
+  EXPECT_EQ(reading.manifest.output.cycles, 4);
+  EXPECT_EQ(reading.manifest.stimuli[0].clip->file, folder.path() / "walk.bvh");
+}
+
+TEST_F(ManifestReaderTest, TakesAnchorsAndMergeKeys) {
+  const ManifestReading reading = parse(head + R"(stimuli:
+  - {id: a, clip: walk.bvh, look: &far {camera: side}}
+  - {id: b, clip: walk.bvh, look: *far}
+  - {id: c, clip: walk.bvh, look: {<<: *far, scene: studio}}
+)");
+  EXPECT_EQ(told(reading.faults), "");
+  EXPECT_EQ(reading.manifest.stimuli[1].look.camera, "side");
+  EXPECT_EQ(reading.manifest.stimuli[2].look.camera, "side");
+}
+
+struct Case {
+  const char* text;    ///< after the head
+  const char* faults;  ///< expected lines
+};
+
+void PrintTo(const Case& example, std::ostream* out) { *out << example.text; }
+
+class ManifestFaults : public ManifestReaderTest, public testing::WithParamInterface<Case> {};
+
+TEST_P(ManifestFaults, AreToldWithPlaceAndRemedy) {
+  EXPECT_EQ(faults_after_head(GetParam().text), GetParam().faults);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, ManifestFaults,
+    testing::Values(
+        Case{"stimuli: []\n",
+             "m.yaml:4:10: stimuli: has 0 elements but must have at least 1; for "
+             "example [{adjectives: {quickness: 0.8, sad-happy: 0.7}, id: "
+             "happy-quick}]\n"},
+        Case{"sead: 7\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:1: sead: unknown key; did you mean \"seed\"?\n"},
+        Case{"seed: -1\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:7: seed: -1 is out of range; use a whole number from 0 to "
+             "9007199254740991\n"},
+        Case{"seed: seven\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:7: seed: must be a whole number but is the text \"seven\"; for example 7\n"},
+        Case{"output: {size: [961, 540]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:16: output.size: a video needs an even width and height; use [962, 540], or "
+             "video: []\n"},
+        Case{"output: {size: [8192, 8192]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:16: output.size: too large for a video; use at most 35 million pixels, or "
+             "video: []\n"},
+        Case{"output: {size: [961, 541], video: []}\nstimuli: [{id: a, clip: walk.bvh}]\n", ""},
+        Case{"output: {size: [961, 541], video: []}\n"
+             "stimuli: [{id: a, clip: walk.bvh, output: {video: [mp4]}}]\n",
+             "m.yaml:5:43: stimuli[0].output.size: a video needs an even width and height; use "
+             "[962, 542], or video: []\n"},
+        Case{"output: {fps: .inf}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:15: output.fps: not a finite number; write a finite one\n"},
+        Case{"interpolation: {foot_lock: yes}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:28: interpolation.foot_lock: must be true or false but is the text \"yes\"; "
+             "write true or false\n"},
+        Case{"look: {camera: sied}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:16: look.camera: \"sied\" is not one of front, side, three-quarter, follow, "
+             "orbit; did you mean \"side\"?\n"},
+        Case{"stimuli:\n  - {clip: walk.bvh}\n",
+             "m.yaml:5:5: stimuli[0].id: missing; add it, for example id: target-1\n"},
+        Case{"stimuli:\n  - {id: ../a, clip: walk.bvh}\n",
+             "m.yaml:5:10: stimuli[0].id: \"../a\" must begin with a letter or digit and hold at "
+             "most "
+             "64 letters, digits, '.', '_' and '-', because files are named after it; for example "
+             "target-1\n"},
+        Case{"stimuli:\n  - {id: a, clip: walk.bvh}\n  - {id: a, clip: walk.bvh}\n",
+             "m.yaml:6:10: stimuli[1].id: \"a\" is already the id of stimuli[0]; give each its "
+             "own\n"},
+        Case{"stimuli:\n  - {id: 7, clip: walk.bvh}\n",
+             "m.yaml:5:10: stimuli[0].id: must be text but is 7; put it in quotes: \"7\"\n"},
+        Case{"stimuli:\n  - {id: a}\n",
+             "m.yaml:5:5: stimuli[0]: has none of adjectives, weights, "
+             "clip; give one of them\n"},
+        Case{"stimuli:\n  - {id: a, adjectives: {quickness: 1}, weights: {normal: 1}}\n",
+             "m.yaml:5:5: stimuli[0]: adjectives and weights exclude each other; keep one of "
+             "them\n"},
+        Case{"stimuli:\n  - {id: a, adjectives: {quickness: 1.5}}\n",
+             "m.yaml:5:37: stimuli[0].adjectives.quickness: 1.5 is out of range; use a number from "
+             "0 "
+             "to 1\n"},
+        Case{"stimuli:\n  - {id: a, weights: {normal: 0, sad: 0}}\n",
+             "m.yaml:5:22: stimuli[0].weights: no weight is above 0; give at least one example a "
+             "share\n"},
+        Case{"stimuli:\n  - {id: a, clip: run.bvh}\n",
+             "m.yaml:5:19: stimuli[0].clip: there is no file run.bvh; give a motion file (.bvh, "
+             ".amc, "
+             ".gltf, .glb); paths are taken from the manifest's folder\n"},
+        Case{"stimuli:\n  - {id: a, clip: notes.txt}\n",
+             "m.yaml:5:19: stimuli[0].clip: \".txt\" is no kind of motion file; use .bvh, .amc, "
+             ".gltf "
+             "or .glb\n"},
+        Case{"stimuli:\n  - {id: a, clip: {file: walk.bvh, frames: [9, 3]}}\n",
+             "m.yaml:5:44: stimuli[0].clip.frames: the first frame comes after the last; exchange "
+             "the "
+             "two\n"},
+        Case{
+            "stimuli:\n  - {id: a, clip: [walk.bvh]}\n",
+            "m.yaml:5:19: stimuli[0].clip: must be text or a map of keys and values but is a list; "
+            "for example captures/walk.bvh\n"},
+        Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets:\n  - compare: {target: a, created: a}\n",
+             "m.yaml:6:35: sheets[0].compare.created: the same motion as the target; name another "
+             "one\n"},
+        Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets:\n  - compare: {target: a}\n",
+             "m.yaml:6:14: sheets[0].compare.created: missing; add it, for example created: "
+             "guess-1\n"},
+        Case{"stimuli: [{id: \"${ID}\", clip: walk.bvh}]\n",
+             "m.yaml:4:16: stimuli[0].id: the environment variable ID is not set; set it, or write "
+             "${ID:-default}\n"}));
+
+TEST_F(ManifestReaderTest, TellsWhatIsWrongWithExamples) {
+  EXPECT_EQ(
+      faults_in("mien: 1\nstudy: s\nexamples:\n  set: builtin:walks-11\n  ratings: no.csv\n"
+                "  scales: no.yaml\nstimuli: [{id: a, weights: {x: 1}}]\n"),
+      "m.yaml:4:8: examples.set: \"builtin:walks-11\" is not one of builtin:walks-10, "
+      "builtin:walks-27; did you mean \"builtin:walks-10\"?\n"
+      "m.yaml:5:12: examples.ratings: there is no file no.csv; give 'builtin', 'simulated', "
+      "'none' or a CSV file; paths are taken from the manifest's folder\n"
+      "m.yaml:6:11: examples.scales: there is no file no.yaml; give 'builtin' or a YAML file; "
+      "paths are taken from the manifest's folder\n");
+  EXPECT_EQ(faults_in("mien: 1\nstudy: s\nexamples: {set: {folder: nowhere}, ratings: builtin}\n"
+                      "stimuli: [{id: a, weights: {x: 1}}]\n"),
+            "m.yaml:3:26: examples.set.folder: there is no folder nowhere; correct the path; it is "
+            "taken from the manifest's folder\n"
+            "m.yaml:3:45: examples.ratings: only built-in sets have built-in ratings; name a CSV "
+            "file, or use simulated\n");
+  EXPECT_EQ(faults_in("mien: 1\nstudy: s\nstimuli:\n  - {id: a, adjectives: {x: 1}}\n"
+                      "  - {id: b, weights: {x: 1}}\n"),
+            "m.yaml:4:25: stimuli[0].adjectives: adjectives need examples; add examples: {set: "
+            "builtin:walks-10}\n"
+            "m.yaml:5:22: stimuli[1].weights: weights need examples; add examples: {set: "
+            "builtin:walks-10}\n");
+  EXPECT_EQ(faults_in("mien: 1\nstudy: s\nexamples: {set: {folder: captures}}\n"
+                      "stimuli: [{id: a, adjectives: {x: 1}}]\n"),
+            "m.yaml:4:31: stimuli[0].adjectives: adjectives need ratings of the examples; add "
+            "ratings: with a CSV file or 'simulated' to examples\n");
+}
+
+TEST_F(ManifestReaderTest, ListsManyFaultsAtOnceInReadingOrder) {
+  EXPECT_EQ(
+      faults_in("mien: 2\nstudy: my study\nstimuli:\n  - {id: a, clip: walk.bvh, look: x}\n"
+                "  - walk.bvh\noutput: {fps: 0, frames: jpg}\n"),
+      "m.yaml:1:7: mien: must be 1 but is 2\n"
+      "m.yaml:2:8: study: \"my study\" must begin with a letter or digit and hold at most 64 "
+      "letters, digits, '.', '_' and '-'; for example quickstart\n"
+      "m.yaml:4:35: stimuli[0].look: must be a map of keys and values but is the text \"x\"\n"
+      "m.yaml:5:5: stimuli[1]: must be a map of keys and values but is the text \"walk.bvh\"\n"
+      "m.yaml:6:15: output.fps: 0 is out of range; use a number from 1 to 240\n"
+      "m.yaml:6:26: output.frames: \"jpg\" is not one of the choices; use one of none, png, "
+      "png16, exr\n");
+}
+
+TEST_F(ManifestReaderTest, TellsTextThatIsNoManifestAtAll) {
+  EXPECT_EQ(faults_in(""), "m.yaml: the file is empty; write a document into it\n");
+  EXPECT_EQ(faults_in("hello"),
+            "m.yaml:1:1: must be a map of keys and values but is the text \"hello\"\n");
+  EXPECT_EQ(faults_in("[1, 2]"), "m.yaml:1:1: must be a map of keys and values but is a list\n");
+  EXPECT_EQ(faults_in("~"), "m.yaml:1:1: must be a map of keys and values but is empty\n");
+}
+
+TEST_F(ManifestReaderTest, TellsNamesThatNothingHas) {
+  const ManifestReading reading = parse(head + R"(stimuli:
+  - {id: target-1, adjectives: {quicknes: 0.5, sad-happy: 1}}
+  - {id: b, weights: {norml: 1, proud: 1, xyzzy: 1}}
+sheets:
+  - compare: {target: target-2, created: proud, reference: b}
+)");
+  EXPECT_EQ(told(reading.faults), "");
+  const Vocabulary vocabulary = {{"quickness", "sad-happy"}, {"normal", "proud"}};
+  EXPECT_EQ(told(check_names(reading.manifest, vocabulary)),
+            "m.yaml:5:33: stimuli[0].adjectives.quicknes: unknown parameter; did you mean "
+            "\"quickness\"?\n"
+            "m.yaml:6:23: stimuli[1].weights.norml: unknown example; did you mean \"normal\"?\n"
+            "m.yaml:6:43: stimuli[1].weights.xyzzy: unknown example; use one of \"normal\", "
+            "\"proud\"\n"
+            "m.yaml:8:23: sheets[0].compare.target: \"target-2\" is neither a stimulus nor an "
+            "example; did you mean \"target-1\"?\n");
+}
+
+TEST_F(ManifestReaderTest, AFileThatCannotBeReadIsAFaultToo) {
+  const auto environment = process_environment();
+  EXPECT_EQ(told(read_manifest(folder.path() / "none.yaml", environment).faults),
+            "none.yaml: there is no such file; name a manifest (YAML)\n");
+  EXPECT_EQ(told(read_manifest(folder.path() / "captures", environment).faults),
+            "captures: cannot be read; name a manifest (YAML)\n");
+}
+
+TEST_F(ManifestReaderTest, FindsNoFaultInTheManifestsOfTheSourceTree) {
+  const auto file = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "quickstart.yaml";
+  EXPECT_EQ(told(read_manifest(file, process_environment()).faults), "");
+}
+
+}  // namespace
+}  // namespace mien::pipeline
