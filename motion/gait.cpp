@@ -15,6 +15,8 @@ namespace {
 
 // Below it steps are no walk: climbing, dancing, standing.
 constexpr double least_steadiness = 0.1;
+// Seam cost: a tenth of that between the extremes of a stride.
+constexpr double alike_enough = 0.5;
 
 Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
 
@@ -128,7 +130,7 @@ std::optional<CyclePlace> most_alike(const Clip& clip) {
 std::optional<GaitCycle> cycle_by_likeness(const Clip& clip) {
   if (clip.duration_seconds() > 4.0) return std::nullopt;
   const auto place = most_alike(clip);
-  if (!place) return std::nullopt;
+  if (!place || seam_cost(clip, place->start, place->end) > alike_enough) return std::nullopt;
   auto cycle = cycle_of_loop(closed_loop(clip, place->start, place->end));
   if (!cycle) return std::nullopt;
   cycle->start_frame += place->start;

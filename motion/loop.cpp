@@ -14,11 +14,6 @@ namespace {
 
 constexpr double fade_seconds = 0.2;
 
-/// Derivative by three points at the first frames, per second.
-Vec3 start_velocity(const Vec3& x0, const Vec3& x1, const Vec3& x2, double rate) {
-  return (-1.5 * x0 + 2.0 * x1 - 0.5 * x2) * rate;
-}
-
 /// A displacement of unit speed at time 0 that is back at rest after `fade`: b(s³ − 2s² + s).
 double fading(double seconds, double fade) {
   const double s = std::min(seconds / fade, 1.0);
@@ -41,126 +36,161 @@ Fade fade_share(int i, int n, double rate) {
   return {0.5 * fading(i / rate, b), 0.5 * fading(duration - i / rate, b)};
 }
 
-/// Rotation velocity at the first of three frames.
-Vec3 rotation_velocity(const Quat& q0, const Quat& q1, const Quat& q2, double rate) {
-  return start_velocity(Vec3::Zero(), log(q1 * q0.conjugate()), log(q2 * q0.conjugate()), rate);
+/// How the velocities at the ends of a cycle are measured. Where the clip goes on beyond both ends,
+/// central differences at both: of a motion that repeats they are equal, however it accelerates.
+struct Stencil {
+  int before = -1;  ///< frames from the end
+  int after = 1;
+};
+
+struct EndStencils {
+  Stencil start;
+  Stencil end;
+};
+
+EndStencils end_stencils(const Clip& clip, int start, int end) {
+  const bool goes_before = start > 0;
+  const bool goes_after = end + 1 < clip.frame_count();
+  if (goes_before && goes_after) return {};
+  if (goes_after) return {{0, 1}, {0, 1}};
+  if (goes_before) return {{-1, 0}, {-1, 0}};
+  return {{0, 1}, {-1, 0}};
 }
 
-/// Velocity at the end − velocity at the start of a joint's rotation.
-Vec3 rotation_speed_change(const std::vector<Pose>& poses, int joint, int start_joint,
-                           bool mirror_start, double rate) {
-  const size_t n = poses.size();
-  const Vec3 start =
-      rotation_velocity(poses[0].rotations[start_joint], poses[1].rotations[start_joint],
-                        poses[2].rotations[start_joint], rate);
-  const Vec3 end = -rotation_velocity(poses[n - 1].rotations[joint], poses[n - 2].rotations[joint],
-                                      poses[n - 3].rotations[joint], rate);
-  return end - (mirror_start ? mirrored_turn(start) : start);
+Vec3 turning(const Clip& clip, int frame, int joint, const Stencil& stencil) {
+  const Quat& from = clip.poses[frame + stencil.before].rotations[joint];
+  const Quat& to = clip.poses[frame + stencil.after].rotations[joint];
+  return log(to * from.conjugate()) * (clip.frames_per_second / (stencil.after - stencil.before));
 }
 
-Vec3 root_speed_change(const std::vector<Pose>& poses, bool mirror_start, double rate) {
-  const size_t n = poses.size();
-  const Vec3 start =
-      start_velocity(poses[0].root_position, poses[1].root_position, poses[2].root_position, rate);
-  const Vec3 end = -start_velocity(poses[n - 1].root_position, poses[n - 2].root_position,
-                                   poses[n - 3].root_position, rate);
-  return end - (mirror_start ? mirrored_place(start) : start);
+Vec3 root_velocity(const Clip& clip, int frame, const Stencil& stencil) {
+  return (clip.poses[frame + stencil.after].root_position -
+          clip.poses[frame + stencil.before].root_position) *
+         (clip.frames_per_second / (stencil.after - stencil.before));
 }
 
-void close_rotations(std::vector<Pose>& poses, int joint, double rate) {
+void close_rotations(std::vector<Pose>& poses, int joint, const Clip& clip, int start, int end) {
   const int n = static_cast<int>(poses.size());
-  const auto at = [&](int i) -> Quat& { return poses[i].rotations[joint]; };
-  const Vec3 difference = log(at(n - 1) * at(0).conjugate());
-  for (int i = 0; i < n; ++i) at(i) = exp(offset_share(i, n) * difference) * at(i);
-  const Vec3 change = rotation_speed_change(poses, joint, joint, false, rate);
+  const EndStencils stencils = end_stencils(clip, start, end);
+  const Vec3 difference =
+      log(poses.back().rotations[joint] * poses.front().rotations[joint].conjugate());
+  // Offsets turn the velocities at the ends along.
+  const Vec3 change = exp(-0.5 * difference) * turning(clip, end, joint, stencils.end) -
+                      exp(0.5 * difference) * turning(clip, start, joint, stencils.start);
   for (int i = 0; i < n; ++i) {
-    const Fade fade = fade_share(i, n, rate);
-    at(i) = (exp((fade.after_start + fade.before_end) * change) * at(i)).normalized();
+    const Fade fade = fade_share(i, n, clip.frames_per_second);
+    Quat& rotation = poses[i].rotations[joint];
+    rotation = (exp((fade.after_start + fade.before_end) * change) *
+                exp(offset_share(i, n) * difference) * rotation)
+                   .normalized();
   }
 }
 
 /// Closes what `travel` does not explain: the way along it stays.
-void close_root(std::vector<Pose>& poses, const Vec3& travel, double rate) {
+void close_root(std::vector<Pose>& poses, const Vec3& travel, const Clip& clip, int start,
+                int end) {
   const int n = static_cast<int>(poses.size());
+  const EndStencils stencils = end_stencils(clip, start, end);
   const Vec3 difference = poses.back().root_position - poses.front().root_position - travel;
-  for (int i = 0; i < n; ++i) poses[i].root_position += offset_share(i, n) * difference;
-  const Vec3 change = root_speed_change(poses, false, rate);
+  const Vec3 change =
+      root_velocity(clip, end, stencils.end) - root_velocity(clip, start, stencils.start);
   for (int i = 0; i < n; ++i) {
-    const Fade fade = fade_share(i, n, rate);
-    poses[i].root_position += (fade.after_start + fade.before_end) * change;
+    const Fade fade = fade_share(i, n, clip.frames_per_second);
+    poses[i].root_position +=
+        offset_share(i, n) * difference + (fade.after_start + fade.before_end) * change;
   }
 }
 
-/// Makes the end of a step along +Z meet the mirror image of its start, `travel` on. A correction
-/// at the start is the mirror image of what it must be at the seam, on the joint of the other side.
-void close_step(std::vector<Pose>& poses, double travel, double rate) {
-  const int n = static_cast<int>(poses.size());
-  const Pose start = mirrored(poses.front());
-  std::array<Vec3, body_joint_count> differences;
+/// What a step's end must lose to meet the mirror image of its start: of each joint's rotation and
+/// of the root's place.
+struct StepMismatch {
+  std::array<Vec3, body_joint_count> turns;
+  Vec3 place;
+};
+
+/// Adds `at_end` times the mismatch, and `at_start` times its mirror image on the other side.
+void correct(Pose& pose, const StepMismatch& mismatch, double at_start, double at_end) {
   for (int j = 0; j < body_joint_count; ++j) {
-    differences[j] = log(poses.back().rotations[j] * start.rotations[j].conjugate());
+    const Vec3 image = mirrored_turn(mismatch.turns[mirrored(BodyJoint(j))]);
+    pose.rotations[j] =
+        (exp(at_start * image + at_end * mismatch.turns[j]) * pose.rotations[j]).normalized();
   }
-  const Vec3 root = poses.back().root_position - start.root_position - Vec3(0.0, 0.0, travel);
+  pose.root_position += at_start * mirrored_place(mismatch.place) + at_end * mismatch.place;
+}
+
+/// Makes the end of a step along +Z meet the mirror image of its start, `travel` on. A correction
+/// at the start shows at the seam as its mirror image, on the other side.
+void close_step(std::vector<Pose>& poses, double travel, const Clip& clip, int start, int end) {
+  const int n = static_cast<int>(poses.size());
+  const EndStencils stencils = end_stencils(clip, start, end);
+  const Pose image = mirrored(poses.front());
+  StepMismatch poses_differ;
+  StepMismatch speeds_differ;
+  for (int j = 0; j < body_joint_count; ++j) {
+    const auto other = mirrored(BodyJoint(j));
+    poses_differ.turns[j] = log(poses.back().rotations[j] * image.rotations[j].conjugate());
+    speeds_differ.turns[j] = turning(clip, end, j, stencils.end) -
+                             mirrored_turn(turning(clip, start, other, stencils.start));
+  }
+  poses_differ.place = poses.back().root_position - image.root_position - Vec3(0, 0, travel);
+  speeds_differ.place = root_velocity(clip, end, stencils.end) -
+                        mirrored_place(root_velocity(clip, start, stencils.start));
   for (int i = 0; i < n; ++i) {
     const double share = static_cast<double>(i) / (n - 1);
-    for (int j = 0; j < body_joint_count; ++j) {
-      const Vec3 at_start = mirrored_turn(differences[mirrored(BodyJoint(j))]);
-      const Vec3 offset = 0.5 * ((1.0 - share) * at_start - share * differences[j]);
-      poses[i].rotations[j] = exp(offset) * poses[i].rotations[j];
-    }
-    poses[i].root_position += 0.5 * ((1.0 - share) * mirrored_place(root) - share * root);
+    const Fade fade = fade_share(i, n, clip.frames_per_second);
+    correct(poses[i], poses_differ, 0.5 * (1.0 - share), -0.5 * share);
+    correct(poses[i], speeds_differ, fade.after_start, fade.before_end);
   }
-  std::array<Vec3, body_joint_count> changes;
-  for (int j = 0; j < body_joint_count; ++j) {
-    changes[j] = rotation_speed_change(poses, j, mirrored(BodyJoint(j)), true, rate);
+}
+
+/// The clip turned so that frames `start` to `end` walk along +Z, half of their sway on either side
+/// of x = 0.
+Clip along_z(const Clip& clip, int start, int end) {
+  const std::vector<Vec3> directions = walking_directions(clip);
+  Vec3 direction = Vec3::Zero();
+  for (int t = start; t <= end; ++t) direction += directions[t];
+  const Quat turn = heading(direction).conjugate();
+  const Vec3 middle =
+      turn * (0.5 * (clip.poses[start].root_position + clip.poses[end].root_position));
+  Clip turned = clip;
+  for (Pose& pose : turned.poses) {
+    pose.root_position = turn * pose.root_position - Vec3(middle.x(), 0.0, 0.0);
+    pose.rotations[Pelvis] = turn * pose.rotations[Pelvis];
   }
-  const Vec3 root_change = root_speed_change(poses, true, rate);
-  for (int i = 0; i < n; ++i) {
-    const Fade fade = fade_share(i, n, rate);
-    for (int j = 0; j < body_joint_count; ++j) {
-      const Vec3 after_start = mirrored_turn(changes[mirrored(BodyJoint(j))]);
-      const Vec3 turn = fade.after_start * after_start + fade.before_end * changes[j];
-      poses[i].rotations[j] = (exp(turn) * poses[i].rotations[j]).normalized();
-    }
-    poses[i].root_position +=
-        fade.after_start * mirrored_place(root_change) + fade.before_end * root_change;
-  }
+  return turned;
 }
 
 }  // namespace
 
-Clip closed_loop(const Clip& clip, int start, int end) {
+Clip closed_ends(const Clip& clip, int start, int end) {
   assert(!clip.loops && start >= 0 && end < clip.frame_count() && end - start >= 3);
-  Clip loop = clip;
-  loop.poses.assign(clip.poses.begin() + start, clip.poses.begin() + end + 1);
-  Vec3 travel = loop.poses.back().root_position - loop.poses.front().root_position;
+  Clip closed = clip;
+  closed.poses.assign(clip.poses.begin() + start, clip.poses.begin() + end + 1);
+  Vec3 travel = closed.poses.back().root_position - closed.poses.front().root_position;
   travel.y() = 0.0;
   for (int j = 0; j < body_joint_count; ++j) {
-    close_rotations(loop.poses, j, clip.frames_per_second);
+    close_rotations(closed.poses, j, clip, start, end);
   }
-  close_root(loop.poses, travel, clip.frames_per_second);
+  close_root(closed.poses, travel, clip, start, end);
+  return closed;
+}
+
+Clip closed_loop(const Clip& clip, int start, int end) {
+  Clip loop = closed_ends(clip, start, end);
+  loop.cycle_displacement = loop.poses.back().root_position - loop.poses.front().root_position;
+  loop.cycle_displacement.y() = 0.0;
   loop.poses.pop_back();
   loop.loops = true;
-  loop.cycle_displacement = travel;
   return loop;
 }
 
 Clip mirrored_loop(const Clip& clip, int start, int end) {
   assert(!clip.loops && start >= 0 && end < clip.frame_count() && end - start >= 3);
-  const std::vector<Vec3> directions = walking_directions(clip);
-  Vec3 direction = Vec3::Zero();
-  for (int t = start; t <= end; ++t) direction += directions[t];
-  const Quat turn = heading(direction).conjugate();
-  Clip loop = clip;
-  loop.poses.assign(clip.poses.begin() + start, clip.poses.begin() + end + 1);
-  const Vec3 middle =
-      turn * (0.5 * (loop.poses.front().root_position + loop.poses.back().root_position));
-  for (Pose& pose : loop.poses) {
-    pose.root_position = turn * pose.root_position - Vec3(middle.x(), 0.0, 0.0);
-    pose.rotations[Pelvis] = turn * pose.rotations[Pelvis];
-  }
+  const Clip turned = along_z(clip, start, end);
+  Clip loop = turned;
+  loop.poses.assign(turned.poses.begin() + start, turned.poses.begin() + end + 1);
   const double travel = loop.poses.back().root_position.z() - loop.poses.front().root_position.z();
-  close_step(loop.poses, travel, clip.frames_per_second);
+  close_step(loop.poses, travel, turned, start, end);
   loop.poses.pop_back();
   const size_t half = loop.poses.size();
   for (size_t i = 0; i < half; ++i) {
