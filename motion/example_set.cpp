@@ -84,6 +84,12 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
   return files;
 }
 
+std::vector<std::string> example_names(const ExampleFolder& folder) {
+  std::vector<std::string> stems;
+  for (const fs::path& file : example_files(folder)) stems.push_back(file.stem().string());
+  return names_of(folder, stems);
+}
+
 LoadedExamples load_examples(const ExampleFolder& folder) {
   std::vector<Recording> recordings;
   LoadedExamples loaded;

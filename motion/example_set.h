@@ -23,6 +23,10 @@ struct ExampleFolder {
 /// The motion files that are chosen, ordered by name. Throws Error: no such folder, no such file.
 std::vector<std::filesystem::path> example_files(const ExampleFolder& folder);
 
+/// Names of the examples that these files make, in their order. Throws Error: a name that occurs
+/// twice.
+std::vector<std::string> example_names(const ExampleFolder& folder);
+
 /// A set and where it is from.
 struct LoadedExamples {
   ExampleSet set;

@@ -28,6 +28,9 @@ inline constexpr MotionColours target_colours = {from_hex(0x007a59), from_hex(0x
 inline constexpr MotionColours created_colours = {from_hex(0x0a58a6), from_hex(0x74b2e8)};  // blue
 inline constexpr MotionColours reference_colours = {from_hex(0xb8420e), from_hex(0xeda077)};  // red
 
+/// The target behind another motion.
+inline constexpr MotionColours target_pale = {from_hex(0x8fd0b8), from_hex(0xc4e8db)};
+
 inline constexpr Colour ink = from_hex(0x1b1f24);
 inline constexpr Colour quiet_ink = from_hex(0x5c6670);
 inline constexpr Colour hairline = from_hex(0xc9ced4);

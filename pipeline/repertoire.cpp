@@ -71,6 +71,18 @@ std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest) {
   return files;
 }
 
+std::vector<std::string> example_names(const Manifest& manifest) {
+  const Examples& examples = manifest.examples;
+  if (!examples.builtin.empty()) {
+    std::vector<std::string> names;
+    for (const auto& [name, style] : motion::builtin_styles(examples.builtin))
+      names.push_back(name);
+    return names;
+  }
+  if (examples.folder.empty()) return {};
+  return motion::example_names(example_folder(examples));
+}
+
 Repertoire load_repertoire(const Manifest& manifest) {
   Repertoire repertoire;
   repertoire.scales =

@@ -26,6 +26,9 @@ struct Repertoire {
 /// Files that the repertoire is made of: they determine every clip that is made from it.
 std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest);
 
+/// Names of the examples, found without reading a motion. Throws Error.
+std::vector<std::string> example_names(const Manifest& manifest);
+
 /// Reads, maps, cuts and aligns the examples, and averages their ratings. Throws Error.
 Repertoire load_repertoire(const Manifest& manifest);
 

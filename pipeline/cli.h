@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <stop_token>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace mien::pipeline {
+
+inline constexpr int exit_done = 0;
+inline constexpr int exit_failed = 1;
+inline constexpr int exit_bad_input = 2;
+inline constexpr int exit_interrupted = 130;
+
+/// What a command works with.
+struct Console {
+  std::ostream& out;     ///< results
+  std::ostream& err;     ///< progress and faults
+  bool err_is_terminal;  ///< a progress bar makes sense
+  std::stop_token stop;  ///< requested by Ctrl-C
+};
+
+/// A command that was chosen on the command line; returns the exit code.
+using Command = std::function<int(const Console&)>;
+
+/// Each adds its subcommand to `app` and sets `chosen` when it is the one that was typed.
+void add_check_command(CLI::App& app, Command& chosen);
+void add_plan_command(CLI::App& app, Command& chosen);
+void add_run_command(CLI::App& app, Command& chosen);
+void add_render_command(CLI::App& app, Command& chosen);
+void add_motion_command(CLI::App& app, Command& chosen);
+void add_study_command(CLI::App& app, Command& chosen);
+void add_version_command(CLI::App& app, Command& chosen);
+
+/// Runs the program; never throws. Faults of the input are told on `err` with exit code 2, failures
+/// of the machine with 1.
+int run_command_line(int argc, const char* const* argv, const Console& console);
+
+}  // namespace mien::pipeline

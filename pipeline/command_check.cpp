@@ -1,0 +1,64 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/checked_manifest.h"
+#include "pipeline/cli.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct CheckOptions {
+  std::vector<std::string> manifests;
+  bool json = false;
+};
+
+nlohmann::ordered_json as_json(const Fault& fault) {
+  return {{"file", fault.place.file}, {"line", fault.place.line}, {"column", fault.place.column},
+          {"path", fault.path},       {"wrong", fault.wrong},     {"remedy", fault.remedy}};
+}
+
+int check(const CheckOptions& options, const Console& console) {
+  nlohmann::ordered_json listed = nlohmann::ordered_json::array();
+  bool is_good = true;
+  for (const std::string& file : options.manifests) {
+    const ManifestReading reading = check_manifest(file, process_environment());
+    for (const Fault& fault : reading.faults) {
+      if (options.json) {
+        listed.push_back(as_json(fault));
+      } else {
+        console.err << to_string(fault) << '\n';
+      }
+    }
+    is_good = is_good && reading.faults.empty();
+    if (!options.json && reading.faults.empty()) console.out << file << ": no faults\n";
+  }
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  if (options.json) {
+    const nlohmann::ordered_json result = {{"faults", listed}};
+    console.out << result.dump(2, ' ', false, replace) << '\n';
+  }
+  return is_good ? exit_done : exit_bad_input;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("check", "Find everything wrong with a manifest");
+  const auto options = std::make_shared<CheckOptions>();
+  command->add_option("manifest", options->manifests, "Manifests (YAML)")->required();
+  command->add_flag("--json", options->json, "Faults as JSON on standard output");
+  command->footer(
+      "\nWrites no file. Faults are told as file:line:column: path.to.key: what is wrong; how to "
+      "mend it.\n\nExample:\n  mien check manifests/quickstart.yaml");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return check(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,88 @@
+#include "pipeline/determinants.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "pipeline/code_identity.h"
+#include "pipeline/repertoire.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+template <class Enum>
+void add_choice(KeyBuilder& key, std::string_view name, Enum value) {
+  key.add(name, static_cast<std::int64_t>(value));
+}
+
+void add_values(KeyBuilder& key, std::string_view name, const NamedValues& values) {
+  for (const auto& [parameter, value] : values) key.add(name, parameter).add("value", value);
+}
+
+/// Files that a motion file of its kind may refer to: skeletons beside AMC, buffers beside glTF.
+std::vector<std::filesystem::path> parts_of(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  const std::string wanted = ending == ".amc" ? ".asf" : ending == ".gltf" ? ".bin" : "";
+  std::vector<std::filesystem::path> parts;
+  if (wanted.empty()) return parts;
+  for (const auto& entry : std::filesystem::directory_iterator(absolute(file).parent_path())) {
+    if (entry.path().extension() == wanted) parts.push_back(entry.path());
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+}  // namespace
+
+void add_file(KeyBuilder& key, const std::filesystem::path& file) {
+  key.add("file", file.filename().string()).add("content", hash_of_file(file));
+  for (const std::filesystem::path& part : parts_of(file)) {
+    key.add("part", part.filename().string()).add("content", hash_of_file(part));
+  }
+}
+
+void add_libraries(KeyBuilder& key) {
+  for (const auto& [name, version] : library_versions()) key.add(name, version);
+}
+
+void add_repertoire(KeyBuilder& key, const Manifest& manifest) {
+  const Examples& examples = manifest.examples;
+  key.add("builtin", examples.builtin).add("seed", static_cast<std::int64_t>(manifest.seed));
+  add_choice(key, "cycle", examples.cycle);
+  add_choice(key, "labels", examples.labels);
+  for (const auto& [stem, label] : examples.given_labels) key.add(stem, label);
+  add_choice(key, "ratings", manifest.ratings.source);
+  key.add("raters", std::int64_t{manifest.ratings.raters});
+  for (const std::filesystem::path& file : repertoire_files(manifest)) add_file(key, file);
+}
+
+void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
+  key.add("id", stimulus.id);
+  add_values(key, "adjective", stimulus.adjectives);
+  add_values(key, "weight", stimulus.weights);
+  if (stimulus.clip) {
+    add_file(key, stimulus.clip->file);
+    if (const auto& frames = stimulus.clip->frames) {
+      key.add("first", std::int64_t{(*frames)[0]}).add("last", std::int64_t{(*frames)[1]});
+    }
+  }
+  const Interpolation& how = stimulus.interpolation;
+  add_choice(key, "rotations", how.rotations);
+  add_choice(key, "time_warp", how.time_warp);
+  add_choice(key, "foot_lock", how.foot_lock);
+  key.add("fps", stimulus.output.fps).add("cycles", std::int64_t{stimulus.output.cycles});
+  add_choice(key, "in_place", stimulus.output.in_place);
+}
+
+void add_film(KeyBuilder& key, const Stimulus& stimulus) {
+  key.add("scene", stimulus.look.scene)
+      .add("figure", stimulus.look.figure)
+      .add("camera", stimulus.look.camera);
+  add_choice(key, "role", stimulus.role);
+  key.add("width", std::int64_t{stimulus.output.size[0]})
+      .add("height", std::int64_t{stimulus.output.size[1]})
+      .add("fps", stimulus.output.fps);
+  add_choice(key, "quality", stimulus.output.quality);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,173 @@
+#include "pipeline/film.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "pipeline/bounded_queue.h"
+#include "pipeline/film_frames.h"
+#include "pipeline/task_graph.h"
+#include "render/contact_sheet.h"
+#include "render/error.h"
+#include "render/image_io.h"
+#include "render/resize.h"
+#include "render/tone.h"
+#include "render/tracer.h"
+#include "render/video.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::size_t waiting_frames = 4;
+constexpr int contact_frames = 12;
+constexpr int contact_width = 480;
+
+render::Quality quality_of(const FilmSettings& settings) {
+  render::Quality quality = settings.output.quality == Quality::draft ? render::draft_quality()
+                            : settings.output.quality == Quality::final
+                                ? render::final_quality()
+                                : render::standard_quality();
+  quality.seed = settings.seed;
+  return quality;
+}
+
+/// A frame on its way: just traced, or read from the store.
+struct Exposure {
+  int frame = 0;
+  std::variant<render::Film, render::Image8> picture;
+};
+
+/// The second half of the work, in a thread of its own.
+class FrameTaker {
+ public:
+  FrameTaker(const FilmSettings& settings, FrameStore* store, const FrameSink& sink)
+      : settings_(settings), store_(store), sink_(sink), queue_(waiting_frames) {
+    thread_ = std::thread([this] { take_all(); });
+  }
+
+  ~FrameTaker() {
+    queue_.close();
+    if (thread_.joinable()) thread_.join();
+  }
+
+  /// False once the taker has failed.
+  bool push(Exposure exposure) { return queue_.push(std::move(exposure)); }
+
+  /// Waits for the last frame and throws what went wrong.
+  void finish() {
+    queue_.close();
+    thread_.join();
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  void take_all() {
+    try {
+      Exposure exposure;
+      while (queue_.pop(exposure)) sink_(exposure.frame, developed(exposure));
+    } catch (...) {
+      failure_ = std::current_exception();
+      queue_.close();
+    }
+  }
+
+  render::Image8 developed(Exposure& exposure) {
+    if (auto* stored = std::get_if<render::Image8>(&exposure.picture)) return std::move(*stored);
+    const auto& film = std::get<render::Film>(exposure.picture);
+    if (store_ == nullptr) return render::to_srgb8(film);
+    const FrameFormat format = settings_.output.frames;
+    render::Image8 read_back;
+    store_->put(
+        frame_name(format, exposure.frame),
+        [&](const std::filesystem::path& file) { write_frame(file, film, format); },
+        [&](const std::filesystem::path& file) {
+          read_back = read_frame(file, format, settings_.output.size);
+        });
+    return read_back;
+  }
+
+  const FilmSettings& settings_;
+  FrameStore* store_;
+  const FrameSink& sink_;
+  BoundedQueue<Exposure> queue_;
+  std::exception_ptr failure_;
+  std::thread thread_;
+};
+
+/// A frame that the store has, decoded. One that does not decode is thrown away.
+std::optional<render::Image8> stored_frame(FrameStore* store, int frame, const Output& output) {
+  if (store == nullptr) return std::nullopt;
+  const std::string name = frame_name(output.frames, frame);
+  const auto file = store->find(name);
+  if (!file) return std::nullopt;
+  try {
+    return read_frame(*file, output.frames, output.size);
+  } catch (const render::Error&) {
+    store->discard(name);
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
+                 const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
+                 const std::stop_token& stop, const std::function<void(double)>& progress) {
+  render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
+  const render::Quality quality = quality_of(settings);
+  FrameTaker taker(settings, store, sink);
+  double done = 0.0;
+  for (const int frame : frames) {
+    if (stop.stop_requested()) throw Interrupted{};
+    Exposure exposure;
+    exposure.frame = frame;
+    if (auto stored = stored_frame(store, frame, settings.output)) {
+      exposure.picture = std::move(*stored);
+    } else {
+      exposure.picture = tracer.trace(scene_at(shot, frame), camera_at(shot, frame), quality);
+    }
+    if (!taker.push(std::move(exposure))) break;
+    progress(++done / static_cast<double>(frames.size()));
+  }
+  taker.finish();
+}
+
+void write_video(const std::filesystem::path& file, const Output& output,
+                 const std::function<void(const FrameSink&)>& draw) {
+  render::VideoWriter writer(
+      file,
+      {.width = output.size[0], .height = output.size[1], .rate = render::frame_rate(output.fps)});
+  draw([&](int, const render::Image8& picture) { writer.write(picture); });
+  writer.finish();
+}
+
+void verify_video(const std::filesystem::path& file, const Output& output, int frame_count) {
+  const render::VideoSummary video = render::probe(file);
+  const bool right = video.frames == frame_count && video.width == output.size[0] &&
+                     video.height == output.size[1] && video.steady_timestamps &&
+                     video.rate == render::frame_rate(output.fps);
+  if (right) return;
+  throw render::Error(fmt::format("{}: {} frames of {} x {} instead of {} of {} x {}",
+                                  file.string(), video.frames, video.width, video.height,
+                                  frame_count, output.size[0], output.size[1]));
+}
+
+ContactSheetBuilder::ContactSheetBuilder(int frame_count)
+    : frames_(render::evenly_spread(frame_count, contact_frames)) {}
+
+void ContactSheetBuilder::add(int frame, const render::Image8& picture) {
+  if (!std::binary_search(frames_.begin(), frames_.end(), frame)) return;
+  const int width = std::min(contact_width, picture.width);
+  const int height = std::max(1, picture.height * width / picture.width);
+  pictures_.push_back(render::resized(picture, width, height));
+}
+
+render::Image8 ContactSheetBuilder::build() const { return render::contact_sheet(pictures_); }
+
+}  // namespace mien::pipeline

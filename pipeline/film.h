@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "pipeline/manifest.h"
+#include "pipeline/store.h"
+#include "render/image.h"
+#include "scenes/shot.h"
+
+namespace mien::pipeline {
+
+/// How a shot is drawn.
+struct FilmSettings {
+  Output output;
+  std::uint64_t seed = 0;  ///< of the renderer's noise
+  int threads = 1;         ///< no influence on the pictures
+};
+
+/// Takes the frames, in order, as a display shows them.
+using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
+
+/// Draws frames and hands them on. While one is traced, earlier ones are written, read back and
+/// taken by the sink in a second thread; at most four wait in between, however long the shot.
+///
+/// With `store`, frames that it has are not drawn again, and each new one is kept there; the sink
+/// then gets what was stored, so a resumed film is the same to the last bit. Throws Interrupted
+/// after a stop request, and what the tracer, the store or the sink throw.
+void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
+                 const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
+                 const std::stop_token& stop, const std::function<void(double)>& progress);
+
+/// Encodes frames 0 … n−1 of a film that `draw` delivers, as MP4.
+void write_video(const std::filesystem::path& file, const Output& output,
+                 const std::function<void(const FrameSink&)>& draw);
+
+/// Decodes a video and throws render::Error unless it is what was asked for.
+void verify_video(const std::filesystem::path& file, const Output& output, int frame_count);
+
+/// Collects evenly spread frames, at a size that fits a page, into one picture.
+class ContactSheetBuilder {
+ public:
+  explicit ContactSheetBuilder(int frame_count);
+
+  /// The frames that it needs, ascending.
+  const std::vector<int>& frames() const { return frames_; }
+
+  /// Takes a frame if it is one of them.
+  void add(int frame, const render::Image8& picture);
+
+  render::Image8 build() const;
+
+ private:
+  std::vector<int> frames_;
+  std::vector<render::Image8> pictures_;
+};
+
+}  // namespace mien::pipeline

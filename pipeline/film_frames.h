@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "pipeline/manifest.h"
+#include "render/film.h"
+#include "render/image.h"
+
+namespace mien::pipeline {
+
+/// "00012.png", "00012.exr"
+std::string frame_name(FrameFormat format, int frame);
+
+/// Writes one frame. `format` is not none.
+void write_frame(const std::filesystem::path& file, const render::Film& film, FrameFormat format);
+
+/// The frame as a display shows it. Throws render::Error when it does not decode or has another
+/// size.
+render::Image8 read_frame(const std::filesystem::path& file, FrameFormat format,
+                          const std::array<int, 2>& size);
+
+}  // namespace mien::pipeline

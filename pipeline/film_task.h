@@ -1,0 +1,14 @@
+#pragma once
+
+#include "pipeline/manifest.h"
+#include "pipeline/motions.h"
+#include "pipeline/task_graph.h"
+
+namespace mien::pipeline {
+
+/// The task "film:<id>": stages a stimulus's motion, draws it and encodes it while it is drawn. Its
+/// products are what the stimulus's output asks for, and a contact sheet. It reads the product of
+/// "motion:<id>". `motions` and `stimulus` outlive it.
+Task film_task(const Stimulus& stimulus, const Manifest& manifest, Motions& motions, int threads);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,49 @@
+#include "pipeline/motions.h"
+
+namespace mien::pipeline {
+
+struct Motions::Entry {
+  std::once_flag once;
+  std::optional<Synthesis> synthesis;
+};
+
+Motions::Motions(const Manifest& manifest) : manifest_(manifest) {}
+
+Motions::~Motions() = default;
+
+const Repertoire& Motions::repertoire() {
+  std::call_once(repertoire_once_, [this] { repertoire_ = load_repertoire(manifest_); });
+  return *repertoire_;
+}
+
+const Synthesis& Motions::of(const std::string& name) {
+  Entry& found = entry(name);
+  std::call_once(found.once, [&] { found.synthesis = make(name); });
+  return *found.synthesis;
+}
+
+Motions::Entry& Motions::entry(const std::string& name) {
+  const std::lock_guard guard(mutex_);
+  std::unique_ptr<Entry>& found = entries_[name];
+  if (!found) found = std::make_unique<Entry>();
+  return *found;
+}
+
+Synthesis Motions::make(const std::string& name) {
+  const Stimulus* stimulus = find_stimulus(manifest_, name);
+  if (stimulus == nullptr) {
+    return synthesize_example(name, manifest_.output, manifest_.interpolation, repertoire());
+  }
+  // A file shown as it is needs no examples; there may be none.
+  if (stimulus->clip) return synthesize(*stimulus, Repertoire{});
+  return synthesize(*stimulus, repertoire());
+}
+
+const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id) {
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.id == id) return &stimulus;
+  }
+  return nullptr;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,66 @@
+#include "pipeline/production.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "motion/nearest_word.h"
+#include "pipeline/film_task.h"
+#include "pipeline/motion_task.h"
+#include "pipeline/sheet_task.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+Manifest with_quality(Manifest manifest, const std::optional<Quality>& quality) {
+  if (!quality) return manifest;
+  manifest.output.quality = *quality;
+  for (Stimulus& stimulus : manifest.stimuli) stimulus.output.quality = *quality;
+  return manifest;
+}
+
+void refuse_unknown_ids(const Manifest& manifest, const std::vector<std::string>& only) {
+  std::vector<std::string> ids;
+  for (const Stimulus& stimulus : manifest.stimuli) ids.push_back(stimulus.id);
+  for (const Sheet& sheet : manifest.sheets) ids.push_back(sheet.id);
+  for (const std::string& id : only) {
+    if (std::find(ids.begin(), ids.end(), id) != ids.end()) continue;
+    throw Error("--only: there is no stimulus or sheet \"" + id + "\"",
+                motion::did_you_mean(id, ids));
+  }
+}
+
+}  // namespace
+
+Production::Production(Manifest manifest, ProductionOptions options)
+    : manifest_(with_quality(std::move(manifest), options.quality)),
+      options_(std::move(options)),
+      motions_(manifest_) {
+  refuse_unknown_ids(manifest_, options_.only);
+  for (const Stimulus& stimulus : manifest_.stimuli) {
+    graph_.add(motion_task(stimulus, manifest_, motions_));
+    if (!is_wanted(stimulus.id)) continue;
+    if (stimulus.output.bvh || stimulus.output.glb) graph_.add(clip_task(stimulus, motions_));
+    graph_.add(film_task(stimulus, manifest_, motions_, options_.jobs));
+  }
+  for (const Sheet& sheet : manifest_.sheets) {
+    if (is_wanted(sheet)) graph_.add(sheet_task(sheet, manifest_, motions_));
+  }
+}
+
+bool Production::is_wanted(const std::string& id) const {
+  const std::vector<std::string>& only = options_.only;
+  return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
+}
+
+/// A sheet is wanted when it is named, or when the stimuli that it shows all are.
+bool Production::is_wanted(const Sheet& sheet) const {
+  const auto is_wanted_motion = [&](const std::string& name) {
+    return find_stimulus(manifest_, name) == nullptr || is_wanted(name);
+  };
+  return is_wanted(sheet.id) ||
+         (is_wanted_motion(sheet.target) && is_wanted_motion(sheet.created) &&
+          is_wanted_motion(sheet.reference));
+}
+
+}  // namespace mien::pipeline

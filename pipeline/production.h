@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/manifest.h"
+#include "pipeline/motions.h"
+#include "pipeline/task_graph.h"
+
+namespace mien::pipeline {
+
+/// What the command line changes about a manifest.
+struct ProductionOptions {
+  std::optional<Quality> quality;  ///< of all stimuli
+  std::vector<std::string> only;   ///< ids of stimuli and sheets; everything when empty
+  int jobs = 1;
+};
+
+/// The manifest as the tasks of a run:
+///
+///   motion  examples, weights → motion       (its digest)
+///   clip    motion → file                    clips/<id>.bvh, .glb
+///   film    motion → shot → frames, video    frames/<id>/, videos/<id>.mp4,
+///   sheets/contact/<id>.png sheet   two motions → distance → page    sheets/<id>.pdf, .png
+///
+/// With `only`, nothing is made that covers the whole study (tables, report, provenance).
+class Production {
+ public:
+  /// Throws Error when `only` names what the manifest does not have.
+  Production(Manifest manifest, ProductionOptions options);
+  Production(const Production&) = delete;
+  Production& operator=(const Production&) = delete;
+
+  const Manifest& manifest() const { return manifest_; }
+  const TaskGraph& graph() const { return graph_; }
+  Motions& motions() { return motions_; }
+  bool is_whole() const { return options_.only.empty(); }
+
+ private:
+  bool is_wanted(const std::string& id) const;
+  bool is_wanted(const Sheet& sheet) const;
+
+  Manifest manifest_;
+  ProductionOptions options_;
+  Motions motions_;
+  TaskGraph graph_;
+};
+
+}  // namespace mien::pipeline

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <stop_token>
+#include <vector>
+
+#include "pipeline/production.h"
+#include "pipeline/progress.h"
+#include "pipeline/store.h"
+
+namespace mien::pipeline {
+
+/// How a run ended.
+struct RunResult {
+  std::vector<TaskOutcome> outcomes;  ///< one a task of the production's graph
+  std::vector<Nondeterminism> nondeterminism;
+  bool was_interrupted = false;
+
+  int count(TaskState state) const;
+  bool is_complete() const;  ///< every task was cached or made
+};
+
+/// Makes what is not in `folder` yet, and writes provenance.json when everything is there. Throws
+/// StoreBusy when another run works in the folder.
+RunResult run(Production& production, const std::filesystem::path& folder, int jobs,
+              const std::stop_token& stop, const RunObserver& observer);
+
+}  // namespace mien::pipeline

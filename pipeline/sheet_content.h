@@ -1,0 +1,12 @@
+#pragma once
+
+#include "pipeline/manifest.h"
+#include "pipeline/motions.h"
+#include "pipeline/sheet.h"
+
+namespace mien::pipeline {
+
+/// What a comparison sheet of the manifest shows: makes its motions and measures their distance.
+SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions& motions);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,60 @@
+#include "pipeline/sheet_task.h"
+
+#include <stdexcept>
+
+#include "pipeline/code_identity.h"
+#include "pipeline/determinants.h"
+#include "pipeline/files.h"
+#include "pipeline/sheet.h"
+#include "pipeline/sheet_content.h"
+#include "render/image_io.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double sheet_cost_seconds = 2.0;
+
+void verify_pdf(const fs::path& file) {
+  const std::string bytes = read_file(file);
+  if (bytes.starts_with("%PDF-") && bytes.find("%%EOF", bytes.size() - 16) != std::string::npos) {
+    return;
+  }
+  throw std::runtime_error(file.string() + " is no complete PDF");
+}
+
+}  // namespace
+
+Task sheet_task(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
+  Task task;
+  task.id = "sheet:" + sheet.id;
+  task.kind = "sheet";
+  add_libraries(task.determinants);
+  task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
+  task.determinants.add("study", manifest.study).add("manifest", manifest.file.filename().string());
+  bool uses_examples = false;
+  for (const std::string& name : {sheet.target, sheet.created, sheet.reference}) {
+    task.determinants.add("motion", name);
+    const Stimulus* stimulus = find_stimulus(manifest, name);
+    if (stimulus != nullptr) task.inputs.push_back("motion:" + name);
+    uses_examples = uses_examples || (stimulus == nullptr ? !name.empty() : !stimulus->clip);
+  }
+  if (uses_examples) add_repertoire(task.determinants, manifest);
+  task.products = {{"sheets/" + sheet.id + ".pdf", {}}, {"sheets/" + sheet.id + ".png", {}}};
+  task.cost_seconds = sheet_cost_seconds;
+  task.make = [&sheet, &manifest, &motions](TaskRun& run) {
+    const SheetContent content = sheet_content(sheet, manifest, motions);
+    run.store.put(
+        run.task.products[0].path, run.keys[0],
+        [&](const fs::path& file) { write_file(file, sheet_as_pdf(content)); }, verify_pdf);
+    run.store.put(
+        run.task.products[1].path, run.keys[1],
+        [&](const fs::path& file) { write_file(file, sheet_as_png(content)); },
+        [](const fs::path& file) { render::check_image(file); });
+  };
+  return task;
+}
+
+}  // namespace mien::pipeline

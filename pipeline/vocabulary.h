@@ -1,0 +1,12 @@
+#pragma once
+
+#include "pipeline/manifest.h"
+#include "pipeline/manifest_checks.h"
+
+namespace mien::pipeline {
+
+/// The examples of a manifest and the parameters that they have ratings on, found without reading a
+/// motion. Throws Error for what is wrong with the folder, the scales or the answers.
+Vocabulary vocabulary_of(const Manifest& manifest);
+
+}  // namespace mien::pipeline
