@@ -11,6 +11,10 @@ namespace mien::motion {
 
 namespace {
 
+/// A foot that is just leaving the floor may move: drift is measured a little below the height at
+/// which the lock lets go.
+constexpr double standing_share = 0.7;
+
 /// A foot's corrected place at one frame of a plant.
 struct FootPlace {
   Vec3 ankle;
@@ -40,25 +44,29 @@ Quat mean_rotation(const FootPath& path, int first, int last) {
   return mean;
 }
 
-/// Where the foot stands at each frame of the plant, in unrolled coordinates.
-std::vector<FootPlace> standing(const FootPath& path, const FootPlant& plant, FlatSole flat,
-                                double turn_frames) {
-  if (flat.last < flat.first) flat.first = flat.last = (plant.first + plant.last) / 2;
-  const Quat sole = mean_rotation(path, flat.first, flat.last);
+/// Where the foot stands at each frame of its stance, in unrolled coordinates. Over the floor the
+/// pivot stays where it is; its height is the input's, so that a foot may roll on over its toes.
+std::vector<FootPlace> standing(const FootPath& path, const Stance& stance, double turn_frames) {
+  const Quat sole = mean_rotation(path, stance.flat_first, stance.flat_last);
   Vec3 ball = Vec3::Zero();
-  for (int f = flat.first; f <= flat.last; ++f) ball += path.ball_at(f);
-  ball /= flat.last - flat.first + 1;
+  for (int f = stance.flat_first; f <= stance.flat_last; ++f) ball += path.ball_at(f);
+  ball /= stance.flat_last - stance.flat_first + 1;
   const Vec3 heel = ball + sole * (path.heel_in_foot - path.ball_in_foot);
+  const double ball_lift = ball.y() - path.ball_at(stance.flat_last).y();
+  const double heel_lift = heel.y() - path.heel_at(stance.flat_first).y();
 
   std::vector<FootPlace> places;
-  for (int f = plant.first; f <= plant.last; ++f) {
-    const int edge = std::clamp(f, flat.first, flat.last);
+  for (int f = stance.first; f <= stance.last; ++f) {
+    const int edge = std::clamp(f, stance.flat_first, stance.flat_last);
     const Vec3 flatten = log(sole * path.rotation_at(edge).conjugate());
-    const double share = f == edge ? 1.0 : fade(std::abs(f - edge) / turn_frames);
-    const Quat within = f == edge ? sole : exp(share * flatten) * path.rotation_at(f);
-    const Vec3 ankle = f < flat.first ? Vec3(heel - within * path.heel_in_foot)
-                                      : Vec3(ball - within * path.ball_in_foot);
-    places.push_back({ankle, within});
+    const double share = fade(std::abs(f - edge) / turn_frames);
+    const Quat turned = f == edge ? sole : exp(share * flatten) * path.rotation_at(f);
+    const bool on_heel = f < stance.flat_first;
+    Vec3 pivot = on_heel ? heel : ball;
+    if (on_heel) pivot.y() = std::max(heel.y(), path.heel_at(f).y() + share * heel_lift);
+    if (f > stance.flat_last)
+      pivot.y() = std::max(ball.y(), path.ball_at(f).y() + share * ball_lift);
+    places.push_back({pivot - turned * (on_heel ? path.heel_in_foot : path.ball_in_foot), turned});
   }
   return places;
 }
@@ -76,17 +84,17 @@ std::vector<Correction> corrections(const FootPath& path, std::vector<FootPlant>
   };
   std::vector<Edge> starts, ends;
   for (const FootPlant& plant : plants) {
-    const auto places =
-        standing(path, plant, flat_sole(path, plant, options.flat_metres), turn_frames);
-    for (int f = plant.first; f <= plant.last; ++f) {
-      const FootPlace& place = places[static_cast<size_t>(f - plant.first)];
+    const Stance stance = stance_of(path, plant, options.flat_metres, options.lifted_metres);
+    const auto places = standing(path, stance, turn_frames);
+    for (int f = stance.first; f <= stance.last; ++f) {
+      const FootPlace& place = places[static_cast<size_t>(f - stance.first)];
       const auto at = static_cast<size_t>(path.wrapped(f));
       result[at] = {place.ankle - path.ankle_at(f),
                     log(place.rotation * path.rotation_at(f).conjugate())};
       planted[at] = true;
     }
-    starts.push_back({plant.first, result[static_cast<size_t>(path.wrapped(plant.first))]});
-    ends.push_back({plant.last, result[static_cast<size_t>(path.wrapped(plant.last))]});
+    starts.push_back({stance.first, result[static_cast<size_t>(path.wrapped(stance.first))]});
+    ends.push_back({stance.last, result[static_cast<size_t>(path.wrapped(stance.last))]});
   }
   const double reach = options.blend_seconds * frames_per_second;
   const auto frames_after = [&](int from, int to) {
@@ -240,11 +248,12 @@ double planted_drift(const Clip& clip, const std::vector<FootPlant>& plants,
   const auto across = [](const Vec3& v) { return std::hypot(v.x(), v.z()); };
   for (const FootPlant& plant : plants) {
     const FootPath path = foot_path(clip, plant.left);
-    FlatSole flat = flat_sole(path, plant, options.flat_metres);
-    if (flat.last < flat.first) flat = {(plant.first + plant.last) / 2, plant.last};
-    for (int f = plant.first; f <= plant.last; ++f) {
-      const double drift = f < flat.first ? across(path.heel_at(f) - path.heel_at(flat.first))
-                                          : across(path.ball_at(f) - path.ball_at(flat.first));
+    const Stance stance =
+        stance_of(path, plant, options.flat_metres, standing_share * options.lifted_metres);
+    for (int f = stance.first; f <= stance.last; ++f) {
+      const double drift = f < stance.flat_first
+                               ? across(path.heel_at(f) - path.heel_at(stance.flat_first))
+                               : across(path.ball_at(f) - path.ball_at(stance.flat_first));
       largest = std::max(largest, drift);
     }
   }

@@ -16,8 +16,9 @@ struct FootPlant {
 
 struct FootLockOptions {
   double blend_seconds = 0.17;  ///< a foot's correction fades in and out over this (Kovar 2002)
-  double flat_metres = 0.02;    ///< the sole is flat while heel and ball are this near their lowest
-  double extension = 0.98;      ///< share of the leg's length that a correction may ask for
+  double flat_metres = 0.006;   ///< the sole is flat while heel and ball are this near their lowest
+  double lifted_metres = 0.015;  ///< a heel or ball this much higher has left the floor
+  double extension = 0.98;       ///< share of the leg's length that a correction may ask for
 };
 
 /// Removes foot skate: while planted, a foot turns about its heel until the sole is flat, stands
@@ -28,8 +29,9 @@ struct FootLockOptions {
 Clip foot_locked(const Clip& clip, const std::vector<FootPlant>& plants,
                  const FootLockOptions& options = {});
 
-/// Horizontal distance, metres, that the planted part of a foot moves during a plant: the ball from
-/// flat sole to the end, the heel from the start to flat sole. Largest over all plants.
+/// Horizontal distance, metres, that the part of a foot that stands on the floor moves during a
+/// plant: the ball from flat sole until it lifts, the heel from when it comes down to flat sole.
+/// Largest over all plants.
 double planted_drift(const Clip& clip, const std::vector<FootPlant>& plants,
                      const FootLockOptions& options = {});
 

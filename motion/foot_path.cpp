@@ -60,24 +60,32 @@ FootPath foot_path(const Clip& clip, bool left) {
   return path;
 }
 
-FlatSole flat_sole(const FootPath& path, const FootPlant& plant, double tolerance_metres) {
-  double lowest_ball = std::numeric_limits<double>::infinity();
-  double lowest_heel = lowest_ball;
+Stance stance_of(const FootPath& path, const FootPlant& plant, double flat_metres,
+                 double lifted_metres) {
+  int lowest_ball = plant.first;
+  double lowest_heel = std::numeric_limits<double>::infinity();
   for (int f = plant.first; f <= plant.last; ++f) {
-    lowest_ball = std::min(lowest_ball, path.ball_at(f).y());
+    if (path.ball_at(f).y() < path.ball_at(lowest_ball).y()) lowest_ball = f;
     lowest_heel = std::min(lowest_heel, path.heel_at(f).y());
   }
-  // A heel that stays well above the ball never comes down: running on the toes.
-  if (lowest_heel > lowest_ball + 2.0 * tolerance_metres) return {};
-  FlatSole flat{plant.last + 1, plant.first - 1};
+  const double floor_ball = path.ball_at(lowest_ball).y();
+  Stance stance{plant.first, plant.last + 1, plant.first - 1, plant.last};
   for (int f = plant.first; f <= plant.last; ++f) {
-    const bool on_floor = path.ball_at(f).y() < lowest_ball + tolerance_metres &&
-                          path.heel_at(f).y() < lowest_heel + tolerance_metres;
-    if (!on_floor) continue;
-    flat.first = std::min(flat.first, f);
-    flat.last = std::max(flat.last, f);
+    if (path.ball_at(f).y() > floor_ball + flat_metres) continue;
+    if (path.heel_at(f).y() > lowest_heel + flat_metres) continue;
+    stance.flat_first = std::min(stance.flat_first, f);
+    stance.flat_last = std::max(stance.flat_last, f);
   }
-  return flat;
+  if (stance.flat_last < stance.flat_first) stance.flat_first = stance.flat_last = lowest_ball;
+  const double ball_level = path.ball_at(stance.flat_last).y();
+  const double heel_level = path.heel_at(stance.flat_first).y();
+  for (stance.last = stance.flat_last; stance.last < plant.last; ++stance.last) {
+    if (path.ball_at(stance.last + 1).y() > ball_level + lifted_metres) break;
+  }
+  for (stance.first = stance.flat_first; stance.first > plant.first; --stance.first) {
+    if (path.heel_at(stance.first - 1).y() > heel_level + lifted_metres) break;
+  }
+  return stance;
 }
 
 }  // namespace mien::motion

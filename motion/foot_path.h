@@ -34,12 +34,19 @@ struct FootPath {
 
 FootPath foot_path(const Clip& clip, bool left);
 
-/// Frames of a plant with the sole flat on the floor (`first` > `last` when it never is).
-struct FlatSole {
-  int first = 0;
-  int last = -1;
+/// How a foot goes through a plant: down on its heel, flat, up on its ball.
+struct Stance {
+  int first = 0;       ///< heel on the floor from here …
+  int flat_first = 0;  ///< … the whole sole from here …
+  int flat_last = 0;   ///< … to here, …
+  int last = 0;        ///< … and the ball to here. Frames, all included
 };
 
-FlatSole flat_sole(const FootPath& path, const FootPlant& plant, double tolerance_metres);
+/// The plant's stance. Its ends lie within the plant: heel and ball count as on the floor while
+/// they are less than `lifted_metres` above their height under the flat sole, the sole as flat
+/// while both are less than `flat_metres` above their lowest. A foot that never comes down flat
+/// (running on the toes) is taken as flat where its ball is lowest.
+Stance stance_of(const FootPath& path, const FootPlant& plant, double flat_metres,
+                 double lifted_metres);
 
 }  // namespace mien::motion
