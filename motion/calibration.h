@@ -23,9 +23,9 @@ struct Calibration {
 /// zero pose is off by more than 25° (feet: 12°), it is measured: thighs and shanks by the axis
 /// about which the knee bends, upper arms and forearms by that of the elbow (mean over the frames
 /// bent more than 15°), trunk by the lines through hips and shoulders, neck, head, clavicles and
-/// hands by their mean attitude to chest and forearm, feet by standing flat. A measured reference
-/// within 20° of an axis of the rig's own joint frame gives way to that axis, so that all
-/// recordings of a rig agree.
+/// hands by their mean attitude to chest and forearm, feet by standing flat. In a rig that lays its
+/// limbs along axes of their joint frames, a measured reference within 20° of such an axis gives
+/// way to it, so that all recordings of the rig agree.
 Calibration calibrate(std::span<const RigMotion> motions);
 
 }  // namespace mien::motion

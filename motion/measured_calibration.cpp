@@ -18,6 +18,7 @@ struct Measuring {
   std::span<const RigMotion> motions;
   MeasuredCalibration found;
   double leg = 1.0;
+  bool axes_mean_something = false;  ///< the rig lays its limbs along axes of their joint frames
 
   const RigMotion& rig() const { return motions.front(); }
 
@@ -45,8 +46,11 @@ Vec3 mean_in_joint(const Measuring& measuring, BodyJoint joint, const FrameVecto
 }
 
 /// The axis of the joint's own frame nearest to `direction`, when within `degrees` of it after both
-/// are made perpendicular to the bone; else `direction` itself.
-Vec3 snapped(const Vec3& direction, const Vec3& bone, double degrees = 20.0) {
+/// are made perpendicular to the bone; else `direction` itself, and so where the rig's axes mean
+/// nothing.
+Vec3 snapped(const Measuring& measuring, const Vec3& direction, const Vec3& bone,
+             double degrees = 20.0) {
+  if (!measuring.axes_mean_something) return direction;
   const auto across = [&](const Vec3& v) { return Vec3(v - v.dot(bone) * bone); };
   const Vec3 wanted = across(direction).normalized();
   Vec3 best = direction;
@@ -83,13 +87,26 @@ Vec3 bone_in_joint(const Measuring& measuring, BodyJoint joint) {
   return Vec3::Zero();
 }
 
+/// Whether thighs, shanks, upper arms and forearms all lie along an axis of their joint's frame, to
+/// 3°.
+bool lays_limbs_along_axes(const Measuring& measuring) {
+  for (const BodyJoint joint : {LeftHip, LeftKnee, RightHip, RightKnee, LeftShoulder, LeftElbow,
+                                RightShoulder, RightElbow}) {
+    if (!measuring.rig().turns(joint)) continue;
+    const Vec3 bone = bone_in_joint(measuring, joint);
+    if (!bone.isZero() && bone.cwiseAbs().maxCoeff() < std::cos(3 * radians_per_degree))
+      return false;
+  }
+  return true;
+}
+
 /// Lays the joint on its bone, its twist by `reference` (a world vector for each frame) or the axis
 /// of the joint's own frame within `snap_degrees` of it.
 void lay(Measuring& measuring, BodyJoint joint, const Vec3& bone, const Vec3& rest_reference,
          const FrameVector& reference, double snap_degrees = 20.0) {
   const Vec3 seen = mean_in_joint(measuring, joint, reference);
-  measuring.found.constants[joint] =
-      laid(rest_direction(joint), bone, rest_reference, snapped(seen, bone, snap_degrees));
+  measuring.found.constants[joint] = laid(rest_direction(joint), bone, rest_reference,
+                                          snapped(measuring, seen, bone, snap_degrees));
 }
 
 /// Pelvis or chest: across by the line between two joints that hang on it, up by the bone or, when
@@ -117,7 +134,8 @@ Vec3 crown_in_head(const Measuring& measuring, BodyJoint head, BodyJoint neighbo
       }).normalized();
   const Vec3 tip = far_end(measuring.rig(), head);
   const bool is_crown = tip.norm() > 0.05 * measuring.leg && tip.normalized().dot(up) > 0.5;
-  return is_crown ? Vec3(tip.normalized()) : Vec3(snapped(up, Vec3::Zero()).normalized());
+  return is_crown ? Vec3(tip.normalized())
+                  : Vec3(snapped(measuring, up, Vec3::Zero()).normalized());
 }
 
 /// A joint of the midline that faces, on the average, where its neighbour faces.
@@ -204,7 +222,7 @@ void lay_hand(Measuring& measuring, BodyJoint wrist) {
   const Vec3 along = mean_in_joint(measuring, wrist, forearm(rest_direction(elbow))).normalized();
   const Vec3 tip = far_end(measuring.rig(), wrist);
   const bool goes_on = tip.norm() > 0.02 * measuring.leg && tip.normalized().dot(along) > 0.5;
-  const Vec3 bone = goes_on ? tip : snapped(along, Vec3::Zero(), 35.0);
+  const Vec3 bone = goes_on ? tip : snapped(measuring, along, Vec3::Zero(), 35.0);
   lay(measuring, wrist, bone.normalized(), Vec3::UnitY(), forearm(Vec3::UnitY()));
 }
 
@@ -224,8 +242,8 @@ void lay_foot(Measuring& measuring, BodyJoint ankle) {
   const auto toe = BodyJoint(ankle + 1);
   if (!measuring.rig().turns(toe)) return;
   measuring.found.constants[toe] =
-      laid(Vec3::UnitY(), snapped(rest.toe_up, Vec3::Zero()).normalized(), Vec3::UnitZ(),
-           snapped(rest.toe_forward, rest.toe_up.normalized()));
+      laid(Vec3::UnitY(), snapped(measuring, rest.toe_up, Vec3::Zero()).normalized(), Vec3::UnitZ(),
+           snapped(measuring, rest.toe_forward, rest.toe_up.normalized()));
 }
 
 /// Forearm, hand and head take over the constant of the joint above where the rig, all rotations
@@ -233,6 +251,7 @@ void lay_foot(Measuring& measuring, BodyJoint ankle) {
 /// motion. Kept only when the measured constant is within `degrees`, else the rig's frames are
 /// unrelated.
 void follow_parent(Measuring& measuring, BodyJoint joint, BodyJoint parent, double degrees) {
+  if (!measuring.axes_mean_something) return;
   if (!measuring.rig().turns(joint) || !measuring.rig().turns(parent)) return;
   auto& constants = measuring.found.constants;
   if (angle_between(constants[parent], constants[joint]) < degrees * radians_per_degree) {
@@ -254,7 +273,8 @@ bool straight_at_zero(const RigMotion& motion, BodyJoint shoulder) {
 }  // namespace
 
 MeasuredCalibration measured_calibration(std::span<const RigMotion> motions) {
-  Measuring measuring{motions, {}, leg_length(motions.front())};
+  Measuring measuring{motions, {}, leg_length(motions.front()), false};
+  measuring.axes_mean_something = lays_limbs_along_axes(measuring);
   measuring.found.constants.fill(Quat::Identity());
   lay_girdle(measuring, Pelvis, LeftHip, RightHip);
   lay_girdle(measuring, Chest, LeftShoulder, RightShoulder);
