@@ -111,6 +111,9 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
     }
     loaded.set.examples.push_back(std::move(prepared.example));
   }
+  const bool any_loops = std::any_of(loaded.set.examples.begin(), loaded.set.examples.end(),
+                                     [](const Example& example) { return example.clip.loops; });
+  if (!any_loops) even_keytimes(loaded.set.examples);
   const size_t keytimes = loaded.set.examples.front().keytimes.size();
   const Skeleton& body = loaded.set.examples.front().clip.body;
   for (size_t i = 0; i < names.size(); ++i) {

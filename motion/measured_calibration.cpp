@@ -292,10 +292,12 @@ MeasuredCalibration measured_calibration(std::span<const RigMotion> motions) {
        {std::pair(LeftShoulder, -1.0), std::pair(RightShoulder, 1.0)}) {
     lay_clavicle(measuring, BodyJoint(shoulder - 1));
     lay_limb(measuring, shoulder, Chest, Vec3::UnitY(), sign, Vec3::UnitZ());
-    lay_hand(measuring, BodyJoint(shoulder + 2));
-    if (!straight_at_zero(measuring.rig(), shoulder)) continue;
-    follow_parent(measuring, BodyJoint(shoulder + 1), shoulder, 100.0);
-    follow_parent(measuring, BodyJoint(shoulder + 2), BodyJoint(shoulder + 1), 100.0);
+    const bool straight = straight_at_zero(measuring.rig(), shoulder);
+    const auto elbow = BodyJoint(shoulder + 1);
+    const auto wrist = BodyJoint(shoulder + 2);
+    if (straight) follow_parent(measuring, elbow, shoulder, 100.0);
+    lay_hand(measuring, wrist);
+    if (straight) follow_parent(measuring, wrist, elbow, 100.0);
   }
   return measuring.found;
 }
