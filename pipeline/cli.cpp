@@ -63,6 +63,9 @@ int run_command_line(int argc, const char* const* argv, const Console& console) 
   add_run_command(app, chosen);
   add_check_command(app, chosen);
   add_plan_command(app, chosen);
+  add_render_command(app, chosen);
+  add_motion_command(app, chosen);
+  add_study_command(app, chosen);
   add_version_command(app, chosen);
   if (const int code = parse(app, argc, argv, console); code != exit_done || !chosen) return code;
   return perform(chosen, console);

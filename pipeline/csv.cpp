@@ -209,7 +209,8 @@ double number_in(const CsvTable& table, const CsvField& field) {
 
 std::string shortest(double value) {
   std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  // Adding zero turns −0 into 0.
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
   assert(error == std::errc{});
   return {text.data(), end};
 }

@@ -42,7 +42,8 @@ Place place_of(const CsvTable& table, const CsvField& field);
 /// The field as a finite number. Throws Error.
 double number_in(const CsvTable& table, const CsvField& field);
 
-/// The shortest decimal that reads back as the same double: "0.1", "-3", "1e-07", "nan".
+/// The shortest decimal that reads back as the same double: "0.1", "-3", "1e-07", "nan"; "0" for
+/// −0 too.
 std::string shortest(double value);
 
 /// Collects rows and writes them with LF line ends, quoting where necessary.

@@ -51,10 +51,17 @@ std::vector<StyledStimulus> profiles_of(const Manifest& manifest, const Repertoi
   return stimuli;
 }
 
-Answers answers_for(const Manifest& manifest, const Repertoire& repertoire) {
-  if (manifest.ratings.source == Ratings::Source::file) {
-    return read_answers(manifest.ratings.file, repertoire.scales);
-  }
+/// Scales and examples, without ratings.
+Repertoire unrated_repertoire(const Manifest& manifest) {
+  Repertoire repertoire;
+  repertoire.scales =
+      manifest.scales.file.empty() ? builtin_scales() : read_scales(manifest.scales.file);
+  if (manifest.examples.builtin.empty() && manifest.examples.folder.empty()) return repertoire;
+  load_examples(manifest, repertoire);
+  return repertoire;
+}
+
+Answers simulated_answers(const Manifest& manifest, const Repertoire& repertoire) {
   return simulate_answers(profiles_of(manifest, repertoire), repertoire.scales,
                           {.count = manifest.ratings.raters, .seed = manifest.seed});
 }
@@ -83,15 +90,18 @@ std::vector<std::string> example_names(const Manifest& manifest) {
   return motion::example_names(example_folder(examples));
 }
 
-Repertoire load_repertoire(const Manifest& manifest) {
-  Repertoire repertoire;
-  repertoire.scales =
-      manifest.scales.file.empty() ? builtin_scales() : read_scales(manifest.scales.file);
-  if (manifest.examples.builtin.empty() && manifest.examples.folder.empty()) return repertoire;
-  load_examples(manifest, repertoire);
-  if (manifest.ratings.source == Ratings::Source::none) return repertoire;
+Answers simulated_answers(const Manifest& manifest) {
+  return simulated_answers(manifest, unrated_repertoire(manifest));
+}
 
-  const Answers answers = answers_for(manifest, repertoire);
+Repertoire load_repertoire(const Manifest& manifest) {
+  Repertoire repertoire = unrated_repertoire(manifest);
+  if (repertoire.names.empty() || manifest.ratings.source == Ratings::Source::none) {
+    return repertoire;
+  }
+  const Answers answers = manifest.ratings.source == Ratings::Source::file
+                              ? read_answers(manifest.ratings.file, repertoire.scales)
+                              : simulated_answers(manifest, repertoire);
   repertoire.impressions = impressions_of(answers, repertoire.scales, repertoire.names);
   repertoire.parameters = parameter_table(*repertoire.impressions, repertoire.scales);
   repertoire.simulated_ratings = answers.simulated;

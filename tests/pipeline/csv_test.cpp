@@ -119,6 +119,7 @@ TEST(Csv, ReadsBackWhateverItWrites) {
 TEST(Csv, WritesTheShortestNumberThatReadsBackTheSame) {
   EXPECT_EQ(shortest(0.1), "0.1");
   EXPECT_EQ(shortest(-3.0), "-3");
+  EXPECT_EQ(shortest(-0.0), "0");
   EXPECT_EQ(shortest(1e-7), "1e-07");
   EXPECT_EQ(shortest(std::numeric_limits<double>::quiet_NaN()), "nan");
   std::mt19937_64 random(7);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "pipeline/cli.h"
+
+namespace mien::pipeline {
+
+// The subcommands of `mien motion`; each adds itself to `motion`.
+void add_motion_info_command(CLI::App& motion, Command& chosen);
+void add_motion_compare_command(CLI::App& motion, Command& chosen);
+void add_motion_convert_command(CLI::App& motion, Command& chosen);
+void add_motion_blend_command(CLI::App& motion, Command& chosen);
+
+}  // namespace mien::pipeline

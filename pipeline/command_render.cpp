@@ -1,0 +1,205 @@
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "motion/motion_file.h"
+#include "pipeline/cli.h"
+#include "pipeline/files.h"
+#include "pipeline/film.h"
+#include "pipeline/progress.h"
+#include "pipeline/recording_clip.h"
+#include "render/image_io.h"
+#include "scenes/camera_rig.h"
+#include "scenes/sets.h"
+#include "scenes/shot.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RenderOptions {
+  std::string file;
+  std::string out;
+  std::string size = "960x540";
+  std::string quality = "standard";
+  Look look;
+  double fps = 30.0;
+  int jobs = 0;
+};
+
+std::optional<int> whole_number(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::array<int, 2> parse_size(const std::string& text) {
+  const std::size_t times = text.find('x');
+  const auto width = whole_number(std::string_view(text).substr(0, times));
+  const auto height = times == std::string::npos
+                          ? std::nullopt
+                          : whole_number(std::string_view(text).substr(times + 1));
+  const auto fits = [](std::optional<int> n) { return n && *n >= 16 && *n <= 8192 && *n % 2 == 0; };
+  if (fits(width) && fits(height)) return {*width, *height};
+  throw Error("--size: \"" + text + "\" is no size of a video",
+              "write <width>x<height>, both even, from 16 to 8192, for example 960x540");
+}
+
+FilmSettings settings_of(const RenderOptions& options) {
+  FilmSettings settings;
+  settings.output.size = parse_size(options.size);
+  settings.output.fps = options.fps;
+  settings.output.frames = FrameFormat::none;
+  settings.output.quality = options.quality == "draft"   ? Quality::draft
+                            : options.quality == "final" ? Quality::final
+                                                         : Quality::standard;
+  settings.threads = options.jobs > 0
+                         ? options.jobs
+                         : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return settings;
+}
+
+fs::path output_of(const RenderOptions& options) {
+  if (options.out.empty()) return fs::path(options.file).stem().concat(".mp4");
+  const fs::path ending = fs::path(options.out).extension();
+  if (ending == ".mp4" || ending == ".png") return options.out;
+  throw Error("--output: \"" + options.out + "\" is neither a video nor a picture",
+              "end it in .mp4 (video) or .png (contact sheet)");
+}
+
+/// A file beside the one wanted, removed unless it takes its place.
+class Draft {
+ public:
+  explicit Draft(fs::path target) : target_(std::move(target)) {
+    file_ = target_;
+    file_.replace_filename(
+        fmt::format(".{}-{}{}", target_.stem().string(), ::getpid(), target_.extension().string()));
+  }
+  ~Draft() {
+    std::error_code ignored;
+    fs::remove(file_, ignored);
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  const fs::path& file() const { return file_; }
+  void publish() const {
+    flush_to_disk(file_);
+    fs::rename(file_, target_);
+  }
+
+ private:
+  fs::path target_;
+  fs::path file_;
+};
+
+double steady_seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+/// The whole film as one task, for the progress bar.
+TaskGraph one_task(const std::string& name) {
+  TaskGraph graph;
+  Task task;
+  task.id = name;
+  task.products.push_back({name, {}});
+  task.cost_seconds = 1.0;
+  graph.add(std::move(task));
+  return graph;
+}
+
+void make_video(const scenes::Shot& shot, const FilmSettings& settings, const fs::path& file,
+                const std::stop_token& stop, const std::function<void(double)>& progress) {
+  std::vector<int> frames(static_cast<std::size_t>(shot.frame_count()));
+  std::iota(frames.begin(), frames.end(), 0);
+  write_video(file, settings.output, [&](const FrameSink& encode) {
+    draw_frames(shot, frames, settings, nullptr, encode, stop, progress);
+  });
+  verify_video(file, settings.output, shot.frame_count());
+}
+
+void make_contact_sheet(const scenes::Shot& shot, const FilmSettings& settings,
+                        const fs::path& file, const std::stop_token& stop,
+                        const std::function<void(double)>& progress) {
+  ContactSheetBuilder sheet(shot.frame_count());
+  const FrameSink add = [&](int frame, const render::Image8& picture) {
+    sheet.add(frame, picture);
+  };
+  draw_frames(shot, sheet.frames(), settings, nullptr, add, stop, progress);
+  render::write_png(file, sheet.build());
+}
+
+int render_file(const RenderOptions& options, const Console& console) {
+  const FilmSettings settings = settings_of(options);
+  const fs::path out = output_of(options);
+  const motion::Clip clip =
+      motion::resampled(clip_of(motion::read_motion(options.file)), options.fps);
+  const scenes::Shot shot = scenes::stage(clip, {.set = options.look.scene,
+                                                 .figure = options.look.figure,
+                                                 .camera = options.look.camera,
+                                                 .size = settings.output.size});
+  const TaskGraph graph = one_task(out.string());
+  const Draft draft(out);
+  {
+    Progress bar(console.err, console.err_is_terminal, graph, std::vector<TaskOutcome>(1),
+                 steady_seconds);
+    const RunObserver observer = bar.observer();
+    const auto progress = [&](double share) { observer.progressed(graph.tasks[0], share); };
+    (out.extension() == ".mp4" ? make_video : make_contact_sheet)(shot, settings, draft.file(),
+                                                                  console.stop, progress);
+  }
+  draft.publish();
+  console.out << out.string() << ": " << shot.frame_count() << " frames, "
+              << fmt::format("{:.2f} s\n", shot.frame_count() / options.fps);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("render", "Make a video of a motion file");
+  const auto options = std::make_shared<RenderOptions>();
+  command->add_option("file", options->file, "Motion file: BVH, AMC, glTF, GLB")->required();
+  command->add_option("-o,--output", options->out,
+                      "Video (.mp4) or contact sheet (.png); <file>.mp4 in this folder without it");
+  command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+  command->add_option("--fps", options->fps, "Frames per second")
+      ->check(CLI::Range(1.0, 240.0))
+      ->capture_default_str();
+  command->add_option("--camera", options->look.camera, "Camera")
+      ->check(CLI::IsMember(scenes::camera_names()))
+      ->capture_default_str();
+  command->add_option("--figure", options->look.figure, "Figure")
+      ->check(CLI::IsMember(scenes::figure_names()))
+      ->capture_default_str();
+  command->add_option("--scene", options->look.scene, "Scene")
+      ->check(CLI::IsMember(scenes::set_names()))
+      ->capture_default_str();
+  command->add_option("--quality", options->quality, "Samples per pixel")
+      ->check(CLI::IsMember({"draft", "standard", "final"}))
+      ->capture_default_str();
+  command->add_option("--jobs,-j", options->jobs, "Threads (default: one a processor)")
+      ->check(CLI::Range(1, 1024));
+  command->footer(
+      "\nUnits, up axis, ground and camera are found by themselves.\n\nExamples:\n"
+      "  mien render walk.bvh\n  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return render_file(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

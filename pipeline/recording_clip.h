@@ -1,0 +1,12 @@
+#pragma once
+
+#include "motion/clip.h"
+#include "motion/recording.h"
+
+namespace mien::pipeline {
+
+/// A recording as a clip in metres, +Y up, on the floor: of the canonical body when the figure is
+/// human, else of the recording's own skeleton, so that it can be drawn at all.
+motion::Clip clip_of(const motion::Recording& recording);
+
+}  // namespace mien::pipeline
