@@ -166,7 +166,17 @@ void put_leg(KeyLimbs& limbs, const std::vector<int>& chain, int first) {
   limbs.toe = at_or_none(chain, first + 3);
 }
 
-/// Forward votes of one leg and one arm, each about −1…1 and 0 when there is nothing to see.
+/// Where the middle joint of a limb lies off the line between its ends, unit; zero when the limb is
+/// bent less than 15°.
+Vec3 bend_direction(const Vec3& proximal, const Vec3& middle, const Vec3& distal) {
+  const Vec3 upper = (middle - proximal).normalized();
+  const Vec3 lower = (distal - middle).normalized();
+  const bool bent = upper.dot(lower) < std::cos(15 * radians_per_degree);
+  return bent ? Vec3((upper - lower).normalized()) : Vec3(Vec3::Zero());
+}
+
+/// What one leg and one arm say for `forward`: knees bend forward (±2), toes point there (±1), and
+/// elbows bend the other way (±1). 0 where there is nothing to see.
 double limb_votes(const Skeleton& rig, const JointTransforms& world, const KeyLimbs& limbs,
                   const Vec3& forward) {
   const auto& p = world.positions;
@@ -178,13 +188,11 @@ double limb_votes(const Skeleton& rig, const JointTransforms& world, const KeyLi
       foot = world.rotations[limbs.ankle] * *rig.joints[limbs.ankle].tip;
     }
     const double leg = (p[limbs.ankle] - p[limbs.thigh]).norm();
-    if (foot.norm() > 1e-3 * leg) votes += 2.0 * foot.normalized().dot(forward);
-    votes += (2.0 * p[limbs.shank] - p[limbs.thigh] - p[limbs.ankle]).dot(forward) / (leg + 1e-12);
+    if (foot.norm() > 1e-3 * leg) votes += foot.normalized().dot(forward);
+    votes += 2.0 * bend_direction(p[limbs.thigh], p[limbs.shank], p[limbs.ankle]).dot(forward);
   }
   if (limbs.wrist >= 0) {
-    const Vec3 upper = p[limbs.forearm] - p[limbs.upper_arm];
-    const Vec3 lower = p[limbs.wrist] - p[limbs.forearm];
-    votes += 0.5 * (lower.normalized() - upper.normalized()).dot(forward);
+    votes -= bend_direction(p[limbs.upper_arm], p[limbs.forearm], p[limbs.wrist]).dot(forward);
   }
   return votes;
 }
