@@ -26,7 +26,7 @@ double steady_seconds() {
 }
 
 /// Each error once, with the tasks that it stopped.
-void tell_errors(const TaskGraph& graph, const RunResult& result, const Console& console) {
+void tell_faults(const TaskGraph& graph, const RunResult& result, const Console& console) {
   std::map<std::string, std::string> tasks_by_error;
   for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
     if (result.outcomes[i].state != TaskState::failed) continue;
@@ -36,6 +36,7 @@ void tell_errors(const TaskGraph& graph, const RunResult& result, const Console&
   for (const auto& [error, tasks] : tasks_by_error) {
     console.err << error << "\n  (" << tasks << ")\n";
   }
+  for (const std::string& warning : result.warnings) console.err << "warning: " << warning << '\n';
   for (const Nondeterminism& met : result.nondeterminism) {
     console.err << met.path << ": made twice from the same inputs with different bytes ("
                 << met.before << ", now " << met.now << "); please report this\n";
@@ -90,6 +91,7 @@ void tell_json(const Production& production, const RunResult& result, const fs::
                                 {"cached", tasks_in(production.graph(), result, TaskState::cached)},
                                 {"failed", failed},
                                 {"interrupted", result.was_interrupted},
+                                {"warnings", result.warnings},
                                 {"nondeterminism", differing},
                                 {"artifacts", artifacts}};
   console.out << summary.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
@@ -117,7 +119,7 @@ int run_production(const ProductionArguments& arguments, const Console& console)
                       plan(production.graph(), folder), steady_seconds);
     result = run(production, folder, jobs_of(arguments), console.stop, progress.observer());
   }
-  tell_errors(production.graph(), result, console);
+  tell_faults(production.graph(), result, console);
   if (arguments.json) {
     tell_json(production, result, folder, console);
   } else {

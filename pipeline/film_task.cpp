@@ -44,12 +44,12 @@ int samples_of(Quality quality) {
       .samples_per_pixel;
 }
 
-/// Measured on one core of a laptop of 2020; only ratios matter. Three seconds of motion are
-/// assumed where the length is not known before the motion is made.
+/// Fitted to measured times of one core; only ratios matter. Cycles of 1.1 s are assumed where the
+/// length is not known before the motion is made.
 double cost_of(const Output& output) {
   const double frames = 1.1 * output.cycles * output.fps;
   const double pixels = static_cast<double>(output.size[0]) * output.size[1];
-  return frames * pixels * (4e-8 * samples_of(output.quality) + 6e-8);
+  return frames * pixels * (9e-8 * samples_of(output.quality) + 4e-7);
 }
 
 std::vector<int> all_frames(int count) {

@@ -63,14 +63,15 @@ Hash digest_of(const Synthesis& synthesis, const motion::Clip& shown) {
 
 std::string motion_record(const Synthesis& synthesis, const motion::Clip& shown) {
   const nlohmann::ordered_json record = {{"digest", digest_of(synthesis, shown)},
-                                         {"shown_frames", shown.frame_count()}};
-  return record.dump(1) + "\n";
+                                         {"shown_frames", shown.frame_count()},
+                                         {"warnings", synthesis.warnings}};
+  return record.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 MotionRecord parse_motion_record(const std::string& json) {
   try {
     const nlohmann::json record = nlohmann::json::parse(json);
-    return {record.at("digest"), record.at("shown_frames")};
+    return {record.at("digest"), record.at("shown_frames"), record.at("warnings")};
   } catch (const nlohmann::json::exception&) {
     throw std::runtime_error("a motion record is damaged");
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "motion/clip.h"
 #include "pipeline/synthesis.h"
@@ -8,10 +9,12 @@
 namespace mien::pipeline {
 
 /// What the store keeps of a motion: a digest of every number in it, so that whatever is made from
-/// the motion is made again exactly when the motion has changed, and the facts that a plan needs.
+/// the motion is made again exactly when the motion has changed, and what a run has to say about
+/// it.
 struct MotionRecord {
   std::string digest;
   int shown_frames = 0;
+  std::vector<std::string> warnings;  ///< plain sentences
 };
 
 /// `shown` is the clip that the video shows.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/files.h"
+#include "pipeline/motion_record.h"
 #include "pipeline/provenance.h"
 
 namespace mien::pipeline {
@@ -16,6 +17,22 @@ void put_provenance(const Production& production, const RunResult& result, Store
   store.put(
       "provenance.json", key, [&](const std::filesystem::path& file) { write_file(file, text); },
       [](const std::filesystem::path&) {});
+}
+
+/// From the records of the motions, so that a run that finds everything made tells them too.
+std::vector<std::string> warnings_in(const Production& production, const RunResult& result,
+                                     const Store& store) {
+  std::vector<std::string> warnings;
+  for (const Stimulus& stimulus : production.manifest().stimuli) {
+    const std::size_t task = production.graph().index_of("motion:" + stimulus.id);
+    if (result.outcomes[task].products.empty()) continue;
+    const Receipt& record = result.outcomes[task].products.front();
+    for (const std::string& warning :
+         parse_motion_record(read_file(store.folder() / record.path)).warnings) {
+      warnings.push_back(stimulus.id + ": " + warning);
+    }
+  }
+  return warnings;
 }
 
 }  // namespace
@@ -37,6 +54,7 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
   result.outcomes = run(production.graph(), store, jobs, stop, observer);
   result.was_interrupted = stop.stop_requested() && !result.is_complete();
   if (production.is_whole() && result.is_complete()) put_provenance(production, result, store);
+  result.warnings = warnings_in(production, result, store);
   result.nondeterminism = store.nondeterminism();
   return result;
 }

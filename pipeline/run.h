@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "pipeline/production.h"
@@ -14,6 +15,7 @@ namespace mien::pipeline {
 struct RunResult {
   std::vector<TaskOutcome> outcomes;  ///< one a task of the production's graph
   std::vector<Nondeterminism> nondeterminism;
+  std::vector<std::string> warnings;  ///< about the motions: "guess-1: …"
   bool was_interrupted = false;
 
   int count(TaskState state) const;

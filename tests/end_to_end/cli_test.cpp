@@ -1,0 +1,248 @@
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* small_manifest = R"(mien: 1
+study: small
+examples: {set: builtin:walks-10}
+output: {size: [64, 48], fps: 10, cycles: 1, quality: draft, frames: none, video: [], clips: [bvh]}
+stimuli:
+  - {id: a, weights: {normal: 1}}
+  - {id: b, weights: {sad: 1}}
+)";
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(CommandLine, HelpsWithEveryCommand) {
+  const Ended help = run_mien({"--help"});
+  EXPECT_EQ(help.code, 0);
+  EXPECT_EQ(help.errors, "");
+  for (const char* command : {"run", "check", "plan", "render", "motion", "study", "version"}) {
+    EXPECT_TRUE(contains(help.output, std::string("\n  ") + command)) << command;
+    const Ended own = run_mien({command, "--help"});
+    EXPECT_EQ(own.code, 0) << command;
+    EXPECT_TRUE(contains(own.output, "Usage: ")) << own.output;
+  }
+  EXPECT_TRUE(contains(run_mien({"run", "--help"}).output, "Examples:"));
+}
+
+TEST(CommandLine, RefusesWhatItDoesNotKnow) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{},
+                                             {"walk"},
+                                             {"run"},
+                                             {"run", "a.yaml", "--quality", "superb"},
+                                             {"run", "a.yaml", "--jobs", "0"},
+                                             {"motion"},
+                                             {"motion", "info"},
+                                             {"check", "--nonsense", "a.yaml"}}) {
+    const Ended ended = run_mien(arguments);
+    EXPECT_EQ(ended.code, 2) << ended.errors;
+    EXPECT_EQ(ended.output, "");
+    EXPECT_NE(ended.errors, "");
+  }
+}
+
+TEST(CommandLine, CheckTellsEveryFaultAndWritesNothing) {
+  const Scratch scratch;
+  const fs::path bad = scratch.write("bad.yaml", R"(mien: 1
+study: bad
+examples: {set: builtin:walks-10}
+stimuli:
+  - {id: a, adjectives: {quicknes: 0.5}}
+  - {id: b, weights: {nomal: 1}, look: {camera: top}}
+)");
+  const Ended ended = run_mien({"check", bad.string()});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.output, "");
+  const std::string at = bad.string();
+  EXPECT_EQ(
+      ended.errors,
+      at +
+          ":5:26: stimuli[0].adjectives.quicknes: unknown parameter; did you mean "
+          "\"quickness\"?\n" +
+          at + ":6:23: stimuli[1].weights.nomal: unknown example; did you mean \"normal\"?\n" + at +
+          ":6:49: stimuli[1].look.camera: \"top\" is not one of the choices; use one of "
+          "front, side, three-quarter, follow, orbit\n");
+  EXPECT_EQ(run_mien({"run", bad.string(), "--out", (scratch.path() / "out").string()}).code, 2);
+  EXPECT_EQ(run_mien({"plan", bad.string(), "--out", (scratch.path() / "out").string()}).code, 2);
+  EXPECT_FALSE(fs::exists(scratch.path() / "out"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 1);
+}
+
+TEST(CommandLine, CheckSpeaksJson) {
+  const Scratch scratch;
+  const fs::path bad = scratch.write("bad.yaml", "mien: 1\nstudy: 5\nstimuli: 1\n");
+  const Ended ended = run_mien({"check", bad.string(), "--json"});
+  EXPECT_EQ(ended.code, 2);
+  const json faults = json::parse(ended.output)["faults"];
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0]["line"], 2);
+  EXPECT_EQ(faults[0]["column"], 8);
+  EXPECT_EQ(faults[0]["path"], "study");
+  EXPECT_EQ(faults[0]["wrong"], "must be text but is 5");
+  const fs::path good = scratch.write("good.yaml", small_manifest);
+  const Ended fine = run_mien({"check", good.string(), "--json"});
+  EXPECT_EQ(fine.code, 0);
+  EXPECT_TRUE(json::parse(fine.output)["faults"].empty());
+}
+
+TEST(CommandLine, PlanTellsWhatARunThenDoes) {
+  const Scratch scratch;
+  const std::string manifest = scratch.write("m.yaml", small_manifest).string();
+  const std::string out = (scratch.path() / "out").string();
+  const auto states = [&] {
+    const json plan = json::parse(run_mien({"plan", manifest, "--out", out, "--json"}).output);
+    std::string text;
+    for (const json& task : plan["tasks"]) {
+      text += task["id"].get<std::string>() + " " + task["state"].get<std::string>() + "\n";
+    }
+    return text;
+  };
+  EXPECT_EQ(states(),
+            "motion:a due\nclip:a waiting\nfilm:a waiting\nmotion:b due\nclip:b "
+            "waiting\nfilm:b waiting\n");
+  EXPECT_FALSE(fs::exists(out));
+  ASSERT_EQ(run_mien({"run", manifest, "--out", out, "--only", "b"}).code, 0);
+  EXPECT_FALSE(fs::exists(scratch.path() / "out/small/clips/a.bvh"));
+  EXPECT_TRUE(fs::exists(scratch.path() / "out/small/clips/b.bvh"));
+  EXPECT_EQ(states(),
+            "motion:a cached\nclip:a due\nfilm:a due\nmotion:b cached\nclip:b "
+            "cached\nfilm:b cached\n");
+}
+
+TEST(CommandLine, RunSpeaksJsonOnStandardOutput) {
+  const Scratch scratch;
+  const std::string manifest = scratch.write("m.yaml", small_manifest).string();
+  const std::string out = (scratch.path() / "out").string();
+  const Ended ended = run_mien({"run", manifest, "--out", out, "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  const json result = json::parse(ended.output);
+  EXPECT_EQ(result["made"].size(), 6u);
+  EXPECT_TRUE(result["failed"].empty());
+  for (const json& artifact : result["artifacts"]) {
+    const fs::path file = scratch.path() / "out/small" / artifact["path"].get<std::string>();
+    EXPECT_EQ(fs::file_size(file), artifact["size"]) << file;
+  }
+  const json provenance = json::parse(text_of(scratch.path() / "out/small/provenance.json"));
+  EXPECT_EQ(provenance["artifacts"].size(), result["artifacts"].size());
+  EXPECT_FALSE(contains(provenance.dump(), scratch.path().string()));
+}
+
+TEST(CommandLine, OnlyRefusesUnknownIds) {
+  const Scratch scratch;
+  const std::string manifest = scratch.write("m.yaml", small_manifest).string();
+  const Ended ended = run_mien({"run", manifest, "--only", "aa"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.errors, "--only: there is no stimulus or sheet \"aa\"; did you mean \"a\"?\n");
+}
+
+TEST(CommandLine, AMotionFileThatCannotBeReadIsBadInputAndTheRestIsMade) {
+  const Scratch scratch;
+  scratch.write("broken.bvh", "HIERARCHY\nROOT\n");
+  const std::string manifest =
+      scratch.write("m.yaml", std::string(small_manifest) + "  - {id: c, clip: broken.bvh}\n")
+          .string();
+  const Ended ended = run_mien({"run", manifest, "--out", (scratch.path() / "out").string()});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_TRUE(contains(ended.errors, "broken.bvh:")) << ended.errors;
+  EXPECT_TRUE(contains(ended.errors, "(motion:c)")) << ended.errors;
+  EXPECT_TRUE(fs::exists(scratch.path() / "out/small/clips/a.bvh"));
+  EXPECT_FALSE(fs::exists(scratch.path() / "out/small/provenance.json"));
+}
+
+TEST(CommandLine, AFolderThatCannotBeWrittenIsAFailure) {
+  const Scratch scratch;
+  const std::string manifest = scratch.write("m.yaml", small_manifest).string();
+  const fs::path file = scratch.write("file", "");
+  const Ended ended = run_mien({"run", manifest, "--out", (file / "out").string()});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_TRUE(ended.errors.starts_with("mien: ")) << ended.errors;
+}
+
+TEST(CommandLine, BlendsComparesConvertsAndTellsAboutMotions) {
+  const Scratch scratch;
+  const std::string mix = (scratch.path() / "mix.bvh").string();
+  const std::string sad = (scratch.path() / "sad.bvh").string();
+  const std::vector<std::string> blend = {"motion", "blend", "--examples", "builtin:walks-10"};
+  const auto with = [](std::vector<std::string> list, const std::vector<std::string>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+    return list;
+  };
+  ASSERT_EQ(run_mien(with(blend, {"--weights", "normal=1", "--cycles", "3", "-o", mix})).code, 0);
+  ASSERT_EQ(run_mien(with(blend, {"--weights", "sad=1", "--cycles", "3", "-o", sad})).code, 0);
+  const Ended unknown = run_mien(with(blend, {"--weights", "norml=1", "-o", mix}));
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_EQ(unknown.errors, "--weights: there is no example \"norml\"; did you mean \"normal\"?\n");
+
+  const json info = json::parse(run_mien({"motion", "info", mix, "--json"}).output);
+  EXPECT_EQ(info["up"], "+Y");
+  EXPECT_GE(info["cycles"].size(), 1u);
+  EXPECT_EQ(info["cycles"][0]["keytimes_s"].size(), 7u);
+  EXPECT_TRUE(info["human"]);
+
+  const json same = json::parse(run_mien({"motion", "compare", mix, mix, "--json"}).output);
+  EXPECT_LT(same["D"], 1e-9);
+  EXPECT_TRUE(same["match"]);
+  const json other =
+      json::parse(run_mien({"motion", "compare", mix, sad, "--json", "--align", "world"}).output);
+  EXPECT_GT(other["D"], 0.01);
+  EXPECT_EQ(other["per_time"].size(), 11u);
+  EXPECT_EQ(other["per_joint"].size(), 20u);
+
+  const std::string copy = (scratch.path() / "copy.bvh").string();
+  ASSERT_EQ(run_mien({"motion", "convert", mix, copy}).code, 0);
+  EXPECT_LT(json::parse(run_mien({"motion", "compare", mix, copy, "--json"}).output)["D"], 1e-6);
+  EXPECT_EQ(run_mien({"motion", "convert", mix, (scratch.path() / "a.txt").string()}).code, 2);
+  EXPECT_EQ(run_mien({"motion", "info", (scratch.path() / "none.bvh").string()}).code, 2);
+}
+
+TEST(CommandLine, RendersAMotionFileByItself) {
+  const Scratch scratch;
+  const std::string walk = (scratch.path() / "walk.bvh").string();
+  ASSERT_EQ(run_mien({"motion", "blend", "--examples", "builtin:walks-10", "--weights", "normal=1",
+                      "-o", walk})
+                .code,
+            0);
+  const fs::path video = scratch.path() / "walk.mp4";
+  const Ended ended = run_mien({"render", walk, "-o", video.string(), "--size", "64x48", "--fps",
+                                "10", "--quality", "draft"});
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  EXPECT_GT(fs::file_size(video), 500u);
+  EXPECT_EQ(run_mien({"render", walk, "-o", video.string(), "--size", "64x47"}).code, 2);
+  EXPECT_EQ(run_mien({"render", walk, "-o", "walk.gif"}).code, 2);
+  EXPECT_EQ(run_mien({"render", walk, "--camera", "top"}).code, 2);
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 2);
+}
+
+TEST(CommandLine, SimulatedAnswersAreTheSameEveryTimeAndMarked) {
+  const std::vector<std::string> command = {
+      "study", "simulate", "--examples", "builtin:walks-10", "--raters", "2", "--seed", "4"};
+  const Ended first = run_mien(command);
+  ASSERT_EQ(first.code, 0) << first.errors;
+  EXPECT_TRUE(first.output.starts_with("participant,stimulus,scale,value,simulated\n"));
+  EXPECT_EQ(first.output, run_mien(command).output);
+}
+
+TEST(CommandLine, VersionNamesTheLibraries) {
+  const json versions = json::parse(run_mien({"version", "--json"}).output);
+  EXPECT_TRUE(versions.contains("mien"));
+  for (const char* library : {"Embree", "FFmpeg", "OpenImageIO", "Eigen", "CLI11", "yaml-cpp"}) {
+    EXPECT_TRUE(versions["libraries"].contains(library)) << library;
+  }
+}
+
+}  // namespace
+}  // namespace mien::test
