@@ -69,7 +69,13 @@ constexpr Point2 sample_point(std::uint32_t index, std::uint32_t seed) {
 }
 
 /// What a pair of random numbers is for; lights count on from the last.
-enum class Dimension : std::uint32_t { FilmPosition, FigureSky, FloorSky, FirstLight };
+enum class Dimension : std::uint32_t {
+  FilmPosition,
+  FigureSky,
+  FloorSky,
+  FloorSkyChoice,
+  FirstLight
+};
 
 /// The random numbers of a pixel, a pure function of the seed, pixel, dimension and index.
 class PixelSampler {

@@ -27,6 +27,7 @@ struct Pixel {
   PixelSampler sampler;
   bool may_meet_figure = false;
   int floor_sky_rays = 0;          // so many of the samples look from the floor at the sky
+  float floor_sky_samples = 0.0f;  // that each of those stands for
   std::vector<int> shadow_lights;  // lights that the figure may hide from here
   int set_samples = 0;             // samples that met no figure
   Color sum = Color::Zero();       // over the samples, of all but the set
@@ -45,9 +46,12 @@ struct Query {
   bool counts_when_blocked = false;
 };
 
-// A sky ray from the floor that is blocked takes away at most this share of the sky's light, so
-// that where the figure covers little of the sky few rays are enough.
-constexpr float sky_share_of_a_ray = 0.1f;
+// Where the figure covers little of the sky, few rays from the floor are enough. So many that the
+// noise stays below `sky_noise` of the sky's light, when a figure fills about a ninth of the sphere
+// round it; and so many that one ray that is blocked takes away no more than `sky_share_of_a_ray`.
+constexpr float sky_noise = 0.02f;
+constexpr float sky_share_of_a_ray = 0.05f;
+constexpr float figure_deviation = 0.32f;  // of a ray that is blocked one time in nine
 
 // The directions from a point of the floor that may meet the figure, where they are few.
 struct Cone {
@@ -73,12 +77,13 @@ float greatest_share(const Cone& cone) {
   return cone.solid_angle() / pi * std::clamp(highest, 0.0f, 1.0f);
 }
 
-int sky_rays_from(const BoundingSphere& bounds, const Vec3& point, int spp) {
+// How many rays towards the sky a pixel of the floor is worth; below 1, the chance of one.
+float sky_rays_from(const BoundingSphere& bounds, const Vec3& point, int spp) {
   const std::optional<Cone> cone = cone_of(bounds, point);
-  if (!cone) return spp;
-  const float wanted = greatest_share(*cone) / sky_share_of_a_ray * static_cast<float>(spp);
-  const auto rays = static_cast<unsigned>(std::clamp(std::ceil(wanted), 1.0f, 65536.0f));
-  return std::min(static_cast<int>(std::bit_ceil(rays)), spp);
+  if (!cone) return static_cast<float>(spp);
+  const float share = greatest_share(*cone);
+  const float quiet = share * figure_deviation / sky_noise;
+  return std::max(quiet * quiet, share / sky_share_of_a_ray);
 }
 
 // Box around the floor that the filter of a pixel covers; nothing when that goes on to the horizon.
@@ -108,6 +113,7 @@ class TilePainter {
  private:
   void plan(Pixel& pixel, int x, int y) const;
   void plan_floor(Pixel& pixel) const;
+  void plan_floor_sky(Pixel& pixel) const;
   Vec3 camera_direction(const Sample& sample) const;
   void trace(const Sample& sample, const Vec3& direction);
   void trace_primaries();
@@ -171,14 +177,29 @@ void TilePainter::plan(Pixel& pixel, int x, int y) const {
 }
 
 void TilePainter::plan_floor(Pixel& pixel) const {
-  pixel.floor_sky_rays =
-      sky_rays_from(picture_.bounds, pixel.set.point, picture_.quality.samples_per_pixel);
+  plan_floor_sky(pixel);
   const std::optional<FloorArea> area =
       floor_under(picture_.camera, static_cast<float>(pixel.x) + 0.5f,
                   static_cast<float>(pixel.y) + 0.5f, picture_.filter.half_width());
   for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
     if (picture_.quality.exhaustive || !area || picture_.shadow_masks[i].may_shade(*area))
       pixel.shadow_lights.push_back(static_cast<int>(i));
+}
+
+void TilePainter::plan_floor_sky(Pixel& pixel) const {
+  const int spp = picture_.quality.samples_per_pixel;
+  const float wanted = sky_rays_from(picture_.bounds, pixel.set.point, spp);
+  const auto all = static_cast<float>(spp);
+  if (wanted < 1.0f) {
+    const bool chosen = pixel.sampler.point(Dimension::FloorSkyChoice, 0).u < wanted;
+    pixel.floor_sky_rays = chosen ? 1 : 0;
+    pixel.floor_sky_samples = all / wanted;
+    return;
+  }
+  // A power of two: such a block of the sequence is well spread.
+  const auto rays = static_cast<unsigned>(std::min(std::ceil(wanted), 65536.0f));
+  pixel.floor_sky_rays = std::min(static_cast<int>(std::bit_ceil(rays)), spp);
+  pixel.floor_sky_samples = all / static_cast<float>(pixel.floor_sky_rays);
 }
 
 Vec3 TilePainter::camera_direction(const Sample& sample) const {
@@ -269,12 +290,10 @@ void TilePainter::hide_sky(const Sample& sample, const Vec3& point) {
   const Vec3 towards =
       cone ? cone_direction(cone->axis, cone->cosine, u) : cosine_direction(Vec3::UnitY(), u);
   if (towards.y() <= 0.0f) return;
-  const float rays_left_out = static_cast<float>(picture_.quality.samples_per_pixel) /
-                              static_cast<float>(pixel.floor_sky_rays);
   const float share = cone ? cone->solid_angle() / pi * towards.y() : 1.0f;
   ask(point, towards, infinity,
       {sample.pixel,
-       -share * rays_left_out * pixel.set.visible_albedo *
+       -share * pixel.floor_sky_samples * pixel.set.visible_albedo *
            sky_radiance(picture_.scene.sky, towards),
        true});
 }
