@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "motion/distance.h"
+#include "motion/example.h"
+
+namespace mien::pipeline {
+
+/// One of the motions on a comparison sheet. Texts are UTF-8 and shown as they are.
+struct SheetMotion {
+  std::string id;      ///< of the stimulus or example: "guess-1"
+  std::string origin;  ///< how it came to be: "from adjectives", "example", "as captured"
+  motion::Example motion;
+  std::vector<std::pair<std::string, double>> weights;  ///< example → share; empty for no blend
+};
+
+/// A parameter and what was asked of both motions, shares of its range: 0 low, 1 high.
+struct SheetParameter {
+  std::string name;      ///< of a group, "quickness"; empty for a scale, which has two ends
+  std::string japanese;  ///< of a group, 速さ
+  std::string low;       ///< ends of a scale, "sad" and "happy"
+  std::string high;
+  std::string japanese_low;
+  std::string japanese_high;
+  std::optional<double> target;   ///< empty: not asked of the target
+  std::optional<double> created;  ///< empty: not asked of the created motion
+};
+
+/// Everything that a comparison sheet shows.
+struct SheetContent {
+  std::string study;
+  SheetMotion target;
+  SheetMotion created;
+  std::optional<SheetMotion> reference;  ///< shown, not measured
+  motion::Distance distance;             ///< between target and created
+  std::vector<SheetParameter> parameters;
+  bool simulated_ratings = false;
+  std::vector<std::pair<std::string, std::string>> provenance;  ///< ("seed", "7"), …
+};
+
+/// "The created motion matches the target: D = 0.043 m < 0.06 m", or "does not match" with "≥".
+/// As many digits as the comparison needs to be true as printed.
+std::string verdict(const motion::Distance& distance);
+
+/// The sheet as one A3 landscape page: a PDF (vector), and a PNG of the same page 3508 pixels wide.
+/// The same content gives the same bytes. Throws mien::Error when no font has Japanese letters.
+std::string sheet_as_pdf(const SheetContent& content);
+std::string sheet_as_png(const SheetContent& content);
+
+/// Writes both files. Throws also std::system_error when a file cannot be written.
+void draw_sheet(const SheetContent& content, const std::filesystem::path& pdf,
+                const std::filesystem::path& png);
+
+}  // namespace mien::pipeline
