@@ -6,6 +6,7 @@
 #include "motion/acclaim.h"
 #include "motion/bvh.h"
 #include "motion/error.h"
+#include "motion/gltf.h"
 
 namespace mien::motion {
 
@@ -24,6 +25,7 @@ Recording read_motion(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".bvh") return read_bvh(path);
   if (extension == ".amc") return read_amc(path);
+  if (extension == ".gltf" || extension == ".glb") return read_gltf(path);
   throw Error({path.string(), 0, 0}, "is no motion file that can be read",
               "BVH (.bvh), Acclaim (.amc) and glTF (.gltf, .glb) can");
 }
@@ -31,6 +33,7 @@ Recording read_motion(const std::filesystem::path& path) {
 void write_motion(const Recording& recording, const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".bvh") return write_bvh(recording, path);
+  if (extension == ".glb") return write_glb(recording, path);
   throw Error({path.string(), 0, 0}, "is no motion file that can be written",
               "BVH (.bvh) and binary glTF (.glb) can");
 }
