@@ -87,7 +87,7 @@ std::vector<NodeInWorld> in_world(const Figure& figure, const std::vector<NodeTr
 }
 
 void require_usable(const GltfFile& file, const Vec3& position) {
-  if (!(position.cwiseAbs().maxCoeff() < 1e9)) {
+  if (!position.allFinite() || position.cwiseAbs().maxCoeff() > 1e9) {
     refuse(file, "a joint lies further away than any motion goes", "check the scales of the nodes");
   }
 }
@@ -152,11 +152,10 @@ Skeleton skeleton_of(const GltfFile& file, const GltfNodes& nodes, const Figure&
 
 std::vector<Pose> sampled(const GltfFile& file, const GltfNodes& nodes, const Figure& figure,
                           const std::vector<GltfTrack>& tracks, const TrackTiming& timing) {
-  const double seconds = timing.last - timing.first;
-  if (!(seconds <= 3600.0)) {
+  if (!(timing.last - timing.first <= 3600.0)) {
     refuse(file, "the animation is longer than an hour", "cut the motion into shorter files");
   }
-  const auto frames = static_cast<size_t>(std::lround(seconds * timing.frames_per_second)) + 1;
+  const size_t frames = frame_count(timing);
   require_reasonable_size({file.name}, figure.joints.size(), frames);
   std::vector<NodeTransform> transforms = nodes.at_rest;
   std::vector<Pose> poses;

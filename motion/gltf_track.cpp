@@ -194,6 +194,12 @@ TrackTiming timing_of(const std::vector<GltfTrack>& tracks) {
   return timing;
 }
 
+size_t frame_count(const TrackTiming& timing) {
+  if (!timing.keys.empty()) return timing.keys.size();
+  const double steps = (timing.last - timing.first) * timing.frames_per_second;
+  return static_cast<size_t>(std::lround(steps)) + 1;
+}
+
 double seconds_of_frame(const TrackTiming& timing, size_t frame) {
   if (frame < timing.keys.size()) return timing.keys[frame];
   return timing.first + static_cast<double>(frame) / timing.frames_per_second;

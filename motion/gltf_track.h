@@ -44,6 +44,9 @@ struct TrackTiming {
 /// 10 to 1000 a second, else 30.
 TrackTiming timing_of(const std::vector<GltfTrack>& tracks);
 
+/// Number of frames from the first key to the last.
+size_t frame_count(const TrackTiming& timing);
+
 /// Seconds at which a frame is sampled. Key times are rounded: where frames are keys, it is the
 /// key's time, so that the frame is that key.
 double seconds_of_frame(const TrackTiming& timing, size_t frame);

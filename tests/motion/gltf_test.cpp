@@ -339,6 +339,18 @@ TEST(Gltf, RefusesNumbersThatNoMotionHas) {
   }
 }
 
+TEST(Gltf, RefusesScalesThatMultiplyBeyondAllNumbers) {
+  std::string nodes;
+  for (int node = 0; node < 60; ++node) {
+    nodes += R"({"scale":[1e12,1e12,0],"translation":[0,1,0],"children":[)" +
+             std::to_string(node + 1) + "]},";
+  }
+  const std::string text = R"({"asset":{"version":"2.0"},"nodes":[)" + nodes +
+                           R"({"translation":[0,1,1]}],"skins":[{"joints":[60]}]})";
+  const std::string said = mien::test::refusal_of([&] { parse_gltf(text, "f.gltf"); });
+  EXPECT_NE(said.find("further away than any motion goes"), std::string::npos) << said;
+}
+
 TEST(Gltf, RefusesABinaryFileCutShortAnywhere) {
   std::mt19937_64 random(5);
   const std::string good = to_glb(mien::test::random_recording(random, {.joints = 2, .frames = 2}));
