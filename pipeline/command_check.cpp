@@ -8,6 +8,7 @@
 
 #include "pipeline/checked_manifest.h"
 #include "pipeline/cli.h"
+#include "pipeline/scales.h"
 
 namespace mien::pipeline {
 
@@ -23,20 +24,31 @@ nlohmann::ordered_json as_json(const Fault& fault) {
           {"path", fault.path},       {"wrong", fault.wrong},     {"remedy", fault.remedy}};
 }
 
+/// A manifest's faults, or a scales file's: those are called <name>.scales.yaml.
+std::vector<Fault> faults_in(const std::string& file) {
+  if (!file.ends_with("scales.yaml")) return check_manifest(file, process_environment()).faults;
+  try {
+    read_scales(file);
+    return {};
+  } catch (const Faults& faults) {
+    return faults.list();
+  }
+}
+
 int check(const CheckOptions& options, const Console& console) {
   nlohmann::ordered_json listed = nlohmann::ordered_json::array();
   bool is_good = true;
   for (const std::string& file : options.manifests) {
-    const ManifestReading reading = check_manifest(file, process_environment());
-    for (const Fault& fault : reading.faults) {
+    const std::vector<Fault> faults = faults_in(file);
+    for (const Fault& fault : faults) {
       if (options.json) {
         listed.push_back(as_json(fault));
       } else {
         console.err << to_string(fault) << '\n';
       }
     }
-    is_good = is_good && reading.faults.empty();
-    if (!options.json && reading.faults.empty()) console.out << file << ": no faults\n";
+    is_good = is_good && faults.empty();
+    if (!options.json && faults.empty()) console.out << file << ": no faults\n";
   }
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   if (options.json) {
@@ -49,9 +61,11 @@ int check(const CheckOptions& options, const Console& console) {
 }  // namespace
 
 void add_check_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand("check", "Find everything wrong with a manifest");
+  CLI::App* command =
+      app.add_subcommand("check", "Find everything wrong with a manifest or a scales file");
   const auto options = std::make_shared<CheckOptions>();
-  command->add_option("manifest", options->manifests, "Manifests (YAML)")->required();
+  command->add_option("manifest", options->manifests, "Manifests or scales files (YAML)")
+      ->required();
   command->add_flag("--json", options->json, "Faults as JSON on standard output");
   command->footer(
       "\nWrites no file. Faults are told as file:line:column: path.to.key: what is wrong; how to "

@@ -32,20 +32,14 @@ std::vector<std::filesystem::path> parts_of(const std::filesystem::path& file) {
   return parts;
 }
 
-}  // namespace
-
-void add_file(KeyBuilder& key, const std::filesystem::path& file) {
-  key.add("file", file.filename().string()).add("content", hash_of_file(file));
-  for (const std::filesystem::path& part : parts_of(file)) {
-    key.add("part", part.filename().string()).add("content", hash_of_file(part));
-  }
-}
-
-void add_libraries(KeyBuilder& key) {
+Hash libraries_key() {
+  KeyBuilder key;
   for (const auto& [name, version] : library_versions()) key.add(name, version);
+  return key.key();
 }
 
-void add_repertoire(KeyBuilder& key, const Manifest& manifest) {
+Hash repertoire_key(const Manifest& manifest) {
+  KeyBuilder key;
   const Examples& examples = manifest.examples;
   key.add("builtin", examples.builtin).add("seed", static_cast<std::int64_t>(manifest.seed));
   add_choice(key, "cycle", examples.cycle);
@@ -54,6 +48,20 @@ void add_repertoire(KeyBuilder& key, const Manifest& manifest) {
   add_choice(key, "ratings", manifest.ratings.source);
   key.add("raters", std::int64_t{manifest.ratings.raters});
   for (const std::filesystem::path& file : repertoire_files(manifest)) add_file(key, file);
+  return key.key();
+}
+
+}  // namespace
+
+SharedDeterminants shared_determinants(const Manifest& manifest) {
+  return {libraries_key(), repertoire_key(manifest)};
+}
+
+void add_file(KeyBuilder& key, const std::filesystem::path& file) {
+  key.add("file", file.filename().string()).add("content", hash_of_file(file));
+  for (const std::filesystem::path& part : parts_of(file)) {
+    key.add("part", part.filename().string()).add("content", hash_of_file(part));
+  }
 }
 
 void add_motion(KeyBuilder& key, const Stimulus& stimulus) {

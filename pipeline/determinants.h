@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "pipeline/hash.h"
 #include "pipeline/manifest.h"
@@ -11,11 +10,15 @@ namespace mien::pipeline {
 // What artifacts depend on, as parts of their keys. Files count by name and content, not by the
 // folder that they lie in.
 
-void add_file(KeyBuilder& key, const std::filesystem::path& file);
-void add_libraries(KeyBuilder& key);
+/// What many tasks of a production share; found once, because files are read for it.
+struct SharedDeterminants {
+  Hash libraries;
+  Hash repertoire;  ///< the examples, their ratings and scales
+};
 
-/// The examples, their ratings and scales.
-void add_repertoire(KeyBuilder& key, const Manifest& manifest);
+SharedDeterminants shared_determinants(const Manifest& manifest);
+
+void add_file(KeyBuilder& key, const std::filesystem::path& file);
 
 /// How a stimulus's motion is made, without the repertoire.
 void add_motion(KeyBuilder& key, const Stimulus& stimulus);

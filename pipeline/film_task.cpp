@@ -132,14 +132,15 @@ class FilmMaker {
 
 }  // namespace
 
-Task film_task(const Stimulus& stimulus, const Manifest& manifest, Motions& motions, int threads) {
+Task film_task(const Stimulus& stimulus, const FilmSettings& settings,
+               const SharedDeterminants& shared, Motions& motions) {
   const Output& output = stimulus.output;
   Task task;
   task.id = "film:" + stimulus.id;
   task.kind = "film";
   task.inputs = {"motion:" + stimulus.id};
-  add_libraries(task.determinants);
-  task.determinants.add("code", film_code()).add("seed", static_cast<std::int64_t>(manifest.seed));
+  task.determinants.add("libraries", shared.libraries);
+  task.determinants.add("code", film_code()).add("seed", static_cast<std::int64_t>(settings.seed));
   add_film(task.determinants, stimulus);
   // A video shows the stored frames, so how they were stored concerns it too.
   KeyBuilder stored;
@@ -149,8 +150,9 @@ Task film_task(const Stimulus& stimulus, const Manifest& manifest, Motions& moti
   if (output.video) task.products.push_back({"videos/" + stimulus.id + ".mp4", stored});
   task.products.push_back({"sheets/contact/" + stimulus.id + ".png", stored});
   task.cost_seconds = cost_of(output);
-  task.make = [&stimulus, &motions, settings = FilmSettings{output, manifest.seed, threads}](
-                  TaskRun& run) { FilmMaker(stimulus, motions, settings, run).make(); };
+  task.make = [&stimulus, &motions, settings](TaskRun& run) {
+    FilmMaker(stimulus, motions, settings, run).make();
+  };
   return task;
 }
 

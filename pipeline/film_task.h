@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pipeline/determinants.h"
+#include "pipeline/film.h"
 #include "pipeline/manifest.h"
 #include "pipeline/motions.h"
 #include "pipeline/task_graph.h"
@@ -9,6 +11,7 @@ namespace mien::pipeline {
 /// The task "film:<id>": stages a stimulus's motion, draws it and encodes it while it is drawn. Its
 /// products are what the stimulus's output asks for, and a contact sheet. It reads the product of
 /// "motion:<id>". `motions` and `stimulus` outlive it.
-Task film_task(const Stimulus& stimulus, const Manifest& manifest, Motions& motions, int threads);
+Task film_task(const Stimulus& stimulus, const FilmSettings& settings,
+               const SharedDeterminants& shared, Motions& motions);
 
 }  // namespace mien::pipeline

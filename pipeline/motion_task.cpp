@@ -28,14 +28,14 @@ void verify_clip(const fs::path& file, const motion::Recording& written) {
 
 }  // namespace
 
-Task motion_task(const Stimulus& stimulus, const Manifest& manifest, Motions& motions) {
+Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motions& motions) {
   Task task;
   task.id = "motion:" + stimulus.id;
   task.kind = "motion";
-  add_libraries(task.determinants);
+  task.determinants.add("libraries", shared.libraries);
   task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
   add_motion(task.determinants, stimulus);
-  if (!stimulus.clip) add_repertoire(task.determinants, manifest);
+  if (!stimulus.clip) task.determinants.add("repertoire", shared.repertoire);
   task.products.push_back({".mien/motions/" + stimulus.id + ".json", {}});
   task.cost_seconds = motion_cost_seconds;
   task.make = [&stimulus, &motions](TaskRun& run) {
@@ -49,12 +49,12 @@ Task motion_task(const Stimulus& stimulus, const Manifest& manifest, Motions& mo
   return task;
 }
 
-Task clip_task(const Stimulus& stimulus, Motions& motions) {
+Task clip_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motions& motions) {
   Task task;
   task.id = "clip:" + stimulus.id;
   task.kind = "clip";
   task.inputs = {"motion:" + stimulus.id};
-  add_libraries(task.determinants);
+  task.determinants.add("libraries", shared.libraries);
   task.determinants.add("motion", motion_code());
   const std::string path = "clips/" + stimulus.id;
   if (stimulus.output.bvh) task.products.push_back({path + ".bvh", {}});

@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "motion/nearest_word.h"
+#include "pipeline/determinants.h"
 #include "pipeline/film_task.h"
 #include "pipeline/motion_task.h"
 #include "pipeline/sheet_task.h"
+#include "pipeline/study_tasks.h"
 
 namespace mien::pipeline {
 
@@ -37,15 +39,22 @@ Production::Production(Manifest manifest, ProductionOptions options)
       options_(std::move(options)),
       motions_(manifest_) {
   refuse_unknown_ids(manifest_, options_.only);
+  const SharedDeterminants shared = shared_determinants(manifest_);
   for (const Stimulus& stimulus : manifest_.stimuli) {
-    graph_.add(motion_task(stimulus, manifest_, motions_));
+    graph_.add(motion_task(stimulus, shared, motions_));
     if (!is_wanted(stimulus.id)) continue;
-    if (stimulus.output.bvh || stimulus.output.glb) graph_.add(clip_task(stimulus, motions_));
-    graph_.add(film_task(stimulus, manifest_, motions_, options_.jobs));
+    if (stimulus.output.bvh || stimulus.output.glb) {
+      graph_.add(clip_task(stimulus, shared, motions_));
+    }
+    const FilmSettings settings{stimulus.output, manifest_.seed, options_.jobs};
+    graph_.add(film_task(stimulus, settings, shared, motions_));
   }
   for (const Sheet& sheet : manifest_.sheets) {
-    if (is_wanted(sheet)) graph_.add(sheet_task(sheet, manifest_, motions_));
+    if (is_wanted(sheet)) graph_.add(sheet_task(sheet, manifest_, shared, motions_));
   }
+  if (!is_whole()) return;
+  graph_.add(tables_task(manifest_, motions_, shared));
+  graph_.add(report_task(manifest_, motions_, shared, graph_));
 }
 
 bool Production::is_wanted(const std::string& id) const {

@@ -19,10 +19,13 @@ struct ProductionOptions {
 
 /// The manifest as the tasks of a run:
 ///
-///   motion  examples, weights → motion       (its digest)
-///   clip    motion → file                    clips/<id>.bvh, .glb
-///   film    motion → shot → frames, video    frames/<id>/, videos/<id>.mp4,
-///   sheets/contact/<id>.png sheet   two motions → distance → page    sheets/<id>.pdf, .png
+///   motion  examples, weights → motion      (its digest)
+///   clip    motion → file                   clips/<id>.bvh, .glb
+///   film    motion → shot → frames, video   frames/<id>/, videos/<id>.mp4,
+///                                           sheets/contact/<id>.png
+///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
+///   tables  motions → numbers               metrics/*.csv
+///   report  all of it → page                report.html
 ///
 /// With `only`, nothing is made that covers the whole study (tables, report, provenance).
 class Production {

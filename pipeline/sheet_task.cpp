@@ -27,11 +27,12 @@ void verify_pdf(const fs::path& file) {
 
 }  // namespace
 
-Task sheet_task(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
+Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
+                Motions& motions) {
   Task task;
   task.id = "sheet:" + sheet.id;
   task.kind = "sheet";
-  add_libraries(task.determinants);
+  task.determinants.add("libraries", shared.libraries);
   task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
   task.determinants.add("study", manifest.study).add("manifest", manifest.file.filename().string());
   bool uses_examples = false;
@@ -41,7 +42,7 @@ Task sheet_task(const Sheet& sheet, const Manifest& manifest, Motions& motions) 
     if (stimulus != nullptr) task.inputs.push_back("motion:" + name);
     uses_examples = uses_examples || (stimulus == nullptr ? !name.empty() : !stimulus->clip);
   }
-  if (uses_examples) add_repertoire(task.determinants, manifest);
+  if (uses_examples) task.determinants.add("repertoire", shared.repertoire);
   task.products = {{"sheets/" + sheet.id + ".pdf", {}}, {"sheets/" + sheet.id + ".png", {}}};
   task.cost_seconds = sheet_cost_seconds;
   task.make = [&sheet, &manifest, &motions](TaskRun& run) {

@@ -41,8 +41,7 @@ TEST(CardinalBasis, MatchesTheOneDimensionalCaseWorkedByHand) {
   const Eigen::Vector3d constant = basis.linear.col(0) - 0.5 * slope;
   EXPECT_LT((constant - Eigen::Vector3d(5.0 / 6.0, 1.0 / 3.0, -1.0 / 6.0)).norm(), 1e-12);
   EXPECT_LT((slope - Eigen::Vector3d(-1.0, 0.0, 1.0)).norm(), 1e-12);
-  EXPECT_LT((basis.radial.col(0) - Eigen::Vector3d(.42857143, -.85714286, .42857143)).norm(),
-            2e-8);
+  EXPECT_LT((basis.radial.col(0) - Eigen::Vector3d(.42857143, -.85714286, .42857143)).norm(), 2e-8);
   EXPECT_LT((basis.radial.col(1) - Eigen::Vector3d(-.71428571, 1.42857143, -.71428571)).norm(),
             2e-8);
   const auto at = [&](double x) { return raw_weights(basis, Eigen::RowVectorXd::Constant(1, x)); };

@@ -1,0 +1,200 @@
+#include "pipeline/report.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "motion/distance.h"
+#include "pipeline/code_identity.h"
+#include "pipeline/report_style.h"
+#include "pipeline/sheet.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr int most_weights = 6;
+
+std::string role_name(Role role) {
+  if (role == Role::target) return "target";
+  return role == Role::created ? "created" : "reference";
+}
+
+std::string parameter_rows(const Synthesis& made) {
+  std::string rows;
+  for (std::size_t i = 0; i < made.asked.size(); ++i) {
+    const auto& [name, asked] = made.asked[i];
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
+        "value=\"{:.3f}\"></meter></td><td>{:.2f}</td><td>{:.2f}</td></tr>\n",
+        html_escaped(name), asked, asked, made.reached[i].second);
+  }
+  if (rows.empty()) return rows;
+  return "<table><thead><tr><th>parameter</th><th></th><th>asked</th><th>reached</th></tr></"
+         "thead>\n"
+         "<tbody>" +
+         rows + "</tbody></table>\n";
+}
+
+std::string weight_rows(const Synthesis& made, Motions& motions) {
+  if (made.weights.size() == 0) return "";
+  std::vector<std::pair<double, std::string>> weights;
+  for (Eigen::Index i = 0; i < made.weights.size(); ++i) {
+    weights.emplace_back(made.weights[i],
+                         motions.repertoire().names[static_cast<std::size_t>(i)].name);
+  }
+  std::stable_sort(weights.begin(), weights.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string rows;
+  int shown = 0;
+  for (const auto& [weight, name] : weights) {
+    if (weight < 0.005 || shown++ == most_weights) break;
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
+        "value=\"{:.3f}\"></meter></td><td>{:.2f}</td></tr>\n",
+        html_escaped(name), weight, weight);
+  }
+  return "<table><thead><tr><th>example</th><th></th><th>weight</th></tr></thead>\n<tbody>" + rows +
+         "</tbody></table>\n";
+}
+
+std::string warning_list(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return "";
+  std::string list = "<ul class=\"warnings\">\n";
+  for (const std::string& warning : warnings) {
+    list += "<li>" + html_escaped(warning) + "</li>\n";
+  }
+  return list + "</ul>\n";
+}
+
+std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
+  const motion::Clip& clip = made.motion.clip;
+  std::string facts = fmt::format("{} × {}, {} frames/s", stimulus.output.size[0],
+                                  stimulus.output.size[1], stimulus.output.fps);
+  if (clip.loops) {
+    facts += fmt::format(", cycle {:.2f} s, stride {:.2f} m, {:.2f} m/s", clip.duration_seconds(),
+                         clip.cycle_displacement.norm(),
+                         clip.cycle_displacement.norm() / clip.duration_seconds());
+  }
+  return facts +
+         fmt::format(", planted feet move {:.1f} mm at most", 1000.0 * made.planted_drift_m);
+}
+
+std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
+  const Synthesis& made = motions.of(stimulus.id);
+  const std::string id = html_escaped(stimulus.id);
+  std::string card =
+      fmt::format("<article class=\"{}\" id=\"{}\">\n<h3>{} <small>{}</small></h3>\n",
+                  role_name(stimulus.role), id, id, role_name(stimulus.role));
+  if (stimulus.output.video) {
+    card += fmt::format(
+        "<video controls loop muted playsinline preload=\"metadata\" width=\"{}\" height=\"{}\" "
+        "src=\"videos/{}.mp4\"></video>\n",
+        stimulus.output.size[0], stimulus.output.size[1], id);
+  }
+  card += fmt::format(
+      "<a href=\"sheets/contact/{}.png\"><img loading=\"lazy\" src=\"sheets/contact/{}.png\" "
+      "alt=\"Twelve frames of {}\"></a>\n<p>{}.</p>\n",
+      id, id, id, html_escaped(facts_of(stimulus, made)));
+  return card + warning_list(made.warnings) + parameter_rows(made) + weight_rows(made, motions) +
+         "</article>\n";
+}
+
+std::string sheet_card(const Sheet& sheet, Motions& motions) {
+  const motion::Distance d =
+      motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion);
+  const std::string id = html_escaped(sheet.id);
+  return fmt::format(
+      "<figure>\n<a href=\"sheets/{}.pdf\"><img loading=\"lazy\" src=\"sheets/{}.png\" "
+      "alt=\"Comparison sheet of {} and {}\"></a>\n<figcaption>{} (<a "
+      "href=\"sheets/{}.pdf\">PDF</a>)</figcaption>\n</figure>\n",
+      id, id, html_escaped(sheet.target), html_escaped(sheet.created), html_escaped(verdict(d)),
+      id);
+}
+
+std::string distance_table(const Manifest& manifest, Motions& motions) {
+  std::string rows;
+  for (const Sheet& sheet : manifest.sheets) {
+    const motion::Distance d =
+        motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion);
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td>{}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.4f}</td>"
+        "<td>{}</td></tr>\n",
+        html_escaped(sheet.target), html_escaped(sheet.created), d.mean, d.sum, d.mpjpe,
+        d.matches() ? "yes" : "no");
+  }
+  return "<table><thead><tr><th>target</th><th>created</th><th>D (m)</th><th>sum (m)</th>"
+         "<th>MPJPE (m)</th><th>D &lt; 0.06 m</th></tr></thead>\n<tbody>" +
+         rows + "</tbody></table>\n";
+}
+
+bool rests_on_simulated_ratings(const Manifest& manifest, Motions& motions) {
+  const bool any = std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
+                               [](const Stimulus& s) { return !s.adjectives.empty(); });
+  return any && motions.repertoire().simulated_ratings;
+}
+
+std::string footer(const Manifest& manifest) {
+  return fmt::format(
+      "<footer><p>mien {} · seed {} · manifest {} · numbers in <a href=\"metrics/\">metrics/</a> · "
+      "hashes of all inputs and artifacts in <a href=\"provenance.json\">provenance.json</a></p>"
+      "</footer>\n",
+      program_version(), manifest.seed, html_escaped(manifest.file.filename().string()));
+}
+
+}  // namespace
+
+std::string html_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string report(const Manifest& manifest, Motions& motions) {
+  const std::string study = html_escaped(manifest.study);
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{} · mien</title>\n<style>\n{}</style>\n</head>\n<body>\n<header><h1>{}</h1>\n",
+      study, report_style, study);
+  if (rests_on_simulated_ratings(manifest, motions)) {
+    page +=
+        "<p class=\"simulated\"><strong>Simulated ratings.</strong> No person has rated the "
+        "example motions: what is shown for an adjective is what made-up raters would say.</p>\n";
+  }
+  page += "</header>\n<main>\n";
+  const bool has_repertoire = std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
+                                          [](const Stimulus& s) { return !s.clip; });
+  if (has_repertoire) page += warning_list(motions.repertoire().warnings);
+  page += "<section><h2>Stimuli</h2>\n<div class=\"cards\">\n";
+  for (const Stimulus& stimulus : manifest.stimuli) page += stimulus_card(stimulus, motions);
+  page += "</div></section>\n";
+  if (!manifest.sheets.empty()) {
+    page += "<section><h2>Comparisons</h2>\n" + distance_table(manifest, motions);
+    for (const Sheet& sheet : manifest.sheets) page += sheet_card(sheet, motions);
+    page += "</section>\n";
+  }
+  return page + "</main>\n" + footer(manifest) + "</body>\n</html>\n";
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,129 @@
+#include "pipeline/tables.h"
+
+#include <cmath>
+
+#include "motion/distance.h"
+#include "pipeline/csv.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string ratings_of(const Stimulus* stimulus, Motions& motions) {
+  if (stimulus == nullptr || stimulus->adjectives.empty()) return "none";
+  return motions.repertoire().simulated_ratings ? "simulated" : "given";
+}
+
+/// Of a pair: simulated if either motion rests on simulated ratings.
+std::string ratings_of(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
+  const std::string target = ratings_of(find_stimulus(manifest, sheet.target), motions);
+  const std::string created = ratings_of(find_stimulus(manifest, sheet.created), motions);
+  return target == "none" ? created : target;
+}
+
+motion::Distance distance_of(const Sheet& sheet, Motions& motions) {
+  return motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion);
+}
+
+const char* name_of(Role role) {
+  switch (role) {
+    case Role::target:
+      return "target";
+    case Role::created:
+      return "created";
+    case Role::reference:
+      break;
+  }
+  return "reference";
+}
+
+const char* source_of(const Stimulus& stimulus) {
+  if (stimulus.clip) return "clip";
+  return stimulus.adjectives.empty() ? "weights" : "adjectives";
+}
+
+/// Way over the floor in one cycle, or of the whole clip.
+double way_of(const motion::Clip& clip) {
+  const motion::Vec3 way =
+      clip.loops ? clip.cycle_displacement
+                 : motion::Vec3(clip.poses.back().root_position - clip.poses.front().root_position);
+  return std::hypot(way.x(), way.z());
+}
+
+}  // namespace
+
+std::string distances_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table({"sheet", "target", "created", "ratings", "alignment", "d_m", "d_sum_m",
+                   "mpjpe_m", "threshold_m", "match"});
+  for (const Sheet& sheet : manifest.sheets) {
+    const motion::Distance d = distance_of(sheet, motions);
+    table.row({sheet.id, sheet.target, sheet.created, ratings_of(sheet, manifest, motions),
+               d.alignment == motion::Alignment::pelvis ? "pelvis" : "world", shortest(d.mean),
+               shortest(d.sum), shortest(d.mpjpe), shortest(motion::distance_threshold_m),
+               d.matches() ? "1" : "0"});
+  }
+  return table.text();
+}
+
+std::string joint_distances_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table({"sheet", "target", "created", "ratings", "joint", "time", "distance_m"});
+  for (const Sheet& sheet : manifest.sheets) {
+    const motion::Distance d = distance_of(sheet, motions);
+    const std::string ratings = ratings_of(sheet, manifest, motions);
+    for (int j = 0; j < motion::distance_joints; ++j) {
+      for (int t = 0; t < motion::distance_times; ++t) {
+        table.row({sheet.id, sheet.target, sheet.created, ratings,
+                   std::string(motion::name_of(motion::BodyJoint(j + 1))),
+                   shortest(t / (motion::distance_times - 1.0)),
+                   shortest(d.by_joint_and_time(j, t))});
+      }
+    }
+  }
+  return table.text();
+}
+
+std::string weights_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table({"stimulus", "ratings", "example", "weight"});
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.clip) continue;
+    const Eigen::VectorXd& weights = motions.of(stimulus.id).weights;
+    for (Eigen::Index i = 0; i < weights.size(); ++i) {
+      table.row({stimulus.id, ratings_of(&stimulus, motions),
+                 motions.repertoire().names[static_cast<std::size_t>(i)].name,
+                 shortest(weights[i])});
+    }
+  }
+  return table.text();
+}
+
+std::string clips_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table({"stimulus", "role", "ratings", "source", "frames", "duration_s", "fps",
+                   "cycle_s", "stride_m", "speed_m_s", "planted_drift_m"});
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Synthesis& made = motions.of(stimulus.id);
+    const motion::Clip& clip = made.motion.clip;
+    const int frames = shown_clip(made, stimulus.output).frame_count();
+    const double duration = clip.duration_seconds();
+    table.row({stimulus.id, name_of(stimulus.role), ratings_of(&stimulus, motions),
+               source_of(stimulus), std::to_string(frames),
+               shortest(frames / clip.frames_per_second), shortest(clip.frames_per_second),
+               clip.loops ? shortest(duration) : "", clip.loops ? shortest(way_of(clip)) : "",
+               duration > 0.0 ? shortest(way_of(clip) / duration) : "",
+               shortest(made.planted_drift_m)});
+  }
+  return table.text();
+}
+
+std::string parameters_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table({"stimulus", "ratings", "parameter", "asked", "reached"});
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Synthesis& made = motions.of(stimulus.id);
+    for (std::size_t i = 0; i < made.asked.size(); ++i) {
+      table.row({stimulus.id, ratings_of(&stimulus, motions), made.asked[i].first,
+                 shortest(made.asked[i].second), shortest(made.reached[i].second)});
+    }
+  }
+  return table.text();
+}
+
+}  // namespace mien::pipeline
