@@ -88,6 +88,8 @@ Json parse_json(std::string_view text, const std::string& name) {
   } catch (const Json::parse_error& error) {
     throw Error(place_of_byte(text, error.byte, name), "this is not the JSON of a glTF file",
                 get_it_again);
+  } catch (const Json::out_of_range&) {
+    throw Error({name}, "holds a number that is too large", get_it_again);
   }
 }
 

@@ -262,6 +262,7 @@ TEST(Gltf, RefusesWhatIsWrongNamingTheFile) {
       {"", "f.gltf:1:1: this is not the JSON"},
       {"{\n \"asset\": ]}", "f.gltf:2:11: this is not the JSON"},
       {"[]", "is no glTF file"},
+      {R"({"nodes":[{"scale":[1e999,1,1]}]})", "a number that is too large"},
       {"{}", "is not glTF of version 2"},
       {replaced(good, R"("2.0")", R"("1.0")"), "is not glTF of version 2"},
       {replaced(good, R"("2.0"})", R"("2.0"},"extensionsRequired":["EXT_meshopt_compression"])"),
