@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <string>
@@ -139,18 +140,21 @@ void copy_element(const unsigned char* bytes, int type, size_t number_size,
 void put_sparse_values(const GltfFile& file, const tinygltf::Accessor& accessor, size_t components,
                        std::string_view use, std::vector<double>& numbers) {
   const auto& sparse = accessor.sparse;
-  if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) {
+  // Some versions of the library count these bytes with a sign, some without.
+  const auto indices_offset = static_cast<std::int64_t>(sparse.indices.byteOffset);
+  const auto values_offset = static_cast<std::int64_t>(sparse.values.byteOffset);
+  if (sparse.count < 0 || indices_offset < 0 || values_offset < 0) {
     refuse_use(file, use, "a sparse accessor with negative numbers");
   }
   const auto count = static_cast<size_t>(sparse.count);
   const size_t number_size = size_of_number(accessor);
   const size_t index_size = size_of_index(file, sparse.indices.componentType, use);
-  const Elements indices = elements_of(file, bytes_of_view(file, sparse.indices.bufferView, use),
-                                       static_cast<size_t>(sparse.indices.byteOffset), index_size,
-                                       index_size, count, use);
-  const Elements values = elements_of(file, bytes_of_view(file, sparse.values.bufferView, use),
-                                      static_cast<size_t>(sparse.values.byteOffset),
-                                      number_size * components, 0, count, use);
+  const Elements indices =
+      elements_of(file, bytes_of_view(file, sparse.indices.bufferView, use),
+                  static_cast<size_t>(indices_offset), index_size, index_size, count, use);
+  const Elements values =
+      elements_of(file, bytes_of_view(file, sparse.values.bufferView, use),
+                  static_cast<size_t>(values_offset), number_size * components, 0, count, use);
   for (size_t i = 0; i < count; ++i) {
     const size_t index = index_at(indices.at(i), index_size);
     if (index >= accessor.count) refuse_use(file, use, "a sparse index beyond the accessor's end");
