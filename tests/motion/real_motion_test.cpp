@@ -10,6 +10,7 @@
 #include "motion/make_example.h"
 #include "motion/motion_file.h"
 #include "motion/rig_motion.h"
+#include "motion/rotation.h"
 #include "motion/straighten.h"
 
 #include "other_rigs.h"
@@ -196,6 +197,34 @@ TEST_F(RealMotion, OfTheCmuRunHasFlightPhases) {
 
 TEST_F(RealMotion, OfClimbingIsNoGait) {
   EXPECT_FALSE(prepare_example(to_body(read_motion(mocap / "cmu" / "01_01.bvh"))).cycle);
+}
+
+TEST_F(RealMotion, OfANamelessCharacterIsFoundByTopology) {
+  const Recording recording = read_motion(mocap / ".." / "characters" / "cesium_man.gltf");
+  const BodyMapping mapping = recognise(recording);
+  EXPECT_EQ(mapping.rig, "by topology");
+  EXPECT_EQ(mapping.up, "+Y");
+  EXPECT_DOUBLE_EQ(mapping.metres_per_unit, 1.0);
+  for (int j = 0; j < body_joint_count; ++j) {
+    const bool has = j != LeftClavicle && j != RightClavicle;
+    EXPECT_EQ(mapping.joints[j].position >= 0, has) << name_of(BodyJoint(j));
+    EXPECT_GT(mapping.joints[j].confidence, has ? 0.75 : -1.0) << name_of(BodyJoint(j));
+  }
+  const Clip clip = to_body(recording, mapping);
+  EXPECT_LT(largest_error(recording, mapping, clip), 1e-4);
+  // One cycle of two seconds; knees bend forward, but for the animator's straight stance legs.
+  const PreparedExample prepared = prepare_example(clip);
+  ASSERT_TRUE(prepared.cycle);
+  EXPECT_NEAR(prepared.example.keytimes.back(), 2.0, 0.15);
+  EXPECT_NEAR(prepared.example.keytimes[3], 1.0, 0.1);
+  double most_bent = 0.0;
+  for (const Pose& pose : prepared.example.clip.poses) {
+    for (const int knee : {LeftKnee, RightKnee}) {
+      EXPECT_GT(log(pose.rotations[knee]).x(), -0.15);
+      most_bent = std::max(most_bent, log(pose.rotations[knee]).x());
+    }
+  }
+  EXPECT_GT(most_bent, 1.0);
 }
 
 TEST_F(RealMotion, OfTheSecondActorIsLevelled) {
