@@ -1,6 +1,7 @@
 #include "pipeline/production.h"
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "motion/nearest_word.h"
@@ -40,13 +41,15 @@ Production::Production(Manifest manifest, ProductionOptions options)
       motions_(manifest_) {
   refuse_unknown_ids(manifest_, options_.only);
   const SharedDeterminants shared = shared_determinants(manifest_);
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = std::min(options_.jobs, processors);
   for (const Stimulus& stimulus : manifest_.stimuli) {
     graph_.add(motion_task(stimulus, shared, motions_));
     if (!is_wanted(stimulus.id)) continue;
     if (stimulus.output.bvh || stimulus.output.glb) {
       graph_.add(clip_task(stimulus, shared, motions_));
     }
-    const FilmSettings settings{stimulus.output, manifest_.seed, options_.jobs};
+    const FilmSettings settings{stimulus.output, manifest_.seed, threads};
     graph_.add(film_task(stimulus, settings, shared, motions_));
   }
   for (const Sheet& sheet : manifest_.sheets) {

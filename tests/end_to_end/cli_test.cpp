@@ -1,8 +1,11 @@
 #include <filesystem>
 #include <string>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "end_to_end/program.h"
 
@@ -99,6 +102,19 @@ TEST(CommandLine, CheckSpeaksJson) {
   EXPECT_TRUE(json::parse(fine.output)["faults"].empty());
 }
 
+TEST(CommandLine, CheckReadsScalesFilesToo) {
+  const Scratch scratch;
+  const fs::path good =
+      scratch.write("a.scales.yaml", "range: [1, 7]\nscales: {zeal: {low: idle, high: eager}}\n");
+  EXPECT_EQ(run_mien({"check", good.string()}).code, 0);
+  const fs::path bad = scratch.write("b.scales.yaml", "scales: {zeal: {low: idle}}\n");
+  const Ended ended = run_mien({"check", bad.string()});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.errors, bad.string() +
+                              ":1:16: scales.zeal.high: missing; add it, for example "
+                              "high: extraverted\n");
+}
+
 TEST(CommandLine, PlanTellsWhatARunThenDoes) {
   const Scratch scratch;
   const std::string manifest = scratch.write("m.yaml", small_manifest).string();
@@ -170,6 +186,23 @@ TEST(CommandLine, AFolderThatCannotBeWrittenIsAFailure) {
   const Ended ended = run_mien({"run", manifest, "--out", (file / "out").string()});
   EXPECT_EQ(ended.code, 1);
   EXPECT_TRUE(ended.errors.starts_with("mien: ")) << ended.errors;
+}
+
+TEST(CommandLine, TwoRunsInOneFolderDoNotMeet) {
+  const Scratch scratch;
+  const std::string manifest = scratch.write("m.yaml", small_manifest).string();
+  const fs::path internal = scratch.path() / "out/small/.mien";
+  fs::create_directories(internal);
+  const int lock = open((internal / "lock").c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_EQ(flock(lock, LOCK_EX), 0);
+  const std::vector<std::string> command = {"run", manifest, "--out",
+                                            (scratch.path() / "out").string()};
+  const Ended second = run_mien(command);
+  EXPECT_EQ(second.code, 1);
+  EXPECT_TRUE(contains(second.errors, "another run is working in")) << second.errors;
+  EXPECT_FALSE(fs::exists(scratch.path() / "out/small/clips"));
+  close(lock);
+  EXPECT_EQ(run_mien(command).code, 0);
 }
 
 TEST(CommandLine, BlendsComparesConvertsAndTellsAboutMotions) {
