@@ -129,14 +129,14 @@ TEST(CommandLine, PlanTellsWhatARunThenDoes) {
   };
   EXPECT_EQ(states(),
             "motion:a due\nclip:a waiting\nfilm:a waiting\nmotion:b due\nclip:b "
-            "waiting\nfilm:b waiting\n");
+            "waiting\nfilm:b waiting\ntables waiting\nreport waiting\n");
   EXPECT_FALSE(fs::exists(out));
   ASSERT_EQ(run_mien({"run", manifest, "--out", out, "--only", "b"}).code, 0);
   EXPECT_FALSE(fs::exists(scratch.path() / "out/small/clips/a.bvh"));
   EXPECT_TRUE(fs::exists(scratch.path() / "out/small/clips/b.bvh"));
   EXPECT_EQ(states(),
             "motion:a cached\nclip:a due\nfilm:a due\nmotion:b cached\nclip:b "
-            "cached\nfilm:b cached\n");
+            "cached\nfilm:b cached\ntables due\nreport waiting\n");
 }
 
 TEST(CommandLine, RunSpeaksJsonOnStandardOutput) {
@@ -146,7 +146,7 @@ TEST(CommandLine, RunSpeaksJsonOnStandardOutput) {
   const Ended ended = run_mien({"run", manifest, "--out", out, "--json"});
   ASSERT_EQ(ended.code, 0) << ended.errors;
   const json result = json::parse(ended.output);
-  EXPECT_EQ(result["made"].size(), 6u);
+  EXPECT_EQ(result["made"].size(), 8u);
   EXPECT_TRUE(result["failed"].empty());
   for (const json& artifact : result["artifacts"]) {
     const fs::path file = scratch.path() / "out/small" / artifact["path"].get<std::string>();
