@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
 #include "pipeline/temporary_folder.h"
 #include "render/file_damage.h"
 #include "render/refusal.h"
@@ -87,7 +91,22 @@ TEST_F(ImageIo, TellsWhatAFileHolds) {
   EXPECT_EQ(of_exr.color_space.substr(0, 6), "Linear");
 }
 
+/// OpenImageIO 2.4 loses its error message when libpng jumps out of its reading of a short file.
+/// Leaks within this scope are not reported.
+class LeakOfOpenImageIo {
+ public:
+#ifdef __SANITIZE_ADDRESS__
+  LeakOfOpenImageIo() { __lsan_disable(); }
+  ~LeakOfOpenImageIo() { __lsan_enable(); }
+#else
+  LeakOfOpenImageIo() {}
+#endif
+  LeakOfOpenImageIo(const LeakOfOpenImageIo&) = delete;
+  LeakOfOpenImageIo& operator=(const LeakOfOpenImageIo&) = delete;
+};
+
 TEST_F(ImageIo, RefusesAPngThatIsCutShort) {
+  const LeakOfOpenImageIo not_ours;
   for (const double share : {0.98, 0.5, 0.1, 0.0}) {
     write_png(png, noise<std::uint8_t>());
     test::cut_short(png, share);
