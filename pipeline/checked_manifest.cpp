@@ -1,29 +1,43 @@
 #include "pipeline/checked_manifest.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "pipeline/manifest_checks.h"
 #include "pipeline/vocabulary.h"
 
 namespace mien::pipeline {
 
+namespace {
+
+/// Faults of the examples' files, unless the manifest's own part about them is at fault already:
+/// one mistake is told once.
+void add_faults_of_examples(std::vector<Fault>& faults, const Error& error) {
+  const auto is_about_examples = [](const Fault& fault) {
+    return fault.path.starts_with("examples");
+  };
+  if (std::any_of(faults.begin(), faults.end(), is_about_examples)) return;
+  if (const auto* several = dynamic_cast<const Faults*>(&error)) {
+    faults.insert(faults.end(), several->list().begin(), several->list().end());
+  } else {
+    faults.push_back({{}, "", error.what(), ""});
+  }
+}
+
+}  // namespace
+
 ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment) {
   ManifestReading reading = read_manifest(file, environment);
-  Vocabulary vocabulary;
   try {
-    vocabulary = vocabulary_of(reading.manifest);
-  } catch (const Faults& faults) {
-    reading.faults.insert(reading.faults.end(), faults.list().begin(), faults.list().end());
-    return reading;
+    const Vocabulary vocabulary = vocabulary_of(reading.manifest);
+    for (Fault& fault : check_names(reading.manifest, vocabulary)) {
+      reading.faults.push_back(std::move(fault));
+    }
+    reading.faults = in_reading_order(std::move(reading.faults));
   } catch (const Error& error) {
-    // Names cannot be judged when the files that they come from are at fault themselves.
-    reading.faults.push_back({{}, "", error.what(), ""});
-    return reading;
+    add_faults_of_examples(reading.faults, error);
   }
-  for (Fault& fault : check_names(reading.manifest, vocabulary)) {
-    reading.faults.push_back(std::move(fault));
-  }
-  reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
 }
 

@@ -184,7 +184,8 @@ class Checker {
 
   void check_key(const std::string& map, const std::string& name, const std::string& what,
                  const std::vector<std::string>& known) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    // Without any, something else is at fault, and has been told.
+    if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
     const std::string path = member_path(map, name);
     faults_.push_back(
         {key_place_of(manifest_.places, path), path, "unknown " + what, remedy_for(name, known)});
@@ -199,7 +200,6 @@ class Checker {
   /// A near name, else a list that stays readable.
   static std::string remedy_for(const std::string& name, const std::vector<std::string>& known) {
     constexpr std::size_t most = 12;
-    if (known.empty()) return "there are none to name";
     if (motion::nearest_word(name, known) || known.size() <= most) {
       return motion::did_you_mean(name, known);
     }

@@ -85,6 +85,29 @@ stimuli:
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 1);
 }
 
+TEST(CommandLine, CheckTellsFaultsOfTheFilesThatAManifestNames) {
+  const Scratch scratch;
+  scratch.write("bad.scales.yaml", "scales: {zeal: {low: idle}}\n");
+  const std::string text =
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10, ratings: simulated, scales: "
+      "bad.scales.yaml}\nstimuli: [{id: a, adjectives: {zeal: 1}}]\n";
+  const Ended scales = run_mien({"check", scratch.write("m.yaml", text).string()});
+  EXPECT_EQ(scales.code, 2);
+  EXPECT_EQ(scales.errors, (scratch.path() / "bad.scales.yaml").string() +
+                               ":1:16: scales.zeal.high: missing; add it, for example high: "
+                               "extraverted\n");
+  const Ended once =
+      run_mien({"check", scratch
+                             .write("n.yaml",
+                                    "mien: 1\nstudy: s\nexamples: {set: builtin:walks-11}\n"
+                                    "stimuli: [{id: a, weights: {normal: 1}}]\n")
+                             .string()});
+  EXPECT_EQ(once.errors, (scratch.path() / "n.yaml").string() +
+                             ":3:16: examples.set: \"builtin:walks-11\" is not one of "
+                             "builtin:walks-10, builtin:walks-27; did you mean "
+                             "\"builtin:walks-10\"?\n");
+}
+
 TEST(CommandLine, CheckSpeaksJson) {
   const Scratch scratch;
   const fs::path bad = scratch.write("bad.yaml", "mien: 1\nstudy: 5\nstimuli: 1\n");
