@@ -103,7 +103,7 @@ TEST(CommandLine, CheckTellsFaultsOfTheFilesThatAManifestNames) {
                                     "stimuli: [{id: a, weights: {normal: 1}}]\n")
                              .string()});
   EXPECT_EQ(once.errors, (scratch.path() / "n.yaml").string() +
-                             ":3:16: examples.set: \"builtin:walks-11\" is not one of "
+                             ":3:17: examples.set: \"builtin:walks-11\" is not one of "
                              "builtin:walks-10, builtin:walks-27; did you mean "
                              "\"builtin:walks-10\"?\n");
 }
