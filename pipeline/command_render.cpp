@@ -126,7 +126,7 @@ void make_video(const scenes::Shot& shot, const FilmSettings& settings, const fs
                 const std::stop_token& stop, const std::function<void(double)>& progress) {
   std::vector<int> frames(static_cast<std::size_t>(shot.frame_count()));
   std::iota(frames.begin(), frames.end(), 0);
-  write_video(file, settings.output, [&](const FrameSink& encode) {
+  write_video(file, settings, [&](const FrameSink& encode) {
     draw_frames(shot, frames, settings, nullptr, encode, stop, progress);
   });
   verify_video(file, settings.output, shot.frame_count());

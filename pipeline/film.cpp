@@ -130,6 +130,7 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
     if (auto stored = stored_frame(store, frame, settings.output)) {
       exposure.picture = std::move(*stored);
     } else {
+      const Stopwatch::Running tracing(settings.drawing);
       exposure.picture = tracer.trace(scene_at(shot, frame), camera_at(shot, frame), quality);
     }
     if (!taker.push(std::move(exposure))) break;
@@ -138,12 +139,17 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
   taker.finish();
 }
 
-void write_video(const std::filesystem::path& file, const Output& output,
+void write_video(const std::filesystem::path& file, const FilmSettings& settings,
                  const std::function<void(const FrameSink&)>& draw) {
+  const Output& output = settings.output;
   render::VideoWriter writer(
       file,
       {.width = output.size[0], .height = output.size[1], .rate = render::frame_rate(output.fps)});
-  draw([&](int, const render::Image8& picture) { writer.write(picture); });
+  draw([&](int, const render::Image8& picture) {
+    const Stopwatch::Running encoding(settings.drawing);
+    writer.write(picture);
+  });
+  const Stopwatch::Running encoding(settings.drawing);
   writer.finish();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/manifest.h"
+#include "pipeline/stopwatch.h"
 #include "pipeline/store.h"
 #include "render/image.h"
 #include "scenes/shot.h"
@@ -16,8 +17,9 @@ namespace mien::pipeline {
 /// How a shot is drawn.
 struct FilmSettings {
   Output output;
-  std::uint64_t seed = 0;  ///< of the renderer's noise
-  int threads = 1;         ///< no influence on the pictures
+  std::uint64_t seed = 0;        ///< of the renderer's noise
+  int threads = 1;               ///< no influence on the pictures
+  Stopwatch* drawing = nullptr;  ///< if any, runs while a frame is traced or encoded
 };
 
 /// Takes the frames, in order, as a display shows them.
@@ -34,7 +36,7 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const std::stop_token& stop, const std::function<void(double)>& progress);
 
 /// Encodes frames 0 … n−1 of a film that `draw` delivers, as MP4.
-void write_video(const std::filesystem::path& file, const Output& output,
+void write_video(const std::filesystem::path& file, const FilmSettings& settings,
                  const std::function<void(const FrameSink&)>& draw);
 
 /// Decodes a video and throws render::Error unless it is what was asked for.

@@ -108,7 +108,7 @@ class FilmMaker {
     run_.store.put(
         run_.task.products[product].path, run_.keys[product],
         [&](const std::filesystem::path& file) {
-          write_video(file, output_,
+          write_video(file, settings_,
                       [&](const FrameSink& encode) { draw(store, every_frame(), encode); });
         },
         [&](const std::filesystem::path& file) {

@@ -49,7 +49,7 @@ Production::Production(Manifest manifest, ProductionOptions options)
     if (stimulus.output.bvh || stimulus.output.glb) {
       graph_.add(clip_task(stimulus, shared, motions_));
     }
-    const FilmSettings settings{stimulus.output, manifest_.seed, threads};
+    const FilmSettings settings{stimulus.output, manifest_.seed, threads, options_.drawing};
     graph_.add(film_task(stimulus, settings, shared, motions_));
   }
   for (const Sheet& sheet : manifest_.sheets) {

@@ -6,6 +6,7 @@
 
 #include "pipeline/manifest.h"
 #include "pipeline/motions.h"
+#include "pipeline/stopwatch.h"
 #include "pipeline/task_graph.h"
 
 namespace mien::pipeline {
@@ -15,6 +16,7 @@ struct ProductionOptions {
   std::optional<Quality> quality;  ///< of all stimuli
   std::vector<std::string> only;   ///< ids of stimuli and sheets; everything when empty
   int jobs = 1;
+  Stopwatch* drawing = nullptr;  ///< if any, runs while frames are traced or encoded
 };
 
 /// The manifest as the tasks of a run:

@@ -126,7 +126,7 @@ TEST_F(Film, DrawsOnlyTheFramesAskedFor) {
 TEST_F(Film, BecomesAVideoThatIsWhatWasAskedFor) {
   const std::filesystem::path file = temporary.path() / "walk.mp4";
   const FilmSettings how = settings();
-  write_video(file, how.output, [&](const FrameSink& encode) {
+  write_video(file, how, [&](const FrameSink& encode) {
     draw_frames(shot, frames_of(shot), how, nullptr, encode, stop.get_token(), [](double) {});
   });
   EXPECT_NO_THROW(verify_video(file, how.output, shot.frame_count()));
