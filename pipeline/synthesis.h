@@ -14,10 +14,10 @@ namespace mien::pipeline {
 
 /// A motion that was made, and how.
 struct Synthesis {
-  motion::Example motion;   ///< at the output's frame rate; one cycle of a loop, travelling
-  Eigen::VectorXd weights;  ///< one an example; empty when a file is shown as it is
-  NamedValues asked;        ///< the parameters that the stimulus sets
-  NamedValues reached;      ///< the same parameters as the blend has them: Σ weight · value
+  motion::Example motion;        ///< at the output's frame rate; one cycle of a loop, travelling
+  Eigen::VectorXd weights;       ///< one an example; empty when a file is shown as it is
+  NamedValues asked;             ///< the parameters that the stimulus sets
+  NamedValues reached;           ///< the same parameters as the blend has them: Σ weight · value
   double planted_drift_m = 0.0;  ///< horizontal, largest over all plants of the result
   std::vector<std::string> warnings;
 };
