@@ -57,10 +57,4 @@ ExampleSet builtin_examples(std::string_view name, double frames_per_second) {
   return set;
 }
 
-std::vector<StyleProfile> builtin_profiles(std::string_view name) {
-  std::vector<StyleProfile> profiles;
-  for (const NamedStyle& named : builtin_styles(name)) profiles.push_back(profile(named.style));
-  return profiles;
-}
-
 }  // namespace mien::motion

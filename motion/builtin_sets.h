@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/example.h"
-#include "motion/style_profile.h"
+#include "motion/walk_style.h"
 
 namespace mien::motion {
 
@@ -28,8 +28,5 @@ std::vector<NamedStyle> builtin_styles(std::string_view name);
 
 /// The set's walks, made by the parametric walker on the standard body; marked as simulated.
 ExampleSet builtin_examples(std::string_view name, double frames_per_second = 30.0);
-
-/// What each example of the set looks like, in the same order.
-std::vector<StyleProfile> builtin_profiles(std::string_view name);
 
 }  // namespace mien::motion

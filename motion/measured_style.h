@@ -19,12 +19,15 @@ struct MotionMeasures {
   double elbow_flexion_rad = 0.0;  ///< mean of both
   double trunk_lean_rad = 0.0;     ///< pelvis to neck, from the vertical, forward; mean
   double head_pitch_rad = 0.0;     ///< neck to head's top, from the vertical, forward; mean
+  double trunk_turn_rad = 0.0;     ///< range of the shoulders' line about the vertical
+  double least_knee_rad = 0.0;     ///< least flexion of a knee, mean of both: crouching
   double bounce_m = 0.0;           ///< vertical range of the pelvis
   double sway_m = 0.0;             ///< lateral range of the pelvis
+  double lift_share = 0.0;         ///< bounce / (bounce + sway); ½ when the pelvis rests
   double asymmetry_m = 0.0;        ///< between the ranges of the left and right ankle
 };
 
-inline constexpr int motion_measure_count = 12;
+inline constexpr int motion_measure_count = 15;
 
 /// The measures in the order of the struct, and their names ("speed_m_s", …).
 std::array<double, motion_measure_count> values_of(const MotionMeasures& measures);

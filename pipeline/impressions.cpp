@@ -56,6 +56,8 @@ std::string some_of(const std::vector<std::string>& names) {
 Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
                            const std::vector<RatedExample>& examples) {
   const auto columns = columns_of(examples);
+  std::map<std::string, const Scale*> known;
+  for (const Scale& scale : scales.scales) known.emplace(scale.id, &scale);
   std::map<std::string, std::vector<Tally>> tallies;
   bool means_only = true;
   for (const Answer& answer : answers.answers) {
@@ -64,7 +66,7 @@ Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
     auto& row = tallies[answer.scale];
     row.resize(examples.size());
     Tally& tally = row[static_cast<size_t>(column->second)];
-    tally.add(share_of(*find_scale(scales, answer.scale), answer.value));
+    tally.add(share_of(*known.at(answer.scale), answer.value));
     if (!answer.participant.empty()) means_only = false;
   }
 

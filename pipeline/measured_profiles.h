@@ -7,10 +7,10 @@
 
 namespace mien::pipeline {
 
-/// What simulated raters see in motions that were never described otherwise: each measure
-/// (motion/measured_style.h) is standardised over the set and summed into the style impressions
-/// with the loadings listed in the source; tanh keeps the result within −1 … 1. A set of one motion
-/// is all 0.
+/// What simulated raters see in motions: each measure (motion/measured_style.h) is standardised
+/// over the set, a spread too small to be seen counting as one that just can, and summed into the
+/// style impressions with the loadings listed in the source; tanh keeps the result within −1 … 1.
+/// A set of one motion is all 0.
 std::vector<StyledStimulus> measured_profiles(const motion::ExampleSet& set);
 
 }  // namespace mien::pipeline

@@ -40,17 +40,6 @@ void load_examples(const Manifest& manifest, Repertoire& repertoire) {
   }
 }
 
-/// What simulated raters see: the parameters of the styles, or measures of the motions.
-std::vector<StyledStimulus> profiles_of(const Manifest& manifest, const Repertoire& repertoire) {
-  if (manifest.examples.builtin.empty()) return measured_profiles(repertoire.examples);
-  const auto profiles = motion::builtin_profiles(manifest.examples.builtin);
-  std::vector<StyledStimulus> stimuli;
-  for (size_t i = 0; i < profiles.size(); ++i) {
-    stimuli.push_back({repertoire.names[i].name, profiles[i]});
-  }
-  return stimuli;
-}
-
 /// Scales and examples, without ratings.
 Repertoire unrated_repertoire(const Manifest& manifest) {
   Repertoire repertoire;
@@ -62,7 +51,7 @@ Repertoire unrated_repertoire(const Manifest& manifest) {
 }
 
 Answers simulated_answers(const Manifest& manifest, const Repertoire& repertoire) {
-  return simulate_answers(profiles_of(manifest, repertoire), repertoire.scales,
+  return simulate_answers(measured_profiles(repertoire.examples), repertoire.scales,
                           {.count = manifest.ratings.raters, .seed = manifest.seed});
 }
 
@@ -88,6 +77,15 @@ std::vector<std::string> example_names(const Manifest& manifest) {
   }
   if (examples.folder.empty()) return {};
   return motion::example_names(example_folder(examples));
+}
+
+std::vector<RatedExample> rated_examples(const Manifest& manifest) {
+  std::vector<RatedExample> rated;
+  for (const std::string& name : example_names(manifest)) rated.push_back({name, ""});
+  if (!manifest.examples.builtin.empty() || manifest.examples.folder.empty()) return rated;
+  const auto files = motion::example_files(example_folder(manifest.examples));
+  for (size_t i = 0; i < files.size(); ++i) rated[i].file_stem = files[i].stem().string();
+  return rated;
 }
 
 Answers simulated_answers(const Manifest& manifest) {

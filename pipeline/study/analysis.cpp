@@ -13,24 +13,33 @@ namespace mien::pipeline {
 
 namespace {
 
-/// The answers on one scale, examples × participants, NaN where there is none.
-Eigen::MatrixXd answer_table(const StudyAnswers& study, const std::string& scale,
+using AnswersByScale = std::map<std::string, std::vector<const StudyAnswer*>>;
+
+/// Of participants; means of several people tell nothing about their agreement.
+AnswersByScale answers_by_scale(const StudyAnswers& study) {
+  AnswersByScale by_scale;
+  for (const StudyAnswer& answer : study.answers) {
+    if (!answer.participant.empty()) by_scale[answer.scale].push_back(&answer);
+  }
+  return by_scale;
+}
+
+/// Examples × participants, NaN where there is no answer.
+Eigen::MatrixXd answer_table(const std::vector<const StudyAnswer*>& answers,
                              const std::vector<std::string>& examples) {
   std::map<std::string, Eigen::Index> rows;
   std::map<std::string, Eigen::Index> columns;
   for (const std::string& example : examples) {
     rows.emplace(example, static_cast<Eigen::Index>(rows.size()));
   }
-  for (const StudyAnswer& answer : study.answers) {
-    if (answer.scale != scale || answer.participant.empty()) continue;
-    columns.emplace(answer.participant, static_cast<Eigen::Index>(columns.size()));
+  for (const StudyAnswer* answer : answers) {
+    columns.emplace(answer->participant, static_cast<Eigen::Index>(columns.size()));
   }
   Eigen::MatrixXd table = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(rows.size()),
                                                     static_cast<Eigen::Index>(columns.size()),
                                                     std::numeric_limits<double>::quiet_NaN());
-  for (const StudyAnswer& answer : study.answers) {
-    if (answer.scale != scale || answer.participant.empty()) continue;
-    table(rows.at(answer.stimulus), columns.at(answer.participant)) = answer.value;
+  for (const StudyAnswer* answer : answers) {
+    table(rows.at(answer->stimulus), columns.at(answer->participant)) = answer->value;
   }
   return table;
 }
@@ -99,9 +108,10 @@ Analysis analyse(const StudyAnswers& answers, const ScaleSet& scales,
   analysis.impressions = impressions_of(answers.plain(), scales, examples);
   analysis.quantities =
       quantify(analysis.impressions, scales, options.thresholds, options.deviation);
+  AnswersByScale by_scale = answers_by_scale(answers);
   for (const std::string& scale : analysis.impressions.scales) {
     analysis.agreements.push_back(
-        agreement_of(answer_table(answers, scale, analysis.impressions.examples)));
+        agreement_of(answer_table(by_scale[scale], analysis.impressions.examples)));
   }
   choose_scales(analysis, scales, options);
   choose_cut(analysis, options);
