@@ -1,13 +1,15 @@
+#include "pipeline/command_study.h"
+
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
-#include "pipeline/cli.h"
 #include "pipeline/example_source.h"
 #include "pipeline/files.h"
 #include "pipeline/repertoire.h"
+#include "pipeline/study/scales_yaml.h"
 
 namespace mien::pipeline {
 
@@ -59,11 +61,25 @@ void add_simulate_command(CLI::App& study, Command& chosen) {
   });
 }
 
+void add_scales_command(CLI::App& study, Command& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "scales", "The 41 built-in adjective pairs as a scales file, to begin one's own with");
+  command->footer("\nExample:\n  mien study scales > my.scales.yaml");
+  command->callback([&chosen] {
+    chosen = [](const Console& console) {
+      console.out << adjective_pairs_yaml();
+      return exit_done;
+    };
+  });
+}
+
 }  // namespace
 
 void add_study_command(CLI::App& app, Command& chosen) {
   CLI::App* study = app.add_subcommand("study", "Rating studies");
   study->require_subcommand(1);
+  add_study_analyze_command(*study, chosen);
+  add_scales_command(*study, chosen);
   add_simulate_command(*study, chosen);
 }
 
