@@ -79,6 +79,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
   CLI::App* study = app.add_subcommand("study", "Rating studies");
   study->require_subcommand(1);
   add_study_analyze_command(*study, chosen);
+  add_study_evaluate_command(*study, chosen);
   add_scales_command(*study, chosen);
   add_simulate_command(*study, chosen);
 }

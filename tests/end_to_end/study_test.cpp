@@ -1,0 +1,104 @@
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST(StudyCommands, LeadFromSimulatedAnswersToParametersOfAManifest) {
+  const Scratch scratch;
+  const fs::path answers = scratch.path() / "answers.csv";
+  const fs::path results = scratch.path() / "results";
+  ASSERT_EQ(
+      run_mien({"study", "simulate", "--examples", "builtin:walks-27", "-o", answers.string()})
+          .code,
+      0);
+  const Ended analysis =
+      run_mien({"study", "analyze", answers.string(), "--examples", "builtin:walks-27", "--names",
+                "one,two,three,four", "-o", results.string(), "--json"});
+  ASSERT_EQ(analysis.code, 0) << analysis.errors;
+  const json summary = json::parse(analysis.output);
+  EXPECT_EQ(summary["ratings"], "simulated");
+  EXPECT_EQ(summary["clusters"].size(), 4u);
+  EXPECT_EQ(summary["clusters"][1]["name"], "two");
+  EXPECT_GT(summary["published"][1]["adjusted_rand"], 0.9);
+  for (const char* file :
+       {"quantification.csv", "thresholds.csv", "impressions.csv", "linkage.csv", "clusters.csv",
+        "primary.csv", "agreement.csv", "warnings.csv", "published.csv", "clusters.scales.yaml",
+        "dendrogram.pdf", "dendrogram.svg", "dendrogram.png"}) {
+    EXPECT_TRUE(fs::exists(results / file)) << file;
+  }
+
+  const fs::path manifest = scratch.write(
+      "study.yaml",
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-27, ratings: answers.csv, scales: "
+      "results/clusters.scales.yaml}\nstimuli:\n  - {id: a, adjectives: {two: 0.7}}\n");
+  const Ended check = run_mien({"check", manifest.string()});
+  EXPECT_EQ(check.code, 0) << check.errors;
+  // A manifest is an example source too.
+  const Ended again =
+      run_mien({"study", "analyze", answers.string(), "--examples", manifest.string(), "--clusters",
+                "gap", "-o", (scratch.path() / "again").string()});
+  EXPECT_EQ(again.code, 0) << again.errors;
+}
+
+TEST(StudyCommands, AnalyzeRefusesBadOptionsAndAnswers) {
+  const Scratch scratch;
+  const std::string answers =
+      scratch.write("a.csv", "participant,stimulus,scale,value\np,normall,sad-happy,1\n").string();
+  const auto analyze = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"study", "analyze", answers, "--examples",
+                                          "builtin:walks-10"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_mien(arguments);
+  };
+  const Ended unknown = analyze({});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_EQ(unknown.errors.substr(0, unknown.errors.find(';')),
+            answers + ":2:3: unknown stimulus \"normall\" (1 row)");
+  for (const std::vector<std::string>& bad :
+       std::vector<std::vector<std::string>>{{"--clusters", "0"},
+                                             {"--clusters", "many"},
+                                             {"--repeated", "twice"},
+                                             {"--max-mean", "3"},
+                                             {"--unknown", "ignore"}}) {
+    const Ended ended = analyze(bad);
+    EXPECT_EQ(ended.code, 2) << bad[0];
+    EXPECT_NE(ended.errors, "");
+  }
+}
+
+TEST(StudyCommands, EvaluateComparesInterfaces) {
+  const Scratch scratch;
+  std::string csv = "participant,target,interface,first_guess_d,time_s,success\n";
+  for (int p = 0; p < 6; ++p) {
+    csv += "p" + std::to_string(p) + ",t,weights,0.1," + std::to_string(200 + p) + ",1\n";
+    csv += "p" + std::to_string(p) + ",t,adjectives,0.05," + std::to_string(90 + 2 * p) + ",1\n";
+  }
+  const std::string sessions = scratch.write("sessions.csv", csv).string();
+  const fs::path out = scratch.path() / "out";
+  const Ended ended = run_mien({"study", "evaluate", sessions, "-o", out.string(), "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  const json summary = json::parse(ended.output);
+  EXPECT_EQ(summary["sessions"], "given");
+  EXPECT_NEAR(summary["comparisons"][1]["p_exact"].get<double>(), 0.03125, 1e-9);
+  EXPECT_TRUE(fs::exists(out / "time_saved.svg"));
+  EXPECT_EQ(run_mien({"study", "evaluate", sessions, "--limit", "0"}).code, 2);
+}
+
+TEST(StudyCommands, PrintTheBuiltInScales) {
+  const Ended ended = run_mien({"study", "scales"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.output,
+            text_of(std::string(MIEN_SOURCE_DIR) + "/manifests/adjective-pairs.scales.yaml"));
+}
+
+}  // namespace
+}  // namespace mien::test
