@@ -203,7 +203,7 @@ void place_leg(Pose& pose, const JointTransforms& world, const LegJoints& leg,
   TwoBoneLimb limb = limb_of(world, leg);
   const Vec3 down(0.0, -drop, 0.0);
   limb = {limb.root + down, limb.middle + down, limb.end + down};
-  const Vec3 forward = world.rotations[Pelvis] * Vec3::UnitZ();
+  const Vec3 forward = world.rotations[static_cast<size_t>(leg.hip)] * Vec3::UnitZ();
   const TwoBoneSolution solution = solve_two_bone(limb, place.ankle, forward);
   const Quat thigh = solution.upper_turn * world.rotations[static_cast<size_t>(leg.hip)];
   const Quat shank = solution.lower_turn * world.rotations[static_cast<size_t>(leg.knee)];
