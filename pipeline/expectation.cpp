@@ -39,7 +39,7 @@ std::string sentence_of(const ExpectationCheck& check) {
     const bool violated =
         std::find(check.violated.begin(), check.violated.end(), i - 1) != check.violated.end();
     if (i > 0) order += violated ? " ≥ " : " < ";
-    order += fmt::format("{} {:.2f}", check.order[i].example, check.order[i].value);
+    order += fmt::format("{} {:.3f}", check.order[i].example, check.order[i].value);
   }
   return fmt::format("{}: {}, {}", check.parameter, order,
                      check.holds() ? "as expected" : "not as expected");

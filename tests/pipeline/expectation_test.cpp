@@ -20,13 +20,13 @@ ExpectationCheck check(const Expectation& expectation) {
 TEST(Expectation, HoldsWhereEachExampleIsAboveTheOneBefore) {
   const ExpectationCheck result = check({"slow-fast", {"a", "b", "c"}});
   EXPECT_TRUE(result.holds());
-  EXPECT_EQ(sentence_of(result), "slow-fast: a 0.20 < b 0.60 < c 0.90, as expected");
+  EXPECT_EQ(sentence_of(result), "slow-fast: a 0.200 < b 0.600 < c 0.900, as expected");
 }
 
 TEST(Expectation, TellsWhereItFails) {
   const ExpectationCheck result = check({"slow-fast", {"b", "a", "c"}});
   EXPECT_EQ(result.violated, std::vector<std::size_t>{0});
-  EXPECT_EQ(sentence_of(result), "slow-fast: b 0.60 ≥ a 0.20 < c 0.90, not as expected");
+  EXPECT_EQ(sentence_of(result), "slow-fast: b 0.600 ≥ a 0.200 < c 0.900, not as expected");
 }
 
 TEST(Expectation, IsNotMetByEqualValues) {
