@@ -82,6 +82,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
   add_study_evaluate_command(*study, chosen);
   add_scales_command(*study, chosen);
   add_simulate_command(*study, chosen);
+  add_study_words_command(*study, chosen);
 }
 
 }  // namespace mien::pipeline

@@ -4,8 +4,9 @@
 
 namespace mien::pipeline {
 
-// Subcommands of `mien study`; each adds itself to `study`.
+/// Subcommands of `mien study`, one a source file.
 void add_study_analyze_command(CLI::App& study, Command& chosen);
 void add_study_evaluate_command(CLI::App& study, Command& chosen);
+void add_study_words_command(CLI::App& study, Command& chosen);
 
 }  // namespace mien::pipeline
