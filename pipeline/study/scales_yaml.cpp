@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -58,6 +60,60 @@ std::string group_text(const ScaleGroup& group) {
   return text;
 }
 
+std::string list_of(const std::vector<std::string>& words) { return nlohmann::json(words).dump(); }
+
+std::string language_text(const Language& language) {
+  std::string text = fmt::format("  {}:\n", key_of(language.name));
+  // The first of them is the name itself.
+  if (language.called.size() > 1) {
+    text += fmt::format("    called: {}\n",
+                        list_of({language.called.begin() + 1, language.called.end()}));
+  }
+  for (const auto& [grade, name] :
+       {std::pair(Grade::strengthened, "strengthened"), std::pair(Grade::softened, "softened"),
+        std::pair(Grade::negated, "negated")}) {
+    std::vector<std::string> words;
+    for (const auto& [word, own] : language.grades) {
+      if (own == grade) words.push_back(word);
+    }
+    if (!words.empty()) text += fmt::format("    {}: {}\n", name, list_of(words));
+  }
+  return text == fmt::format("  {}:\n", key_of(language.name))
+             ? fmt::format("  {}: {{}}\n", key_of(language.name))
+             : text;
+}
+
+/// Words of all languages for one end of a scale; empty when there are none.
+std::string end_text(const Lexicon& lexicon, const WordMeaning& meaning) {
+  std::string text;
+  for (const Language& language : lexicon.languages) {
+    std::vector<std::string> words;
+    for (const auto& [word, own] : language.words) {
+      if (own == meaning) words.push_back(word);
+    }
+    if (!words.empty()) {
+      text += fmt::format("      {}: {}\n", key_of(language.name), list_of(words));
+    }
+  }
+  return text;
+}
+
+std::string lexicon_text(const ScaleSet& set) {
+  std::string text;
+  if (!set.lexicon.languages.empty()) text += "languages:\n";
+  for (const Language& language : set.lexicon.languages) text += language_text(language);
+  std::string words;
+  for (const Scale& scale : set.scales) {
+    const std::string low = end_text(set.lexicon, {scale.id, -1});
+    const std::string high = end_text(set.lexicon, {scale.id, 1});
+    if (low.empty() && high.empty()) continue;
+    words += fmt::format("  {}:\n", key_of(scale.id));
+    if (!low.empty()) words += "    low:\n" + low;
+    if (!high.empty()) words += "    high:\n" + high;
+  }
+  return words.empty() ? text : text + "words:\n" + words;
+}
+
 }  // namespace
 
 std::string to_yaml(const ScaleSet& set, const std::string& head,
@@ -77,7 +133,7 @@ std::string to_yaml(const ScaleSet& set, const std::string& head,
   }
   if (!set.groups.empty()) text += "groups:\n";
   for (const ScaleGroup& group : set.groups) text += group_text(group);
-  return text;
+  return text + lexicon_text(set);
 }
 
 std::string clusters_yaml(const Analysis& analysis, const ScaleSet& scales) {

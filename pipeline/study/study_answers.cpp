@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "motion/nearest_word.h"
+#include "pipeline/word_answers.h"
 
 namespace mien::pipeline {
 
@@ -149,6 +150,10 @@ class RowReader {
 
 StudyAnswers study_answers(const CsvTable& table, const ScaleSet& scales,
                            const std::vector<RatedExample>& examples, const AnswerRules& rules) {
+  if (holds_words(table)) {
+    throw Error(place_of(table, table.header.front()), "words, not answers on scales",
+                "turn them into answers with mien study words");
+  }
   RowReader reader(table, scales, examples);
   for (const auto& row : table.rows) reader.read(row);
   reader.report_unknown(rules.unknown);

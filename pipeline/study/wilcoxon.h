@@ -7,7 +7,7 @@ namespace mien::pipeline {
 /// Which two-sided p value.
 enum class WilcoxonMode {
   exact,      ///< the distribution of W+ over all signs of the ranks at hand, ties included
-  paper,      ///< normal, no continuity correction: what the adjective paper's p values are
+  published,  ///< normal, no continuity correction: what the adjective paper's p values are
   corrected,  ///< normal, with continuity correction, as R's wilcox.test(exact = FALSE)
 };
 

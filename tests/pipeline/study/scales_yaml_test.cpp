@@ -26,12 +26,26 @@ void expect_equal(const ScaleSet& a, const ScaleSet& b) {
     EXPECT_EQ(a.groups[i].japanese, b.groups[i].japanese);
     EXPECT_EQ(a.groups[i].scales, b.groups[i].scales);
   }
+  ASSERT_EQ(a.lexicon.languages.size(), b.lexicon.languages.size());
+  for (size_t i = 0; i < a.lexicon.languages.size(); ++i) {
+    EXPECT_EQ(a.lexicon.languages[i].name, b.lexicon.languages[i].name);
+    EXPECT_EQ(a.lexicon.languages[i].called, b.lexicon.languages[i].called);
+    EXPECT_EQ(a.lexicon.languages[i].grades, b.lexicon.languages[i].grades);
+    EXPECT_EQ(a.lexicon.languages[i].words, b.lexicon.languages[i].words);
+  }
 }
 
 TEST(ScalesYaml, OfTheAdjectivePairsIsTheFileInManifests) {
   const std::string file = std::string(MIEN_SOURCE_DIR) + "/manifests/adjective-pairs.scales.yaml";
   EXPECT_EQ(read_file(file), adjective_pairs_yaml());
   expect_equal(read_scales(file), builtin_scales());
+}
+
+TEST(ScalesYaml, KeepsTheWordsOfAScalesFile) {
+  const ScaleSet set =
+      read_scales(std::string(MIEN_SOURCE_DIR) + "/manifests/walking-words.scales.yaml");
+  ASSERT_FALSE(set.lexicon.languages.empty());
+  expect_equal(parse_scales(to_yaml(set, ""), "s.yaml"), set);
 }
 
 TEST(ScalesYaml, ReadsBackWhateverTheNamesAre) {

@@ -163,5 +163,11 @@ TEST(StudyAnswers, EveryFaultIsToldAtOnce) {
             "value");
 }
 
+TEST(StudyAnswers, InWordsAreToBeTurnedIntoAnswersFirst) {
+  EXPECT_EQ(refusal("participant,language,motion,verb,modifier1\np,english,a,walk,slowly\n"),
+            "x.csv:1:1: words, not answers on scales; turn them into answers with mien study "
+            "words");
+}
+
 }  // namespace
 }  // namespace mien::pipeline

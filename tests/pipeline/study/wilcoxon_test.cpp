@@ -33,7 +33,7 @@ double by_enumeration(const std::vector<double>& differences) {
     for (size_t i = 0; i < turned.size(); ++i) {
       turned[i] = (signs >> i & 1U) != 0 ? std::abs(turned[i]) : -std::abs(turned[i]);
     }
-    const double w = wilcoxon(turned, Mode::paper).w_plus;
+    const double w = wilcoxon(turned, Mode::published).w_plus;
     at_most += w <= observed;
     at_least += w >= observed;
   }
@@ -63,7 +63,7 @@ TEST(Wilcoxon, PaperModeOfThirteenPairsGivesTheKnownValues) {
   const std::vector<std::pair<int, double>> known = {
       {0, 0.0015}, {9, 0.0107}, {24, 0.1330}, {33, 0.3824}, {42, 0.8068}};
   for (const auto& [w, p] : known) {
-    const Wilcoxon test = wilcoxon(with_w_plus(13, w), Mode::paper);
+    const Wilcoxon test = wilcoxon(with_w_plus(13, w), Mode::published);
     ASSERT_EQ(test.w_plus, w);
     EXPECT_NEAR(test.p, p, 5e-5) << w;
   }
@@ -75,9 +75,9 @@ TEST(Wilcoxon, TiesAndAZeroAreTreatedAsKnown) {
   EXPECT_EQ(wilcoxon(d).pairs, 8);
   EXPECT_EQ(wilcoxon(d).used, 7);
   EXPECT_NEAR(wilcoxon(d).p, 0.0625, 1e-15);
-  EXPECT_NEAR(wilcoxon(d, Mode::paper).p, 0.04105, 5e-6);
+  EXPECT_NEAR(wilcoxon(d, Mode::published).p, 0.04105, 5e-6);
   EXPECT_NEAR(wilcoxon(d, Mode::corrected).p, 0.05024, 5e-6);
-  EXPECT_NEAR(wilcoxon(d, Mode::paper, WilcoxonZeros::pratt).p, 0.04081, 5e-6);
+  EXPECT_NEAR(wilcoxon(d, Mode::published, WilcoxonZeros::pratt).p, 0.04081, 5e-6);
 }
 
 TEST(Wilcoxon, MatchesRsSleepExample) {
@@ -105,7 +105,7 @@ TEST(Wilcoxon, TurningTheDifferencesRoundMirrorsIt) {
     std::vector<double> d(15);
     std::vector<double> turned;
     for (double& x : d) turned.push_back(-(x = value(random)));
-    for (const Mode mode : {Mode::exact, Mode::paper, Mode::corrected}) {
+    for (const Mode mode : {Mode::exact, Mode::published, Mode::corrected}) {
       EXPECT_NEAR(wilcoxon(d, mode).p, wilcoxon(turned, mode).p, 1e-12);
       EXPECT_NEAR(wilcoxon(d, mode).rank_biserial, -wilcoxon(turned, mode).rank_biserial, 1e-15);
       EXPECT_EQ(wilcoxon(d, mode).w_plus, wilcoxon(turned, mode).w_minus);
@@ -122,7 +122,7 @@ TEST(Wilcoxon, ExactAndNormalMeetForManyPairs) {
 }
 
 TEST(Wilcoxon, OfNoDifferenceIsCertainOfNothing) {
-  for (const Mode mode : {Mode::exact, Mode::paper, Mode::corrected}) {
+  for (const Mode mode : {Mode::exact, Mode::published, Mode::corrected}) {
     EXPECT_EQ(wilcoxon({0.0, 0.0}, mode).p, 1.0);
     EXPECT_EQ(wilcoxon({}, mode).p, 1.0);
     EXPECT_EQ(wilcoxon({1.0, -1.0}, mode).p, 1.0);
