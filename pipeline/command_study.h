@@ -1,0 +1,10 @@
+#pragma once
+
+#include "pipeline/cli.h"
+
+namespace mien::pipeline {
+
+// Subcommands of `mien study`; each adds itself to `study`.
+void add_study_predict_command(CLI::App& study, Command& chosen);
+
+}  // namespace mien::pipeline
