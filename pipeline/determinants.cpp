@@ -67,6 +67,7 @@ void add_file(KeyBuilder& key, const std::filesystem::path& file) {
 void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
   key.add("id", stimulus.id);
   add_values(key, "adjective", stimulus.adjectives);
+  add_values(key, "feature", stimulus.features);
   add_values(key, "weight", stimulus.weights);
   if (stimulus.clip) {
     add_file(key, stimulus.clip->file);

@@ -91,12 +91,13 @@ struct ClipSource {
 
 enum class Role { target, created, reference };
 
-/// One motion to make. Exactly one of adjectives, weights and clip is given.
+/// One motion to make. Exactly one of adjectives, features, weights and clip is given.
 struct Stimulus {
   std::string path;  ///< in the manifest: "stimuli[2]"
   std::string id;    ///< safe as a file name
   Role role = Role::created;
   NamedValues adjectives;  ///< parameter → 0…1
+  NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
   NamedValues weights;     ///< example → share, ≥ 0, not all 0
   std::optional<ClipSource> clip;
   Look look;                    ///< the manifest's with this stimulus's own values over it

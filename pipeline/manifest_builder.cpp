@@ -211,6 +211,8 @@ class Builder {
            {{"target", Role::target}, {"created", Role::created}, {"reference", Role::reference}});
     stimulus.adjectives =
         named_values(member(given, "adjectives"), member_path(stimulus.path, "adjectives"));
+    stimulus.features =
+        named_values(member(given, "features"), member_path(stimulus.path, "features"));
     stimulus.weights =
         named_values(member(given, "weights"), member_path(stimulus.path, "weights"));
     if (const json* clip = member(given, "clip")) stimulus.clip = read_clip(*clip);

@@ -46,6 +46,10 @@ class Checker {
       for (const auto& [name, value] : stimulus.adjectives) {
         check_key(adjectives, name, "parameter", vocabulary.parameters);
       }
+      const std::string features = member_path(stimulus.path, "features");
+      for (const auto& [name, value] : stimulus.features) {
+        check_key(features, name, "feature", vocabulary.features);
+      }
       const std::string weights = member_path(stimulus.path, "weights");
       for (const auto& [name, value] : stimulus.weights) {
         check_key(weights, name, "example", vocabulary.examples);
@@ -158,6 +162,10 @@ class Checker {
         add(path, "adjectives need ratings of the examples",
             "add ratings: with a CSV file or 'simulated' to examples");
       }
+    }
+    if (!stimulus.features.empty() && !has_examples) {
+      add(member_path(stimulus.path, "features"), "features need examples",
+          "add examples: {set: builtin:walks-10}");
     }
     if (!stimulus.weights.empty()) check_weights(stimulus, has_examples);
     if (stimulus.clip) check_clip(stimulus.path, *stimulus.clip);

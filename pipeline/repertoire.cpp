@@ -58,6 +58,7 @@ Repertoire unrated_repertoire(const Manifest& manifest) {
       manifest.scales.file.empty() ? builtin_scales() : read_scales(manifest.scales.file);
   if (manifest.examples.builtin.empty() && manifest.examples.folder.empty()) return repertoire;
   load_examples(manifest, repertoire);
+  repertoire.features = feature_parameters(repertoire.examples);
   return repertoire;
 }
 

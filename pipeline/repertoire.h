@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "motion/example.h"
+#include "pipeline/feature_parameters.h"
 #include "pipeline/impressions.h"
 #include "pipeline/manifest.h"
 #include "pipeline/scales.h"
@@ -19,6 +20,7 @@ struct Repertoire {
   ScaleSet scales;
   std::optional<Impressions> impressions;
   ParameterTable parameters;  ///< empty without ratings
+  FeatureParameters features;
   bool simulated_ratings = false;
   std::vector<std::string> warnings;  ///< plain sentences
 };

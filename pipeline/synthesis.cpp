@@ -37,35 +37,48 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
   return motion::clipped_and_normalised(result / result.sum());
 }
 
-Eigen::Index parameter_row(const std::string& name, const Repertoire& repertoire) {
-  const int row = repertoire.parameters.find(name);
+Eigen::Index parameter_row(const std::string& name, const ParameterTable& table) {
+  const int row = table.find(name);
   if (row >= 0) return row;
-  throw Error(fmt::format("there is no parameter \"{}\"", name),
-              "name a scale that was rated, or a group of such scales");
+  throw Error(fmt::format("the examples have no parameter \"{}\"", name),
+              "name a scale that was rated, or a feature that all examples have");
 }
 
-Eigen::VectorXd adjective_weights(const NamedValues& adjectives, const Repertoire& repertoire) {
-  const auto& values = repertoire.parameters.values;
-  const auto dimensions = static_cast<Eigen::Index>(adjectives.size());
+Eigen::VectorXd parameter_weights(const Wish& wanted) {
+  const auto& values = wanted.table.values;
+  const auto dimensions = static_cast<Eigen::Index>(wanted.values.size());
   Eigen::MatrixXd examples(values.cols(), dimensions);
   Eigen::RowVectorXd wish(dimensions);
   for (Eigen::Index d = 0; d < dimensions; ++d) {
-    const auto& [name, value] = adjectives[static_cast<size_t>(d)];
-    examples.col(d) = values.row(parameter_row(name, repertoire)).transpose();
+    const auto& [name, value] = wanted.values[static_cast<size_t>(d)];
+    examples.col(d) = values.row(parameter_row(name, wanted.table)).transpose();
     wish[d] = value;
   }
   return motion::weights(motion::fit_cardinal_basis(examples), wish);
 }
 
-void report_parameters(const NamedValues& adjectives, const Repertoire& repertoire,
-                       Synthesis& synthesis) {
-  synthesis.asked = adjectives;
-  for (const auto& [name, value] : adjectives) {
-    const double reached =
-        repertoire.parameters.values.row(parameter_row(name, repertoire)).dot(synthesis.weights);
-    synthesis.reached.emplace_back(name, reached);
+/// Features are measured of the motion; what people would say of it can only be summed.
+NamedValues reached_parameters(const Stimulus& stimulus, const Wish& wanted,
+                               const Repertoire& repertoire, const Synthesis& made) {
+  NamedValues reached;
+  std::optional<motion::FeatureValues> features;
+  if (!stimulus.features.empty()) {
+    features = motion::scaled(repertoire.features.scale, motion::measure_features(made.motion));
+  }
+  for (const auto& [name, value] : wanted.values) {
+    const auto measured = features ? feature_parameter(name, *features) : std::nullopt;
+    const auto row = wanted.table.values.row(parameter_row(name, wanted.table));
+    reached.emplace_back(name, measured ? *measured : row.dot(made.weights));
+  }
+  return reached;
+}
+
+void warn_of_missed_parameters(const Wish& wanted, Synthesis& synthesis) {
+  for (size_t i = 0; i < wanted.values.size(); ++i) {
+    const auto& [name, value] = wanted.values[i];
+    const double reached = synthesis.reached[i].second;
     if (std::abs(reached - value) <= told_difference) continue;
-    const auto row = repertoire.parameters.values.row(parameter_row(name, repertoire));
+    const auto row = wanted.table.values.row(parameter_row(name, wanted.table));
     synthesis.warnings.push_back(
         fmt::format("{} {:.2f} was asked for and the blend has {:.2f}; the examples lie between "
                     "{:.2f} and {:.2f}",
@@ -114,18 +127,27 @@ Synthesis as_captured(const Stimulus& stimulus) {
 
 }  // namespace
 
+Wish wish_of(const Stimulus& stimulus, const Repertoire& repertoire) {
+  if (!stimulus.features.empty()) return {stimulus.features, repertoire.features.table};
+  return {stimulus.adjectives, repertoire.parameters};
+}
+
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   assert(!stimulus.clip);
-  return stimulus.adjectives.empty() ? given_weights(stimulus.weights, repertoire)
-                                     : adjective_weights(stimulus.adjectives, repertoire);
+  const Wish wanted = wish_of(stimulus, repertoire);
+  return wanted.values.empty() ? given_weights(stimulus.weights, repertoire)
+                               : parameter_weights(wanted);
 }
 
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
   if (stimulus.clip) return as_captured(stimulus);
   Synthesis result;
   result.weights = weights_of(stimulus, repertoire);
-  report_parameters(stimulus.adjectives, repertoire, result);
   make_motion(stimulus.output, stimulus.interpolation, repertoire, result);
+  const Wish wanted = wish_of(stimulus, repertoire);
+  result.asked = wanted.values;
+  result.reached = reached_parameters(stimulus, wanted, repertoire, result);
+  warn_of_missed_parameters(wanted, result);
   result.motion.name = stimulus.id;
   result.motion.clip.name = stimulus.id;
   return result;

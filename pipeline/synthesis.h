@@ -14,16 +14,27 @@ namespace mien::pipeline {
 
 /// A motion that was made, and how.
 struct Synthesis {
-  motion::Example motion;        ///< at the output's frame rate; one cycle of a loop, travelling
-  Eigen::VectorXd weights;       ///< one an example; empty when a file is shown as it is
-  NamedValues asked;             ///< the parameters that the stimulus sets
-  NamedValues reached;           ///< the same parameters as the blend has them: Σ weight · value
+  motion::Example motion;   ///< at the output's frame rate; one cycle of a loop, travelling
+  Eigen::VectorXd weights;  ///< one an example; empty when a file is shown as it is
+  NamedValues asked;        ///< the parameters that the stimulus sets
+  /// The same parameters as the motion has them: adjectives by the blend, Σ weight · value;
+  /// features as measured of the motion that was made, on the examples' scale.
+  NamedValues reached;
   double planted_drift_m = 0.0;  ///< horizontal, largest over all plants of the result
   std::vector<std::string> warnings;
 };
 
-/// Blend weights of a stimulus: given, or from its adjectives by the cardinal basis over the
-/// parameters that it names.
+/// What a stimulus asks for, and where the examples lie on those parameters.
+struct Wish {
+  const NamedValues& values;
+  const ParameterTable& table;
+};
+
+/// Its features and theirs, or else its adjectives and those of the ratings.
+Wish wish_of(const Stimulus& stimulus, const Repertoire& repertoire);
+
+/// Blend weights of a stimulus: given, or from its adjectives or features by the cardinal basis
+/// over the parameters that it names.
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire);
 
 /// Makes a stimulus's motion: weights, blend, foot lock. A stimulus with `clip:` is read from its

@@ -4,6 +4,7 @@
 
 #include "motion/distance.h"
 #include "pipeline/csv.h"
+#include "pipeline/parameter_label.h"
 
 namespace mien::pipeline {
 
@@ -39,6 +40,7 @@ const char* name_of(Role role) {
 
 const char* source_of(const Stimulus& stimulus) {
   if (stimulus.clip) return "clip";
+  if (!stimulus.features.empty()) return "features";
   return stimulus.adjectives.empty() ? "weights" : "adjectives";
 }
 
@@ -115,12 +117,14 @@ std::string clips_csv(const Manifest& manifest, Motions& motions) {
 }
 
 std::string parameters_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"stimulus", "ratings", "parameter", "asked", "reached"});
+  CsvWriter table({"stimulus", "ratings", "parameter", "asked", "reached", "name", "name_ja"});
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
     for (std::size_t i = 0; i < made.asked.size(); ++i) {
+      const ParameterLabel label = label_of(made.asked[i].first, stimulus, motions.repertoire());
       table.row({stimulus.id, ratings_of(&stimulus, motions), made.asked[i].first,
-                 shortest(made.asked[i].second), shortest(made.reached[i].second)});
+                 shortest(made.asked[i].second), shortest(made.reached[i].second),
+                 english_text(label), japanese_text(label)});
     }
   }
   return table.text();

@@ -200,11 +200,17 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"stimuli:\n  - {id: 7, clip: walk.bvh}\n",
              "m.yaml:5:10: stimuli[0].id: must be text but is 7; put it in quotes: \"7\"\n"},
         Case{"stimuli:\n  - {id: a}\n",
-             "m.yaml:5:5: stimuli[0]: has none of adjectives, weights, "
-             "clip; give one of them\n"},
+             "m.yaml:5:5: stimuli[0]: has none of adjectives, features, "
+             "weights, clip; give one of them\n"},
         Case{"stimuli:\n  - {id: a, adjectives: {quickness: 1}, weights: {normal: 1}}\n",
              "m.yaml:5:5: stimuli[0]: adjectives and weights exclude each other; keep one of "
              "them\n"},
+        Case{"stimuli:\n  - {id: a, features: {duration: 1}, weights: {normal: 1}}\n",
+             "m.yaml:5:5: stimuli[0]: features and weights exclude each other; keep one of "
+             "them\n"},
+        Case{"stimuli:\n  - {id: a, features: {duration: -0.5}}\n",
+             "m.yaml:5:34: stimuli[0].features.duration: -0.5 is out of range; use a number from 0 "
+             "to 1\n"},
         Case{"stimuli:\n  - {id: a, adjectives: {quickness: 1.5}}\n",
              "m.yaml:5:37: stimuli[0].adjectives.quickness: 1.5 is out of range; use a number from "
              "0 "
@@ -292,18 +298,22 @@ TEST_F(ManifestReaderTest, TellsNamesThatNothingHas) {
   const ManifestReading reading = parse(head + R"(stimuli:
   - {id: target-1, adjectives: {quicknes: 0.5, sad-happy: 1}}
   - {id: b, weights: {norml: 1, proud: 1, xyzzy: 1}}
+  - {id: c, features: {step-length: 1, sigma-hed-lr: 0}}
 sheets:
   - compare: {target: target-2, created: proud, reference: b}
 )");
   EXPECT_EQ(told(reading.faults), "");
-  const Vocabulary vocabulary = {{"quickness", "sad-happy"}, {"normal", "proud"}};
+  const Vocabulary vocabulary = {
+      {"quickness", "sad-happy"}, {"step-length", "sigma-head-lr"}, {"normal", "proud"}};
   EXPECT_EQ(told(check_names(reading.manifest, vocabulary)),
             "m.yaml:5:33: stimuli[0].adjectives.quicknes: unknown parameter; did you mean "
             "\"quickness\"?\n"
             "m.yaml:6:23: stimuli[1].weights.norml: unknown example; did you mean \"normal\"?\n"
             "m.yaml:6:43: stimuli[1].weights.xyzzy: unknown example; use one of \"normal\", "
             "\"proud\"\n"
-            "m.yaml:8:23: sheets[0].compare.target: \"target-2\" is neither a stimulus nor an "
+            "m.yaml:7:40: stimuli[2].features.sigma-hed-lr: unknown feature; did you mean "
+            "\"sigma-head-lr\"?\n"
+            "m.yaml:9:23: sheets[0].compare.target: \"target-2\" is neither a stimulus nor an "
             "example; did you mean \"target-1\"?\n");
 }
 
