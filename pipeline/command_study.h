@@ -6,5 +6,6 @@ namespace mien::pipeline {
 
 // Subcommands of `mien study`; each adds itself to `study`.
 void add_study_predict_command(CLI::App& study, Command& chosen);
+void add_study_targets_command(CLI::App& study, Command& chosen);
 
 }  // namespace mien::pipeline
