@@ -66,6 +66,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
   CLI::App* study = app.add_subcommand("study", "Rating studies");
   study->require_subcommand(1);
   add_simulate_command(*study, chosen);
+  add_study_interfaces_command(*study, chosen);
   add_study_predict_command(*study, chosen);
   add_study_targets_command(*study, chosen);
 }

@@ -5,6 +5,7 @@
 namespace mien::pipeline {
 
 // Subcommands of `mien study`; each adds itself to `study`.
+void add_study_interfaces_command(CLI::App& study, Command& chosen);
 void add_study_predict_command(CLI::App& study, Command& chosen);
 void add_study_targets_command(CLI::App& study, Command& chosen);
 
