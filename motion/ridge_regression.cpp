@@ -51,18 +51,25 @@ std::vector<std::vector<Eigen::Index>> members_of(std::span<const int> group) {
   return members;
 }
 
-/// Sum of squared errors of groups predicted without them: (I − H_GG)⁻¹ e_G, H the hat matrix.
-double left_out_error(const Eigen::MatrixXd& hat, const Eigen::VectorXd& values,
-                      const std::vector<std::vector<Eigen::Index>>& groups) {
+/// Squared errors of groups predicted without them: (I − H_GG)⁻¹ e_G, H the hat matrix.
+Eigen::VectorXd left_out_errors(const Eigen::MatrixXd& hat, const Eigen::VectorXd& values,
+                                const std::vector<std::vector<Eigen::Index>>& groups) {
   const Eigen::VectorXd residuals = values - hat * values;
-  double sum = 0.0;
-  for (const auto& members : groups) {
-    const Eigen::MatrixXd own = hat(members, members);
-    const Eigen::VectorXd e = residuals(members);
+  Eigen::VectorXd errors(static_cast<Eigen::Index>(groups.size()));
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Eigen::MatrixXd own = hat(groups[g], groups[g]);
+    const Eigen::VectorXd e = residuals(groups[g]);
     const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(own.rows(), own.cols()) - own;
-    sum += rest.partialPivLu().solve(e).squaredNorm();
+    errors[static_cast<Eigen::Index>(g)] = rest.partialPivLu().solve(e).squaredNorm();
   }
-  return sum;
+  return errors;
+}
+
+/// Standard error of the sum.
+double standard_error(const Eigen::VectorXd& errors) {
+  const auto n = static_cast<double>(errors.size());
+  if (n < 2) return 0.0;
+  return std::sqrt(n / (n - 1.0) * (errors.array() - errors.mean()).square().sum());
 }
 
 double root_mean_square(const Eigen::VectorXd& errors) {
@@ -111,18 +118,23 @@ double best_penalty(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& va
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(z, Eigen::ComputeThinU);
   const Eigen::VectorXd squares = svd.singularValues().cwiseAbs2();
   const auto groups = members_of(group);
-  double best = 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double penalty : penalty_choices(model.observations)) {
+  const std::vector<double> penalties = penalty_choices(model.observations);
+  std::vector<double> sums;
+  double limit = std::numeric_limits<double>::infinity();
+  double least = limit;
+  for (const double penalty : penalties) {
     const Eigen::VectorXd shrinkage = (squares.array() / (squares.array() + penalty)).matrix();
     Eigen::MatrixXd hat = svd.matrixU() * shrinkage.asDiagonal() * svd.matrixU().transpose();
     hat.array() += 1.0 / model.observations;
-    const double error = left_out_error(hat, values, groups);
-    if (error > least) continue;
-    least = error;
-    best = penalty;
+    const Eigen::VectorXd errors = left_out_errors(hat, values, groups);
+    sums.push_back(errors.sum());
+    if (sums.back() >= least) continue;
+    least = sums.back();
+    limit = least + standard_error(errors);
   }
-  return best;
+  const auto simplest =
+      std::find_if(sums.rbegin(), sums.rend(), [limit](double sum) { return sum <= limit; });
+  return penalties[static_cast<std::size_t>(sums.rend() - simplest) - 1];
 }
 
 double CrossValidation::rmse(const Eigen::VectorXd& values) const {

@@ -32,9 +32,10 @@ double leverage(const RidgeModel& model, const Eigen::RowVectorXd& predictors);
 /// Penalties from n/1000 to 1000·n, evenly on a logarithmic scale.
 std::vector<double> penalty_choices(int observations);
 
-/// The penalty whose predictions of what is left out err least (sum of squares), groups of
-/// observations being left out together; `group` names each observation's. The larger penalty wins
-/// a tie. Standardisation stays that of all observations.
+/// The largest penalty whose predictions of what is left out err (sum of squares) at most a
+/// standard error more than those of the best one (the one-standard-error rule of Breiman et al.
+/// 1984): with few observations the best one is best by luck. Groups of observations are left out
+/// together; `group` names each observation's. Standardisation stays that of all observations.
 double best_penalty(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& values,
                     std::span<const int> group);
 
