@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "motion/foot_path.h"
 #include "motion/rotation.h"
@@ -132,6 +133,44 @@ std::vector<Correction> corrections(const FootPath& path, std::vector<FootPlant>
   return result;
 }
 
+std::vector<FootPlant> plants_of(const std::vector<FootPlant>& plants, bool left) {
+  std::vector<FootPlant> own;
+  std::copy_if(plants.begin(), plants.end(), std::back_inserter(own),
+               [&](const FootPlant& plant) { return plant.left == left; });
+  return own;
+}
+
+/// How far a foot hangs above the floor (y = 0), or is below it, while it stands flat. Mean over
+/// its plants; nothing without any.
+std::optional<double> hang(const Clip& clip, const std::vector<FootPlant>& plants, bool left,
+                           const FootLockOptions& options) {
+  const FootPath path = foot_path(clip, left);
+  const std::vector<FootPlant> own = plants_of(plants, left);
+  if (own.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const FootPlant& plant : own) {
+    const Stance stance = stance_of(path, plant, options.flat_metres, options.lifted_metres);
+    double height = 0.0;
+    for (int f = stance.flat_first; f <= stance.flat_last; ++f) {
+      height += std::min(path.ball_at(f).y(), path.heel_at(f).y());
+    }
+    sum += height / (stance.flat_last - stance.flat_first + 1) - path.sole_depth;
+  }
+  return sum / static_cast<double>(own.size());
+}
+
+/// The clip moved up or down until its feet, on the average, stand on the floor.
+Clip grounded(const Clip& clip, const std::vector<FootPlant>& plants,
+              const FootLockOptions& options) {
+  const auto left = hang(clip, plants, true, options);
+  const auto right = hang(clip, plants, false, options);
+  if (!left && !right) return clip;
+  const double height = ((left ? *left : *right) + (right ? *right : *left)) / 2.0;
+  Clip result = clip;
+  for (Pose& pose : result.poses) pose.root_position.y() -= height;
+  return result;
+}
+
 /// One leg's targets and how far it may stretch, by frame.
 struct LegTargets {
   LegJoints joints;
@@ -141,13 +180,11 @@ struct LegTargets {
 LegTargets leg_targets(const Clip& clip, const std::vector<FootPlant>& plants, bool left,
                        const FootLockOptions& options) {
   const FootPath path = foot_path(clip, left);
-  std::vector<FootPlant> own;
-  std::copy_if(plants.begin(), plants.end(), std::back_inserter(own),
-               [&](const FootPlant& plant) { return plant.left == left; });
-  const auto added = corrections(path, own, clip.frames_per_second, options);
+  const auto added = corrections(path, plants_of(plants, left), clip.frames_per_second, options);
+  const Vec3 down(0.0, -hang(clip, plants, left, options).value_or(0.0), 0.0);
   LegTargets targets{leg_joints(left), {}};
   for (size_t f = 0; f < added.size(); ++f) {
-    targets.places.push_back({path.ankle[f] + added[f].translation,
+    targets.places.push_back({path.ankle[f] + added[f].translation + down,
                               (exp(added[f].turn) * path.rotation[f]).normalized()});
   }
   return targets;
@@ -216,8 +253,9 @@ void place_leg(Pose& pose, const JointTransforms& world, const LegJoints& leg,
 
 }  // namespace
 
-Clip foot_locked(const Clip& clip, const std::vector<FootPlant>& plants,
+Clip foot_locked(const Clip& free, const std::vector<FootPlant>& plants,
                  const FootLockOptions& options) {
+  const Clip clip = grounded(free, plants, options);
   const std::array legs = {leg_targets(clip, plants, true, options),
                            leg_targets(clip, plants, false, options)};
   std::vector<double> needed(clip.poses.size(), 0.0);

@@ -1,10 +1,11 @@
+#include "pipeline/command_study.h"
+
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
-#include "pipeline/cli.h"
 #include "pipeline/example_source.h"
 #include "pipeline/files.h"
 #include "pipeline/repertoire.h"
@@ -65,6 +66,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
   CLI::App* study = app.add_subcommand("study", "Rating studies");
   study->require_subcommand(1);
   add_simulate_command(*study, chosen);
+  add_study_words_command(*study, chosen);
 }
 
 }  // namespace mien::pipeline

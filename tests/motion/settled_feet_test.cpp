@@ -70,7 +70,8 @@ TEST_F(RealFeet, OnceSettledAreMovedByNoFurtherLock) {
     settled.clip = with_settled_feet(example.clip);
     EXPECT_LT(moved_by_another_lock(settled), 1e-5) << example.name;
     EXPECT_LT(planted_drift(settled.clip, foot_plants(settled.clip)), 1e-3) << example.name;
-    EXPECT_LT(distance(example, settled).mean, 0.02) << example.name;
+    // As captured, the feet of one walk hang 2 cm above the floor.
+    EXPECT_LT(distance(example, settled).mean, 0.035) << example.name;
   }
   EXPECT_GT(before, 1e-3);  // as captured, they would be
 }
