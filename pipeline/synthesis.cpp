@@ -7,10 +7,10 @@
 
 #include "motion/blend.h"
 #include "motion/body_mapping.h"
-#include "motion/cardinal_basis.h"
 #include "motion/contact.h"
 #include "motion/error.h"
 #include "motion/foot_lock.h"
+#include "motion/interpolation.h"
 #include "motion/motion_file.h"
 #include "motion/straighten.h"
 
@@ -34,7 +34,7 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
     }
     result[found - repertoire.names.begin()] = value;
   }
-  return motion::clipped_and_normalised(result / result.sum());
+  return motion::direct_weights(result);
 }
 
 Eigen::Index parameter_row(const std::string& name, const Repertoire& repertoire) {
@@ -44,17 +44,35 @@ Eigen::Index parameter_row(const std::string& name, const Repertoire& repertoire
               "name a scale that was rated, or a group of such scales");
 }
 
-Eigen::VectorXd adjective_weights(const NamedValues& adjectives, const Repertoire& repertoire) {
+const motion::ExampleSet& examples_for(const Interpolation& interpolation,
+                                       const Repertoire& repertoire) {
+  return interpolation.foot_lock ? repertoire.settled : repertoire.examples;
+}
+
+/// What a stimulus asks of the examples, as numbers.
+struct Wish {
+  Eigen::MatrixXd examples;   ///< N × M: the examples' values of the named parameters
+  Eigen::RowVectorXd values;  ///< M
+  std::vector<std::string> names;
+};
+
+Wish wish_of(const NamedValues& adjectives, const Repertoire& repertoire) {
   const auto& values = repertoire.parameters.values;
   const auto dimensions = static_cast<Eigen::Index>(adjectives.size());
-  Eigen::MatrixXd examples(values.cols(), dimensions);
-  Eigen::RowVectorXd wish(dimensions);
+  Wish wish{Eigen::MatrixXd(values.cols(), dimensions), Eigen::RowVectorXd(dimensions), {}};
   for (Eigen::Index d = 0; d < dimensions; ++d) {
     const auto& [name, value] = adjectives[static_cast<size_t>(d)];
-    examples.col(d) = values.row(parameter_row(name, repertoire)).transpose();
-    wish[d] = value;
+    wish.examples.col(d) = values.row(parameter_row(name, repertoire)).transpose();
+    wish.values[d] = value;
+    wish.names.push_back(name);
   }
-  return motion::weights(motion::fit_cardinal_basis(examples), wish);
+  return wish;
+}
+
+motion::Interpolator interpolator_of(const Stimulus& stimulus, const Wish& wish,
+                                     const Repertoire& repertoire) {
+  return motion::fit_interpolator(examples_for(stimulus.interpolation, repertoire), wish.examples,
+                                  stimulus.interpolation.weights, wish.names);
 }
 
 void report_parameters(const NamedValues& adjectives, const Repertoire& repertoire,
@@ -73,17 +91,44 @@ void report_parameters(const NamedValues& adjectives, const Repertoire& repertoi
   }
 }
 
-/// Blends, and locks the feet of what travels.
-void make_motion(const Output& output, const Interpolation& interpolation,
-                 const Repertoire& repertoire, Synthesis& synthesis) {
-  synthesis.motion = motion::blend(repertoire.examples, synthesis.weights,
-                                   {.frames_per_second = output.fps,
-                                    .rotations = interpolation.rotations,
-                                    .warp = interpolation.time_warp});
+motion::BlendOptions blend_options(const Output& output, const Interpolation& interpolation) {
+  return {.frames_per_second = output.fps,
+          .rotations = interpolation.rotations,
+          .warp = interpolation.time_warp};
+}
+
+void lock_feet(const Interpolation& interpolation, Synthesis& synthesis) {
   motion::Clip& clip = synthesis.motion.clip;
   const std::vector<motion::FootPlant> plants = motion::foot_plants(clip);
   if (interpolation.foot_lock) clip = motion::foot_locked(clip, plants);
   synthesis.planted_drift_m = motion::planted_drift(clip, plants);
+}
+
+Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
+                       const Interpolation& interpolation, const Repertoire& repertoire) {
+  Synthesis result;
+  result.weights = weights;
+  result.motion = motion::blend(examples_for(interpolation, repertoire), weights,
+                                blend_options(output, interpolation));
+  lock_feet(interpolation, result);
+  return result;
+}
+
+Synthesis from_adjectives(const Stimulus& stimulus, const Repertoire& repertoire) {
+  const Interpolation& how = stimulus.interpolation;
+  const Wish wish = wish_of(stimulus.adjectives, repertoire);
+  const motion::Interpolator interpolator = interpolator_of(stimulus, wish, repertoire);
+  const motion::InterpolatedWeights found = motion::weights_at(interpolator, wish.values);
+  Synthesis result;
+  result.weights = found.weights;
+  result.expected_error_m = found.expected_error_m;
+  result.warnings = interpolator.remarks;
+  result.warnings.insert(result.warnings.end(), found.remarks.begin(), found.remarks.end());
+  report_parameters(stimulus.adjectives, repertoire, result);
+  result.motion = motion::motion_at(interpolator, examples_for(how, repertoire), wish.values,
+                                    blend_options(stimulus.output, how));
+  lock_feet(how, result);
+  return result;
 }
 
 motion::Clip excerpt(motion::Clip clip, const ClipSource& source) {
@@ -116,16 +161,17 @@ Synthesis as_captured(const Stimulus& stimulus) {
 
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   assert(!stimulus.clip);
-  return stimulus.adjectives.empty() ? given_weights(stimulus.weights, repertoire)
-                                     : adjective_weights(stimulus.adjectives, repertoire);
+  if (stimulus.adjectives.empty()) return given_weights(stimulus.weights, repertoire);
+  const Wish wish = wish_of(stimulus.adjectives, repertoire);
+  return motion::weights_at(interpolator_of(stimulus, wish, repertoire), wish.values).weights;
 }
 
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
   if (stimulus.clip) return as_captured(stimulus);
-  Synthesis result;
-  result.weights = weights_of(stimulus, repertoire);
-  report_parameters(stimulus.adjectives, repertoire, result);
-  make_motion(stimulus.output, stimulus.interpolation, repertoire, result);
+  Synthesis result = stimulus.adjectives.empty()
+                         ? from_weights(given_weights(stimulus.weights, repertoire),
+                                        stimulus.output, stimulus.interpolation, repertoire)
+                         : from_adjectives(stimulus, repertoire);
   result.motion.name = stimulus.id;
   result.motion.clip.name = stimulus.id;
   return result;
@@ -133,9 +179,8 @@ Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
 
 Synthesis synthesize_example(const std::string& name, const Output& output,
                              const Interpolation& interpolation, const Repertoire& repertoire) {
-  Synthesis result;
-  result.weights = given_weights({{name, 1.0}}, repertoire);
-  make_motion(output, interpolation, repertoire, result);
+  Synthesis result =
+      from_weights(given_weights({{name, 1.0}}, repertoire), output, interpolation, repertoire);
   result.motion.name = name;
   result.motion.clip.name = name;
   return result;
