@@ -16,6 +16,7 @@ namespace mien::pipeline {
 /// What a study has to make motions from: its examples and what people think of them.
 struct Repertoire {
   motion::ExampleSet examples;
+  motion::ExampleSet settled;       ///< the same with their feet locked (settled_feet.h)
   std::vector<RatedExample> names;  ///< aligned with the examples
   ScaleSet scales;
   std::optional<Impressions> impressions;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "motion/distance.h"
+#include "motion/interpolation_options.h"
 #include "pipeline/code_identity.h"
 #include "pipeline/report_ratings.h"
 #include "pipeline/parameter_label.h"
@@ -79,6 +80,13 @@ std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
     facts += fmt::format(", cycle {:.2f} s, stride {:.2f} m, {:.2f} m/s", clip.duration_seconds(),
                          clip.cycle_displacement.norm(),
                          clip.cycle_displacement.norm() / clip.duration_seconds());
+  }
+  if (!stimulus.adjectives.empty()) {
+    facts +=
+        fmt::format(", {} interpolation", motion::name_of(stimulus.interpolation.weights.method));
+  }
+  if (made.expected_error_m) {
+    facts += fmt::format(", joints expected within {:.0f} mm", 1000.0 * *made.expected_error_m);
   }
   return facts +
          fmt::format(", planted feet move {:.1f} mm at most", 1000.0 * made.planted_drift_m);
