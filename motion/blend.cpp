@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include "motion/rotation.h"
 
 namespace mien::motion {
@@ -38,22 +40,23 @@ Quat direction_vector_mean(std::span<const Quat> rotations, std::span<const doub
   return to_rotation(sum, rotations[static_cast<size_t>(heaviest)]);
 }
 
+Quat markley_mean(std::span<const Quat> rotations, std::span<const double> weights) {
+  Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
+  for (size_t i = 0; i < rotations.size(); ++i) {
+    sum += weights[i] * rotations[i].coeffs() * rotations[i].coeffs().transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(sum);
+  const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+  return in_hemisphere_of(rotations[static_cast<size_t>(heaviest)],
+                          Quat(Eigen::Vector4d(solver.eigenvectors().col(3))).normalized());
+}
+
 /// An example that takes part, and how time runs in it.
 struct Voice {
   const Example* example;
   double weight;
   TimeWarp warp;
 };
-
-std::vector<double> mean_keytimes(const ExampleSet& set, const Eigen::VectorXd& weights) {
-  std::vector<double> mean(set.examples.front().keytimes.size(), 0.0);
-  for (size_t i = 0; i < set.examples.size(); ++i) {
-    for (size_t k = 0; k < mean.size(); ++k) {
-      mean[k] += weights[static_cast<Eigen::Index>(i)] * set.examples[i].keytimes[k];
-    }
-  }
-  return mean;
-}
 
 std::vector<Voice> voices_of(const ExampleSet& set, const Eigen::VectorXd& weights,
                              const std::vector<double>& keytimes, WarpShape shape) {
@@ -98,12 +101,29 @@ void make_continuous(std::vector<Pose>& poses) {
 
 }  // namespace
 
+std::vector<double> mean_keytimes(const ExampleSet& set, const Eigen::VectorXd& weights) {
+  std::vector<double> mean(set.examples.front().keytimes.size(), 0.0);
+  for (size_t i = 0; i < set.examples.size(); ++i) {
+    for (size_t k = 0; k < mean.size(); ++k) {
+      mean[k] += weights[static_cast<Eigen::Index>(i)] * set.examples[i].keytimes[k];
+    }
+  }
+  return mean;
+}
+
 Quat blend_rotations(std::span<const Quat> rotations, std::span<const double> weights,
                      RotationBlend how) {
   assert(!rotations.empty() && rotations.size() == weights.size());
   if (rotations.size() == 1) return rotations[0];
-  return how == RotationBlend::karcher_mean ? karcher_mean(rotations, weights)
-                                            : direction_vector_mean(rotations, weights);
+  switch (how) {
+    case RotationBlend::karcher_mean:
+      return karcher_mean(rotations, weights);
+    case RotationBlend::direction_vectors:
+      return direction_vector_mean(rotations, weights);
+    case RotationBlend::markley_mean:
+      break;
+  }
+  return markley_mean(rotations, weights);
 }
 
 Example blend(const ExampleSet& set, const Eigen::VectorXd& weights, const BlendOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -13,6 +14,8 @@ namespace mien::motion {
 enum class RotationBlend {
   karcher_mean,       ///< the rotation with the least weighted squared angle to all; default
   direction_vectors,  ///< weighted sum of direction vectors, made orthonormal again
+  markley_mean,  ///< nearest to all as quaternions: largest eigenvector of Σ w q qᵀ (Markley
+                 ///< et al. 2007)
 };
 
 struct BlendOptions {
@@ -24,6 +27,9 @@ struct BlendOptions {
 /// Weighted mean of rotations. Weights are ≥ 0 and sum to 1. Exact when one weight is 1.
 Quat blend_rotations(std::span<const Quat> rotations, std::span<const double> weights,
                      RotationBlend how);
+
+/// Keytimes of the blend with these weights, seconds.
+std::vector<double> mean_keytimes(const ExampleSet& set, const Eigen::VectorXd& weights);
 
 /// The motion between the examples: keytimes and duration are weighted means; at each moment every
 /// example is sampled at its corresponding time, rotations are averaged and root positions summed.

@@ -17,29 +17,8 @@ double cubic_b_spline(double x) {
 
 namespace {
 
-constexpr double same_parameters = 1e-6;
 constexpr double largest_condition = 1e8;
 constexpr double singular_share = 1e-8;
-
-/// Row indices of the examples that stand for a centre each; fills the basis' bookkeeping.
-std::vector<int> merge_duplicates(const Eigen::MatrixXd& parameters, CardinalBasis& basis) {
-  std::vector<int> representatives;
-  for (int i = 0; i < parameters.rows(); ++i) {
-    int centre = -1;
-    for (int c = 0; c < static_cast<int>(representatives.size()) && centre < 0; ++c) {
-      const int other = representatives[static_cast<size_t>(c)];
-      if ((parameters.row(i) - parameters.row(other)).norm() < same_parameters) centre = c;
-    }
-    if (centre < 0) {
-      centre = static_cast<int>(representatives.size());
-      representatives.push_back(i);
-      basis.sharers.push_back(0);
-    }
-    basis.centre_of_example.push_back(centre);
-    ++basis.sharers[static_cast<size_t>(centre)];
-  }
-  return representatives;
-}
 
 /// Least squares of [1 P]·lᵀ ≈ I on centred parameters. The constant alone is the mean of the
 /// targets because the columns of P sum to zero, so only the slopes need the minimum-norm solution.
@@ -82,14 +61,11 @@ Eigen::MatrixXd radial_matrix(const Eigen::MatrixXd& centres, const Eigen::Vecto
 CardinalBasis fit_cardinal_basis(const Eigen::MatrixXd& example_parameters) {
   assert(example_parameters.rows() > 0);
   CardinalBasis basis;
-  const std::vector<int> representatives = merge_duplicates(example_parameters, basis);
-  const auto count = static_cast<Eigen::Index>(representatives.size());
-  basis.centres.resize(count, example_parameters.cols());
-  for (Eigen::Index k = 0; k < count; ++k) {
-    basis.centres.row(k) = example_parameters.row(representatives[static_cast<size_t>(k)]);
-  }
-  basis.mean = basis.centres.colwise().mean();
-  const Eigen::MatrixXd centred = basis.centres.rowwise() - basis.mean;
+  basis.distinct = distinct_parameters(example_parameters);
+  const Eigen::MatrixXd& centres = basis.distinct.places;
+  const auto count = centres.rows();
+  basis.mean = centres.colwise().mean();
+  const Eigen::MatrixXd centred = centres.rowwise() - basis.mean;
   basis.linear = fit_linear(centred);
 
   Eigen::MatrixXd design(count, centred.cols() + 1);
@@ -97,34 +73,28 @@ CardinalBasis fit_cardinal_basis(const Eigen::MatrixXd& example_parameters) {
   const Eigen::MatrixXd residual =
       Eigen::MatrixXd::Identity(count, count) - design * basis.linear.transpose();
 
-  basis.widths = nearest_distances(basis.centres);
-  const Eigen::MatrixXd phi = radial_matrix(basis.centres, basis.widths);
+  basis.widths = nearest_distances(centres);
+  const Eigen::MatrixXd phi = radial_matrix(centres, basis.widths);
   Eigen::PartialPivLU<Eigen::MatrixXd> solver(phi);
   while (solver.rcond() < 1.0 / largest_condition) {
     basis.widths *= 0.5;
     ++basis.halvings;
-    solver.compute(radial_matrix(basis.centres, basis.widths));
+    solver.compute(radial_matrix(centres, basis.widths));
   }
   basis.radial = solver.solve(residual).transpose();
   return basis;
 }
 
 Eigen::VectorXd raw_weights(const CardinalBasis& basis, const Eigen::RowVectorXd& parameters) {
-  assert(parameters.size() == basis.centres.cols());
+  const Eigen::MatrixXd& centres = basis.distinct.places;
+  assert(parameters.size() == centres.cols());
   Eigen::VectorXd affine(parameters.size() + 1);
   affine << 1.0, (parameters - basis.mean).transpose();
-  Eigen::VectorXd radial(basis.centres.rows());
+  Eigen::VectorXd radial(centres.rows());
   for (Eigen::Index k = 0; k < radial.size(); ++k) {
-    radial[k] = cubic_b_spline((parameters - basis.centres.row(k)).norm() / basis.widths[k]);
+    radial[k] = cubic_b_spline((parameters - centres.row(k)).norm() / basis.widths[k]);
   }
-  const Eigen::VectorXd by_centre = basis.linear * affine + basis.radial * radial;
-
-  Eigen::VectorXd by_example(static_cast<Eigen::Index>(basis.centre_of_example.size()));
-  for (Eigen::Index i = 0; i < by_example.size(); ++i) {
-    const int centre = basis.centre_of_example[static_cast<size_t>(i)];
-    by_example[i] = by_centre[centre] / basis.sharers[static_cast<size_t>(centre)];
-  }
-  return by_example;
+  return by_example(basis.distinct, basis.linear * affine + basis.radial * radial);
 }
 
 Eigen::VectorXd clipped_and_normalised(Eigen::VectorXd weights) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Core>
+
+#include "motion/distinct_parameters.h"
 
 namespace mien::motion {
 
@@ -13,14 +13,12 @@ double cubic_b_spline(double x);
 /// of the adjective paper; Rose et al. 1998, Sloan et al. 2001). A linear least-squares part and a
 /// radial part of cubic B-splines that takes up its residual.
 struct CardinalBasis {
-  Eigen::MatrixXd centres;             ///< one row a centre: distinct example parameters (K × M)
-  Eigen::RowVectorXd mean;             ///< taken from parameters before the linear part (M)
-  Eigen::MatrixXd linear;              ///< K × (M+1): constant, then one column a parameter
-  Eigen::MatrixXd radial;              ///< K × K: r_ik
-  Eigen::VectorXd widths;              ///< α_k: half the support of radial function k
-  std::vector<int> centre_of_example;  ///< examples with the same parameters share a centre
-  std::vector<int> sharers;            ///< examples a centre
-  int halvings = 0;                    ///< how often the widths were halved to stay solvable
+  DistinctParameters distinct;  ///< the centres: places of the examples (K × M)
+  Eigen::RowVectorXd mean;      ///< taken from parameters before the linear part (M)
+  Eigen::MatrixXd linear;       ///< K × (M+1): constant, then one column a parameter
+  Eigen::MatrixXd radial;       ///< K × K: r_ik
+  Eigen::VectorXd widths;       ///< α_k: half the support of radial function k
+  int halvings = 0;             ///< how often the widths were halved to stay solvable
 };
 
 /// Fits the basis to the examples' parameters (one row an example, N × M, N ≥ 1). Collinear

@@ -8,6 +8,7 @@
 #include "motion/error.h"
 #include "motion/file_labels.h"
 #include "motion/motion_file.h"
+#include "motion/nearest_word.h"
 #include "motion/retarget.h"
 
 namespace mien::motion {
@@ -58,6 +59,28 @@ std::vector<std::string> names_of(const ExampleFolder& folder,
   return names;
 }
 
+/// Keytimes by hand in the order of the files; empty ones when none are given.
+std::vector<std::vector<double>> keytimes_of(const ExampleFolder& folder,
+                                             const std::vector<std::string>& stems) {
+  std::vector<std::vector<double>> keytimes(stems.size());
+  if (folder.keytimes.empty()) return keytimes;
+  const Place place{folder.path.string()};
+  for (const auto& [stem, times] : folder.keytimes) {
+    const auto found = std::find(stems.begin(), stems.end(), stem);
+    if (found == stems.end()) {
+      throw Error(place, "there are keytimes of \"" + stem + "\" and no such file",
+                  did_you_mean(stem, stems));
+    }
+    keytimes[static_cast<size_t>(found - stems.begin())] = times;
+  }
+  for (size_t i = 0; i < stems.size(); ++i) {
+    if (!keytimes[i].empty()) continue;
+    throw Error(place, "\"" + stems[i] + "\" has no keytimes and others have",
+                "give it some, or leave it out with exclude");
+  }
+  return keytimes;
+}
+
 }  // namespace
 
 std::vector<fs::path> example_files(const ExampleFolder& folder) {
@@ -99,10 +122,11 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
   }
   const std::vector<std::string> names = names_of(folder, loaded.file_stems);
   const std::vector<BodyMapping> mappings = mappings_of(recordings);
+  const std::vector<std::vector<double>> keytimes = keytimes_of(folder, loaded.file_stems);
   loaded.set.name = folder.path.filename().string();
   for (size_t i = 0; i < recordings.size(); ++i) {
-    PreparedExample prepared =
-        prepare_example(to_body(recordings[i], mappings[i]), {.cycle = folder.cycle});
+    PreparedExample prepared = prepare_example(to_body(recordings[i], mappings[i]),
+                                               {.cycle = folder.cycle, .keytimes = keytimes[i]});
     prepared.example.name = names[i];
     if (prepared.cycle) {
       for (const std::string& warning : prepared.cycle->warnings) {
@@ -113,15 +137,16 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
   }
   const bool any_loops = std::any_of(loaded.set.examples.begin(), loaded.set.examples.end(),
                                      [](const Example& example) { return example.clip.loops; });
-  if (!any_loops) even_keytimes(loaded.set.examples);
-  const size_t keytimes = loaded.set.examples.front().keytimes.size();
+  const bool by_hand = !folder.keytimes.empty();
+  if (!any_loops && !by_hand) even_keytimes(loaded.set.examples);
+  const size_t key_count = loaded.set.examples.front().keytimes.size();
   const Skeleton& body = loaded.set.examples.front().clip.body;
   for (size_t i = 0; i < names.size(); ++i) {
     Example& example = loaded.set.examples[i];
-    if (example.keytimes.size() != keytimes) {
+    if (example.keytimes.size() != key_count) {
       throw Error({(folder.path / loaded.file_stems[i]).string(), 0, 0},
                   "\"" + names[i] + "\" has " + std::to_string(example.keytimes.size()) +
-                      " keytimes and \"" + names[0] + "\" has " + std::to_string(keytimes),
+                      " keytimes and \"" + names[0] + "\" has " + std::to_string(key_count),
                   "leave it out with exclude, or take all motions whole with cycle: whole");
     }
     if (i > 0) example.clip = retarget(example.clip, body);

@@ -18,6 +18,9 @@ struct ExampleFolder {
   CycleChoice cycle = CycleChoice::automatic;
   bool shorten_names = true;  ///< name examples by the part of the file name in which they differ
   std::vector<std::pair<std::string, std::string>> names;  ///< file stem → name, goes before
+  /// File stem → keytimes by hand, seconds (make_example.h). Empty to find them; otherwise every
+  /// file has some, all equally many.
+  std::vector<std::pair<std::string, std::vector<double>>> keytimes;
 };
 
 /// The motion files that are chosen, ordered by name. Throws Error: no such folder, no such file.
@@ -36,8 +39,8 @@ struct LoadedExamples {
 
 /// Reads the files, maps all files of one rig together, cuts and straightens each motion
 /// (make_example.h), and puts all on the first one's body (retarget.h). Throws Error naming the
-/// file that cannot be used: unreadable, no human, another number of keytimes than the first, or a
-/// name that occurs twice.
+/// file that cannot be used: unreadable, no human, another number of keytimes than the first, a
+/// name that occurs twice, or keytimes by hand for other files than there are.
 LoadedExamples load_examples(const ExampleFolder& folder);
 
 }  // namespace mien::motion

@@ -45,10 +45,19 @@ Quat mean_rotation(const FootPath& path, int first, int last) {
   return mean;
 }
 
+/// The rotation of a foot that stands, without the lift of the toes that a badly calibrated capture
+/// gives it: nobody stands on his heels.
+Quat without_toe_lift(const Quat& sole, const FootPath& path) {
+  const Vec3 along = sole * (path.ball_in_foot - path.heel_in_foot);
+  if (along.y() <= 0.0) return sole;
+  return (Quat::FromTwoVectors(along, Vec3(along.x(), 0.0, along.z())) * sole).normalized();
+}
+
 /// Where the foot stands at each frame of its stance, in unrolled coordinates. Over the floor the
 /// pivot stays where it is; its height is the input's, so that a foot may roll on over its toes.
 std::vector<FootPlace> standing(const FootPath& path, const Stance& stance, double turn_frames) {
-  const Quat sole = mean_rotation(path, stance.flat_first, stance.flat_last);
+  const Quat sole =
+      without_toe_lift(mean_rotation(path, stance.flat_first, stance.flat_last), path);
   Vec3 ball = Vec3::Zero();
   for (int f = stance.flat_first; f <= stance.flat_last; ++f) ball += path.ball_at(f);
   ball /= stance.flat_last - stance.flat_first + 1;
@@ -152,7 +161,7 @@ std::optional<double> hang(const Clip& clip, const std::vector<FootPlant>& plant
     const Stance stance = stance_of(path, plant, options.flat_metres, options.lifted_metres);
     double height = 0.0;
     for (int f = stance.flat_first; f <= stance.flat_last; ++f) {
-      height += std::min(path.ball_at(f).y(), path.heel_at(f).y());
+      height += path.ball_at(f).y();  // on which it comes to stand
     }
     sum += height / (stance.flat_last - stance.flat_first + 1) - path.sole_depth;
   }

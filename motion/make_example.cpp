@@ -18,16 +18,27 @@ namespace {
 
 constexpr double least_end_seconds = 0.2;
 
-/// The largest of the four ends' speeds relative to the pelvis, m/s.
-std::vector<double> end_speeds(const Clip& clip) {
+constexpr std::array body_ends = {LeftWrist, RightWrist, LeftToe, RightToe};
+constexpr double least_peak_metres = 0.02;
+
+/// The ways of hands and feet relative to the pelvis, without what is quicker than 3 Hz.
+std::vector<std::vector<Vec3>> end_paths(const Clip& clip) {
   const double rate = clip.frames_per_second;
-  std::vector<double> largest(clip.poses.size(), 0.0);
   const std::vector<std::vector<Vec3>> paths = joint_paths(clip);
-  for (const BodyJoint end : {LeftWrist, RightWrist, LeftToe, RightToe}) {
+  std::vector<std::vector<Vec3>> ends;
+  for (const BodyJoint end : body_ends) {
     std::vector<Vec3> path;
     for (const auto& positions : paths) path.push_back(positions[end] - positions[Pelvis]);
-    const std::vector<Vec3> velocity =
-        derivative(low_pass(path, std::min(3.0, 0.3 * rate), rate), rate);
+    ends.push_back(low_pass(path, std::min(3.0, 0.3 * rate), rate));
+  }
+  return ends;
+}
+
+/// The largest of the four ends' speeds relative to the pelvis, m/s.
+std::vector<double> end_speeds(const Clip& clip) {
+  std::vector<double> largest(clip.poses.size(), 0.0);
+  for (const std::vector<Vec3>& path : end_paths(clip)) {
+    const std::vector<Vec3> velocity = derivative(path, clip.frames_per_second);
     for (size_t t = 0; t < largest.size(); ++t) {
       largest[t] = std::max(largest[t], velocity[t].norm());
     }
@@ -43,6 +54,55 @@ PreparedExample whole_example(const Clip& clip) {
   keytimes.push_back(0.0);
   for (const SpeedMinimum& minimum : speed_minima(clip)) keytimes.push_back(minimum.seconds);
   keytimes.push_back(clip.duration_seconds());
+  return prepared;
+}
+
+PreparedExample peaked_example(const Clip& clip) {
+  const std::optional<double> peak = peak_seconds(clip);
+  if (!peak) {
+    throw Error(Place{clip.name}, "hands and feet stay where they are, so nothing has a peak",
+                "leave it out, or give its keytimes by hand");
+  }
+  PreparedExample prepared;
+  prepared.example.name = clip.name;
+  prepared.example.clip = straightened(clip);
+  prepared.example.keytimes = {0.0, *peak, clip.duration_seconds()};
+  return prepared;
+}
+
+void check_keytimes(const Clip& clip, const std::vector<double>& keytimes) {
+  const double frame = 1.0 / clip.frames_per_second;
+  const auto refuse = [&](const std::string& wrong) {
+    throw Error(Place{clip.name}, "its keytimes " + wrong,
+                "give at least two ascending times from 0 to " +
+                    std::to_string(clip.duration_seconds()) + " s, a frame or more apart");
+  };
+  if (keytimes.size() < 2) refuse("are fewer than two");
+  if (keytimes.front() < 0.0 || keytimes.back() > clip.duration_seconds() + 0.5 * frame) {
+    refuse("do not lie in the motion");
+  }
+  for (size_t k = 1; k < keytimes.size(); ++k) {
+    if (keytimes[k] - keytimes[k - 1] < 0.999 * frame) refuse("are not a frame apart");
+  }
+}
+
+PreparedExample example_of_keytimes(const Clip& clip, const std::vector<double>& keytimes) {
+  check_keytimes(clip, keytimes);
+  const double rate = clip.frames_per_second;
+  const auto first = std::lround(keytimes.front() * rate);
+  const auto last =
+      std::clamp(std::lround(keytimes.back() * rate), first + 1, clip.frame_count() - 1L);
+  Clip part = clip;
+  part.poses = {clip.poses.begin() + first, clip.poses.begin() + last + 1};
+  PreparedExample prepared;
+  prepared.example.name = clip.name;
+  prepared.example.clip = straightened(part);
+  prepared.example.keytimes = keytimes;
+  for (double& keytime : prepared.example.keytimes) {
+    keytime -= static_cast<double>(first) / rate;
+  }
+  prepared.example.keytimes.front() = 0.0;
+  prepared.example.keytimes.back() = part.duration_seconds();
   return prepared;
 }
 
@@ -118,9 +178,11 @@ PreparedExample prepare_example(const Clip& clip, const ExampleOptions& options)
   if (clip.frame_count() < 2) {
     throw Error(Place{clip.name}, "it holds fewer than two frames", "give a motion, not a pose");
   }
+  if (!options.keytimes.empty()) return example_of_keytimes(clip, options.keytimes);
   if (clip.loops) return example_of_loop(clip);
   if (options.frames) return example_of_frames(clip, *options.frames);
   if (options.cycle == CycleChoice::whole) return whole_example(clip);
+  if (options.cycle == CycleChoice::start_peak_end) return peaked_example(clip);
   const auto cycle = steadiest_cycle(clip);
   if (!cycle) return whole_example(clip);
   const CyclePlace place{cycle->start_frame, cycle->end_frame};
@@ -144,6 +206,24 @@ void even_keytimes(std::vector<Example>& examples) {
     for (size_t i = 0; i + 2 < fewest; ++i) example.keytimes.push_back(minima[i].seconds);
     std::sort(example.keytimes.begin(), example.keytimes.end());
   }
+}
+
+std::optional<double> peak_seconds(const Clip& clip) {
+  const std::vector<std::vector<Vec3>> ends = end_paths(clip);
+  const int frames = clip.frame_count();
+  double farthest = least_peak_metres;
+  std::optional<double> peak;
+  for (int f = 2; f + 2 < frames; ++f) {
+    const double t = static_cast<double>(f) / (frames - 1);
+    for (const std::vector<Vec3>& path : ends) {
+      const Vec3 straight = (1.0 - t) * path.front() + t * path.back();
+      const double away = (path[static_cast<size_t>(f)] - straight).norm();
+      if (away <= farthest) continue;
+      farthest = away;
+      peak = f / clip.frames_per_second;
+    }
+  }
+  return peak;
 }
 
 std::vector<SpeedMinimum> speed_minima(const Clip& clip) {

@@ -83,6 +83,9 @@ void add_study_command(CLI::App& app, Command& chosen) {
   add_scales_command(*study, chosen);
   add_simulate_command(*study, chosen);
   add_study_words_command(*study, chosen);
+  add_study_interfaces_command(*study, chosen);
+  add_study_predict_command(*study, chosen);
+  add_study_targets_command(*study, chosen);
 }
 
 }  // namespace mien::pipeline

@@ -9,13 +9,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/checked_manifest.h"
 #include "pipeline/command_study.h"
-#include "pipeline/environment.h"
 #include "pipeline/example_source.h"
 #include "pipeline/repertoire.h"
 #include "pipeline/study/analysis_report.h"
 #include "pipeline/study/cluster_names.h"
+#include "pipeline/study_subject.h"
 
 namespace mien::pipeline {
 
@@ -34,19 +33,6 @@ struct AnalyzeOptions {
   AnswerRules rules;
   bool json = false;
 };
-
-/// What the answers are about: --examples and --scales, or what a manifest says of both.
-Manifest subject_of(const AnalyzeOptions& options) {
-  Manifest manifest;
-  const fs::path file(options.examples);
-  if (file.extension() == ".yaml" || file.extension() == ".yml") {
-    manifest = load_manifest(file, process_environment());
-  } else {
-    manifest.examples = parse_examples(options.examples);
-  }
-  if (!options.scales.empty()) manifest.scales.file = options.scales;
-  return manifest;
-}
 
 std::optional<int> cluster_count(const std::string& text) {
   if (text == "gap") return std::nullopt;
@@ -133,7 +119,7 @@ ordered_json as_json(const Analysis& analysis, const ScaleSet& scales, const fs:
 
 int analyze(AnalyzeOptions options, const Console& console) {
   options.analysis.clusters = cluster_count(options.clusters);
-  const Manifest subject = subject_of(options);
+  const Manifest subject = manifest_of({options.examples, "", options.scales});
   const ScaleSet scales =
       subject.scales.file.empty() ? builtin_scales() : read_scales(subject.scales.file);
   const std::vector<RatedExample> examples = rated_examples(subject);

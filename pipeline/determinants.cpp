@@ -19,6 +19,20 @@ void add_values(KeyBuilder& key, std::string_view name, const NamedValues& value
   for (const auto& [parameter, value] : values) key.add(name, parameter).add("value", value);
 }
 
+void add_weights(KeyBuilder& key, const motion::InterpolationOptions& weights) {
+  add_choice(key, "method", weights.method);
+  key.add("neighbours", std::int64_t{weights.nearest.neighbours})
+      .add("blends", std::int64_t{weights.nearest.trials})
+      .add("blends seed", static_cast<std::int64_t>(weights.nearest.seed))
+      .add("power", weights.power)
+      .add("cells", std::int64_t{weights.grid_cells});
+  add_choice(key, "nodes", weights.grid_source);
+  add_choice(key, "drift", weights.kriging.linear_drift);
+  key.add("nugget", weights.kriging.nugget)
+      .add("variance", weights.pca.variance_share)
+      .add("step", weights.click_step);
+}
+
 /// Files that a motion file of its kind may refer to: skeletons beside AMC, buffers beside glTF.
 std::vector<std::filesystem::path> parts_of(const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
@@ -45,6 +59,9 @@ Hash repertoire_key(const Manifest& manifest) {
   add_choice(key, "cycle", examples.cycle);
   add_choice(key, "labels", examples.labels);
   for (const auto& [stem, label] : examples.given_labels) key.add(stem, label);
+  for (const auto& [stem, times] : examples.keytimes) {
+    for (const double time : times) key.add(stem, time);
+  }
   add_choice(key, "ratings", manifest.ratings.source);
   key.add("raters", std::int64_t{manifest.ratings.raters});
   for (const std::filesystem::path& file : repertoire_files(manifest)) add_file(key, file);
@@ -67,6 +84,7 @@ void add_file(KeyBuilder& key, const std::filesystem::path& file) {
 void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
   key.add("id", stimulus.id);
   add_values(key, "adjective", stimulus.adjectives);
+  add_values(key, "feature", stimulus.features);
   add_values(key, "weight", stimulus.weights);
   if (stimulus.clip) {
     add_file(key, stimulus.clip->file);
@@ -75,6 +93,7 @@ void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
     }
   }
   const Interpolation& how = stimulus.interpolation;
+  add_weights(key, how.weights);
   add_choice(key, "rotations", how.rotations);
   add_choice(key, "time_warp", how.time_warp);
   add_choice(key, "foot_lock", how.foot_lock);

@@ -159,7 +159,7 @@ Canvas Canvas::pdf(double width, double height, const std::string& title) {
   surface->surface.reset(
       cairo_pdf_surface_create_for_stream(append, &surface->bytes, width, height));
   cairo_surface_t* page = surface->surface.get();
-  cairo_pdf_surface_restrict_to_version(page, CAIRO_PDF_VERSION_1_5);
+  cairo_pdf_surface_restrict_to_version(page, CAIRO_PDF_VERSION_1_4);
   cairo_pdf_surface_set_metadata(page, CAIRO_PDF_METADATA_TITLE, title.c_str());
   cairo_pdf_surface_set_metadata(page, CAIRO_PDF_METADATA_CREATOR, "mien");
   // Not a date, so none is written: Cairo would put the time of the run there.

@@ -108,11 +108,6 @@ Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
   return result;
 }
 
-int ParameterTable::find(const std::string& name) const {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
-}
-
 ParameterTable parameter_table(const Impressions& impressions, const ScaleSet& scales) {
   ParameterTable table;
   table.simulated = impressions.simulated;

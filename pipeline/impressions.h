@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "pipeline/answers.h"
+#include "pipeline/parameter_table.h"
 #include "pipeline/scales.h"
 
 namespace mien::pipeline {
@@ -32,18 +33,9 @@ struct RatedExample {
 Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
                            const std::vector<RatedExample>& examples);
 
-/// All parameters that motions can be made from: one row each, values 0…1 at the examples.
-struct ParameterTable {
-  std::vector<std::string> names;  ///< groups (primary parameters) first, then single scales
-  Eigen::MatrixXd values;          ///< parameters × examples
-  bool simulated = false;
-
-  /// Row of a parameter, or −1.
-  int find(const std::string& name) const;
-};
-
-/// A group's row is the mean of its members' rows (A' of the adjective paper); members that were
-/// not rated do not count, and a group none of whose members was rated is left out.
+/// The scales and groups of scales as parameters. A group's row is the mean of its members' rows
+/// (A' of the adjective paper); members that were not rated do not count, and a group none of whose
+/// members was rated is left out.
 ParameterTable parameter_table(const Impressions& impressions, const ScaleSet& scales);
 
 }  // namespace mien::pipeline

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "motion/blend.h"
+#include "motion/interpolation_options.h"
 #include "motion/time_warp.h"
 #include "pipeline/expectation.h"
 #include "pipeline/places.h"
@@ -20,7 +21,8 @@ using NamedValues = std::vector<std::pair<std::string, double>>;
 
 /// The motions that are blended: a built-in set or the files of a folder.
 struct Examples {
-  enum class Cycle { automatic, whole };  ///< cut one gait cycle, or take the whole motion
+  /// Cut one gait cycle, or take the whole motion, with keytimes at its pauses or at its peak.
+  enum class Cycle { automatic, whole, start_peak_end };
   enum class Labels { from_name, file_name };
 
   std::string builtin;           ///< "walks-10" of "builtin:walks-10"; empty for a folder
@@ -28,6 +30,7 @@ struct Examples {
   std::string include = "*";     ///< glob on file names
   std::string exclude;           ///< glob on file names; empty excludes nothing
   Cycle cycle = Cycle::automatic;
+  std::vector<std::pair<std::string, std::vector<double>>> keytimes;  ///< by hand, by file stem
   Labels labels = Labels::from_name;  ///< the part of the name that differs, or all of it
   std::vector<std::pair<std::string, std::string>> given_labels;  ///< file stem → label
 };
@@ -76,6 +79,7 @@ struct Output {
 
 /// How examples become a clip.
 struct Interpolation {
+  motion::InterpolationOptions weights;  ///< from adjectives to shares of the examples
   motion::RotationBlend rotations = motion::RotationBlend::karcher_mean;
   motion::WarpShape time_warp = motion::WarpShape::monotone;
   bool foot_lock = true;
@@ -91,12 +95,13 @@ struct ClipSource {
 
 enum class Role { target, created, reference };
 
-/// One motion to make. Exactly one of adjectives, weights and clip is given.
+/// One motion to make. Exactly one of adjectives, features, weights and clip is given.
 struct Stimulus {
   std::string path;  ///< in the manifest: "stimuli[2]"
   std::string id;    ///< safe as a file name
   Role role = Role::created;
   NamedValues adjectives;  ///< parameter → 0…1
+  NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
   NamedValues weights;     ///< example → share, ≥ 0, not all 0
   std::optional<ClipSource> clip;
   Look look;                    ///< the manifest's with this stimulus's own values over it

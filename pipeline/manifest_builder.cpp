@@ -76,6 +76,7 @@ class Builder {
   Manifest build(const json& document) {
     assign(member(document, "study"), manifest_.study);
     assign(member(document, "seed"), manifest_.seed);
+    manifest_.interpolation.weights.nearest.seed = manifest_.seed;
     if (const json* examples = member(document, "examples")) read_examples(*examples);
     if (const json* look = member(document, "look")) overlay(*look, manifest_.look);
     if (const json* output = member(document, "output")) overlay(*output, manifest_.output);
@@ -153,7 +154,10 @@ class Builder {
     assign(member(set, "include"), examples.include);
     assign(member(set, "exclude"), examples.exclude);
     assign(member(set, "cycle"), examples.cycle,
-           {{"auto", Examples::Cycle::automatic}, {"whole", Examples::Cycle::whole}});
+           {{"auto", Examples::Cycle::automatic},
+            {"whole", Examples::Cycle::whole},
+            {"start-peak-end", Examples::Cycle::start_peak_end}});
+    if (const json* keytimes = member(set, "keytimes")) read_keytimes(*keytimes);
     const json* labels = member(set, "labels");
     assign(
         labels, examples.labels,
@@ -164,6 +168,18 @@ class Builder {
       if ((*labels)[stem].is_string()) {
         examples.given_labels.emplace_back(stem, (*labels)[stem].get<std::string>());
       }
+    }
+  }
+
+  void read_keytimes(const json& keytimes) {
+    if (!keytimes.is_object()) return;
+    const std::string path = "examples.set.keytimes";
+    for (const std::string& stem : written_order(keytimes, path, manifest_.places)) {
+      std::vector<double> times;
+      for (const json& time : keytimes[stem]) {
+        if (time.is_number()) times.push_back(time.get<double>());
+      }
+      manifest_.examples.keytimes.emplace_back(stem, std::move(times));
     }
   }
 
@@ -194,10 +210,36 @@ class Builder {
     }
   }
 
+  static void overlay(const json& given, motion::InterpolationOptions& weights) {
+    using Method = motion::InterpolationMethod;
+    assign(member(given, "method"), weights.method,
+           {{"cardinal", Method::cardinal},
+            {"knn", Method::nearest},
+            {"inverse-distance", Method::inverse_distance},
+            {"grid", Method::grid},
+            {"kriging", Method::kriging},
+            {"pca", Method::pca},
+            {"incremental", Method::incremental},
+            {"direct", Method::direct}});
+    assign(member(given, "neighbours"), weights.nearest.neighbours);
+    assign(member(given, "blends"), weights.nearest.trials);
+    assign(member(given, "power"), weights.power);
+    assign(member(given, "cells"), weights.grid_cells);
+    assign(member(given, "nodes"), weights.grid_source,
+           {{"cardinal", motion::GridSource::cardinal}, {"knn", motion::GridSource::nearest}});
+    if (const json* drift = member(given, "drift"))
+      weights.kriging.linear_drift = *drift == "linear";
+    assign(member(given, "nugget"), weights.kriging.nugget);
+    assign(member(given, "variance"), weights.pca.variance_share);
+    assign(member(given, "step"), weights.click_step);
+  }
+
   static void overlay(const json& given, Interpolation& interpolation) {
+    overlay(given, interpolation.weights);
     assign(member(given, "rotations"), interpolation.rotations,
            {{"karcher-mean", motion::RotationBlend::karcher_mean},
-            {"direction-vectors", motion::RotationBlend::direction_vectors}});
+            {"direction-vectors", motion::RotationBlend::direction_vectors},
+            {"markley-mean", motion::RotationBlend::markley_mean}});
     assign(member(given, "time_warp"), interpolation.time_warp,
            {{"monotone", motion::WarpShape::monotone}, {"linear", motion::WarpShape::linear}});
     assign(member(given, "foot_lock"), interpolation.foot_lock);
@@ -211,6 +253,8 @@ class Builder {
            {{"target", Role::target}, {"created", Role::created}, {"reference", Role::reference}});
     stimulus.adjectives =
         named_values(member(given, "adjectives"), member_path(stimulus.path, "adjectives"));
+    stimulus.features =
+        named_values(member(given, "features"), member_path(stimulus.path, "features"));
     stimulus.weights =
         named_values(member(given, "weights"), member_path(stimulus.path, "weights"));
     if (const json* clip = member(given, "clip")) stimulus.clip = read_clip(*clip);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "motion/interpolation_options.h"
 #include "motion/nearest_word.h"
 
 namespace mien::pipeline {
@@ -18,6 +20,32 @@ namespace fs = std::filesystem;
 
 /// Largest picture of H.264 level 6.2: 139,264 macroblocks of 16 × 16 pixels.
 constexpr std::int64_t most_video_pixels = 139'264LL * 256;
+
+/// Options that only one method of interpolation has.
+struct MethodOption {
+  const char* key;
+  motion::InterpolationMethod method;
+};
+
+using Method = motion::InterpolationMethod;
+
+constexpr MethodOption method_options[] = {
+    {"neighbours", Method::nearest},
+    {"blends", Method::nearest},
+    {"power", Method::inverse_distance},
+    {"cells", Method::grid},
+    {"nodes", Method::grid},
+    {"drift", Method::kriging},
+    {"nugget", Method::kriging},
+    {"variance", Method::pca},
+    {"step", Method::incremental},
+};
+
+bool uses(const motion::InterpolationOptions& options, Method method) {
+  const bool by_grid =
+      options.method == Method::grid && options.grid_source == motion::GridSource::nearest;
+  return options.method == method || (by_grid && method == Method::nearest);
+}
 
 constexpr std::array<std::string_view, 4> motion_endings{".bvh", ".amc", ".gltf", ".glb"};
 
@@ -30,6 +58,7 @@ class Checker {
   void meaning() {
     check_examples();
     check_output("output", manifest_.output);
+    check_shared_interpolation();
     std::map<std::string, std::string> ids;
     for (const Stimulus& stimulus : manifest_.stimuli) {
       check_unique(stimulus.id, stimulus.path, ids);
@@ -45,6 +74,10 @@ class Checker {
       const std::string adjectives = member_path(stimulus.path, "adjectives");
       for (const auto& [name, value] : stimulus.adjectives) {
         check_key(adjectives, name, "parameter", vocabulary.parameters);
+      }
+      const std::string features = member_path(stimulus.path, "features");
+      for (const auto& [name, value] : stimulus.features) {
+        check_key(features, name, "feature", vocabulary.features);
       }
       const std::string weights = member_path(stimulus.path, "weights");
       for (const auto& [name, value] : stimulus.weights) {
@@ -77,6 +110,7 @@ class Checker {
       add("examples.set.folder", "there is no folder " + examples.folder.string(),
           "correct the path; it is taken from the manifest's folder");
     }
+    check_keytimes(examples);
     const Ratings& ratings = manifest_.ratings;
     if (ratings.source == Ratings::Source::file) {
       check_file("examples.ratings", ratings.file, "'builtin', 'simulated', 'none' or a CSV file");
@@ -115,6 +149,22 @@ class Checker {
                   const std::vector<std::string>& known) {
     if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
     add(path, "unknown " + what + " \"" + name + "\"", remedy_for(name, known));
+  }
+
+  void check_keytimes(const Examples& examples) {
+    for (const auto& [stem, times] : examples.keytimes) {
+      const std::string path = member_path("examples.set.keytimes", stem);
+      if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end()) {
+        add(path, "keytimes do not ascend", "write seconds in the order in which they come");
+      }
+      const std::size_t count = examples.keytimes.front().second.size();
+      if (times.size() != count) {
+        add(path,
+            std::to_string(times.size()) + " keytimes where \"" + examples.keytimes.front().first +
+                "\" has " + std::to_string(count),
+            "give every motion the same moments");
+      }
+    }
   }
 
   void check_file(const std::string& path, const fs::path& file, const std::string& expected) {
@@ -159,9 +209,54 @@ class Checker {
             "add ratings: with a CSV file or 'simulated' to examples");
       }
     }
+    if (!stimulus.features.empty() && !has_examples) {
+      add(member_path(stimulus.path, "features"), "features need examples",
+          "add examples: {set: builtin:walks-10}");
+    }
     if (!stimulus.weights.empty()) check_weights(stimulus, has_examples);
+    check_interpolation(stimulus);
     if (stimulus.clip) check_clip(stimulus.path, *stimulus.clip);
     check_output(member_path(stimulus.path, "output"), stimulus.output);
+  }
+
+  /// Options of the whole study, of which each must be for some stimulus.
+  void check_shared_interpolation() {
+    check_method_options("interpolation", [this](Method method) {
+      const auto is_for = [method](const Interpolation& how) { return uses(how.weights, method); };
+      return is_for(manifest_.interpolation) ||
+             std::any_of(manifest_.stimuli.begin(), manifest_.stimuli.end(),
+                         [&](const Stimulus& s) { return is_for(s.interpolation); });
+    });
+  }
+
+  template <class IsUsed>
+  void check_method_options(const std::string& path, IsUsed is_used) {
+    for (const MethodOption& option : method_options) {
+      const std::string at = member_path(path, option.key);
+      if (!was_given(at) || is_used(option.method)) continue;
+      const std::string method(motion::name_of(option.method));
+      add(at, "only " + method + " interpolation has this",
+          "add method: " + method + ", or leave it out");
+    }
+  }
+
+  void check_interpolation(const Stimulus& stimulus) {
+    const motion::InterpolationOptions& options = stimulus.interpolation.weights;
+    check_method_options(member_path(stimulus.path, "interpolation"),
+                         [&](Method method) { return uses(options, method); });
+    const std::string path = member_path(stimulus.path, "adjectives");
+    if (stimulus.adjectives.empty()) return;
+    if (options.method == Method::direct) {
+      add(path, "direct interpolation takes weights, not adjectives",
+          "give weights:, or another method");
+    }
+    const auto most = static_cast<std::size_t>(motion::most_grid_dimensions);
+    if (options.method == Method::grid && stimulus.adjectives.size() > most) {
+      add(path,
+          "a grid over " + std::to_string(stimulus.adjectives.size()) +
+              " parameters has too many corners",
+          "name at most " + std::to_string(most) + ", or use another method");
+    }
   }
 
   void check_weights(const Stimulus& stimulus, bool has_examples) {

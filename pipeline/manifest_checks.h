@@ -15,10 +15,11 @@ std::vector<Fault> check_meaning(const Manifest& manifest);
 /// Names that a manifest's values may refer to.
 struct Vocabulary {
   std::vector<std::string> parameters;  ///< groups and scales
+  std::vector<std::string> features;    ///< groups and features
   std::vector<std::string> examples;
 };
 
-/// Adjectives, weights and sheets that name what does not exist.
+/// Adjectives, features, weights and sheets that name what does not exist.
 std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary);
 
 }  // namespace mien::pipeline

@@ -51,6 +51,7 @@ Hash digest_of(const Synthesis& synthesis, const motion::Clip& shown) {
   add(key, synthesis.motion.clip);
   for (const double keytime : synthesis.motion.keytimes) key.add("keytime", keytime);
   for (const double weight : synthesis.weights) key.add("weight", weight);
+  if (synthesis.expected_error_m) key.add("expected error", *synthesis.expected_error_m);
   add(key, "asked", synthesis.asked);
   add(key, "reached", synthesis.reached);
   key.add("drift", synthesis.planted_drift_m);

@@ -4,6 +4,7 @@
 
 #include "motion/builtin_sets.h"
 #include "motion/example_set.h"
+#include "motion/settled_feet.h"
 #include "pipeline/measured_profiles.h"
 #include "pipeline/simulated_raters.h"
 
@@ -11,13 +12,25 @@ namespace mien::pipeline {
 
 namespace {
 
+motion::CycleChoice cycle_choice(Examples::Cycle cycle) {
+  switch (cycle) {
+    case Examples::Cycle::automatic:
+      return motion::CycleChoice::automatic;
+    case Examples::Cycle::whole:
+      return motion::CycleChoice::whole;
+    case Examples::Cycle::start_peak_end:
+      break;
+  }
+  return motion::CycleChoice::start_peak_end;
+}
+
 motion::ExampleFolder example_folder(const Examples& examples) {
   motion::ExampleFolder folder;
   folder.path = examples.folder;
   folder.include = examples.include;
   folder.exclude = examples.exclude;
-  folder.cycle = examples.cycle == Examples::Cycle::whole ? motion::CycleChoice::whole
-                                                          : motion::CycleChoice::automatic;
+  folder.cycle = cycle_choice(examples.cycle);
+  folder.keytimes = examples.keytimes;
   folder.shorten_names = examples.labels == Examples::Labels::from_name;
   folder.names = examples.given_labels;
   return folder;
@@ -47,6 +60,8 @@ Repertoire unrated_repertoire(const Manifest& manifest) {
       manifest.scales.file.empty() ? builtin_scales() : read_scales(manifest.scales.file);
   if (manifest.examples.builtin.empty() && manifest.examples.folder.empty()) return repertoire;
   load_examples(manifest, repertoire);
+  repertoire.settled = motion::with_settled_feet(repertoire.examples);
+  repertoire.features = feature_parameters(repertoire.settled);
   return repertoire;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "motion/example.h"
+#include "pipeline/feature_parameters.h"
 #include "pipeline/impressions.h"
 #include "pipeline/manifest.h"
 #include "pipeline/scales.h"
@@ -15,10 +16,12 @@ namespace mien::pipeline {
 /// What a study has to make motions from: its examples and what people think of them.
 struct Repertoire {
   motion::ExampleSet examples;
+  motion::ExampleSet settled;       ///< the same with their feet locked (settled_feet.h)
   std::vector<RatedExample> names;  ///< aligned with the examples
   ScaleSet scales;
   std::optional<Impressions> impressions;
   ParameterTable parameters;  ///< empty without ratings
+  FeatureParameters features;
   bool simulated_ratings = false;
   std::vector<std::string> warnings;  ///< plain sentences
 };

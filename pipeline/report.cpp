@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include "motion/distance.h"
+#include "motion/interpolation_options.h"
 #include "pipeline/code_identity.h"
 #include "pipeline/report_ratings.h"
+#include "pipeline/parameter_label.h"
 #include "pipeline/report_style.h"
 #include "pipeline/sheet.h"
 
@@ -21,10 +23,12 @@ std::string role_name(Role role) {
   return role == Role::created ? "created" : "reference";
 }
 
-std::string parameter_rows(const Synthesis& made) {
+std::string parameter_rows(const Stimulus& stimulus, const Synthesis& made, Motions& motions) {
   std::string rows;
   for (std::size_t i = 0; i < made.asked.size(); ++i) {
-    const auto& [name, asked] = made.asked[i];
+    const auto& [id, asked] = made.asked[i];
+    const ParameterLabel label = label_of(id, stimulus, motions.repertoire());
+    const std::string name = english_text(label) + " " + japanese_text(label);
     rows += fmt::format(
         "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
         "value=\"{:.3f}\"></meter></td><td>{:.2f}</td><td>{:.2f}</td></tr>\n",
@@ -77,6 +81,13 @@ std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
                          clip.cycle_displacement.norm(),
                          clip.cycle_displacement.norm() / clip.duration_seconds());
   }
+  if (!stimulus.adjectives.empty()) {
+    facts +=
+        fmt::format(", {} interpolation", motion::name_of(stimulus.interpolation.weights.method));
+  }
+  if (made.expected_error_m) {
+    facts += fmt::format(", joints expected within {:.0f} mm", 1000.0 * *made.expected_error_m);
+  }
   return facts +
          fmt::format(", planted feet move {:.1f} mm at most", 1000.0 * made.planted_drift_m);
 }
@@ -97,8 +108,8 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
       "<a href=\"sheets/contact/{}.png\"><img loading=\"lazy\" src=\"sheets/contact/{}.png\" "
       "alt=\"Twelve frames of {}\"></a>\n<p>{}.</p>\n",
       id, id, id, html_escaped(facts_of(stimulus, made)));
-  return card + warning_list(made.warnings) + parameter_rows(made) + weight_rows(made, motions) +
-         "</article>\n";
+  return card + warning_list(made.warnings) + parameter_rows(stimulus, made, motions) +
+         weight_rows(made, motions) + "</article>\n";
 }
 
 std::string sheet_card(const Sheet& sheet, Motions& motions) {

@@ -1,9 +1,9 @@
 #include "pipeline/sheet_content.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "pipeline/code_identity.h"
+#include "pipeline/parameter_label.h"
 
 namespace mien::pipeline {
 
@@ -13,6 +13,7 @@ std::string origin_of(const std::string& name, const Manifest& manifest) {
   const Stimulus* stimulus = find_stimulus(manifest, name);
   if (stimulus == nullptr) return "example";
   if (stimulus->clip) return "as captured";
+  if (!stimulus->features.empty()) return "from features";
   return stimulus->adjectives.empty() ? "from weights" : "from adjectives";
 }
 
@@ -33,36 +34,44 @@ std::optional<double> value_of(const NamedValues& values, const std::string& nam
   return std::nullopt;
 }
 
-SheetParameter sheet_parameter(const std::string& name, const ScaleSet& scales) {
-  SheetParameter parameter;
-  if (const Scale* scale = find_scale(scales, name)) {
-    parameter.low = scale->low;
-    parameter.high = scale->high;
-    parameter.japanese_low = scale->japanese_low;
-    parameter.japanese_high = scale->japanese_high;
-    return parameter;
-  }
-  parameter.name = name;
-  for (const ScaleGroup& group : scales.groups) {
-    if (group.id == name) parameter.japanese = group.japanese;
-  }
-  return parameter;
+/// The parameters that a stimulus was asked for, and whether they are features.
+struct Asked {
+  NamedValues values;
+  bool are_features = false;
+};
+
+Asked asked_of(const std::string& name, const Manifest& manifest, Motions& motions) {
+  const Stimulus* stimulus = find_stimulus(manifest, name);
+  return {motions.of(name).asked, stimulus != nullptr && !stimulus->features.empty()};
+}
+
+SheetParameter sheet_parameter(const std::string& id, bool is_feature, const ScaleSet& scales) {
+  ParameterLabel label = is_feature ? feature_label(id) : rating_label(id, scales);
+  return {std::move(label.name),
+          std::move(label.japanese),
+          std::move(label.low),
+          std::move(label.high),
+          std::move(label.japanese_low),
+          std::move(label.japanese_high),
+          std::nullopt,
+          std::nullopt};
 }
 
 /// Parameters that either motion was asked for: the target's first.
-std::vector<SheetParameter> parameters_of(const Synthesis& target, const Synthesis& created,
+std::vector<SheetParameter> parameters_of(const Asked& target, const Asked& created,
                                           const ScaleSet& scales) {
-  std::vector<std::string> names;
-  for (const NamedValues* asked : {&target.asked, &created.asked}) {
-    for (const auto& [name, value] : *asked) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-  }
+  const bool same_kind = target.are_features == created.are_features;
   std::vector<SheetParameter> parameters;
-  for (const std::string& name : names) {
-    SheetParameter parameter = sheet_parameter(name, scales);
-    parameter.target = value_of(target.asked, name);
-    parameter.created = value_of(created.asked, name);
+  for (const auto& [id, value] : target.values) {
+    SheetParameter parameter = sheet_parameter(id, target.are_features, scales);
+    parameter.target = value;
+    if (same_kind) parameter.created = value_of(created.values, id);
+    parameters.push_back(std::move(parameter));
+  }
+  for (const auto& [id, value] : created.values) {
+    if (same_kind && value_of(target.values, id)) continue;
+    SheetParameter parameter = sheet_parameter(id, created.are_features, scales);
+    parameter.created = value;
     parameters.push_back(std::move(parameter));
   }
   return parameters;
@@ -79,12 +88,14 @@ SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions
     content.reference = sheet_motion(sheet.reference, manifest, motions);
   }
   content.distance = motion::distance(content.target.motion, content.created.motion);
-  const Synthesis& target = motions.of(sheet.target);
-  const Synthesis& created = motions.of(sheet.created);
-  if (!target.asked.empty() || !created.asked.empty()) {
+  const Asked target = asked_of(sheet.target, manifest, motions);
+  const Asked created = asked_of(sheet.created, manifest, motions);
+  if (!target.values.empty() || !created.values.empty()) {
     const Repertoire& repertoire = motions.repertoire();
     content.parameters = parameters_of(target, created, repertoire.scales);
-    content.simulated_ratings = repertoire.simulated_ratings;
+    const bool rests_on_ratings = (!target.values.empty() && !target.are_features) ||
+                                  (!created.values.empty() && !created.are_features);
+    content.simulated_ratings = rests_on_ratings && repertoire.simulated_ratings;
   }
   content.provenance = {{"mien", std::string(program_version())},
                         {"seed", std::to_string(manifest.seed)},

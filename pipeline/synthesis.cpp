@@ -7,10 +7,10 @@
 
 #include "motion/blend.h"
 #include "motion/body_mapping.h"
-#include "motion/cardinal_basis.h"
 #include "motion/contact.h"
 #include "motion/error.h"
 #include "motion/foot_lock.h"
+#include "motion/interpolation.h"
 #include "motion/motion_file.h"
 #include "motion/straighten.h"
 
@@ -34,38 +34,70 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
     }
     result[found - repertoire.names.begin()] = value;
   }
-  return motion::clipped_and_normalised(result / result.sum());
+  return motion::direct_weights(result);
 }
 
-Eigen::Index parameter_row(const std::string& name, const Repertoire& repertoire) {
-  const int row = repertoire.parameters.find(name);
+Eigen::Index parameter_row(const std::string& name, const ParameterTable& table) {
+  const int row = table.find(name);
   if (row >= 0) return row;
-  throw Error(fmt::format("there is no parameter \"{}\"", name),
-              "name a scale that was rated, or a group of such scales");
+  throw Error(fmt::format("the examples have no parameter \"{}\"", name),
+              "name a scale that was rated, or a feature that all examples have");
 }
 
-Eigen::VectorXd adjective_weights(const NamedValues& adjectives, const Repertoire& repertoire) {
-  const auto& values = repertoire.parameters.values;
-  const auto dimensions = static_cast<Eigen::Index>(adjectives.size());
-  Eigen::MatrixXd examples(values.cols(), dimensions);
-  Eigen::RowVectorXd wish(dimensions);
+const motion::ExampleSet& examples_for(const Interpolation& interpolation,
+                                       const Repertoire& repertoire) {
+  return interpolation.foot_lock ? repertoire.settled : repertoire.examples;
+}
+
+/// A wish as the interpolation sees it.
+struct Coordinates {
+  Eigen::MatrixXd examples;   ///< N × M: the examples' values of the named parameters
+  Eigen::RowVectorXd values;  ///< M
+  std::vector<std::string> names;
+};
+
+Coordinates coordinates_of(const Wish& wish) {
+  const auto& values = wish.table.values;
+  const auto dimensions = static_cast<Eigen::Index>(wish.values.size());
+  Coordinates result{
+      Eigen::MatrixXd(values.cols(), dimensions), Eigen::RowVectorXd(dimensions), {}};
   for (Eigen::Index d = 0; d < dimensions; ++d) {
-    const auto& [name, value] = adjectives[static_cast<size_t>(d)];
-    examples.col(d) = values.row(parameter_row(name, repertoire)).transpose();
-    wish[d] = value;
+    const auto& [name, value] = wish.values[static_cast<size_t>(d)];
+    result.examples.col(d) = values.row(parameter_row(name, wish.table)).transpose();
+    result.values[d] = value;
+    result.names.push_back(name);
   }
-  return motion::weights(motion::fit_cardinal_basis(examples), wish);
+  return result;
 }
 
-void report_parameters(const NamedValues& adjectives, const Repertoire& repertoire,
-                       Synthesis& synthesis) {
-  synthesis.asked = adjectives;
-  for (const auto& [name, value] : adjectives) {
-    const double reached =
-        repertoire.parameters.values.row(parameter_row(name, repertoire)).dot(synthesis.weights);
-    synthesis.reached.emplace_back(name, reached);
+motion::Interpolator interpolator_of(const Stimulus& stimulus, const Coordinates& at,
+                                     const Repertoire& repertoire) {
+  return motion::fit_interpolator(examples_for(stimulus.interpolation, repertoire), at.examples,
+                                  stimulus.interpolation.weights, at.names);
+}
+
+/// Features are measured of the motion; what people would say of it can only be summed.
+NamedValues reached_parameters(const Stimulus& stimulus, const Wish& wanted,
+                               const Repertoire& repertoire, const Synthesis& made) {
+  NamedValues reached;
+  std::optional<motion::FeatureValues> features;
+  if (!stimulus.features.empty()) {
+    features = motion::scaled(repertoire.features.scale, motion::measure_features(made.motion));
+  }
+  for (const auto& [name, value] : wanted.values) {
+    const auto measured = features ? feature_parameter(name, *features) : std::nullopt;
+    const auto row = wanted.table.values.row(parameter_row(name, wanted.table));
+    reached.emplace_back(name, measured ? *measured : row.dot(made.weights));
+  }
+  return reached;
+}
+
+void warn_of_missed_parameters(const Wish& wanted, Synthesis& synthesis) {
+  for (size_t i = 0; i < wanted.values.size(); ++i) {
+    const auto& [name, value] = wanted.values[i];
+    const double reached = synthesis.reached[i].second;
     if (std::abs(reached - value) <= told_difference) continue;
-    const auto row = repertoire.parameters.values.row(parameter_row(name, repertoire));
+    const auto row = wanted.table.values.row(parameter_row(name, wanted.table));
     synthesis.warnings.push_back(
         fmt::format("{} {:.2f} was asked for and the blend has {:.2f}; the examples lie between "
                     "{:.2f} and {:.2f}",
@@ -73,17 +105,47 @@ void report_parameters(const NamedValues& adjectives, const Repertoire& repertoi
   }
 }
 
-/// Blends, and locks the feet of what travels.
-void make_motion(const Output& output, const Interpolation& interpolation,
-                 const Repertoire& repertoire, Synthesis& synthesis) {
-  synthesis.motion = motion::blend(repertoire.examples, synthesis.weights,
-                                   {.frames_per_second = output.fps,
-                                    .rotations = interpolation.rotations,
-                                    .warp = interpolation.time_warp});
+motion::BlendOptions blend_options(const Output& output, const Interpolation& interpolation) {
+  return {.frames_per_second = output.fps,
+          .rotations = interpolation.rotations,
+          .warp = interpolation.time_warp};
+}
+
+void lock_feet(const Interpolation& interpolation, Synthesis& synthesis) {
   motion::Clip& clip = synthesis.motion.clip;
   const std::vector<motion::FootPlant> plants = motion::foot_plants(clip);
   if (interpolation.foot_lock) clip = motion::foot_locked(clip, plants);
   synthesis.planted_drift_m = motion::planted_drift(clip, plants);
+}
+
+Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
+                       const Interpolation& interpolation, const Repertoire& repertoire) {
+  Synthesis result;
+  result.weights = weights;
+  result.motion = motion::blend(examples_for(interpolation, repertoire), weights,
+                                blend_options(output, interpolation));
+  lock_feet(interpolation, result);
+  return result;
+}
+
+Synthesis from_parameters(const Stimulus& stimulus, const Wish& wish,
+                          const Repertoire& repertoire) {
+  const Interpolation& how = stimulus.interpolation;
+  const Coordinates at = coordinates_of(wish);
+  const motion::Interpolator interpolator = interpolator_of(stimulus, at, repertoire);
+  const motion::InterpolatedWeights found = motion::weights_at(interpolator, at.values);
+  Synthesis result;
+  result.weights = found.weights;
+  result.expected_error_m = found.expected_error_m;
+  result.warnings = interpolator.remarks;
+  result.warnings.insert(result.warnings.end(), found.remarks.begin(), found.remarks.end());
+  result.motion = motion::motion_at(interpolator, examples_for(how, repertoire), at.values,
+                                    blend_options(stimulus.output, how));
+  lock_feet(how, result);
+  result.asked = wish.values;
+  result.reached = reached_parameters(stimulus, wish, repertoire, result);
+  warn_of_missed_parameters(wish, result);
+  return result;
 }
 
 motion::Clip excerpt(motion::Clip clip, const ClipSource& source) {
@@ -114,18 +176,26 @@ Synthesis as_captured(const Stimulus& stimulus) {
 
 }  // namespace
 
+Wish wish_of(const Stimulus& stimulus, const Repertoire& repertoire) {
+  if (!stimulus.features.empty()) return {stimulus.features, repertoire.features.table};
+  return {stimulus.adjectives, repertoire.parameters};
+}
+
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   assert(!stimulus.clip);
-  return stimulus.adjectives.empty() ? given_weights(stimulus.weights, repertoire)
-                                     : adjective_weights(stimulus.adjectives, repertoire);
+  const Wish wish = wish_of(stimulus, repertoire);
+  if (wish.values.empty()) return given_weights(stimulus.weights, repertoire);
+  const Coordinates at = coordinates_of(wish);
+  return motion::weights_at(interpolator_of(stimulus, at, repertoire), at.values).weights;
 }
 
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
   if (stimulus.clip) return as_captured(stimulus);
-  Synthesis result;
-  result.weights = weights_of(stimulus, repertoire);
-  report_parameters(stimulus.adjectives, repertoire, result);
-  make_motion(stimulus.output, stimulus.interpolation, repertoire, result);
+  const Wish wish = wish_of(stimulus, repertoire);
+  Synthesis result = wish.values.empty()
+                         ? from_weights(given_weights(stimulus.weights, repertoire),
+                                        stimulus.output, stimulus.interpolation, repertoire)
+                         : from_parameters(stimulus, wish, repertoire);
   result.motion.name = stimulus.id;
   result.motion.clip.name = stimulus.id;
   return result;
@@ -133,9 +203,8 @@ Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
 
 Synthesis synthesize_example(const std::string& name, const Output& output,
                              const Interpolation& interpolation, const Repertoire& repertoire) {
-  Synthesis result;
-  result.weights = given_weights({{name, 1.0}}, repertoire);
-  make_motion(output, interpolation, repertoire, result);
+  Synthesis result =
+      from_weights(given_weights({{name, 1.0}}, repertoire), output, interpolation, repertoire);
   result.motion.name = name;
   result.motion.clip.name = name;
   return result;

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "motion/distance.h"
+#include "motion/interpolation_options.h"
 #include "pipeline/csv.h"
+#include "pipeline/parameter_label.h"
 
 namespace mien::pipeline {
 
@@ -39,7 +41,16 @@ const char* name_of(Role role) {
 
 const char* source_of(const Stimulus& stimulus) {
   if (stimulus.clip) return "clip";
+  if (!stimulus.features.empty()) return "features";
   return stimulus.adjectives.empty() ? "weights" : "adjectives";
+}
+
+/// How the weights were found; empty for a file shown as it is.
+std::string method_of(const Stimulus& stimulus) {
+  if (stimulus.clip) return "";
+  return std::string(motion::name_of(stimulus.adjectives.empty()
+                                         ? motion::InterpolationMethod::direct
+                                         : stimulus.interpolation.weights.method));
 }
 
 /// Way over the floor in one cycle, or of the whole clip.
@@ -98,7 +109,8 @@ std::string weights_csv(const Manifest& manifest, Motions& motions) {
 
 std::string clips_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table({"stimulus", "role", "ratings", "source", "frames", "duration_s", "fps",
-                   "cycle_s", "stride_m", "speed_m_s", "planted_drift_m"});
+                   "cycle_s", "stride_m", "speed_m_s", "planted_drift_m", "method",
+                   "expected_error_m"});
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
     const motion::Clip& clip = made.motion.clip;
@@ -109,18 +121,21 @@ std::string clips_csv(const Manifest& manifest, Motions& motions) {
                shortest(frames / clip.frames_per_second), shortest(clip.frames_per_second),
                clip.loops ? shortest(duration) : "", clip.loops ? shortest(way_of(clip)) : "",
                duration > 0.0 ? shortest(way_of(clip) / duration) : "",
-               shortest(made.planted_drift_m)});
+               shortest(made.planted_drift_m), method_of(stimulus),
+               made.expected_error_m ? shortest(*made.expected_error_m) : ""});
   }
   return table.text();
 }
 
 std::string parameters_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"stimulus", "ratings", "parameter", "asked", "reached"});
+  CsvWriter table({"stimulus", "ratings", "parameter", "asked", "reached", "name", "name_ja"});
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
     for (std::size_t i = 0; i < made.asked.size(); ++i) {
+      const ParameterLabel label = label_of(made.asked[i].first, stimulus, motions.repertoire());
       table.row({stimulus.id, ratings_of(&stimulus, motions), made.asked[i].first,
-                 shortest(made.asked[i].second), shortest(made.reached[i].second)});
+                 shortest(made.asked[i].second), shortest(made.reached[i].second),
+                 english_text(label), japanese_text(label)});
     }
   }
   return table.text();

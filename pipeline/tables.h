@@ -8,7 +8,8 @@
 namespace mien::pipeline {
 
 // The study's numbers as tidy CSV: one row an observation, metres and seconds. The column `ratings`
-// says whose ratings a motion rests on: "given", "simulated", or "none" for weights and files.
+// says whose ratings a motion rests on: "given", "simulated", or "none" for features, weights and
+// files.
 
 /// A row a sheet: sheet, target, created, ratings, alignment, d_m (eq. (8) divided by its number of
 /// terms), d_sum_m (as printed), mpjpe_m, threshold_m, match (1 or 0).
@@ -21,13 +22,13 @@ std::string joint_distances_csv(const Manifest& manifest, Motions& motions);
 /// A row a stimulus and example: stimulus, ratings, example, weight. All examples, zeros too.
 std::string weights_csv(const Manifest& manifest, Motions& motions);
 
-/// A row a stimulus: stimulus, role, ratings, source (adjectives, weights, clip), frames and
-/// duration_s of what is shown, fps, cycle_s, stride_m (along the floor, a cycle), speed_m_s,
+/// A row a stimulus: stimulus, role, ratings, source (adjectives, features, weights, clip), frames
+/// and duration_s of what is shown, fps, cycle_s, stride_m (along the floor, a cycle), speed_m_s,
 /// planted_drift_m (largest, of a planted foot).
 std::string clips_csv(const Manifest& manifest, Motions& motions);
 
-/// A row a stimulus and parameter: stimulus, ratings, parameter, asked, reached (by the blend),
-/// both 0 … 1.
+/// A row a stimulus and parameter: stimulus, ratings, parameter, asked, reached (Synthesis), both
+/// 0 … 1, name and name_ja (as people read them: "sad – happy").
 std::string parameters_csv(const Manifest& manifest, Motions& motions);
 
 /// What people think of the examples, a row a scale and example: scale, example, ratings, answers,

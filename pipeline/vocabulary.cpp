@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pipeline/answers.h"
+#include "pipeline/feature_parameters.h"
 #include "pipeline/repertoire.h"
 #include "pipeline/scales.h"
 
@@ -44,7 +45,7 @@ std::vector<std::string> rated_parameters(const Manifest& manifest) {
 }  // namespace
 
 Vocabulary vocabulary_of(const Manifest& manifest) {
-  return {rated_parameters(manifest), example_names(manifest)};
+  return {rated_parameters(manifest), feature_parameter_names(), example_names(manifest)};
 }
 
 }  // namespace mien::pipeline

@@ -5,8 +5,9 @@
 
 namespace mien::pipeline {
 
-/// The examples of a manifest and the parameters that they have ratings on, found without reading a
-/// motion. Throws Error for what is wrong with the folder, the scales or the answers.
+/// The examples of a manifest, the parameters that they have ratings on and the features, found
+/// without reading a motion. Throws Error for what is wrong with the folder, the scales or the
+/// answers.
 Vocabulary vocabulary_of(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -99,7 +99,8 @@ TEST_P(EveryRotationBlend, LoopHasNoSeam) {
 
 INSTANTIATE_TEST_SUITE_P(Blend, EveryRotationBlend,
                          testing::Values(RotationBlend::karcher_mean,
-                                         RotationBlend::direction_vectors));
+                                         RotationBlend::direction_vectors,
+                                         RotationBlend::markley_mean));
 
 TEST(Blend, TimingIsTheWeightedMean) {
   std::mt19937_64 random(46);
@@ -121,7 +122,8 @@ TEST(Blend, HalfwayBetweenTwoRotationsIsTheirMidpoint) {
   const Quat b(Eigen::AngleAxisd(1.4, Vec3::UnitX()));
   const std::array rotations = {a, Quat(-b.coeffs())};
   const std::array weights = {0.5, 0.5};
-  for (const auto how : {RotationBlend::karcher_mean, RotationBlend::direction_vectors}) {
+  for (const auto how : {RotationBlend::karcher_mean, RotationBlend::direction_vectors,
+                         RotationBlend::markley_mean}) {
     EXPECT_LT(angle_between(blend_rotations(rotations, weights, how),
                             Quat(Eigen::AngleAxisd(0.8, Vec3::UnitX()))),
               1e-12);
@@ -142,6 +144,50 @@ TEST(Blend, KarcherMeanHasNoResidual) {
     Vec3 residual = Vec3::Zero();
     for (size_t i = 0; i < 6; ++i) residual += weights[i] * log(mean.conjugate() * rotations[i]);
     EXPECT_LT(residual.norm(), 1e-12);
+  }
+}
+
+TEST(Blend, MarkleyMeanIsNearestAsQuaternions) {
+  std::mt19937_64 random(48);
+  std::uniform_real_distribution<double> small(-0.5, 0.5);
+  const auto random_vector = [&] { return Vec3(small(random), small(random), small(random)); };
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<Quat> rotations;
+    for (int i = 0; i < 6; ++i) rotations.push_back(exp(Vec3(1, 2, -1) + random_vector()));
+    const Eigen::VectorXd w = random_weights(random, 6);
+    const std::vector<double> weights(w.data(), w.data() + w.size());
+    const auto nearness = [&](const Quat& q) {
+      double sum = 0.0;
+      for (size_t i = 0; i < 6; ++i) sum += weights[i] * std::pow(q.dot(rotations[i]), 2.0);
+      return sum;
+    };
+    const Quat mean = blend_rotations(rotations, weights, RotationBlend::markley_mean);
+    for (int other = 0; other < 10; ++other) {
+      EXPECT_GE(nearness(mean), nearness(mean * exp(0.1 * random_vector())) - 1e-15);
+    }
+    // Which end of a quaternion's axis stands for a rotation does not matter.
+    rotations[2] = Quat(-rotations[2].coeffs());
+    EXPECT_LT(angle_between(mean, blend_rotations(rotations, weights, RotationBlend::markley_mean)),
+              1e-7);
+  }
+}
+
+TEST(Blend, TheThreeMeansOfNearRotationsDifferByLessThanTwoDegrees) {
+  std::mt19937_64 random(49);
+  std::uniform_real_distribution<double> small(-0.3, 0.3);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<Quat> rotations;
+    for (int i = 0; i < 5; ++i) {
+      rotations.push_back(exp(Vec3(1, 2, -1)) *
+                          exp(Vec3(small(random), small(random), small(random))));
+    }
+    const Eigen::VectorXd w = random_weights(random, 5);
+    const std::vector<double> weights(w.data(), w.data() + w.size());
+    const Quat karcher = blend_rotations(rotations, weights, RotationBlend::karcher_mean);
+    for (const auto how : {RotationBlend::direction_vectors, RotationBlend::markley_mean}) {
+      EXPECT_LT(angle_between(karcher, blend_rotations(rotations, weights, how)),
+                2.0 * radians_per_degree);
+    }
   }
 }
 

@@ -142,7 +142,7 @@ TEST(CardinalBasis, ExamplesAtOnePlaceShareTheirWeight) {
   const Eigen::VectorXd w = weights(basis, p.row(0));
   EXPECT_NEAR(w[0], 0.5, 1e-9);
   EXPECT_NEAR(w[2], 0.5, 1e-9);
-  EXPECT_EQ(basis.centres.rows(), 3);
+  EXPECT_EQ(basis.distinct.places.rows(), 3);
 }
 
 TEST(CardinalBasis, OneExampleHasAllTheWeight) {

@@ -76,6 +76,43 @@ TEST_F(RealExamples, OfFarewellsKeepAsManyPausesAsAllHave) {
   }
 }
 
+TEST_F(RealExamples, OfFarewellsHaveAPeak) {
+  ExampleFolder source;
+  source.path = mocap / "bandai-namco-1";
+  source.include = "*bye*.bvh";
+  source.cycle = CycleChoice::start_peak_end;
+  const LoadedExamples loaded = load_examples(source);
+  ASSERT_EQ(loaded.set.examples.size(), 15u);
+  for (const Example& example : loaded.set.examples) {
+    EXPECT_EQ(example.keytimes.size(), 3u) << example.name;
+  }
+}
+
+TEST_F(RealExamples, WithKeytimesByHandNeedThemForEveryFileAndNoOther) {
+  ExampleFolder source;
+  source.path = mocap / "bandai-namco-1";
+  source.include = "*bye_*o*d*_001.bvh";
+  source.keytimes = {{"dataset-1_bye_proud_001", {2.07, 2.27, 2.5}}};
+  EXPECT_NE(test::refusal_of([&] {
+              load_examples(source);
+            }).find("\"dataset-1_bye_not-confident_001\" has no keytimes"),
+            std::string::npos);
+  source.keytimes.emplace_back("dataset-1_bye_not-confidnt_001", std::vector{1.0, 2.0, 3.0});
+  EXPECT_NE(test::refusal_of([&] {
+              load_examples(source);
+            }).find("did you mean \"dataset-1_bye_not-confident_001\"?"),
+            std::string::npos);
+  source.keytimes.back() = {"dataset-1_bye_not-confident_001", {1.87, 2.03, 2.23}};
+  source.keytimes.emplace_back("dataset-1_bye_old_001", std::vector{0.67, 1.33, 2.1});
+  const LoadedExamples loaded = load_examples(source);
+  ASSERT_EQ(loaded.set.examples.size(), 3u);
+  for (const Example& example : loaded.set.examples) {
+    EXPECT_FALSE(example.clip.loops);
+    EXPECT_EQ(example.keytimes.size(), 3u) << example.name;
+    EXPECT_NEAR(example.keytimes.back(), example.clip.duration_seconds(), 1e-12);
+  }
+}
+
 TEST_F(RealExamples, OfWalksAndFarewellsMixedAreRefused) {
   EXPECT_NE(test::refusal_of([&] { load("bandai-namco-1", "*_sad_*.bvh"); }).find("keytimes"),
             std::string::npos);

@@ -86,6 +86,18 @@ TEST(FootLock, BringsFeetThatHangDownToTheFloor) {
   }
 }
 
+TEST(FootLock, BringsTheToesOfAStandingFootDown) {
+  Clip clip = slipping_walk(0.02);
+  const Quat toes_up(Eigen::AngleAxisd(-10.0 * radians_per_degree, Vec3::UnitX()));
+  for (Pose& pose : clip.poses) pose.rotations[RightAnkle] = pose.rotations[RightAnkle] * toes_up;
+  const Clip locked = foot_locked(clip, plants);
+  const auto ball = [](const Clip& of, size_t frame) {
+    return world_positions(of.body, of.poses[frame])[RightToe].y();
+  };
+  EXPECT_NEAR(ball(locked, 48), ball(slipping_walk(0.0), 48), 1e-3);
+  EXPECT_GT(ball(clip, 48), ball(locked, 48) + 0.02);
+}
+
 TEST(Stance, OfAFootThatTiltsAllTheWhileIsFlatWhereItIsLevelest) {
   FootPath path;
   path.ball_in_foot = Vec3(0, -0.07, 0.15);

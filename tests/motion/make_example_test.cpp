@@ -112,6 +112,51 @@ TEST(Example, OfAPerformanceHasItsPausesForKeytimes) {
   EXPECT_FALSE(make_example(synthetic_clip(steady_walk(1.2, 4.0)), whole).clip.loops);
 }
 
+TEST(Example, OfStartPeakAndEndHasItsPeakWhereTheHandIsFarthest) {
+  ExampleOptions options;
+  options.cycle = CycleChoice::start_peak_end;
+  const Example example = make_example(waving(2), options);
+  EXPECT_FALSE(example.clip.loops);
+  ASSERT_EQ(example.keytimes.size(), 3u);
+  EXPECT_EQ(example.keytimes[0], 0.0);
+  EXPECT_NEAR(example.keytimes[1], 1.0, 0.02);
+  EXPECT_DOUBLE_EQ(example.keytimes[2], example.clip.duration_seconds());
+  Clip still = waving(1);
+  for (Pose& pose : still.poses) pose = still.poses.front();
+  EXPECT_NE(refusal_of([&] { make_example(still, options); }).find("stay where they are"),
+            std::string::npos);
+}
+
+TEST(Example, OfKeytimesByHandIsCutToThem) {
+  ExampleOptions options;
+  options.keytimes = {1.0, 1.52, 2.203, 3.0};
+  const Clip take = waving(4);
+  const Example example = make_example(take, options);
+  EXPECT_EQ(example.clip.frame_count(), 201);
+  ASSERT_EQ(example.keytimes.size(), 4u);
+  EXPECT_EQ(example.keytimes[0], 0.0);
+  EXPECT_NEAR(example.keytimes[1], 0.52, 1e-12);
+  EXPECT_NEAR(example.keytimes[2], 1.203, 1e-12);
+  EXPECT_DOUBLE_EQ(example.keytimes[3], 2.0);
+  // The frames are the take's.
+  EXPECT_LT(angle_between(example.clip.poses[52].rotations[RightShoulder],
+                          take.poses[152].rotations[RightShoulder]),
+            1e-12);
+}
+
+TEST(Example, RefusesKeytimesThatAMotionCannotHave) {
+  const auto refusal = [](const std::vector<double>& keytimes) {
+    ExampleOptions options;
+    options.keytimes = keytimes;
+    return refusal_of([&] { make_example(waving(2), options); });
+  };
+  EXPECT_NE(refusal({0.5}).find("are fewer than two"), std::string::npos);
+  EXPECT_NE(refusal({0.5, 2.5}).find("do not lie in the motion"), std::string::npos);
+  EXPECT_NE(refusal({-0.1, 1.0}).find("do not lie in the motion"), std::string::npos);
+  EXPECT_NE(refusal({0.5, 0.505, 1.0}).find("are not a frame apart"), std::string::npos);
+  EXPECT_NE(refusal({1.0, 0.5}).find("are not a frame apart"), std::string::npos);
+}
+
 TEST(EvenKeytimes, KeepTheDeepestPauses) {
   std::vector<Example> examples = {make_example(waving(4)), make_example(waving(2))};
   ASSERT_EQ(examples[0].keytimes.size(), 5u);

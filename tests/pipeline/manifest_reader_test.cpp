@@ -113,6 +113,59 @@ stimuli:
   EXPECT_EQ(manifest.stimuli[1].look.scene, "studio");
 }
 
+TEST_F(ManifestReaderTest, ReadsEveryOptionOfInterpolation) {
+  const Manifest manifest = parse(head + R"(seed: 9
+interpolation: {method: knn, neighbours: 5, blends: 40, rotations: markley-mean}
+stimuli:
+  - {id: a, adjectives: {quickness: 1}}
+  - {id: b, adjectives: {quickness: 1}, interpolation: {method: kriging, drift: constant, nugget: 0.2}}
+  - {id: c, adjectives: {quickness: 1}, interpolation: {method: grid, cells: 4, nodes: knn}}
+  - {id: d, adjectives: {quickness: 1}, interpolation: {method: pca, variance: 0.8}}
+  - {id: e, adjectives: {quickness: 1}, interpolation: {method: incremental, step: 0.5}}
+  - {id: f, adjectives: {quickness: 1}, interpolation: {method: inverse-distance, power: 3}}
+)")
+                                .manifest;
+  using Method = motion::InterpolationMethod;
+  ASSERT_EQ(manifest.stimuli.size(), 6u);
+  const auto how = [&](int i) { return manifest.stimuli[static_cast<size_t>(i)].interpolation; };
+  EXPECT_EQ(how(0), manifest.interpolation);
+  EXPECT_EQ(how(0).weights.method, Method::nearest);
+  EXPECT_EQ(how(0).weights.nearest.neighbours, 5);
+  EXPECT_EQ(how(0).weights.nearest.trials, 40);
+  EXPECT_EQ(how(0).weights.nearest.seed, 9u);
+  EXPECT_EQ(how(0).rotations, motion::RotationBlend::markley_mean);
+  EXPECT_EQ(how(1).weights.method, Method::kriging);
+  EXPECT_FALSE(how(1).weights.kriging.linear_drift);
+  EXPECT_EQ(how(1).weights.kriging.nugget, 0.2);
+  EXPECT_EQ(how(1).rotations, motion::RotationBlend::markley_mean);
+  EXPECT_EQ(how(2).weights.method, Method::grid);
+  EXPECT_EQ(how(2).weights.grid_cells, 4);
+  EXPECT_EQ(how(2).weights.grid_source, motion::GridSource::nearest);
+  EXPECT_EQ(how(3).weights.method, Method::pca);
+  EXPECT_EQ(how(3).weights.pca.variance_share, 0.8);
+  EXPECT_EQ(how(4).weights.method, Method::incremental);
+  EXPECT_EQ(how(4).weights.click_step, 0.5);
+  EXPECT_EQ(how(5).weights.method, Method::inverse_distance);
+  EXPECT_EQ(how(5).weights.power, 3.0);
+}
+
+TEST_F(ManifestReaderTest, ReadsKeytimesByHand) {
+  const auto reading = [&](const std::string& keytimes) {
+    return parse("mien: 1\nstudy: s\nexamples: {set: {folder: captures, keytimes: " + keytimes +
+                 "}}\nstimuli: [{id: a, weights: {x: 1}}]\n");
+  };
+  const ManifestReading good = reading("{b: [0.5, 1, 2.25], a: [0, 3, 4]}");
+  EXPECT_EQ(told(good.faults), "");
+  const std::vector<std::pair<std::string, std::vector<double>>> keytimes = {
+      {"b", {0.5, 1.0, 2.25}}, {"a", {0.0, 3.0, 4.0}}};
+  EXPECT_EQ(good.manifest.examples.keytimes, keytimes);
+  EXPECT_EQ(told(reading("{b: [0.5, 0.4], a: [0, 1, 2]}").faults),
+            "m.yaml:3:50: examples.set.keytimes.b: keytimes do not ascend; write seconds in the "
+            "order in which they come\n"
+            "m.yaml:3:65: examples.set.keytimes.a: 3 keytimes where \"b\" has 2; give every motion "
+            "the same moments\n");
+}
+
 TEST_F(ManifestReaderTest, BuiltInSetsBringTheirRatings) {
   EXPECT_EQ(parse(head).manifest.ratings.source, Ratings::Source::builtin);
   EXPECT_EQ(parse("examples: {set: {folder: captures}}\n").manifest.ratings.source,
@@ -184,6 +237,27 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"interpolation: {foot_lock: yes}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:28: interpolation.foot_lock: must be true or false but is the text \"yes\"; "
              "write true or false\n"},
+        Case{"interpolation: {method: krigging}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:25: interpolation.method: \"krigging\" is not one of cardinal, knn, "
+             "inverse-distance, grid, kriging, pca, incremental, direct; did you mean "
+             "\"kriging\"?\n"},
+        Case{"interpolation: {method: grid, nodes: knn, blends: 9, nugget: 0.1}\n"
+             "stimuli: [{id: a, adjectives: {quickness: 1}, interpolation: {power: 3}}]\n",
+             "m.yaml:4:62: interpolation.nugget: only kriging interpolation has this; add method: "
+             "kriging, or leave it out\n"
+             "m.yaml:5:71: stimuli[0].interpolation.power: only inverse-distance interpolation has "
+             "this; add method: inverse-distance, or leave it out\n"},
+        Case{"interpolation: {power: 3}\nstimuli:\n  - {id: a, adjectives: {quickness: 1}}\n"
+             "  - {id: b, adjectives: {quickness: 1}, interpolation: {method: inverse-distance}}\n",
+             ""},
+        Case{"interpolation: {method: direct}\n"
+             "stimuli: [{id: a, adjectives: {quickness: 1}}, {id: b, weights: {normal: 1}}]\n",
+             "m.yaml:5:31: stimuli[0].adjectives: direct interpolation takes weights, not "
+             "adjectives; give weights:, or another method\n"},
+        Case{"interpolation: {method: grid}\nstimuli: [{id: a, adjectives: {a: 0, b: 0, c: 0, d: "
+             "0, e: 0, f: 0, g: 0, h: 0, i: 0}}]\n",
+             "m.yaml:5:31: stimuli[0].adjectives: a grid over 9 parameters has too many corners; "
+             "name at most 8, or use another method\n"},
         Case{"look: {camera: sied}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:16: look.camera: \"sied\" is not one of front, side, three-quarter, follow, "
              "orbit; did you mean \"side\"?\n"},
@@ -200,11 +274,17 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"stimuli:\n  - {id: 7, clip: walk.bvh}\n",
              "m.yaml:5:10: stimuli[0].id: must be text but is 7; put it in quotes: \"7\"\n"},
         Case{"stimuli:\n  - {id: a}\n",
-             "m.yaml:5:5: stimuli[0]: has none of adjectives, weights, "
-             "clip; give one of them\n"},
+             "m.yaml:5:5: stimuli[0]: has none of adjectives, features, "
+             "weights, clip; give one of them\n"},
         Case{"stimuli:\n  - {id: a, adjectives: {quickness: 1}, weights: {normal: 1}}\n",
              "m.yaml:5:5: stimuli[0]: adjectives and weights exclude each other; keep one of "
              "them\n"},
+        Case{"stimuli:\n  - {id: a, features: {duration: 1}, weights: {normal: 1}}\n",
+             "m.yaml:5:5: stimuli[0]: features and weights exclude each other; keep one of "
+             "them\n"},
+        Case{"stimuli:\n  - {id: a, features: {duration: -0.5}}\n",
+             "m.yaml:5:34: stimuli[0].features.duration: -0.5 is out of range; use a number from 0 "
+             "to 1\n"},
         Case{"stimuli:\n  - {id: a, adjectives: {quickness: 1.5}}\n",
              "m.yaml:5:37: stimuli[0].adjectives.quickness: 1.5 is out of range; use a number from "
              "0 "
@@ -292,18 +372,22 @@ TEST_F(ManifestReaderTest, TellsNamesThatNothingHas) {
   const ManifestReading reading = parse(head + R"(stimuli:
   - {id: target-1, adjectives: {quicknes: 0.5, sad-happy: 1}}
   - {id: b, weights: {norml: 1, proud: 1, xyzzy: 1}}
+  - {id: c, features: {step-length: 1, sigma-hed-lr: 0}}
 sheets:
   - compare: {target: target-2, created: proud, reference: b}
 )");
   EXPECT_EQ(told(reading.faults), "");
-  const Vocabulary vocabulary = {{"quickness", "sad-happy"}, {"normal", "proud"}};
+  const Vocabulary vocabulary = {
+      {"quickness", "sad-happy"}, {"step-length", "sigma-head-lr"}, {"normal", "proud"}};
   EXPECT_EQ(told(check_names(reading.manifest, vocabulary)),
             "m.yaml:5:33: stimuli[0].adjectives.quicknes: unknown parameter; did you mean "
             "\"quickness\"?\n"
             "m.yaml:6:23: stimuli[1].weights.norml: unknown example; did you mean \"normal\"?\n"
             "m.yaml:6:43: stimuli[1].weights.xyzzy: unknown example; use one of \"normal\", "
             "\"proud\"\n"
-            "m.yaml:8:23: sheets[0].compare.target: \"target-2\" is neither a stimulus nor an "
+            "m.yaml:7:40: stimuli[2].features.sigma-hed-lr: unknown feature; did you mean "
+            "\"sigma-head-lr\"?\n"
+            "m.yaml:9:23: sheets[0].compare.target: \"target-2\" is neither a stimulus nor an "
             "example; did you mean \"target-1\"?\n");
 }
 

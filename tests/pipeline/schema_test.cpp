@@ -90,6 +90,16 @@ TEST(Schema, ItsDefaultsAreThoseOfTheProgram) {
   EXPECT_EQ(value("output", "clips") == json({"bvh"}), output.bvh && !output.glb);
   const Interpolation how;
   EXPECT_EQ(value("interpolation", "foot_lock"), how.foot_lock);
+  EXPECT_EQ(value("interpolation", "method"), std::string(motion::name_of(how.weights.method)));
+  EXPECT_EQ(value("interpolation", "blends"), how.weights.nearest.trials);
+  EXPECT_EQ(value("interpolation", "power"), how.weights.power);
+  EXPECT_EQ(value("interpolation", "cells"), how.weights.grid_cells);
+  EXPECT_EQ(value("interpolation", "nodes") == "cardinal",
+            how.weights.grid_source == motion::GridSource::cardinal);
+  EXPECT_EQ(value("interpolation", "drift") == "linear", how.weights.kriging.linear_drift);
+  EXPECT_EQ(value("interpolation", "nugget"), how.weights.kriging.nugget);
+  EXPECT_EQ(value("interpolation", "variance"), how.weights.pca.variance_share);
+  EXPECT_EQ(value("interpolation", "step"), how.weights.click_step);
   EXPECT_EQ(value("interpolation", "rotations") == "karcher-mean",
             how.rotations == motion::RotationBlend::karcher_mean);
   EXPECT_EQ(value("interpolation", "time_warp") == "monotone",

@@ -1,5 +1,6 @@
 #include "pipeline/synthesis.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -109,6 +110,55 @@ TEST(Synthesis, WeightsNeedNotSumToOne) {
   EXPECT_NEAR(weights.maxCoeff(), 0.75, 1e-12);
 }
 
+constexpr motion::InterpolationMethod all_methods[] = {
+    motion::InterpolationMethod::cardinal,         motion::InterpolationMethod::nearest,
+    motion::InterpolationMethod::inverse_distance, motion::InterpolationMethod::grid,
+    motion::InterpolationMethod::kriging,          motion::InterpolationMethod::pca,
+    motion::InterpolationMethod::incremental};
+
+TEST(Synthesis, GoesTheAskedWayByEveryMethod) {
+  const Repertoire repertoire = load_repertoire(builtin_manifest());
+  for (const auto method : all_methods) {
+    const auto made_with = [&](double quickness) {
+      Stimulus stimulus;
+      stimulus.adjectives = {{"quickness", quickness}, {"largeness", 0.5}};
+      stimulus.interpolation.weights.method = method;
+      return synthesize(stimulus, repertoire);
+    };
+    const Synthesis slow = made_with(0.25);
+    const Synthesis fast = made_with(0.75);
+    EXPECT_GT(fast.reached[0].second, slow.reached[0].second + 0.1) << name_of(method);
+    EXPECT_LT(fast.motion.clip.duration_seconds(), slow.motion.clip.duration_seconds())
+        << name_of(method);
+    EXPECT_NEAR(fast.weights.sum(), 1.0, 1e-9) << name_of(method);
+    EXPECT_LT(fast.planted_drift_m, 0.003) << name_of(method);
+    EXPECT_EQ(fast.expected_error_m.has_value(), method == motion::InterpolationMethod::kriging);
+  }
+}
+
+TEST(Synthesis, TellsTheClicksOfIncrementalInterpolation) {
+  const Repertoire repertoire = load_repertoire(builtin_manifest());
+  Stimulus stimulus;
+  stimulus.adjectives = {{"quickness", 0.8}};
+  stimulus.interpolation.weights.method = motion::InterpolationMethod::incremental;
+  const Synthesis made = synthesize(stimulus, repertoire);
+  EXPECT_TRUE(std::any_of(made.warnings.begin(), made.warnings.end(), [](const std::string& told) {
+    return told.starts_with("clicks: ") && told.find("× quickness up") != std::string::npos;
+  }));
+}
+
+TEST(Synthesis, TellsWhenAdjectivesAreMoreThanTheExamplesCanTellApart) {
+  const Repertoire repertoire = load_repertoire(builtin_manifest());
+  Stimulus stimulus;
+  for (const std::string& name : repertoire.parameters.names) {
+    if (stimulus.adjectives.size() < 12) stimulus.adjectives.emplace_back(name, 0.5);
+  }
+  const Synthesis made = synthesize(stimulus, repertoire);
+  ASSERT_FALSE(made.warnings.empty());
+  EXPECT_NE(made.warnings.front().find("more parameters than 10 different examples"),
+            std::string::npos);
+}
+
 TEST(Synthesis, PlantedFeetStandStillInEveryBlend) {
   const Repertoire repertoire = load_repertoire(builtin_manifest());
   for (double q : {0.1, 0.5, 0.9}) {
@@ -143,6 +193,22 @@ TEST(RealWalks, AtTheirOwnRatingsAreThemselves) {
   expect_examples_at_their_own_parameters(
       repertoire,
       {"openness", "conscientiousness", "extraversion", "agreeableness", "neuroticism"});
+}
+
+TEST(RealWalks, ComeOutOfTheFootLockAtTheirOwnRatingsAsTheyAre) {
+  const auto data = test::real_data();
+  if (!data) GTEST_SKIP() << "the real motion capture is not here";
+  const Repertoire repertoire = load_repertoire(real_manifest(*data));
+  ASSERT_EQ(repertoire.settled.examples.size(), 30u);
+  for (int i = 0; i < 30; ++i) {
+    const Stimulus stimulus = like_example(
+        repertoire, i,
+        {"openness", "conscientiousness", "extraversion", "agreeableness", "neuroticism"});
+    const Synthesis made = synthesize(stimulus, repertoire);
+    const motion::Example& settled = repertoire.settled.examples[static_cast<size_t>(i)];
+    EXPECT_LT(motion::distance(settled, made.motion).mean, 1e-3) << settled.name;
+    EXPECT_NEAR(made.weights[i], 1.0, 1e-9) << settled.name;
+  }
 }
 
 TEST(RealWalks, FeetStandStillInBlends) {

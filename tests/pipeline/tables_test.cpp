@@ -113,6 +113,20 @@ TEST_F(Tables, ClipsTellLengthAndSpeedThatBelongTogether) {
   }
 }
 
+TEST_F(Tables, ClipsTellHowTheirWeightsWereFound) {
+  const CsvTable clips = table(clips_csv);
+  EXPECT_EQ(text(clips, 0, "method"), "cardinal");
+  EXPECT_EQ(text(clips, 0, "expected_error_m"), "");
+  EXPECT_EQ(text(clips, 1, "method"), "direct");
+  Manifest other = small_study();
+  other.stimuli[0].interpolation.weights.method = motion::InterpolationMethod::kriging;
+  Motions made(other);
+  const CsvTable kriged = parse_csv(clips_csv(other, made), "clips.csv");
+  EXPECT_EQ(text(kriged, 0, "method"), "kriging");
+  EXPECT_GT(number(kriged, 0, "expected_error_m"), 0.0);
+  EXPECT_LT(number(kriged, 0, "expected_error_m"), 0.5);
+}
+
 TEST_F(Tables, ParametersAreThoseAskedFor) {
   const CsvTable parameters = table(parameters_csv);
   ASSERT_EQ(parameters.rows.size(), 2u);

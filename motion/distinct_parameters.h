@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace mien::motion {
+
+/// Places in parameter space at which examples stand. Examples nearer than 1e-6 to one another
+/// share a place: no interpolation can reproduce both.
+struct DistinctParameters {
+  Eigen::MatrixXd places;             ///< one row a place (K × M)
+  std::vector<int> place_of_example;  ///< N entries
+  std::vector<int> sharers;           ///< examples a place; K entries
+};
+
+/// `example_parameters`: one row an example (N × M). Places are in the order of their first
+/// examples.
+DistinctParameters distinct_parameters(const Eigen::MatrixXd& example_parameters);
+
+/// Weights of examples from weights of places: those who share a place share its weight equally.
+Eigen::VectorXd by_example(const DistinctParameters& distinct, const Eigen::VectorXd& by_place);
+
+/// Directions in which the rows spread: the number of singular values of the centred matrix above
+/// 1e-8 of the largest. 0 for one row.
+int spread_rank(const Eigen::MatrixXd& places);
+
+}  // namespace mien::motion

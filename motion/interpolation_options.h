@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace mien::motion {
+
+/// From parameters to a motion: how the examples' shares are found.
+enum class InterpolationMethod {
+  cardinal,          ///< linear part and cubic B-splines (cardinal_basis.h); default
+  nearest,           ///< nearest neighbours among examples and random blends of them
+  inverse_distance,  ///< Shepard's inverse distances
+  grid,              ///< multilinear on a regular grid of another method's weights
+  kriging,           ///< universal kriging; says how unsure it is
+  pca,               ///< statistical model of the motions; yields no blend
+  incremental,       ///< clicks on words, solved with the pseudo-inverse
+  direct,            ///< the parameters are the examples' shares
+};
+
+/// As manifests and tables call it: "cardinal", "knn", "inverse-distance", …
+std::string_view name_of(InterpolationMethod method);
+
+struct NearestNeighboursOptions {
+  int neighbours = 0;            ///< that take part, the farthest with weight 0; 0 means M + 2
+  int trials = 300;              ///< random blends that are tried as further samples; 0 for none
+  double least_distance = 0.05;  ///< of a blend's parameters from those of every other sample
+  std::uint64_t seed = 0;
+
+  friend bool operator==(const NearestNeighboursOptions&,
+                         const NearestNeighboursOptions&) = default;
+};
+
+struct KrigingOptions {
+  bool linear_drift = true;  ///< universal kriging; otherwise ordinary kriging (constant mean)
+  double nugget = 0.0;       ///< share of the sill taken as noise of the examples; 0 is exact
+
+  friend bool operator==(const KrigingOptions&, const KrigingOptions&) = default;
+};
+
+struct StatisticalModelOptions {
+  double variance_share = 0.95;  ///< of the examples' variance that the components keep
+  double ridge = 1e-3;           ///< added to the variances of the parameters
+  int samples = 60;              ///< of a motion between its first and last keytime
+
+  friend bool operator==(const StatisticalModelOptions&, const StatisticalModelOptions&) = default;
+};
+
+/// What a grid's nodes are sampled from.
+enum class GridSource { cardinal, nearest };
+
+/// Parameters that a grid can take: a cell has 2^M corners.
+inline constexpr int most_grid_dimensions = 8;
+
+/// Only the chosen method's options count.
+struct InterpolationOptions {
+  InterpolationMethod method = InterpolationMethod::cardinal;
+  NearestNeighboursOptions nearest;
+  double power = 2.0;  ///< of inverse distances, > 0
+  int grid_cells = 8;  ///< a dimension
+  GridSource grid_source = GridSource::cardinal;
+  KrigingOptions kriging;
+  StatisticalModelOptions pca;
+  double click_step = 0.25;  ///< standard deviations over the examples
+
+  friend bool operator==(const InterpolationOptions&, const InterpolationOptions&) = default;
+};
+
+}  // namespace mien::motion

@@ -1,0 +1,126 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "pipeline/command_study.h"
+#include "pipeline/example_source.h"
+#include "pipeline/files.h"
+#include "pipeline/interface_evaluation.h"
+#include "pipeline/interface_figure.h"
+#include "pipeline/study_subject.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct InterfacesCommand {
+  StudySubject subject;
+  int targets = 5;
+  EvaluationOptions evaluation;
+  std::optional<std::uint64_t> seed;
+  std::string out;
+};
+
+void show(const std::vector<InterfaceSummary>& summaries, const Console& console) {
+  console.out << "Simulated: no person took part.\n\n";
+  console.out << fmt::format("{:11} {:>12} {:>6} {:>17} {:>8} {:>17} {:>8} {:>6}\n", "interface",
+                             "way", "count", "D, first (m)", "matches", "D, last (m)", "failed",
+                             "looks");
+  for (const InterfaceSummary& s : summaries) {
+    const std::string way = s.step > 0.0 ? fmt::format("nearest {:g}", s.step) : "user";
+    console.out << fmt::format(
+        "{:11} {:>12} {:6} {:8.4f} ± {:6.4f} {:6.0f} % {:8.4f} ± {:6.4f} {:6.0f} % {:6.1f}\n",
+        name_of(s.kind), way, s.count, s.mean_first, s.sd_first, 100.0 * s.first_success,
+        s.mean_last, s.sd_last, 100.0 * s.failure, s.mean_looks);
+  }
+}
+
+void write_all(const fs::path& folder, const std::vector<InterfaceResult>& results,
+               const std::vector<InterfaceSummary>& summaries, double threshold,
+               const Console& console) {
+  fs::create_directories(folder);
+  write_file(folder / "interface_trials.csv", results_csv(results));
+  write_file(folder / "interface_summary.csv", summary_csv(summaries));
+  Canvas pdf = Canvas::pdf(interface_figure_width, interface_figure_height, "Interfaces");
+  draw_interfaces(pdf, summaries, threshold);
+  write_file(folder / "interfaces.pdf", pdf.finish());
+  Canvas png = Canvas::png(interface_figure_width, interface_figure_height, 1920);
+  draw_interfaces(png, summaries, threshold);
+  write_file(folder / "interfaces.png", png.finish());
+  console.out << "\ntables and figure in " << folder.string() << '\n';
+}
+
+int evaluate(InterfacesCommand command, const Console& console) {
+  const Manifest manifest = manifest_of(command.subject);
+  const Repertoire repertoire = load_repertoire(manifest);
+  command.evaluation.seed = command.seed.value_or(manifest.seed);
+  const SliderInterface first = interfaces_of(repertoire).front();
+  const bool by_features = first.kind == InterfaceKind::features;
+  const auto targets =
+      sample_targets(by_features ? repertoire.features.table : repertoire.parameters, first.sliders,
+                     {.targets = command.targets, .practice = 0, .seed = command.evaluation.seed});
+  const auto results =
+      evaluate_interfaces(repertoire, targets, manifest.interpolation, command.evaluation);
+  const auto summaries = summarise(results);
+  show(summaries, console);
+  if (!command.out.empty()) {
+    write_all(command.out, results, summaries, command.evaluation.threshold, console);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_study_interfaces_command(CLI::App& study, Command& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "interfaces", "Try sliders for adjectives, features and weights on targets, without people");
+  const auto options = std::make_shared<InterfacesCommand>();
+  command
+      ->add_option("--examples", options->subject.examples,
+                   std::string("Examples: a manifest, ") + examples_help)
+      ->required();
+  command->add_option("--ratings", options->subject.ratings,
+                      "Answers (CSV); otherwise those of the manifest or the built-in set");
+  command->add_option("--scales", options->subject.scales,
+                      "Scales file (YAML); otherwise the manifest's or the 41 adjective pairs");
+  command->add_option("--targets", options->targets, "Targets")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command
+      ->add_option("--users", options->evaluation.users,
+                   "Simulated users for each target and interface")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--steps", options->evaluation.steps,
+                   "Slider grids whose nearest settings are tried, with commas")
+      ->delimiter(',')
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str();
+  command
+      ->add_option("--threshold", options->evaluation.threshold,
+                   "Distance D below which motions match, metres")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed; the manifest's without it");
+  command->add_option("-o,--output", options->out, "Folder for the tables and the figure");
+  command->footer(
+      "\nFor every target (sampled as by mien study targets) and interface: the distance D of the "
+      "nearest setting of the sliders, and of simulated users. Such a user reads the settings off "
+      "the target with an error of 0.15 (SD), then moves one slider at a time up and down by 0.2, "
+      "later by less, keeping what looks better, with an error of 10 % in seeing distances; at "
+      "most 100 motions are looked at. It shows what the interfaces allow, not what people do with "
+      "them: nobody reads the shares of examples off a motion as well as its quickness.\n\n"
+      "Example:\n  mien study interfaces --examples builtin:walks-27 -o out/interfaces");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return evaluate(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

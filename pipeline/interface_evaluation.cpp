@@ -1,0 +1,161 @@
+#include "pipeline/interface_evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/csv.h"
+#include "pipeline/primary_parameters.h"
+#include "pipeline/synthesis.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// A target, and the weights that it was made with.
+struct KnownMotion {
+  std::string id;
+  motion::Example motion;
+  Eigen::VectorXd weights;
+};
+
+/// The interface whose parameters targets are places of.
+const SliderInterface& target_interface(const std::vector<SliderInterface>& interfaces) {
+  return interfaces.front();
+}
+
+KnownMotion known_motion(const SampledTarget& target, const SliderInterface& interface,
+                         const Interpolation& interpolation, const Repertoire& repertoire) {
+  Stimulus stimulus;
+  stimulus.interpolation = interpolation;
+  NamedValues& wish =
+      interface.kind == InterfaceKind::features ? stimulus.features : stimulus.adjectives;
+  for (std::size_t i = 0; i < interface.sliders.size(); ++i) {
+    wish.emplace_back(interface.sliders[i], target.place[static_cast<Eigen::Index>(i)]);
+  }
+  return {target.id, motion_of(interface, target.place, interpolation, repertoire),
+          weights_of(stimulus, repertoire)};
+}
+
+void try_target(const KnownMotion& target, const SliderInterface& interface,
+                const Interpolation& interpolation, const Repertoire& repertoire,
+                const EvaluationOptions& options, std::vector<InterfaceResult>& results) {
+  const SliderDistance distance_at = [&](const Eigen::RowVectorXd& settings) {
+    return motion::distance(target.motion,
+                            motion_of(interface, settings, interpolation, repertoire))
+        .mean;
+  };
+  const Eigen::RowVectorXd ideal =
+      ideal_settings(interface, target.motion, target.weights, repertoire);
+  for (const double step : options.steps) {
+    const double distance = distance_at(rounded(ideal, step));
+    const bool matches = distance < options.threshold;
+    results.push_back(
+        {target.id, interface.kind, step, 0, distance, distance, 1, matches, matches});
+  }
+  for (int u = 1; u <= options.users; ++u) {
+    const SimulatedUser user = {
+        .seed = options.seed,
+        .name = fmt::format("{} {} user {}", target.id, name_of(interface.kind), u),
+        .threshold = options.threshold};
+    const InterfaceTrial trial = try_interface(ideal, user, distance_at);
+    results.push_back({target.id, interface.kind, 0.0, u, trial.first_distance, trial.distance,
+                       trial.looks, trial.first_distance < options.threshold, trial.matched});
+  }
+}
+
+InterfaceSummary summary_of(const std::vector<InterfaceResult>& results, InterfaceKind kind,
+                            double step) {
+  InterfaceSummary s{kind, step};
+  const auto belongs = [&](const InterfaceResult& r) { return r.kind == kind && r.step == step; };
+  const auto n = static_cast<double>(std::count_if(results.begin(), results.end(), belongs));
+  s.count = static_cast<int>(n);
+  for (const InterfaceResult& r : results) {
+    if (!belongs(r)) continue;
+    s.mean_first += r.first_distance / n;
+    s.mean_last += r.distance / n;
+    s.mean_looks += r.looks / n;
+    s.first_success += (r.first_matches ? 1.0 : 0.0) / n;
+    s.failure += (r.matches ? 0.0 : 1.0) / n;
+  }
+  if (n < 2) return s;
+  for (const InterfaceResult& r : results) {
+    if (!belongs(r)) continue;
+    s.sd_first += std::pow(r.first_distance - s.mean_first, 2) / (n - 1);
+    s.sd_last += std::pow(r.distance - s.mean_last, 2) / (n - 1);
+  }
+  s.sd_first = std::sqrt(s.sd_first);
+  s.sd_last = std::sqrt(s.sd_last);
+  return s;
+}
+
+std::string way_of(double step) { return step > 0.0 ? "nearest" : "user"; }
+std::string step_text(double step) { return step > 0.0 ? shortest(step) : ""; }
+
+}  // namespace
+
+std::vector<SliderInterface> interfaces_of(const Repertoire& repertoire) {
+  std::vector<SliderInterface> interfaces;
+  if (!repertoire.parameters.names.empty()) {
+    interfaces.push_back({InterfaceKind::adjectives, primary_adjectives(repertoire)});
+  }
+  interfaces.push_back({InterfaceKind::features, primary_features()});
+  std::vector<std::string> examples;
+  for (const RatedExample& example : repertoire.names) examples.push_back(example.name);
+  interfaces.push_back({InterfaceKind::weights, std::move(examples)});
+  return interfaces;
+}
+
+std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
+                                                 const std::vector<SampledTarget>& targets,
+                                                 const Interpolation& interpolation,
+                                                 const EvaluationOptions& options) {
+  const std::vector<SliderInterface> interfaces = interfaces_of(repertoire);
+  std::vector<InterfaceResult> results;
+  for (const SampledTarget& target : targets) {
+    const KnownMotion known =
+        known_motion(target, target_interface(interfaces), interpolation, repertoire);
+    for (const SliderInterface& interface : interfaces) {
+      try_target(known, interface, interpolation, repertoire, options, results);
+    }
+  }
+  return results;
+}
+
+std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& results) {
+  std::vector<InterfaceSummary> summaries;
+  for (const InterfaceResult& r : results) {
+    const auto same = [&r](const InterfaceSummary& s) {
+      return s.kind == r.kind && s.step == r.step;
+    };
+    if (std::any_of(summaries.begin(), summaries.end(), same)) continue;
+    summaries.push_back(summary_of(results, r.kind, r.step));
+  }
+  return summaries;
+}
+
+std::string results_csv(const std::vector<InterfaceResult>& results) {
+  CsvWriter table({"target", "interface", "way", "step", "user", "first_d_m", "d_m", "looks",
+                   "matched", "simulated"});
+  for (const InterfaceResult& r : results) {
+    table.row({r.target, name_of(r.kind), way_of(r.step), step_text(r.step),
+               r.user > 0 ? std::to_string(r.user) : "", shortest(r.first_distance),
+               shortest(r.distance), std::to_string(r.looks), r.matches ? "1" : "0", "1"});
+  }
+  return table.text();
+}
+
+std::string summary_csv(const std::vector<InterfaceSummary>& summaries) {
+  CsvWriter table({"interface", "way", "step", "count", "mean_first_d_m", "sd_first_d_m",
+                   "first_success", "mean_d_m", "sd_d_m", "failure", "mean_looks", "simulated"});
+  for (const InterfaceSummary& s : summaries) {
+    table.row({name_of(s.kind), way_of(s.step), step_text(s.step), std::to_string(s.count),
+               shortest(s.mean_first), shortest(s.sd_first), shortest(s.first_success),
+               shortest(s.mean_last), shortest(s.sd_last), shortest(s.failure),
+               shortest(s.mean_looks), "1"});
+  }
+  return table.text();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,28 @@
+#include "pipeline/study_subject.h"
+
+#include <filesystem>
+
+#include "pipeline/checked_manifest.h"
+#include "pipeline/environment.h"
+#include "pipeline/example_source.h"
+
+namespace mien::pipeline {
+
+Manifest manifest_of(const StudySubject& subject) {
+  const std::filesystem::path file(subject.examples);
+  Manifest manifest;
+  if (file.extension() == ".yaml" || file.extension() == ".yml") {
+    manifest = load_manifest(file, process_environment());
+  } else {
+    manifest.examples = parse_examples(subject.examples);
+    if (!manifest.examples.builtin.empty()) manifest.ratings.source = Ratings::Source::builtin;
+  }
+  if (!subject.ratings.empty()) {
+    manifest.ratings.source = Ratings::Source::file;
+    manifest.ratings.file = subject.ratings;
+  }
+  if (!subject.scales.empty()) manifest.scales.file = subject.scales;
+  return manifest;
+}
+
+}  // namespace mien::pipeline
