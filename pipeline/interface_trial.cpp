@@ -156,7 +156,7 @@ motion::Example motion_of(const SliderInterface& interface, const Eigen::RowVect
   Eigen::RowVectorXd moved = settings;
   if (interface.kind == InterfaceKind::weights && moved.sum() == 0.0) moved.setOnes();
   Stimulus stimulus = stimulus_of(interface, moved, interpolation);
-  return motion::blend(repertoire.examples, weights_of(stimulus, repertoire),
+  return motion::blend(repertoire.settled, weights_of(stimulus, repertoire),
                        {.frames_per_second = 30.0,
                         .rotations = interpolation.rotations,
                         .warp = interpolation.time_warp});

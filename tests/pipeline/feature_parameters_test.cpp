@@ -77,12 +77,11 @@ TEST(FeatureParameters, AtAnExamplesOwnFeaturesIsThatExampleWithoutAnyRatings) {
       const ParameterTable& table = repertoire.features.table;
       stimulus.features.emplace_back(name, table.values(table.find(name), i));
     }
-    stimulus.interpolation.foot_lock = false;
     const Synthesis made = synthesize(stimulus, repertoire);
-    const motion::Example& example = repertoire.examples.examples[static_cast<std::size_t>(i)];
-    EXPECT_LT(motion::distance(example, made.motion).mean, 1e-9) << example.name;
+    const motion::Example& example = repertoire.settled.examples[static_cast<std::size_t>(i)];
+    EXPECT_LT(motion::distance(example, made.motion).mean, 1e-4) << example.name;
     for (std::size_t p = 0; p < 4; ++p) {
-      EXPECT_NEAR(made.reached[p].second, stimulus.features[p].second, 1e-6);
+      EXPECT_NEAR(made.reached[p].second, stimulus.features[p].second, 1e-3);
     }
   }
 }

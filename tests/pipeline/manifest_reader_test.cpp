@@ -245,7 +245,7 @@ INSTANTIATE_TEST_SUITE_P(
              "stimuli: [{id: a, adjectives: {quickness: 1}, interpolation: {power: 3}}]\n",
              "m.yaml:4:62: interpolation.nugget: only kriging interpolation has this; add method: "
              "kriging, or leave it out\n"
-             "m.yaml:5:71: stimuli[0].interpolation.power: only inverse-distance interpolation has "
+             "m.yaml:5:70: stimuli[0].interpolation.power: only inverse-distance interpolation has "
              "this; add method: inverse-distance, or leave it out\n"},
         Case{"interpolation: {power: 3}\nstimuli:\n  - {id: a, adjectives: {quickness: 1}}\n"
              "  - {id: b, adjectives: {quickness: 1}, interpolation: {method: inverse-distance}}\n",
@@ -400,7 +400,7 @@ TEST_F(ManifestReaderTest, ChecksTheNamesInExpectations) {
   ASSERT_EQ(reading.manifest.ratings.expected.size(), 1u);
   EXPECT_EQ(reading.manifest.ratings.expected[0].order,
             (std::vector<std::string>{"slow", "briks"}));
-  EXPECT_EQ(told(check_names(reading.manifest, {{"quickness"}, {"slow", "brisk"}})),
+  EXPECT_EQ(told(check_names(reading.manifest, {{"quickness"}, {}, {"slow", "brisk"}})),
             "m.yaml:5:24: examples.expect[0].parameter: unknown parameter \"quicknes\"; did you "
             "mean \"quickness\"?\n"
             "m.yaml:5:48: examples.expect[0].order[1]: unknown example \"briks\"; did you mean "
