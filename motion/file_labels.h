@@ -7,9 +7,9 @@
 
 namespace mien::motion {
 
-/// Whether a file name matches a pattern of `*` (any characters), `?` (any one) and `[abc]`,
-/// `[a-z]`,
-/// `[!a]` (one of, one not of). Upper and lower case differ.
+/// Whether a file name matches a pattern of `*` (any characters), `?` (any one), `[abc]`, `[a-z]`,
+/// `[!a]` (one of, one not of) and `{walk,run}` (either; may be nested). Upper and lower case
+/// differ.
 bool matches_glob(std::string_view pattern, std::string_view name);
 
 /// Short labels for files that belong together: what all stems (names without extension) begin or

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "motion/foot_path.h"
 #include "motion/rotation.h"
@@ -44,10 +45,19 @@ Quat mean_rotation(const FootPath& path, int first, int last) {
   return mean;
 }
 
+/// The rotation of a foot that stands, without the lift of the toes that a badly calibrated capture
+/// gives it: nobody stands on his heels.
+Quat without_toe_lift(const Quat& sole, const FootPath& path) {
+  const Vec3 along = sole * (path.ball_in_foot - path.heel_in_foot);
+  if (along.y() <= 0.0) return sole;
+  return (Quat::FromTwoVectors(along, Vec3(along.x(), 0.0, along.z())) * sole).normalized();
+}
+
 /// Where the foot stands at each frame of its stance, in unrolled coordinates. Over the floor the
 /// pivot stays where it is; its height is the input's, so that a foot may roll on over its toes.
 std::vector<FootPlace> standing(const FootPath& path, const Stance& stance, double turn_frames) {
-  const Quat sole = mean_rotation(path, stance.flat_first, stance.flat_last);
+  const Quat sole =
+      without_toe_lift(mean_rotation(path, stance.flat_first, stance.flat_last), path);
   Vec3 ball = Vec3::Zero();
   for (int f = stance.flat_first; f <= stance.flat_last; ++f) ball += path.ball_at(f);
   ball /= stance.flat_last - stance.flat_first + 1;
@@ -132,6 +142,44 @@ std::vector<Correction> corrections(const FootPath& path, std::vector<FootPlant>
   return result;
 }
 
+std::vector<FootPlant> plants_of(const std::vector<FootPlant>& plants, bool left) {
+  std::vector<FootPlant> own;
+  std::copy_if(plants.begin(), plants.end(), std::back_inserter(own),
+               [&](const FootPlant& plant) { return plant.left == left; });
+  return own;
+}
+
+/// How far a foot hangs above the floor (y = 0), or is below it, while it stands flat. Mean over
+/// its plants; nothing without any.
+std::optional<double> hang(const Clip& clip, const std::vector<FootPlant>& plants, bool left,
+                           const FootLockOptions& options) {
+  const FootPath path = foot_path(clip, left);
+  const std::vector<FootPlant> own = plants_of(plants, left);
+  if (own.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const FootPlant& plant : own) {
+    const Stance stance = stance_of(path, plant, options.flat_metres, options.lifted_metres);
+    double height = 0.0;
+    for (int f = stance.flat_first; f <= stance.flat_last; ++f) {
+      height += path.ball_at(f).y();  // on which it comes to stand
+    }
+    sum += height / (stance.flat_last - stance.flat_first + 1) - path.sole_depth;
+  }
+  return sum / static_cast<double>(own.size());
+}
+
+/// The clip moved up or down until its feet, on the average, stand on the floor.
+Clip grounded(const Clip& clip, const std::vector<FootPlant>& plants,
+              const FootLockOptions& options) {
+  const auto left = hang(clip, plants, true, options);
+  const auto right = hang(clip, plants, false, options);
+  if (!left && !right) return clip;
+  const double height = ((left ? *left : *right) + (right ? *right : *left)) / 2.0;
+  Clip result = clip;
+  for (Pose& pose : result.poses) pose.root_position.y() -= height;
+  return result;
+}
+
 /// One leg's targets and how far it may stretch, by frame.
 struct LegTargets {
   LegJoints joints;
@@ -141,13 +189,11 @@ struct LegTargets {
 LegTargets leg_targets(const Clip& clip, const std::vector<FootPlant>& plants, bool left,
                        const FootLockOptions& options) {
   const FootPath path = foot_path(clip, left);
-  std::vector<FootPlant> own;
-  std::copy_if(plants.begin(), plants.end(), std::back_inserter(own),
-               [&](const FootPlant& plant) { return plant.left == left; });
-  const auto added = corrections(path, own, clip.frames_per_second, options);
+  const auto added = corrections(path, plants_of(plants, left), clip.frames_per_second, options);
+  const Vec3 down(0.0, -hang(clip, plants, left, options).value_or(0.0), 0.0);
   LegTargets targets{leg_joints(left), {}};
   for (size_t f = 0; f < added.size(); ++f) {
-    targets.places.push_back({path.ankle[f] + added[f].translation,
+    targets.places.push_back({path.ankle[f] + added[f].translation + down,
                               (exp(added[f].turn) * path.rotation[f]).normalized()});
   }
   return targets;
@@ -203,7 +249,7 @@ void place_leg(Pose& pose, const JointTransforms& world, const LegJoints& leg,
   TwoBoneLimb limb = limb_of(world, leg);
   const Vec3 down(0.0, -drop, 0.0);
   limb = {limb.root + down, limb.middle + down, limb.end + down};
-  const Vec3 forward = world.rotations[Pelvis] * Vec3::UnitZ();
+  const Vec3 forward = world.rotations[static_cast<size_t>(leg.hip)] * Vec3::UnitZ();
   const TwoBoneSolution solution = solve_two_bone(limb, place.ankle, forward);
   const Quat thigh = solution.upper_turn * world.rotations[static_cast<size_t>(leg.hip)];
   const Quat shank = solution.lower_turn * world.rotations[static_cast<size_t>(leg.knee)];
@@ -216,8 +262,9 @@ void place_leg(Pose& pose, const JointTransforms& world, const LegJoints& leg,
 
 }  // namespace
 
-Clip foot_locked(const Clip& clip, const std::vector<FootPlant>& plants,
+Clip foot_locked(const Clip& free, const std::vector<FootPlant>& plants,
                  const FootLockOptions& options) {
+  const Clip clip = grounded(free, plants, options);
   const std::array legs = {leg_targets(clip, plants, true, options),
                            leg_targets(clip, plants, false, options)};
   std::vector<double> needed(clip.poses.size(), 0.0);

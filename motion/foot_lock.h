@@ -22,7 +22,11 @@ struct FootLockOptions {
 };
 
 /// Removes foot skate: while planted, a foot turns about its heel until the sole is flat, stands
-/// still, and turns about its ball until it leaves the floor. Corrections fade over the swing; the
+/// still, and turns about its ball until it leaves the floor. The flat sole comes to stand on the
+/// floor (y = 0): first the whole figure is moved up or down by what both feet hang above it on the
+/// average, then each foot by the rest, for captures often have one higher than the other;
+/// toes that hang above a standing heel come down too.
+/// Corrections fade over the swing; the
 /// pelvis sinks, smoothly, where a leg would have to stretch; knees stay in their plane and bones
 /// keep their lengths (after Kovar, Schreiner and Gleicher 2002). The clip must travel, not walk in
 /// place.

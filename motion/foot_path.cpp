@@ -50,6 +50,7 @@ FootPath foot_path(const Clip& clip, bool left) {
   path.ball_in_foot = clip.body.joints[static_cast<size_t>(leg.toe)].offset;
   path.heel_in_foot =
       Vec3(0.0, path.ball_in_foot.y(), -heel_share * std::abs(path.ball_in_foot.z()));
+  path.sole_depth = 0.02 * standing_height(clip.body) / 1.73;  // as in sole.h
   path.loops = clip.loops;
   path.cycle_displacement = clip.cycle_displacement;
   for (const Pose& pose : clip.poses) {
@@ -62,21 +63,23 @@ FootPath foot_path(const Clip& clip, bool left) {
 
 Stance stance_of(const FootPath& path, const FootPlant& plant, double flat_metres,
                  double lifted_metres) {
-  int lowest_ball = plant.first;
+  double lowest_ball = std::numeric_limits<double>::infinity();
   double lowest_heel = std::numeric_limits<double>::infinity();
   for (int f = plant.first; f <= plant.last; ++f) {
-    if (path.ball_at(f).y() < path.ball_at(lowest_ball).y()) lowest_ball = f;
+    lowest_ball = std::min(lowest_ball, path.ball_at(f).y());
     lowest_heel = std::min(lowest_heel, path.heel_at(f).y());
   }
-  const double floor_ball = path.ball_at(lowest_ball).y();
+  const auto lift = [&](int f) {
+    return std::max(path.ball_at(f).y() - lowest_ball, path.heel_at(f).y() - lowest_heel);
+  };
+  double flattest = std::numeric_limits<double>::infinity();
+  for (int f = plant.first; f <= plant.last; ++f) flattest = std::min(flattest, lift(f));
   Stance stance{plant.first, plant.last + 1, plant.first - 1, plant.last};
   for (int f = plant.first; f <= plant.last; ++f) {
-    if (path.ball_at(f).y() > floor_ball + flat_metres) continue;
-    if (path.heel_at(f).y() > lowest_heel + flat_metres) continue;
+    if (lift(f) > std::max(flat_metres, flattest)) continue;
     stance.flat_first = std::min(stance.flat_first, f);
     stance.flat_last = std::max(stance.flat_last, f);
   }
-  if (stance.flat_last < stance.flat_first) stance.flat_first = stance.flat_last = lowest_ball;
   const double ball_level = path.ball_at(stance.flat_last).y();
   const double heel_level = path.heel_at(stance.flat_first).y();
   for (stance.last = stance.flat_last; stance.last < plant.last; ++stance.last) {

@@ -19,6 +19,7 @@ struct FootPath {
   Vec3 heel_in_foot;  ///< back of the sole at the ball's height, in the ankle's frame
   std::vector<Vec3> ankle;
   std::vector<Quat> rotation;
+  double sole_depth = 0.0;  ///< of the sole below ball_in_foot and heel_in_foot, metres
   bool loops = false;
   Vec3 cycle_displacement = Vec3::Zero();
 
@@ -45,7 +46,8 @@ struct Stance {
 /// The plant's stance. Its ends lie within the plant: heel and ball count as on the floor while
 /// they are less than `lifted_metres` above their height under the flat sole, the sole as flat
 /// while both are less than `flat_metres` above their lowest. A foot that never comes down flat
-/// (running on the toes) is taken as flat where its ball is lowest.
+/// (running on the toes, or tilting all the while in a noisy capture) is taken as flat where the
+/// higher of both is least.
 Stance stance_of(const FootPath& path, const FootPlant& plant, double flat_metres,
                  double lifted_metres);
 

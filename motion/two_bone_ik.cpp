@@ -9,13 +9,21 @@ namespace mien::motion {
 
 namespace {
 
-/// Unit vector off the line root–end on which the middle joint lies.
+/// A limb whose middle joint lies off the line by more than this share of the upper bone (10° of
+/// bend) shows by itself which way it bends.
+constexpr double clear_bend = 0.09;
+
+/// Unit vector off the line root–end in which the limb bends. Of a nearly straight limb noise
+/// decides where the middle joint lies, so there the hint takes over, smoothly.
 Vec3 bend_direction(const TwoBoneLimb& limb, const Vec3& line, const Vec3& hint) {
-  const Vec3 upper = limb.middle - limb.root;
+  const Vec3 upper = (limb.middle - limb.root).normalized();
   const Vec3 off = upper - upper.dot(line) * line;
-  if (off.norm() > 1e-4 * upper.norm()) return off.normalized();
   const Vec3 hinted = hint - hint.dot(line) * line;
-  return hinted.norm() > 1e-9 ? Vec3(hinted.normalized()) : Vec3(line.unitOrthogonal());
+  const double x = std::min(1.0, off.norm() / clear_bend);
+  const double share = clear_bend * (1.0 - x * x * (3.0 - 2.0 * x));
+  Vec3 bend = off;
+  if (hinted.norm() > 1e-9) bend += share * hinted.normalized();
+  return bend.norm() > 1e-9 ? Vec3(bend.normalized()) : Vec3(line.unitOrthogonal());
 }
 
 Quat turn(const Vec3& from, const Vec3& to, const Vec3& normal_before, const Vec3& normal_after) {

@@ -7,6 +7,7 @@
 
 #include "motion/nearest_word.h"
 #include "pipeline/csv.h"
+#include "pipeline/word_answers.h"
 
 namespace mien::pipeline {
 
@@ -35,6 +36,7 @@ double value_in(const CsvTable& table, const CsvField& field, const Scale& scale
 }
 
 Answers answers_of(const CsvTable& table, const ScaleSet& scales) {
+  if (holds_words(table)) return answers_from_words(table, scales, Unmentioned::neutral).answers;
   const auto stimulus = static_cast<size_t>(require_column(table, "stimulus"));
   const auto scale_column = static_cast<size_t>(require_column(table, "scale"));
   const auto value = static_cast<size_t>(require_column(table, "value"));

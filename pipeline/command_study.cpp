@@ -69,6 +69,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
   add_study_interfaces_command(*study, chosen);
   add_study_predict_command(*study, chosen);
   add_study_targets_command(*study, chosen);
+  add_study_words_command(*study, chosen);
 }
 
 }  // namespace mien::pipeline

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <cairo-pdf.h>
+#include <cairo-svg.h>
 #include <pango/pangocairo.h>
 
 #include "motion/error.h"
@@ -47,11 +48,22 @@ cairo_status_t append(void* bytes, const unsigned char* chunk, unsigned length) 
   return CAIRO_STATUS_SUCCESS;
 }
 
+/// Cairo numbers the surfaces of a process and writes the number into the page's group; the same
+/// drawing shall be the same bytes.
+void name_page(std::string& svg) {
+  constexpr std::string_view numbered = "<g id=\"surface";
+  const std::size_t start = svg.find(numbered);
+  if (start == std::string::npos) return;
+  const std::size_t end = svg.find('"', start + numbered.size());
+  svg.replace(start, end - start, "<g id=\"page");
+}
+
 }  // namespace
 
 struct Canvas::Surface {
-  std::string bytes;  // first, so that it outlives the PDF surface that writes to it
+  std::string bytes;  // first, so that it outlives the surface that writes to it
   bool pixels = false;
+  bool svg = false;
   SurfacePointer surface;
   ContextPointer context;
   FontMapPointer fonts;
@@ -153,6 +165,18 @@ Canvas Canvas::pdf(double width, double height, const std::string& title) {
   // Not a date, so none is written: Cairo would put the time of the run there.
   cairo_pdf_surface_set_metadata(page, CAIRO_PDF_METADATA_CREATE_DATE, "");
   Canvas canvas(std::move(surface));
+  canvas.surface_->set_up_text();
+  return canvas;
+}
+
+Canvas Canvas::svg(double width, double height) {
+  auto surface = std::make_unique<Surface>();
+  surface->svg = true;
+  surface->surface.reset(
+      cairo_svg_surface_create_for_stream(append, &surface->bytes, width, height));
+  cairo_svg_surface_set_document_unit(surface->surface.get(), CAIRO_SVG_UNIT_PT);
+  Canvas canvas(std::move(surface));
+  canvas.fill(Box{0, 0, width, height}, paper);
   canvas.surface_->set_up_text();
   return canvas;
 }
@@ -261,6 +285,7 @@ std::string Canvas::finish() {
   cairo_surface_finish(page);
   require(cairo_surface_status(page));
   std::string bytes = std::move(surface_->bytes);
+  if (surface_->svg) name_page(bytes);
   surface_.reset();
   return bytes;
 }

@@ -52,7 +52,8 @@ struct DrawnText {
   Box box;
 };
 
-/// A page to draw on, as PDF (vector, text stays text) or as pixels. Lines and corners are round.
+/// A page to draw on, as PDF (vector, text stays text), as SVG (vector, text as outlines, so that
+/// it looks the same without our fonts) or as pixels. Lines and corners are round.
 ///
 /// Text is set in Noto Sans CJK JP; glyphs it lacks come from the fonts that the system offers. The
 /// same drawing gives the same bytes on every run: no dates, no names of the machine.
@@ -60,6 +61,8 @@ class Canvas {
  public:
   /// A PDF page. Throws mien::Error when the system's fonts have no Japanese.
   static Canvas pdf(double width, double height, const std::string& title);
+  /// An SVG image. Throws as `pdf`.
+  static Canvas svg(double width, double height);
   /// An image `pixels_wide` wide of a page of the given size in points. Throws as `pdf`.
   static Canvas png(double width, double height, int pixels_wide);
 

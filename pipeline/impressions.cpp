@@ -17,7 +17,17 @@ namespace {
 struct Tally {
   int count = 0;
   double sum = 0.0;
-  double squares = 0.0;
+  double mean = 0.0;     // running, for `squares` alone
+  double squares = 0.0;  // of the departures from the mean
+
+  /// Welford 1962: exactly 0 where all answers are equal.
+  void add(double share) {
+    ++count;
+    sum += share;
+    const double before = share - mean;
+    mean += before / count;
+    squares += before * (share - mean);
+  }
 };
 
 std::map<std::string, Eigen::Index> columns_of(const std::vector<RatedExample>& examples) {
@@ -54,10 +64,7 @@ Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
     auto& row = tallies[answer.scale];
     row.resize(examples.size());
     Tally& tally = row[static_cast<size_t>(column->second)];
-    const double share = share_of(*find_scale(scales, answer.scale), answer.value);
-    ++tally.count;
-    tally.sum += share;
-    tally.squares += share * share;
+    tally.add(share_of(*find_scale(scales, answer.scale), answer.value));
     if (!answer.participant.empty()) means_only = false;
   }
 
@@ -82,12 +89,10 @@ Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
                                       result.scales[static_cast<size_t>(j)]));
         continue;
       }
-      const double mean = tally.sum / tally.count;
-      result.mean(j, i) = mean;
+      result.mean(j, i) = tally.sum / tally.count;
       result.count(j, i) = tally.count;
-      result.deviation(j, i) =
-          means_only ? std::numeric_limits<double>::quiet_NaN()
-                     : std::sqrt(std::max(0.0, tally.squares / tally.count - mean * mean));
+      result.deviation(j, i) = means_only ? std::numeric_limits<double>::quiet_NaN()
+                                          : std::sqrt(tally.squares / tally.count);
     }
   }
   if (rows == 0) {

@@ -10,6 +10,7 @@
 
 #include "motion/blend.h"
 #include "motion/time_warp.h"
+#include "pipeline/expectation.h"
 #include "pipeline/places.h"
 
 namespace mien::pipeline {
@@ -36,8 +37,9 @@ struct Ratings {
   enum class Source { none, builtin, simulated, file };
 
   Source source = Source::none;
-  std::filesystem::path file;  ///< CSV of answers or of means, resolved
-  int raters = 14;             ///< simulated only
+  std::filesystem::path file;              ///< CSV of answers or of means, resolved
+  int raters = 14;                         ///< simulated only
+  std::vector<Expectation> expected = {};  ///< which examples should lie above which
 };
 
 /// What the ratings are on: the built-in 41 adjective pairs, or a file.

@@ -120,9 +120,23 @@ class Builder {
       }
     }
     assign(member(examples, "raters"), ratings.raters);
+    if (const json* expected = member(examples, "expect")) read_expectations(*expected);
     std::string scales = "builtin";
     assign(member(examples, "scales"), scales);
     if (scales != "builtin") manifest_.scales.file = resolved(scales);
+  }
+
+  void read_expectations(const json& expected) {
+    for (const json& given : expected) {
+      Expectation expectation;
+      assign(member(given, "parameter"), expectation.parameter);
+      if (const json* order = member(given, "order"); order && order->is_array()) {
+        for (const json& example : *order) {
+          if (example.is_string()) expectation.order.push_back(example.get<std::string>());
+        }
+      }
+      manifest_.ratings.expected.push_back(std::move(expectation));
+    }
   }
 
   void read_set(const json& set) {

@@ -57,6 +57,7 @@ class Checker {
       if (!stimulus.id.empty()) motions.push_back(stimulus.id);
     }
     motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
+    check_expectations(vocabulary);
     for (const Sheet& sheet : manifest_.sheets) {
       const std::string compare = member_path(sheet.path, "compare");
       check_motion(member_path(compare, "target"), sheet.target, motions);
@@ -88,6 +89,10 @@ class Checker {
       add("examples.ratings", "only built-in sets have built-in ratings",
           "name a CSV file, or use simulated");
     }
+    if (!ratings.expected.empty() && ratings.source == Ratings::Source::none) {
+      add("examples.expect", "expectations need ratings of the examples",
+          "add ratings: with a CSV file to examples");
+    }
     if (!manifest_.scales.file.empty()) {
       check_file("examples.scales", manifest_.scales.file, "'builtin' or a YAML file");
       if (ratings.source == Ratings::Source::builtin) {
@@ -95,6 +100,25 @@ class Checker {
             "use ratings: simulated, or leave scales out");
       }
     }
+  }
+
+  void check_expectations(const Vocabulary& vocabulary) {
+    const std::vector<Expectation>& expected = manifest_.ratings.expected;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const std::string path = element_path("examples.expect", i);
+      check_word(member_path(path, "parameter"), expected[i].parameter, "parameter",
+                 vocabulary.parameters);
+      for (std::size_t k = 0; k < expected[i].order.size(); ++k) {
+        check_word(element_path(member_path(path, "order"), k), expected[i].order[k], "example",
+                   vocabulary.examples);
+      }
+    }
+  }
+
+  void check_word(const std::string& path, const std::string& name, const std::string& what,
+                  const std::vector<std::string>& known) {
+    if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
+    add(path, "unknown " + what + " \"" + name + "\"", remedy_for(name, known));
   }
 
   void check_file(const std::string& path, const fs::path& file, const std::string& expected) {

@@ -1,5 +1,7 @@
 #include "pipeline/motions.h"
 
+#include <algorithm>
+
 namespace mien::pipeline {
 
 struct Motions::Entry {
@@ -37,6 +39,11 @@ Synthesis Motions::make(const std::string& name) {
   // A file shown as it is needs no examples; there may be none.
   if (stimulus->clip) return synthesize(*stimulus, Repertoire{});
   return synthesize(*stimulus, repertoire());
+}
+
+bool blends_examples(const Manifest& manifest) {
+  return std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
+                     [](const Stimulus& stimulus) { return !stimulus.clip; });
 }
 
 const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id) {

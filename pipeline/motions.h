@@ -40,6 +40,9 @@ class Motions {
   std::map<std::string, std::unique_ptr<Entry>> entries_;
 };
 
+/// Whether anything is made from examples, and not from a file alone.
+bool blends_examples(const Manifest& manifest);
+
 /// The stimulus of that id, or nullptr.
 const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id);
 

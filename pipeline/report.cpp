@@ -6,6 +6,7 @@
 
 #include "motion/distance.h"
 #include "pipeline/code_identity.h"
+#include "pipeline/report_ratings.h"
 #include "pipeline/parameter_label.h"
 #include "pipeline/report_style.h"
 #include "pipeline/sheet.h"
@@ -186,9 +187,7 @@ std::string report(const Manifest& manifest, Motions& motions) {
         "example motions: what is shown for an adjective is what made-up raters would say.</p>\n";
   }
   page += "</header>\n<main>\n";
-  const bool has_repertoire = std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
-                                          [](const Stimulus& s) { return !s.clip; });
-  if (has_repertoire) page += warning_list(motions.repertoire().warnings);
+  if (blends_examples(manifest)) page += warning_list(motions.repertoire().warnings);
   page += "<section><h2>Stimuli</h2>\n<div class=\"cards\">\n";
   for (const Stimulus& stimulus : manifest.stimuli) page += stimulus_card(stimulus, motions);
   page += "</div></section>\n";
@@ -197,6 +196,7 @@ std::string report(const Manifest& manifest, Motions& motions) {
     for (const Sheet& sheet : manifest.sheets) page += sheet_card(sheet, motions);
     page += "</section>\n";
   }
+  if (blends_examples(manifest)) page += ratings_section(manifest, motions.repertoire());
   return page + "</main>\n" + footer(manifest) + "</body>\n</html>\n";
 }
 

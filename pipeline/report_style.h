@@ -37,6 +37,14 @@ th, td { text-align: left; padding: .2rem .6rem .2rem 0; border-bottom: 1px soli
 thead th { color: var(--quiet); font-size: .85rem; }
 td:not(.bar) { text-align: right; }
 section > table td:first-of-type { text-align: left; }
+.wide { overflow-x: auto; }
+.impressions td { text-align: right; background: color-mix(in srgb, var(--tone) var(--far), transparent); }
+.impressions .low { --tone: #d08a2e; }
+.impressions .high { --tone: #3f8fb5; }
+.expected { list-style: none; padding: 0; }
+.holds::before { content: "✓ "; color: var(--target); font-weight: 700; }
+.fails::before { content: "✗ "; color: var(--reference); font-weight: 700; }
+summary { cursor: pointer; }
 meter { width: 100%; min-width: 5rem; }
 .simulated, .warnings { background: var(--warn); color: var(--warn-ink); border-radius: .4rem; padding: .7rem 1rem; }
 .warnings { padding-left: 2rem; }

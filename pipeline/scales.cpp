@@ -64,12 +64,17 @@ ScaleSet build(const JsonReading& reading) {
   return set;
 }
 
+std::vector<std::string> ids_of(const ScaleSet& set) {
+  std::vector<std::string> ids;
+  for (const Scale& scale : set.scales) ids.push_back(scale.id);
+  return ids;
+}
+
 /// Ranges that are empty and groups that name no scale or take a scale's name.
 std::vector<Fault> check(const ScaleSet& set, const Places& places) {
   std::vector<Fault> faults;
-  std::vector<std::string> ids;
+  const std::vector<std::string> ids = ids_of(set);
   for (const Scale& scale : set.scales) {
-    ids.push_back(scale.id);
     if (scale.least < scale.most) continue;
     const std::string own = member_path(member_path("scales", scale.id), "range");
     const std::string path = places.values.contains(own) ? own : "range";
@@ -138,6 +143,7 @@ ScaleSet parse_scales(std::string_view yaml, const std::string& file) {
   if (!faults.empty()) throw Faults(faults);
   ScaleSet set = build(reading);
   faults = check(set, reading.places);
+  set.lexicon = lexicon_from(reading.document, ids_of(set), reading.places, faults);
   if (!faults.empty()) throw Faults(faults);
   return set;
 }

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/lexicon.h"
+
 namespace mien::pipeline {
 
 /// A rating scale with two ends, as a study names it.
@@ -34,6 +36,7 @@ struct ScaleSet {
   std::string name;
   std::vector<Scale> scales;
   std::vector<ScaleGroup> groups;  ///< primary parameters; may be empty
+  Lexicon lexicon = {};            ///< for answers in words; may be empty
 };
 
 /// The 41 adjective pairs and the four primary groups (Table 2) of the adjective paper, answered on
@@ -48,6 +51,10 @@ ScaleSet builtin_scales();
 ///       extraversion: {low: introverted, high: extraverted, ja: [内向的な, 外向的な]}
 ///     groups:                     # optional
 ///       energy: {scales: [extraversion], ja: 活力}
+///     languages:                  # optional: for answers in words
+///       english: {called: [en], strengthened: [very], softened: [a little], negated: [not]}
+///     words:
+///       extraversion: {low: {english: [shy]}, high: {english: [outgoing]}}
 ScaleSet read_scales(const std::filesystem::path& file);
 ScaleSet parse_scales(std::string_view yaml, const std::string& file);
 

@@ -130,4 +130,21 @@ std::string parameters_csv(const Manifest& manifest, Motions& motions) {
   return table.text();
 }
 
+std::string impressions_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table({"scale", "example", "ratings", "answers", "mean", "sd"});
+  if (!blends_examples(manifest) || !motions.repertoire().impressions) return table.text();
+  const Impressions& impressions = *motions.repertoire().impressions;
+  const std::string ratings = impressions.simulated ? "simulated" : "given";
+  for (Eigen::Index j = 0; j < impressions.mean.rows(); ++j) {
+    for (Eigen::Index i = 0; i < impressions.mean.cols(); ++i) {
+      const double sd = impressions.deviation(j, i);
+      table.row({impressions.scales[static_cast<std::size_t>(j)],
+                 impressions.examples[static_cast<std::size_t>(i)], ratings,
+                 std::to_string(impressions.count(j, i)), shortest(impressions.mean(j, i)),
+                 std::isnan(sd) ? "" : shortest(sd)});
+    }
+  }
+  return table.text();
+}
+
 }  // namespace mien::pipeline

@@ -31,4 +31,9 @@ std::string clips_csv(const Manifest& manifest, Motions& motions);
 /// 0 … 1, name and name_ja (as people read them: "sad – happy").
 std::string parameters_csv(const Manifest& manifest, Motions& motions);
 
+/// What people think of the examples, a row a scale and example: scale, example, ratings, answers,
+/// mean (0 low end … 1 high end), sd (over participants; empty where only means are known). No
+/// rows where nothing is blended or nothing was rated.
+std::string impressions_csv(const Manifest& manifest, Motions& motions);
+
 }  // namespace mien::pipeline

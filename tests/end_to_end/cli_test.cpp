@@ -1,4 +1,6 @@
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include <fcntl.h>
@@ -290,6 +292,30 @@ TEST(CommandLine, SimulatedAnswersAreTheSameEveryTimeAndMarked) {
   ASSERT_EQ(first.code, 0) << first.errors;
   EXPECT_TRUE(first.output.starts_with("participant,stimulus,scale,value,simulated\n"));
   EXPECT_EQ(first.output, run_mien(command).output);
+}
+
+TEST(CommandLine, WordsBecomeAnswersThatAManifestTakesToo) {
+  const Scratch scratch;
+  const std::string words =
+      "participant,language,motion,verb,modifier1\n"
+      "1,suomi,normal,kävelee,hitaasti\n1,suomi,brisk,juoksee,hyvin nopeasti\n";
+  const std::string file = scratch.write("words.csv", words).string();
+  const std::string lexicon = MIEN_SOURCE_DIR "/manifests/walking-words.scales.yaml";
+  const std::string answers = (scratch.path() / "answers.csv").string();
+  const std::string report = (scratch.path() / "report").string();
+  const Ended ended =
+      run_mien({"study", "words", file, "--lexicon", lexicon, "-o", answers, "--report", report});
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  EXPECT_NE(ended.output.find("finnish: 2 of 2 answers understood (100 %)"), std::string::npos);
+  EXPECT_TRUE(fs::exists(report + "/coverage.csv"));
+  std::ifstream stream(answers);
+  const std::string text((std::istreambuf_iterator<char>(stream)), {});
+  EXPECT_NE(text.find("1,brisk,slow-fast,2\n"), std::string::npos);
+  EXPECT_NE(text.find("1,normal,slow-fast,-1\n"), std::string::npos);
+  const Ended refused = run_mien({"study", "words", answers, "--lexicon", lexicon, "-o", file});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("answers.csv:1:1: there is no column \"language\""), std::string::npos)
+      << refused.errors;
 }
 
 TEST(CommandLine, VersionNamesTheLibraries) {

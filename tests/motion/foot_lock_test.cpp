@@ -40,7 +40,8 @@ void place_leg(Pose& pose, const Skeleton& body, bool left, const Vec3& ankle) {
   pose.rotations[leg.ankle] = shank.conjugate();
 }
 
-Clip slipping_walk(double slip) {
+/// The right foot hangs `right_hang` metres too high.
+Clip slipping_walk(double slip, double right_hang = 0.0) {
   Clip clip;
   clip.body = standard_body();
   clip.frames_per_second = fps;
@@ -53,7 +54,7 @@ Clip slipping_walk(double slip) {
     pose.root_position = Vec3(0, 0.87, stride_m * (phase - 0.3));
     place_leg(pose, clip.body, true, ankle_at(phase, 0.09, slip));
     place_leg(pose, clip.body, false,
-              ankle_at(phase - 0.5, -0.09, slip) + Vec3(0, 0, stride_m / 2));
+              ankle_at(phase - 0.5, -0.09, slip) + Vec3(0, right_hang, stride_m / 2));
     clip.poses.push_back(pose);
   }
   return clip;
@@ -67,6 +68,50 @@ TEST(FootLock, HoldsPlantedFeetStill) {
     EXPECT_GT(planted_drift(clip, plants), 0.01);
     EXPECT_LT(planted_drift(foot_locked(clip, plants), plants), 1e-6) << slip;
   }
+}
+
+TEST(FootLock, BringsFeetThatHangDownToTheFloor) {
+  const Clip expected = foot_locked(slipping_walk(0.0), plants);
+  Clip lifted = slipping_walk(0.0, 0.03);
+  for (Pose& pose : lifted.poses) pose.root_position.y() += 0.05;
+  const Clip locked = foot_locked(lifted, plants);
+  for (size_t f = 0; f < locked.poses.size(); ++f) {
+    const auto found = world_positions(locked.body, locked.poses[f]);
+    const auto wanted = world_positions(expected.body, expected.poses[f]);
+    for (const BodyJoint ankle : {LeftAnkle, RightAnkle}) {
+      EXPECT_LT((found[ankle] - wanted[ankle]).norm(), 1e-6) << f;
+    }
+    // Half of what only one foot hangs is taken from the whole figure.
+    EXPECT_LT(std::abs(found[Pelvis].y() - wanted[Pelvis].y()), 0.0151) << f;
+  }
+}
+
+TEST(FootLock, BringsTheToesOfAStandingFootDown) {
+  Clip clip = slipping_walk(0.02);
+  const Quat toes_up(Eigen::AngleAxisd(-10.0 * radians_per_degree, Vec3::UnitX()));
+  for (Pose& pose : clip.poses) pose.rotations[RightAnkle] = pose.rotations[RightAnkle] * toes_up;
+  const Clip locked = foot_locked(clip, plants);
+  const auto ball = [](const Clip& of, size_t frame) {
+    return world_positions(of.body, of.poses[frame])[RightToe].y();
+  };
+  EXPECT_NEAR(ball(locked, 48), ball(slipping_walk(0.0), 48), 1e-3);
+  EXPECT_GT(ball(clip, 48), ball(locked, 48) + 0.02);
+}
+
+TEST(Stance, OfAFootThatTiltsAllTheWhileIsFlatWhereItIsLevelest) {
+  FootPath path;
+  path.ball_in_foot = Vec3(0, -0.07, 0.15);
+  path.heel_in_foot = Vec3(0, -0.07, -0.05);
+  constexpr int count = 21;
+  for (int f = 0; f < count; ++f) {
+    path.ankle.emplace_back(0, 0.09, 0);
+    const double toes_down = (f - count / 2) * radians_per_degree * 1.5;
+    path.rotation.emplace_back(Eigen::AngleAxisd(toes_down, Vec3::UnitX()));
+  }
+  const Stance stance = stance_of(path, {true, 0, count - 1}, 0.006, 0.015);
+  // The ball falls and the heel rises from first to last: at the end the foot stands on its toes.
+  EXPECT_GT(stance.flat_first, 3);
+  EXPECT_LT(stance.flat_last, count - 4);
 }
 
 TEST(FootLock, LeavesFeetThatStandStillAlone) {

@@ -29,10 +29,13 @@ TEST(TwoBoneIk, ReachesEveryTargetWithinReachAndKeepsBoneLengths) {
   }
 }
 
-TEST(TwoBoneIk, LeavesALimbThatIsAlreadyThereAlone) {
+TEST(TwoBoneIk, LeavesABentLimbThatIsAlreadyThereAlone) {
   std::mt19937_64 random(22);
   for (int i = 0; i < 200; ++i) {
     TwoBoneLimb limb{random_vector(random), random_vector(random), random_vector(random)};
+    const Vec3 line = (limb.end - limb.root).normalized();
+    const Vec3 upper = (limb.middle - limb.root).normalized();
+    if (line.cross(upper).norm() < 0.1) continue;
     const TwoBoneSolution solution = solve_two_bone(limb, limb.end, Vec3::UnitZ());
     EXPECT_LT((solution.middle - limb.middle).norm(), 1e-7);
     EXPECT_LT(solution.upper_turn.angularDistance(Quat::Identity()), 1e-6);
@@ -52,6 +55,26 @@ TEST(TwoBoneIk, StraightLimbBendsTowardsTheHint) {
   const TwoBoneSolution solution = solve_two_bone(leg, {0, 0.3, 0}, Vec3::UnitZ());
   EXPECT_GT(solution.middle.z(), 0.1);
   EXPECT_NEAR(solution.middle.x(), 0.0, 1e-12);
+}
+
+TEST(TwoBoneIk, NoiseOfANearlyStraightLimbDoesNotTurnItsBend) {
+  std::mt19937_64 random(23);
+  std::normal_distribution<double> noise(0.0, 0.002);
+  for (int i = 0; i < 500; ++i) {
+    const TwoBoneLimb leg{{0, 1, 0}, {noise(random), 0.5, noise(random)}, {0, 0, 0}};
+    const TwoBoneSolution solution = solve_two_bone(leg, {0, 0.02, 0}, Vec3::UnitZ());
+    EXPECT_GT(solution.middle.z(), 0.09);
+    EXPECT_LT(std::abs(solution.middle.x()), 0.03);
+    // Nor does the bone turn about itself.
+    EXPECT_LT(solution.upper_turn.angularDistance(Quat::Identity()), 0.35);
+  }
+}
+
+TEST(TwoBoneIk, KeepsTheBendOfALimbThatIsClearlyBent) {
+  const TwoBoneLimb leg{{0, 1, 0}, {0.06, 0.52, 0.0}, {0, 0.04, 0}};
+  const TwoBoneSolution solution = solve_two_bone(leg, {0, 0.1, 0}, Vec3::UnitZ());
+  EXPECT_GT(solution.middle.x(), 0.1);
+  EXPECT_NEAR(solution.middle.z(), 0.0, 1e-9);
 }
 
 }  // namespace

@@ -317,6 +317,22 @@ sheets:
             "example; did you mean \"target-1\"?\n");
 }
 
+TEST_F(ManifestReaderTest, ChecksTheNamesInExpectations) {
+  const ManifestReading reading = parse(
+      "mien: 1\nstudy: s\nexamples:\n  set: builtin:walks-10\n"
+      "  expect: [{parameter: quicknes, order: [slow, briks]}]\n"
+      "stimuli: [{id: a, weights: {slow: 1}}]\n");
+  EXPECT_EQ(told(reading.faults), "");
+  ASSERT_EQ(reading.manifest.ratings.expected.size(), 1u);
+  EXPECT_EQ(reading.manifest.ratings.expected[0].order,
+            (std::vector<std::string>{"slow", "briks"}));
+  EXPECT_EQ(told(check_names(reading.manifest, {{"quickness"}, {"slow", "brisk"}})),
+            "m.yaml:5:24: examples.expect[0].parameter: unknown parameter \"quicknes\"; did you "
+            "mean \"quickness\"?\n"
+            "m.yaml:5:48: examples.expect[0].order[1]: unknown example \"briks\"; did you mean "
+            "\"brisk\"?\n");
+}
+
 TEST_F(ManifestReaderTest, AFileThatCannotBeReadIsAFaultToo) {
   const auto environment = process_environment();
   EXPECT_EQ(told(read_manifest(folder.path() / "none.yaml", environment).faults),

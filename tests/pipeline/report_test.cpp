@@ -102,6 +102,22 @@ TEST(Report, SaysSimulatedRatingsOnlyWhereSomethingRestsOnThem) {
   EXPECT_NE(report_of(manifest).find("Simulated ratings"), std::string::npos);
 }
 
+TEST(Report, SaysWhichExpectedOrdersDoNotHold) {
+  Manifest manifest = study_called("plain");
+  manifest.ratings.expected = {{"slow-fast", {"tired", "brisk"}},
+                               {"slow-fast", {"brisk", "tired"}}};
+  const std::string page = report_of(manifest);
+  EXPECT_NE(page.find("<li class=\"holds\">slow-fast: tired 0."), std::string::npos);
+  EXPECT_NE(page.find("<li class=\"fails\">slow-fast: brisk 0."), std::string::npos);
+  EXPECT_EQ(unbalanced_tag(page), "");
+}
+
+TEST(Report, ShowsNoRatingsWhereThereAreNone) {
+  Manifest manifest = study_called("plain");
+  manifest.ratings.source = Ratings::Source::none;
+  EXPECT_EQ(report_of(manifest).find("What people think"), std::string::npos);
+}
+
 TEST(Report, IsTheSameEachTime) {
   EXPECT_EQ(report_of(study_called("plain")), report_of(study_called("plain")));
 }

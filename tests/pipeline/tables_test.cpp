@@ -122,5 +122,18 @@ TEST_F(Tables, ParametersAreThoseAskedFor) {
   EXPECT_EQ(number(parameters, 1, "asked"), 0.5);
 }
 
+TEST_F(Tables, ImpressionsAreThoseOfEveryExampleOnEveryScale) {
+  const CsvTable impressions = table(impressions_csv);
+  ASSERT_EQ(impressions.rows.size(), 41u * 10u);
+  const Impressions& expected = *motions.repertoire().impressions;
+  for (std::size_t r = 0; r < impressions.rows.size(); r += 37) {
+    const auto scale = static_cast<Eigen::Index>(r / 10);
+    const auto example = static_cast<Eigen::Index>(r % 10);
+    EXPECT_EQ(number(impressions, r, "mean"), expected.mean(scale, example));
+    EXPECT_EQ(number(impressions, r, "answers"), 14.0);
+    EXPECT_EQ(text(impressions, r, "ratings"), "simulated");
+  }
+}
+
 }  // namespace
 }  // namespace mien::pipeline

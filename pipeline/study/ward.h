@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace mien::pipeline {
+
+/// One step of a hierarchical clustering. Clusters are numbered: 0 … n − 1 are the single vectors,
+/// n + k is what step k makes.
+struct Merge {
+  int first = 0;             ///< the one that holds the lowest vector of the two
+  int second = 0;            ///< the other
+  std::vector<int> members;  ///< vectors of the new cluster, ascending
+  double increase = 0.0;     ///< ΔE, by which the sum of squared distances to the means grows
+  double height = 0.0;       ///< √(2ΔE), as SciPy's "ward" and R's "ward.D2" give it
+};
+
+/// The whole tree: n − 1 merges of n vectors, ΔE never falling.
+struct Linkage {
+  int leaves = 0;
+  std::vector<Merge> merges;
+};
+
+/// Ward's clustering (1963) of the rows of a matrix: each step merges the two clusters whose union
+/// raises E = Σ‖a − mean of its cluster‖² least. Distances are kept by the recurrence of Lance and
+/// Williams (1967) on squared Euclidean distances. Of equally near pairs (to one part in 10¹²) the
+/// one with the lowest vectors goes first. The values must be finite. O(n³) time with a small
+/// constant, O(n²) memory: 500 × 500 takes well below a second.
+Linkage ward(const Eigen::MatrixXd& rows);
+
+/// The vectors from one end of the dendrogram to the other, so that no two branches cross; of each
+/// merge `first` comes first.
+std::vector<int> leaf_order(const Linkage& linkage);
+
+}  // namespace mien::pipeline
