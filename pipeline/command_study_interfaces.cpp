@@ -47,12 +47,7 @@ void write_all(const fs::path& folder, const std::vector<InterfaceResult>& resul
   fs::create_directories(folder);
   write_file(folder / "interface_trials.csv", results_csv(results));
   write_file(folder / "interface_summary.csv", summary_csv(summaries));
-  Canvas pdf = Canvas::pdf(interface_figure_width, interface_figure_height, "Interfaces");
-  draw_interfaces(pdf, summaries, threshold);
-  write_file(folder / "interfaces.pdf", pdf.finish());
-  Canvas png = Canvas::png(interface_figure_width, interface_figure_height, 1920);
-  draw_interfaces(png, summaries, threshold);
-  write_file(folder / "interfaces.png", png.finish());
+  write_figure(interface_figure(summaries, threshold), folder, "interfaces");
   console.out << "\ntables and figure in " << folder.string() << '\n';
 }
 

@@ -10,6 +10,9 @@ namespace mien::pipeline {
 
 namespace {
 
+constexpr double figure_width = 640.0;  // points
+constexpr double figure_height = 250.0;
+
 /// One bar, in the panel's unit.
 struct Bar {
   std::string name;
@@ -104,15 +107,12 @@ void draw_mark(Canvas& canvas) {
   const std::string words = "Simulated: no person took part  模擬";
   const TextStyle style = {.size = 8.5, .colour = caution_ink, .bold = true};
   const double width = canvas.text_width(words, style) + 18.0;
-  const Box pill = {interface_figure_width - 18.0 - width, 10.0, width, 17.0};
+  const Box pill = {figure_width - 18.0 - width, 10.0, width, 17.0};
   canvas.fill(pill, caution, 8.5);
   canvas.text({pill.x + 9.0, pill.y + 11.7}, words, style);
 }
 
-}  // namespace
-
-void draw_interfaces(Canvas& canvas, const std::vector<InterfaceSummary>& summaries,
-                     double threshold_m) {
+void draw(Canvas& canvas, const std::vector<InterfaceSummary>& summaries, double threshold_m) {
   canvas.text({18.0, 23.0}, "How near each interface comes to its targets",
               {.size = 12.0, .bold = true});
   draw_mark(canvas);
@@ -138,6 +138,13 @@ void draw_interfaces(Canvas& canvas, const std::vector<InterfaceSummary>& summar
   draw_bars(canvas, {{388.0, 78.0, 95.0, 140.0}, "First guesses that match", 100.0, "%", 0.0},
             successes);
   draw_bars(canvas, {{527.0, 78.0, 95.0, 140.0}, "Never matched", 100.0, "%", 0.0}, failures);
+}
+
+}  // namespace
+
+Figure interface_figure(const std::vector<InterfaceSummary>& summaries, double threshold_m) {
+  return {"Interfaces, simulated", figure_width, figure_height,
+          [summaries, threshold_m](Canvas& canvas) { draw(canvas, summaries, threshold_m); }};
 }
 
 }  // namespace mien::pipeline

@@ -13,16 +13,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// JSON strings are YAML.
-std::string as_yaml(const std::string& text) { return nlohmann::json(text).dump(); }
-
-/// `$` begins a variable in manifests.
-std::string path_from(const fs::path& folder, const fs::path& path) {
-  std::string text = fs::proximate(fs::absolute(path), fs::absolute(folder)).generic_string();
+/// JSON strings are YAML; "${" would begin a variable.
+std::string as_yaml(std::string text) {
   for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", at + 3)) {
     text.insert(at, "$");
   }
-  return as_yaml(text);
+  return nlohmann::json(text).dump();
+}
+
+std::string path_from(const fs::path& folder, const fs::path& path) {
+  return as_yaml(fs::proximate(fs::absolute(path), fs::absolute(folder)).generic_string());
 }
 
 std::string labels_of(const Examples& examples) {
