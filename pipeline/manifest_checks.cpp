@@ -244,17 +244,22 @@ class Checker {
     const motion::InterpolationOptions& options = stimulus.interpolation.weights;
     check_method_options(member_path(stimulus.path, "interpolation"),
                          [&](Method method) { return uses(options, method); });
-    const std::string path = member_path(stimulus.path, "adjectives");
-    if (stimulus.adjectives.empty()) return;
-    if (options.method == Method::direct) {
-      add(path, "direct interpolation takes weights, not adjectives",
+    check_wish(member_path(stimulus.path, "adjectives"), "adjectives", stimulus.adjectives,
+               options.method);
+    check_wish(member_path(stimulus.path, "features"), "features", stimulus.features,
+               options.method);
+  }
+
+  void check_wish(const std::string& path, const std::string& what, const NamedValues& wish,
+                  Method method) {
+    if (wish.empty()) return;
+    if (method == Method::direct) {
+      add(path, "direct interpolation takes weights, not " + what,
           "give weights:, or another method");
     }
     const auto most = static_cast<std::size_t>(motion::most_grid_dimensions);
-    if (options.method == Method::grid && stimulus.adjectives.size() > most) {
-      add(path,
-          "a grid over " + std::to_string(stimulus.adjectives.size()) +
-              " parameters has too many corners",
+    if (method == Method::grid && wish.size() > most) {
+      add(path, "a grid over " + std::to_string(wish.size()) + " parameters has too many corners",
           "name at most " + std::to_string(most) + ", or use another method");
     }
   }

@@ -81,7 +81,7 @@ std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
                          clip.cycle_displacement.norm(),
                          clip.cycle_displacement.norm() / clip.duration_seconds());
   }
-  if (!stimulus.adjectives.empty()) {
+  if (!stimulus.clip && stimulus.weights.empty()) {
     facts +=
         fmt::format(", {} interpolation", motion::name_of(stimulus.interpolation.weights.method));
   }

@@ -48,9 +48,9 @@ const char* source_of(const Stimulus& stimulus) {
 /// How the weights were found; empty for a file shown as it is.
 std::string method_of(const Stimulus& stimulus) {
   if (stimulus.clip) return "";
-  return std::string(motion::name_of(stimulus.adjectives.empty()
-                                         ? motion::InterpolationMethod::direct
-                                         : stimulus.interpolation.weights.method));
+  return std::string(motion::name_of(stimulus.weights.empty()
+                                         ? stimulus.interpolation.weights.method
+                                         : motion::InterpolationMethod::direct));
 }
 
 /// Way over the floor in one cycle, or of the whole clip.
