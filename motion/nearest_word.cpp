@@ -9,6 +9,8 @@ namespace mien::motion {
 
 namespace {
 
+constexpr size_t most_listed = 12;
+
 std::string lowered(std::string_view word) {
   std::string result(word);
   for (char& c : result) {
@@ -73,10 +75,11 @@ std::optional<std::string> nearest_word(std::string_view word,
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
   if (const auto near = nearest_word(word, candidates)) return "did you mean \"" + *near + "\"?";
   std::string list;
-  for (const std::string& candidate : candidates) {
+  for (const std::string& candidate : candidates.first(std::min(most_listed, candidates.size()))) {
     list += (list.empty() ? "use one of \"" : ", \"") + candidate + "\"";
   }
-  return list;
+  if (candidates.size() <= most_listed) return list;
+  return list + ", … (" + std::to_string(candidates.size()) + " in all)";
 }
 
 }  // namespace mien::motion

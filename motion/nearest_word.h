@@ -21,7 +21,7 @@ std::optional<std::string> nearest_word(std::string_view word,
                                         std::span<const std::string> candidates);
 
 /// `did you mean "quickness"?` when a candidate is near `word`, and otherwise the list of what
-/// there is: `use one of "quickness", "clearness"`. For the remedy of an Error.
+/// there is, cut after twelve: `use one of "quickness", "clearness"`. For the remedy of an Error.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace mien::motion

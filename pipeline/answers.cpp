@@ -36,6 +36,9 @@ double value_in(const CsvTable& table, const CsvField& field, const Scale& scale
 }
 
 Answers answers_of(const CsvTable& table, const ScaleSet& scales) {
+  if (table.rows.empty()) {
+    throw Error(Place{table.file}, "holds no answers", "add rows below the header");
+  }
   if (holds_words(table)) return answers_from_words(table, scales, Unmentioned::neutral).answers;
   const auto stimulus = static_cast<size_t>(require_column(table, "stimulus"));
   const auto scale_column = static_cast<size_t>(require_column(table, "scale"));

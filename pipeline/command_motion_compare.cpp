@@ -33,7 +33,23 @@ std::string joint_name(std::size_t row) {
   return std::string(motion::name_of(static_cast<motion::BodyJoint>(row + 1)));
 }
 
-ordered_json as_json(const motion::Distance& distance) {
+/// What of a motion is compared.
+const char* basis_of(const motion::Example& example) {
+  return example.clip.loops ? "gait cycle" : "whole duration";
+}
+
+/// The two bases, and a warning where they differ.
+struct Basis {
+  std::string target;
+  std::string created;
+
+  std::string warning() const {
+    if (target == created) return "";
+    return "a gait cycle is compared with a motion that has none: the distance says little";
+  }
+};
+
+ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
   ordered_json per_joint = ordered_json::object();
   const auto by_joint = distance.by_joint();
   for (std::size_t j = 0; j < by_joint.size(); ++j) per_joint[joint_name(j)] = by_joint[j];
@@ -43,16 +59,22 @@ ordered_json as_json(const motion::Distance& distance) {
           {"match", distance.matches()},
           {"mpjpe_m", distance.mpjpe},
           {"per_joint", per_joint},
-          {"per_time", distance.by_time()}};
+          {"per_time", distance.by_time()},
+          {"basis", {{"target", basis.target}, {"created", basis.created}}},
+          {"warnings", basis.warning().empty() ? ordered_json::array()
+                                               : ordered_json::array({basis.warning()})}};
 }
 
-void show_text(const motion::Distance& distance, const Console& console) {
+void show_text(const motion::Distance& distance, const Basis& basis, const Console& console) {
   console.out << fmt::format("D        {:.4f} m, {} the threshold of {:.2f} m: {}\n", distance.mean,
                              distance.matches() ? "below" : "not below",
                              motion::distance_threshold_m,
                              distance.matches() ? "the motions match" : "the motions do not match");
   console.out << fmt::format("D_sum    {:.3f} m\nMPJPE    {:.1f} mm\n", distance.sum,
                              1000.0 * distance.mpjpe);
+  console.out << fmt::format("over     {} of the target, {} of the other\n", basis.target,
+                             basis.created);
+  if (!basis.warning().empty()) console.out << "warning: " << basis.warning() << '\n';
   const auto by_joint = distance.by_joint();
   for (std::size_t j = 0; j < by_joint.size(); ++j) {
     console.out << fmt::format("  {:14} {:.4f} m\n", joint_name(j), by_joint[j]);
@@ -66,12 +88,14 @@ void show_text(const motion::Distance& distance, const Console& console) {
 int compare(const CompareOptions& options, const Console& console) {
   const auto alignment =
       options.align == "world" ? motion::Alignment::world : motion::Alignment::pelvis;
-  const motion::Distance distance =
-      motion::distance(example_in(options.target), example_in(options.created), alignment);
+  const motion::Example target = example_in(options.target);
+  const motion::Example created = example_in(options.created);
+  const motion::Distance distance = motion::distance(target, created, alignment);
+  const Basis basis{basis_of(target), basis_of(created)};
   if (options.json) {
-    console.out << as_json(distance).dump(2) << '\n';
+    console.out << as_json(distance, basis).dump(2) << '\n';
   } else {
-    show_text(distance, console);
+    show_text(distance, basis, console);
   }
   return exit_done;
 }

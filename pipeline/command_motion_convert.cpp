@@ -1,9 +1,11 @@
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "motion/body_mapping.h"
+#include "motion/error.h"
 #include "motion/motion_file.h"
 #include "pipeline/command_motion.h"
 
@@ -18,6 +20,10 @@ struct ConvertOptions {
 };
 
 int convert(const ConvertOptions& options, const Console& console) {
+  std::error_code unknown;
+  if (std::filesystem::equivalent(options.in, options.out, unknown)) {
+    throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
+  }
   motion::Recording recording = motion::read_motion(options.in);
   if (options.body) recording = motion::to_recording(motion::to_body(recording));
   motion::write_motion(recording, options.out);

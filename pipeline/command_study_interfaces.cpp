@@ -44,7 +44,7 @@ void show(const std::vector<InterfaceSummary>& summaries, const Console& console
 void write_all(const fs::path& folder, const std::vector<InterfaceResult>& results,
                const std::vector<InterfaceSummary>& summaries, double threshold,
                const Console& console) {
-  fs::create_directories(folder);
+  make_folder(folder);
   write_file(folder / "interface_trials.csv", results_csv(results));
   write_file(folder / "interface_summary.csv", summary_csv(summaries));
   write_figure(interface_figure(summaries, threshold), folder, "interfaces");

@@ -126,7 +126,7 @@ void show_predictions(const std::vector<Unrated>& motions, const Console& consol
 void write_tables(const fs::path& folder, const std::vector<Unrated>& motions,
                   const FeatureRegression& regression, const ScaleSet& scales,
                   const Console& console) {
-  fs::create_directories(folder);
+  make_folder(folder);
   const auto write = [&](const char* name, const std::string& text) {
     write_file(folder / name, text);
     console.out << (folder / name).string() << '\n';

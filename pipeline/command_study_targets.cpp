@@ -76,7 +76,7 @@ int make_targets(TargetsCommand command, const Console& console) {
   show(set, ratings, examples, console);
   if (command.out.empty()) return exit_done;
   const fs::path folder(command.out);
-  fs::create_directories(folder);
+  make_folder(folder);
   write_file(folder / "targets.csv", targets_csv(set, examples, ratings));
   write_file(folder / "targets.yaml", target_manifest(manifest, set, folder));
   console.out << '\n'

@@ -55,7 +55,7 @@ std::string stimuli_csv(const WordAnswers& words) {
 }
 
 void write_report(const WordAnswers& words, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   write_file(folder / "coverage.csv", coverage_csv(words));
   write_file(folder / "not_understood.csv", counts_csv(words.not_understood));
   write_file(folder / "respelled.csv", counts_csv(words.respelled));

@@ -1,6 +1,8 @@
 #include "pipeline/files.h"
 
 #include <cerrno>
+#include <stdexcept>
+#include <string>
 #include <system_error>
 
 #include <fcntl.h>
@@ -15,12 +17,20 @@ namespace {
   throw std::system_error(errno, std::generic_category(), file.string());
 }
 
+[[noreturn]] void throw_unwritable(const std::filesystem::path& file) {
+  throw std::runtime_error(file.string() + ": cannot be written (" +
+                           std::generic_category().message(errno) +
+                           "); check that the folder exists, may be written to and has space");
+}
+
 /// An open file that closes itself.
 class Descriptor {
  public:
   Descriptor(const std::filesystem::path& file, int flags)
       : number_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (number_ < 0) throw_errno(file);
+    if (number_ >= 0) return;
+    if ((flags & O_CREAT) != 0) throw_unwritable(file);
+    throw_errno(file);
   }
   ~Descriptor() { ::close(number_); }
   Descriptor(const Descriptor&) = delete;
@@ -56,9 +66,17 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
     if (count >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(count));
     } else if (errno != EINTR) {
-      throw_errno(file);
+      throw_unwritable(file);
     }
   }
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return;
+  throw std::runtime_error(folder.string() + ": cannot be made (" + error.message() +
+                           "); name a folder that can be written to");
 }
 
 void flush_to_disk(const std::filesystem::path& file) {

@@ -9,8 +9,11 @@ namespace mien::pipeline {
 /// All of a file. Throws std::system_error.
 std::string read_file(const std::filesystem::path& file);
 
-/// Creates or replaces a file. Throws std::system_error, also when the disk is full.
+/// Creates or replaces a file. Throws std::runtime_error, also when the disk is full.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// Makes a folder and those above it, unless they are there. Throws std::runtime_error.
+void make_folder(const std::filesystem::path& folder);
 
 /// Waits until a file's (or a folder's) content is on the disk. Throws std::system_error.
 void flush_to_disk(const std::filesystem::path& file);

@@ -1,6 +1,7 @@
 #include "pipeline/interruption.h"
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 
 #include <pthread.h>
@@ -38,6 +39,8 @@ void SignalWatch::watch() {
   int signal = 0;
   while (sigwait(&signals, &signal) == 0 && !closing_) {
     if (!source_.request_stop()) std::_Exit(exit_interrupted);
+    std::fputs("\ninterrupted: stopping after the frames in work; once more to stop at once\n",
+               stderr);
   }
 }
 

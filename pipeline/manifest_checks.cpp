@@ -148,7 +148,7 @@ class Checker {
   void check_word(const std::string& path, const std::string& name, const std::string& what,
                   const std::vector<std::string>& known) {
     if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
-    add(path, "unknown " + what + " \"" + name + "\"", remedy_for(name, known));
+    add(path, "unknown " + what + " \"" + name + "\"", motion::did_you_mean(name, known));
   }
 
   void check_keytimes(const Examples& examples) {
@@ -311,24 +311,15 @@ class Checker {
     // Without any, something else is at fault, and has been told.
     if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
     const std::string path = member_path(map, name);
-    faults_.push_back(
-        {key_place_of(manifest_.places, path), path, "unknown " + what, remedy_for(name, known)});
+    faults_.push_back({key_place_of(manifest_.places, path), path, "unknown " + what,
+                       motion::did_you_mean(name, known)});
   }
 
   void check_motion(const std::string& path, const std::string& name,
                     const std::vector<std::string>& known) {
     if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
-    add(path, "\"" + name + "\" is neither a stimulus nor an example", remedy_for(name, known));
-  }
-
-  /// A near name, else a list that stays readable.
-  static std::string remedy_for(const std::string& name, const std::vector<std::string>& known) {
-    constexpr std::size_t most = 12;
-    if (motion::nearest_word(name, known) || known.size() <= most) {
-      return motion::did_you_mean(name, known);
-    }
-    const std::vector<std::string> some(known.begin(), known.begin() + most);
-    return motion::did_you_mean("", some) + ", … (" + std::to_string(known.size()) + " in all)";
+    add(path, "\"" + name + "\" is neither a stimulus nor an example",
+        motion::did_you_mean(name, known));
   }
 
   const Manifest& manifest_;

@@ -7,8 +7,8 @@
 #include "motion/distance.h"
 #include "motion/interpolation_options.h"
 #include "pipeline/code_identity.h"
-#include "pipeline/report_ratings.h"
 #include "pipeline/parameter_label.h"
+#include "pipeline/report_ratings.h"
 #include "pipeline/report_style.h"
 #include "pipeline/sheet.h"
 

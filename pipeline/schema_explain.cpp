@@ -127,7 +127,9 @@ class Explainer {
     if (std::find(choices.begin(), choices.end(), value_) != choices.end()) return;
     std::vector<std::string> words;
     for (const json& choice : choices) words.push_back(as_yaml(choice));
-    if (words.size() == 1) return add("must be " + words[0] + " but is " + shown(value_), "");
+    if (words.size() == 1) {
+      return add("must be " + words[0] + " but is " + shown(value_), "write " + words[0]);
+    }
     const std::string word = value_.is_string() ? value_.get<std::string>() : shown(value_);
     const bool is_near = motion::nearest_word(word, words).has_value();
     const std::string choices_listed = fmt::format("{}", fmt::join(words, ", "));

@@ -17,7 +17,7 @@ namespace mien::pipeline {
 namespace fs = std::filesystem;
 
 Store::State::State(fs::path at) : folder(std::move(at)) {
-  fs::create_directories(internal());
+  make_folder(internal());
   const fs::path file = internal() / "lock";
   lock = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock < 0) throw std::system_error(errno, std::generic_category(), file.string());

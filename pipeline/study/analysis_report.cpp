@@ -52,7 +52,7 @@ Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales) {
 
 void write_analysis(const Analysis& analysis, const ScaleSet& scales, const Thresholds& thresholds,
                     const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   write_file(folder / "quantification.csv", quantification_csv(analysis, scales));
   write_file(folder / "thresholds.csv", thresholds_csv(analysis, scales, thresholds));
   write_file(folder / "impressions.csv", impressions_csv(analysis));

@@ -67,7 +67,7 @@ std::string comparisons_csv(const MatchingEvaluation& evaluation, bool simulated
 
 void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResults& results,
                       const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   const bool simulated = results.simulated;
   write_file(folder / "means.csv", means_csv(evaluation, simulated));
   write_file(folder / "shares.csv", shares_csv(evaluation, simulated));

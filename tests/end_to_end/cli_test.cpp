@@ -314,7 +314,8 @@ TEST(CommandLine, WordsBecomeAnswersThatAManifestTakesToo) {
   EXPECT_NE(text.find("1,normal,slow-fast,-1\n"), std::string::npos);
   const Ended refused = run_mien({"study", "words", answers, "--lexicon", lexicon, "-o", file});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.errors.find("answers.csv:1:1: there is no column \"language\""), std::string::npos)
+  EXPECT_NE(refused.errors.find("answers.csv:1:1: there is no column \"language\""),
+            std::string::npos)
       << refused.errors;
 }
 
