@@ -105,8 +105,9 @@ std::vector<MatchingComparison> compare(const MatchingResults& results, Matching
                              values_of(results, measure, results.interfaces[b]));
       if (differences.empty()) continue;
       comparisons.push_back({measure, results.interfaces[a], results.interfaces[b],
-                             paired_t_test(differences), wilcoxon(differences, WilcoxonMode::published),
-                             wilcoxon(differences), 1.0, 1.0, cohens_dz(differences)});
+                             paired_t_test(differences),
+                             wilcoxon(differences, WilcoxonMode::published), wilcoxon(differences),
+                             1.0, 1.0, cohens_dz(differences)});
       paper.push_back(comparisons.back().paper.p);
       exact.push_back(comparisons.back().exact.p);
     }
