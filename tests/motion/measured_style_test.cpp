@@ -23,7 +23,7 @@ TEST(MeasuredStyle, EachMeasureFollowsItsOwnKnob) {
   EXPECT_GT(of({.trunk_rotation_deg = 12.0}).trunk_turn_rad, 1.2 * usual.trunk_turn_rad);
   EXPECT_GT(of({.stance_knee_deg = 20.0}).least_knee_rad, usual.least_knee_rad + 0.1);
   EXPECT_LT(of({.sway_m = 0.09}).lift_share, usual.lift_share - 0.1);
-  EXPECT_GT(of({.head_pitch_deg = 25.0}).head_pitch_rad, usual.head_pitch_rad + 0.1);
+  EXPECT_GT(of({.neck_flexion_deg = 30.0}).head_pitch_rad, usual.head_pitch_rad + 0.1);
   EXPECT_GT(of({.arm_swing_deg = 60.0}).hand_range_m, 1.2 * usual.hand_range_m);
   EXPECT_GT(of({.elbow_flexion_deg = 80.0}).elbow_flexion_rad, usual.elbow_flexion_rad + 0.5);
 }
