@@ -80,6 +80,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
   study->require_subcommand(1);
   add_study_analyze_command(*study, chosen);
   add_study_evaluate_command(*study, chosen);
+  add_study_features_command(*study, chosen);
   add_study_interfaces_command(*study, chosen);
   add_study_predict_command(*study, chosen);
   add_scales_command(*study, chosen);

@@ -7,6 +7,7 @@ namespace mien::pipeline {
 // Subcommands of `mien study`, one a source file; each adds itself to `study`.
 void add_study_analyze_command(CLI::App& study, Command& chosen);
 void add_study_evaluate_command(CLI::App& study, Command& chosen);
+void add_study_features_command(CLI::App& study, Command& chosen);
 void add_study_interfaces_command(CLI::App& study, Command& chosen);
 void add_study_predict_command(CLI::App& study, Command& chosen);
 void add_study_targets_command(CLI::App& study, Command& chosen);

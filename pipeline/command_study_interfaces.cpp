@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,17 +30,27 @@ struct InterfacesCommand {
   std::string out;
 };
 
+/// Those that share out weights: the statistical model makes no blend of the examples.
+std::map<std::string, motion::InterpolationMethod> methods_by_name() {
+  using enum motion::InterpolationMethod;
+  std::map<std::string, motion::InterpolationMethod> methods;
+  for (const auto method : {cardinal, nearest, inverse_distance, grid, kriging, incremental}) {
+    methods.emplace(motion::name_of(method), method);
+  }
+  return methods;
+}
+
 void show(const std::vector<InterfaceSummary>& summaries, const Console& console) {
   console.out << "Simulated: no person took part.\n\n";
-  console.out << fmt::format("{:11} {:>12} {:>6} {:>17} {:>8} {:>17} {:>8} {:>6}\n", "interface",
-                             "way", "count", "D, first (m)", "matches", "D, last (m)", "failed",
-                             "looks");
+  console.out << fmt::format("{:17} {:11} {:>12} {:>6} {:>17} {:>8} {:>17} {:>8} {:>6}\n", "method",
+                             "interface", "way", "count", "D, first (m)", "matches", "D, last (m)",
+                             "failed", "looks");
   for (const InterfaceSummary& s : summaries) {
     const std::string way = s.step > 0.0 ? fmt::format("nearest {:g}", s.step) : "user";
     console.out << fmt::format(
-        "{:11} {:>12} {:6} {:8.4f} ± {:6.4f} {:6.0f} % {:8.4f} ± {:6.4f} {:6.0f} % {:6.1f}\n",
-        name_of(s.kind), way, s.count, s.mean_first, s.sd_first, 100.0 * s.first_success,
-        s.mean_last, s.sd_last, 100.0 * s.failure, s.mean_looks);
+        "{:17} {:11} {:>12} {:6} {:8.4f} ± {:6.4f} {:6.0f} % {:8.4f} ± {:6.4f} {:6.0f} % {:6.1f}\n",
+        motion::name_of(s.method), name_of(s.kind), way, s.count, s.mean_first, s.sd_first,
+        100.0 * s.first_success, s.mean_last, s.sd_last, 100.0 * s.failure, s.mean_looks);
   }
 }
 
@@ -47,7 +60,20 @@ void write_all(const fs::path& folder, const std::vector<InterfaceResult>& resul
   make_folder(folder);
   write_file(folder / "interface_trials.csv", results_csv(results));
   write_file(folder / "interface_summary.csv", summary_csv(summaries));
-  write_figure(interface_figure(summaries, threshold), folder, "interfaces");
+  std::vector<motion::InterpolationMethod> methods;
+  for (const InterfaceSummary& s : summaries) {
+    if (std::find(methods.begin(), methods.end(), s.method) == methods.end()) {
+      methods.push_back(s.method);
+    }
+  }
+  for (const motion::InterpolationMethod method : methods) {
+    std::vector<InterfaceSummary> own;
+    std::copy_if(summaries.begin(), summaries.end(), std::back_inserter(own),
+                 [&](const InterfaceSummary& s) { return s.method == method; });
+    const std::string suffix =
+        methods.size() == 1 ? "" : "-" + std::string(motion::name_of(method));
+    write_figure(interface_figure(own, threshold), folder, "interfaces" + suffix);
+  }
   console.out << "\ntables and figure in " << folder.string() << '\n';
 }
 
@@ -103,6 +129,12 @@ void add_study_interfaces_command(CLI::App& study, Command& chosen) {
                    "Distance D below which motions match, metres")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command
+      ->add_option("--methods", options->evaluation.methods,
+                   "Methods of interpolation to try, with commas: cardinal, knn, "
+                   "inverse-distance, grid, kriging, incremental; the manifest's without it")
+      ->delimiter(',')
+      ->transform(CLI::CheckedTransformer(methods_by_name(), CLI::ignore_case));
   command->add_option("--seed", options->seed, "Seed; the manifest's without it");
   command->add_option("-o,--output", options->out, "Folder for the tables and the figure");
   command->footer(

@@ -51,8 +51,8 @@ void try_target(const KnownMotion& target, const SliderInterface& interface,
   for (const double step : options.steps) {
     const double distance = distance_at(rounded(ideal, step));
     const bool matches = distance < options.threshold;
-    results.push_back(
-        {target.id, interface.kind, step, 0, distance, distance, 1, matches, matches});
+    results.push_back({interpolation.weights.method, target.id, interface.kind, step, 0, distance,
+                       distance, 1, matches, matches});
   }
   for (int u = 1; u <= options.users; ++u) {
     const SimulatedUser user = {
@@ -60,15 +60,20 @@ void try_target(const KnownMotion& target, const SliderInterface& interface,
         .name = fmt::format("{} {} user {}", target.id, name_of(interface.kind), u),
         .threshold = options.threshold};
     const InterfaceTrial trial = try_interface(ideal, user, distance_at);
-    results.push_back({target.id, interface.kind, 0.0, u, trial.first_distance, trial.distance,
-                       trial.looks, trial.first_distance < options.threshold, trial.matched});
+    results.push_back({interpolation.weights.method, target.id, interface.kind, 0.0, u,
+                       trial.first_distance, trial.distance, trial.looks,
+                       trial.first_distance < options.threshold, trial.matched});
   }
 }
 
-InterfaceSummary summary_of(const std::vector<InterfaceResult>& results, InterfaceKind kind,
-                            double step) {
-  InterfaceSummary s{kind, step};
-  const auto belongs = [&](const InterfaceResult& r) { return r.kind == kind && r.step == step; };
+bool belongs_to(const InterfaceSummary& s, const InterfaceResult& r) {
+  return s.method == r.method && s.kind == r.kind && s.step == r.step;
+}
+
+InterfaceSummary summary_of(const std::vector<InterfaceResult>& results,
+                            const InterfaceResult& first) {
+  InterfaceSummary s{first.method, first.kind, first.step};
+  const auto belongs = [&](const InterfaceResult& r) { return belongs_to(s, r); };
   const auto n = static_cast<double>(std::count_if(results.begin(), results.end(), belongs));
   s.count = static_cast<int>(n);
   for (const InterfaceResult& r : results) {
@@ -113,11 +118,16 @@ std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
                                                  const EvaluationOptions& options) {
   const std::vector<SliderInterface> interfaces = interfaces_of(repertoire);
   std::vector<InterfaceResult> results;
-  for (const SampledTarget& target : targets) {
-    const KnownMotion known =
-        known_motion(target, target_interface(interfaces), interpolation, repertoire);
-    for (const SliderInterface& interface : interfaces) {
-      try_target(known, interface, interpolation, repertoire, options, results);
+  Interpolation how = interpolation;
+  std::vector<motion::InterpolationMethod> methods = options.methods;
+  if (methods.empty()) methods.push_back(interpolation.weights.method);
+  for (const motion::InterpolationMethod method : methods) {
+    how.weights.method = method;
+    for (const SampledTarget& target : targets) {
+      const KnownMotion known = known_motion(target, target_interface(interfaces), how, repertoire);
+      for (const SliderInterface& interface : interfaces) {
+        try_target(known, interface, how, repertoire, options, results);
+      }
     }
   }
   return results;
@@ -126,34 +136,33 @@ std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
 std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& results) {
   std::vector<InterfaceSummary> summaries;
   for (const InterfaceResult& r : results) {
-    const auto same = [&r](const InterfaceSummary& s) {
-      return s.kind == r.kind && s.step == r.step;
-    };
+    const auto same = [&r](const InterfaceSummary& s) { return belongs_to(s, r); };
     if (std::any_of(summaries.begin(), summaries.end(), same)) continue;
-    summaries.push_back(summary_of(results, r.kind, r.step));
+    summaries.push_back(summary_of(results, r));
   }
   return summaries;
 }
 
 std::string results_csv(const std::vector<InterfaceResult>& results) {
-  CsvWriter table({"target", "interface", "way", "step", "user", "first_d_m", "d_m", "looks",
-                   "matched", "simulated"});
+  CsvWriter table({"method", "target", "interface", "way", "step", "user", "first_d_m", "d_m",
+                   "looks", "matched", "simulated"});
   for (const InterfaceResult& r : results) {
-    table.row({r.target, name_of(r.kind), way_of(r.step), step_text(r.step),
-               r.user > 0 ? std::to_string(r.user) : "", shortest(r.first_distance),
-               shortest(r.distance), std::to_string(r.looks), r.matches ? "1" : "0", "1"});
+    table.row({std::string(motion::name_of(r.method)), r.target, name_of(r.kind), way_of(r.step),
+               step_text(r.step), r.user > 0 ? std::to_string(r.user) : "",
+               shortest(r.first_distance), shortest(r.distance), std::to_string(r.looks),
+               r.matches ? "1" : "0", "1"});
   }
   return table.text();
 }
 
 std::string summary_csv(const std::vector<InterfaceSummary>& summaries) {
-  CsvWriter table({"interface", "way", "step", "count", "mean_first_d_m", "sd_first_d_m",
+  CsvWriter table({"method", "interface", "way", "step", "count", "mean_first_d_m", "sd_first_d_m",
                    "first_success", "mean_d_m", "sd_d_m", "failure", "mean_looks", "simulated"});
   for (const InterfaceSummary& s : summaries) {
-    table.row({name_of(s.kind), way_of(s.step), step_text(s.step), std::to_string(s.count),
-               shortest(s.mean_first), shortest(s.sd_first), shortest(s.first_success),
-               shortest(s.mean_last), shortest(s.sd_last), shortest(s.failure),
-               shortest(s.mean_looks), "1"});
+    table.row({std::string(motion::name_of(s.method)), name_of(s.kind), way_of(s.step),
+               step_text(s.step), std::to_string(s.count), shortest(s.mean_first),
+               shortest(s.sd_first), shortest(s.first_success), shortest(s.mean_last),
+               shortest(s.sd_last), shortest(s.failure), shortest(s.mean_looks), "1"});
   }
   return table.text();
 }

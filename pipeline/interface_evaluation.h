@@ -10,6 +10,9 @@
 namespace mien::pipeline {
 
 struct EvaluationOptions {
+  /// Of interpolation, tried one after the other; each makes the targets its own way, at the same
+  /// places. Empty: the one that the interpolation names.
+  std::vector<motion::InterpolationMethod> methods;
   std::vector<double> steps = {0.1, 0.25};  ///< slider grids whose nearest settings are tried
   int users = 10;                           ///< simulated, per target and interface
   std::uint64_t seed = 0;
@@ -18,6 +21,7 @@ struct EvaluationOptions {
 
 /// One way to a target.
 struct InterfaceResult {
+  motion::InterpolationMethod method = motion::InterpolationMethod::cardinal;
   std::string target;
   InterfaceKind kind = InterfaceKind::adjectives;
   double step = 0.0;            ///< of the grid; 0: a simulated user
@@ -42,6 +46,7 @@ std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
 
 /// What the results of one interface have in common.
 struct InterfaceSummary {
+  motion::InterpolationMethod method = motion::InterpolationMethod::cardinal;
   InterfaceKind kind = InterfaceKind::adjectives;
   double step = 0.0;  ///< of the grid; 0: simulated users
   int count = 0;
@@ -57,12 +62,12 @@ struct InterfaceSummary {
 /// In the order of the results: an entry an interface and way.
 std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& results);
 
-/// A row a result: target, interface, way (nearest, user), step, user, first_d_m, d_m, looks,
-/// matched, simulated (always 1).
+/// A row a result: method (of interpolation), target, interface, way (nearest, user), step, user,
+/// first_d_m, d_m, looks, matched, simulated (always 1).
 std::string results_csv(const std::vector<InterfaceResult>& results);
 
-/// A row a summary: interface, way, step, count, mean_first_d_m, sd_first_d_m, first_success,
-/// mean_d_m, sd_d_m, failure, mean_looks, simulated.
+/// A row a summary: method, interface, way, step, count, mean_first_d_m, sd_first_d_m,
+/// first_success, mean_d_m, sd_d_m, failure, mean_looks, simulated.
 std::string summary_csv(const std::vector<InterfaceSummary>& summaries);
 
 }  // namespace mien::pipeline

@@ -111,5 +111,27 @@ TEST(InterfaceEvaluation, FinerSlidersComeNearerAndTheTablesSaySimulated) {
   for (const auto& r : table.rows) EXPECT_EQ(r[static_cast<std::size_t>(simulated)].text, "1");
 }
 
+TEST(InterfaceEvaluation, TriesEveryMethodOfInterpolationByItself) {
+  const Repertoire repertoire = rated_repertoire();
+  const auto interfaces = interfaces_of(repertoire);
+  const auto targets = sample_targets(repertoire.parameters, interfaces[0].sliders,
+                                      {.targets = 2, .practice = 0, .seed = 1});
+  using enum motion::InterpolationMethod;
+  const EvaluationOptions both = {.methods = {cardinal, inverse_distance}, .users = 1, .seed = 1};
+  EvaluationOptions one = both;
+  one.methods = {inverse_distance};
+  const auto summaries = summarise(evaluate_interfaces(repertoire, targets, {}, both));
+  const auto alone = summarise(evaluate_interfaces(repertoire, targets, {}, one));
+  ASSERT_EQ(summaries.size(), 2 * alone.size());
+  bool differs = false;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    const InterfaceSummary& other = summaries[alone.size() + i];
+    EXPECT_EQ(other.method, inverse_distance);
+    EXPECT_EQ(other.mean_first, alone[i].mean_first);
+    differs = differs || summaries[i].mean_first != other.mean_first;
+  }
+  EXPECT_TRUE(differs);
+}
+
 }  // namespace
 }  // namespace mien::pipeline
