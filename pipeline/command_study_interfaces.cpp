@@ -134,7 +134,8 @@ void add_study_interfaces_command(CLI::App& study, Command& chosen) {
                    "Methods of interpolation to try, with commas: cardinal, knn, "
                    "inverse-distance, grid, kriging, incremental; the manifest's without it")
       ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(methods_by_name(), CLI::ignore_case));
+      ->transform(CLI::CheckedTransformer(methods_by_name(), CLI::ignore_case))
+      ->option_text("METHOD,...");
   command->add_option("--seed", options->seed, "Seed; the manifest's without it");
   command->add_option("-o,--output", options->out, "Folder for the tables and the figure");
   command->footer(

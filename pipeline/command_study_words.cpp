@@ -140,7 +140,7 @@ void add_study_words_command(CLI::App& study, Command& chosen) {
           std::map<std::string, Unmentioned>{{"neutral", Unmentioned::neutral},
                                              {"no-answer", Unmentioned::no_answer}},
           CLI::ignore_case))
-      ->default_str("neutral");
+      ->option_text("neutral|no-answer [neutral]");
   command->footer(
       "\nA word is worth 1 of 2 towards its end of the scale, a strengthened one (\"very\") 2; a "
       "negated\none turns round. The strongest mention of a scale in an answer counts. Example:\n"

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -111,7 +112,10 @@ void draw_verdict(Canvas& canvas, const SheetContent& content, const Box& box) {
   const std::size_t colon = sentence.find(':') + 1;
   const double left = box.x + 14.0;
   draw_check(canvas, {left + 8.0, box.y + 20.0}, content.distance.matches());
-  canvas.text({left + 24.0, box.y + 23.5}, sentence.substr(0, colon), {.size = 10.0});
+  const std::string heading = sentence.substr(0, colon);
+  const double room = box.width - 52.0;
+  const double shrunk = std::min(1.0, room / canvas.text_width(heading, {.size = 10.0}));
+  canvas.text({left + 24.0, box.y + 23.5}, heading, {.size = 10.0 * shrunk});
   canvas.text({left, box.y + 50.0}, sentence.substr(colon + 1),
               {.size = 17.0, .bold = true, .max_width = box.width - 28.0});
   draw_gauge(canvas, content.distance, {left, box.y + 64.0, box.width - 28.0, 5.0});
