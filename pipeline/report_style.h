@@ -38,6 +38,7 @@ thead th { color: var(--quiet); font-size: .85rem; }
 td:not(.bar) { text-align: right; }
 section > table td:first-of-type { text-align: left; }
 .wide { overflow-x: auto; }
+.impressions th[scope="col"] { text-align: right; }
 .impressions td { text-align: right; background: color-mix(in srgb, var(--tone) var(--far), transparent); }
 .impressions .low { --tone: #d08a2e; }
 .impressions .high { --tone: #3f8fb5; }
