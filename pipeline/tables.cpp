@@ -1,5 +1,6 @@
 #include "pipeline/tables.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "motion/distance.h"
@@ -59,6 +60,24 @@ double way_of(const motion::Clip& clip) {
       clip.loops ? clip.cycle_displacement
                  : motion::Vec3(clip.poses.back().root_position - clip.poses.front().root_position);
   return std::hypot(way.x(), way.z());
+}
+
+/// What people would say of a blend on the scales that nobody asked it for.
+void add_parameters_that_come_along(const Stimulus& stimulus, const Synthesis& made,
+                                    const Repertoire& repertoire, CsvWriter& table) {
+  const auto is_asked = [&](const std::string& name) {
+    return std::any_of(made.asked.begin(), made.asked.end(),
+                       [&](const auto& asked) { return asked.first == name; });
+  };
+  const ParameterTable& parameters = repertoire.parameters;
+  for (std::size_t r = 0; r < parameters.names.size(); ++r) {
+    const std::string& name = parameters.names[r];
+    if (is_asked(name)) continue;
+    const ParameterLabel label = rating_label(name, repertoire.scales);
+    const double value = parameters.values.row(static_cast<Eigen::Index>(r)).dot(made.weights);
+    table.row({stimulus.id, parameters.simulated ? "simulated" : "given", name, "", shortest(value),
+               english_text(label), japanese_text(label)});
+  }
 }
 
 }  // namespace
@@ -131,12 +150,14 @@ std::string parameters_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table({"stimulus", "ratings", "parameter", "asked", "reached", "name", "name_ja"});
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
+    if (stimulus.clip) continue;
     for (std::size_t i = 0; i < made.asked.size(); ++i) {
       const ParameterLabel label = label_of(made.asked[i].first, stimulus, motions.repertoire());
       table.row({stimulus.id, ratings_of(&stimulus, motions), made.asked[i].first,
                  shortest(made.asked[i].second), shortest(made.reached[i].second),
                  english_text(label), japanese_text(label)});
     }
+    add_parameters_that_come_along(stimulus, made, motions.repertoire(), table);
   }
   return table.text();
 }

@@ -28,7 +28,9 @@ std::string weights_csv(const Manifest& manifest, Motions& motions);
 std::string clips_csv(const Manifest& manifest, Motions& motions);
 
 /// A row a stimulus and parameter: stimulus, ratings, parameter, asked, reached (Synthesis), both
-/// 0 … 1, name and name_ja (as people read them: "sad – happy").
+/// 0 … 1, name and name_ja (as people read them: "sad – happy"). First what the stimulus asks for,
+/// then, with `asked` empty, all other parameters of the ratings as the blend has them: where a
+/// slider would start that is added.
 std::string parameters_csv(const Manifest& manifest, Motions& motions);
 
 /// What people think of the examples, a row a scale and example: scale, example, ratings, answers,

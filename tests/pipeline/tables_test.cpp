@@ -127,9 +127,19 @@ TEST_F(Tables, ClipsTellHowTheirWeightsWereFound) {
   EXPECT_LT(number(kriged, 0, "expected_error_m"), 0.5);
 }
 
-TEST_F(Tables, ParametersAreThoseAskedFor) {
+TEST_F(Tables, ParametersAreThoseAskedForAndThenAllOthers) {
   const CsvTable parameters = table(parameters_csv);
-  ASSERT_EQ(parameters.rows.size(), 2u);
+  ASSERT_EQ(parameters.rows.size(), 2u * 45u);
+  const ParameterTable& values = motions.repertoire().parameters;
+  const Eigen::VectorXd& weights = motions.of("target").weights;
+  for (std::size_t r = 2; r < 45; ++r) {
+    EXPECT_EQ(text(parameters, r, "asked"), "");
+    const int row = values.find(text(parameters, r, "parameter"));
+    ASSERT_GE(row, 0);
+    EXPECT_NEAR(number(parameters, r, "reached"), values.values.row(row).dot(weights), 1e-12);
+  }
+  EXPECT_EQ(text(parameters, 45, "stimulus"), "mix, quoted");
+  EXPECT_EQ(text(parameters, 45, "asked"), "");
   EXPECT_EQ(text(parameters, 0, "parameter"), "quickness");
   EXPECT_EQ(number(parameters, 0, "asked"), 0.6);
   EXPECT_EQ(text(parameters, 1, "parameter"), "largeness");
