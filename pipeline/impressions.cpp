@@ -56,8 +56,7 @@ std::string some_of(const std::vector<std::string>& names) {
 Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
                            const std::vector<RatedExample>& examples) {
   const auto columns = columns_of(examples);
-  std::map<std::string, const Scale*> known;
-  for (const Scale& scale : scales.scales) known.emplace(scale.id, &scale);
+  const auto known = scales_by_id(scales);
   std::map<std::string, std::vector<Tally>> tallies;
   bool means_only = true;
   for (const Answer& answer : answers.answers) {

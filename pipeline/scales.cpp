@@ -155,6 +155,12 @@ const Scale* find_scale(const ScaleSet& set, std::string_view id) {
   return nullptr;
 }
 
+std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& set) {
+  std::unordered_map<std::string_view, const Scale*> scales;
+  for (const Scale& scale : set.scales) scales.emplace(scale.id, &scale);
+  return scales;
+}
+
 std::vector<std::string> parameter_names(const ScaleSet& set) {
   std::vector<std::string> names;
   for (const ScaleGroup& group : set.groups) names.push_back(group.id);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,9 @@ ScaleSet parse_scales(std::string_view yaml, const std::string& file);
 
 /// The scale of that id, or nullptr.
 const Scale* find_scale(const ScaleSet& set, std::string_view id);
+
+/// All scales by id, for those who look up many. Points into the set.
+std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& set);
 
 /// What `adjectives:` may name: the groups, then the scales.
 std::vector<std::string> parameter_names(const ScaleSet& set);

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -92,6 +93,15 @@ void add_absent(const Attendance& attendance, std::vector<StudyWarning>& missing
   }
 }
 
+bool holds_repeated(const StudyAnswers& study) {
+  std::unordered_set<std::string> seen;
+  seen.reserve(study.answers.size());
+  return std::any_of(study.answers.begin(), study.answers.end(), [&](const StudyAnswer& answer) {
+    const char apart = '\0';  // which no text holds
+    return !seen.insert(answer.participant + apart + answer.stimulus + apart + answer.scale).second;
+  });
+}
+
 }  // namespace
 
 Answers StudyAnswers::plain() const {
@@ -104,6 +114,7 @@ Answers StudyAnswers::plain() const {
 }
 
 void settle_repeated(StudyAnswers& study, AnswerRules::Repeated rule, std::vector<Fault>& faults) {
+  if (!holds_repeated(study)) return;
   using Key = std::tuple<std::string, std::string, std::string>;
   std::map<Key, std::vector<StudyAnswer>> by_key;
   for (const StudyAnswer& answer : study.answers) {
@@ -137,9 +148,10 @@ void settle_constant(StudyAnswers& study, const ScaleSet& scales, AnswerRules::C
     double most = -1.0;
   };
   std::map<std::string, Spread> spreads;
+  const auto known = scales_by_id(scales);
   for (const StudyAnswer& answer : study.answers) {
     Spread& spread = spreads[answer.participant];
-    const double share = share_of(*find_scale(scales, answer.scale), answer.value);
+    const double share = share_of(*known.at(answer.scale), answer.value);
     if (spread.count++ == 0) spread.place = answer.place;
     spread.least = std::min(spread.least, share);
     spread.most = std::max(spread.most, share);

@@ -30,7 +30,7 @@ class RowReader {
  public:
   RowReader(const CsvTable& table, const ScaleSet& scales,
             const std::vector<RatedExample>& examples)
-      : table_(table), scales_(scales) {
+      : table_(table), scales_(scales_by_id(scales)) {
     for (const Scale& scale : scales.scales) scale_ids_.push_back(scale.id);
     for (const RatedExample& example : examples) {
       stimulus_names_.push_back(example.name);
@@ -51,7 +51,8 @@ class RowReader {
     const CsvField& stimulus = row[static_cast<size_t>(stimulus_)];
     const CsvField& scale_name = row[static_cast<size_t>(scale_)];
     const auto example = examples_.find(stimulus.text);
-    const Scale* scale = find_scale(scales_, scale_name.text);
+    const auto known = scales_.find(scale_name.text);
+    const Scale* scale = known == scales_.end() ? nullptr : known->second;
     if (example == examples_.end()) note(stimulus, unknown_stimuli_);
     if (scale == nullptr) note(scale_name, unknown_scales_);
     if (example == examples_.end() || scale == nullptr) return;
@@ -137,7 +138,7 @@ class RowReader {
   }
 
   const CsvTable& table_;
-  const ScaleSet& scales_;
+  std::unordered_map<std::string_view, const Scale*> scales_;
   std::vector<std::string> scale_ids_;
   std::vector<std::string> stimulus_names_;
   std::map<std::string, std::string> examples_;
