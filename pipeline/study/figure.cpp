@@ -1,10 +1,24 @@
 #include "pipeline/study/figure.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/files.h"
 
 namespace mien::pipeline {
+
+namespace {
+
+constexpr double fine_dots_per_inch = 200.0;
+constexpr double most_pixels = 5e6;  // a tree of 500 scales would have 23 million
+
+/// Fine, but coarser for figures that would become unwieldy pictures.
+double resolution_of(const Figure& figure) {
+  const double square_inches = figure.width * figure.height / (72.0 * 72.0);
+  return std::min(fine_dots_per_inch, std::sqrt(most_pixels / square_inches));
+}
+
+}  // namespace
 
 std::string as_pdf(const Figure& figure) {
   Canvas canvas = Canvas::pdf(figure.width, figure.height, figure.title);
@@ -29,7 +43,7 @@ void write_figure(const Figure& figure, const std::filesystem::path& folder,
                   const std::string& name) {
   write_file(folder / (name + ".pdf"), as_pdf(figure));
   write_file(folder / (name + ".svg"), as_svg(figure));
-  write_file(folder / (name + ".png"), as_png(figure));
+  write_file(folder / (name + ".png"), as_png(figure, resolution_of(figure)));
 }
 
 void draw_simulated_mark(Canvas& canvas, Point corner, std::string_view words) {

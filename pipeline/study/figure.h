@@ -21,8 +21,9 @@ std::string as_pdf(const Figure& figure);
 std::string as_svg(const Figure& figure);
 std::string as_png(const Figure& figure, double dots_per_inch = 200.0);
 
-/// Writes name.pdf, name.svg and name.png. Throws Error when no font has Japanese letters,
-/// std::system_error when a file cannot be written.
+/// Writes name.pdf, name.svg and name.png, the latter of 200 dots an inch or, for very long
+/// figures, of 5 million pixels. Throws Error when no font has Japanese letters, std::system_error
+/// when a file cannot be written.
 void write_figure(const Figure& figure, const std::filesystem::path& folder,
                   const std::string& name);
 
