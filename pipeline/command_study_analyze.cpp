@@ -213,9 +213,8 @@ void add_study_analyze_command(CLI::App& study, Command& chosen) {
   command->footer(
       "\nWrites quantification.csv, thresholds.csv, impressions.csv, linkage.csv, clusters.csv, "
       "primary.csv, agreement.csv, warnings.csv, clusters.scales.yaml (for `scales:` in a "
-      "manifest) and dendrogram.pdf, .svg, .png; for the built-in adjective pairs also "
-      "published.csv, "
-      "a comparison with the published clusters.\n\nExamples:\n"
+      "manifest), dendrogram and thresholds as .pdf, .svg, .png; for the built-in adjective pairs "
+      "also published.csv, a comparison with the published clusters.\n\nExamples:\n"
       "  mien study analyze answers.csv --examples builtin:walks-27\n"
       "  mien study analyze answers.csv --examples study.yaml --clusters gap --unknown ignore");
   command->callback([&chosen, options] {

@@ -7,6 +7,7 @@
 #include "pipeline/files.h"
 #include "pipeline/study/analysis_tables.h"
 #include "pipeline/study/scales_yaml.h"
+#include "pipeline/study/threshold_figure.h"
 
 namespace mien::pipeline {
 
@@ -66,6 +67,10 @@ void write_analysis(const Analysis& analysis, const ScaleSet& scales, const Thre
     write_file(folder / "published.csv", published_csv(published, analysis.impressions.simulated));
   }
   write_figure(dendrogram_figure(dendrogram_of(analysis, scales)), folder, "dendrogram");
+  write_figure(threshold_figure(threshold_curve(analysis.quantities, thresholds, scales),
+                                thresholds, static_cast<int>(analysis.quantities.size()),
+                                analysis.impressions.simulated),
+               folder, "thresholds");
 }
 
 }  // namespace mien::pipeline
