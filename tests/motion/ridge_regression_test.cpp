@@ -47,12 +47,11 @@ TEST(RidgeRegression, WithHardlyAnyPenaltyIsLeastSquares) {
 
 TEST(RidgeRegression, ShrinksOnePredictorByTheKnownShare) {
   // One standardised predictor: b = Σzy / (n + penalty).
-  const Sample s = linear_sample(2, 25, 1, 0.0);
-  Eigen::VectorXd y = 4.0 * s.predictors.col(0);
-  const double spread =
-      std::sqrt((s.predictors.array() - s.predictors.mean()).square().sum() / 25.0);
-  EXPECT_NEAR(fit_ridge(s.predictors, y, 25.0).coefficients[0], 0.5 * 4.0 * spread, 1e-10);
-  EXPECT_NEAR(fit_ridge(s.predictors, y, 1e12).coefficients[0], 0.0, 1e-6);
+  const Eigen::MatrixXd x = linear_sample(2, 25, 2, 0.0).predictors.leftCols(1);
+  const Eigen::VectorXd y = 4.0 * x.col(0);
+  const double spread = std::sqrt((x.array() - x.mean()).square().sum() / 25.0);
+  EXPECT_NEAR(fit_ridge(x, y, 25.0).coefficients[0], 0.5 * 4.0 * spread, 1e-10);
+  EXPECT_NEAR(fit_ridge(x, y, 1e12).coefficients[0], 0.0, 1e-6);
 }
 
 TEST(RidgeRegression, UnitsOfThePredictorsDoNotMatter) {
