@@ -75,6 +75,17 @@ void add_scales_command(CLI::App& study, Command& chosen) {
 
 }  // namespace
 
+void add_subject_options(CLI::App& command, StudySubject& subject) {
+  command
+      .add_option("--examples", subject.examples,
+                  std::string("Examples: a manifest, ") + examples_help)
+      ->required();
+  command.add_option("--ratings", subject.ratings,
+                     "Answers (CSV); otherwise those of the manifest or the built-in set");
+  command.add_option("--scales", subject.scales,
+                     "Scales file (YAML); otherwise the manifest's or the 41 adjective pairs");
+}
+
 void add_study_command(CLI::App& app, Command& chosen) {
   CLI::App* study = app.add_subcommand("study", "Rating studies");
   study->require_subcommand(1);

@@ -1,8 +1,12 @@
 #pragma once
 
 #include "pipeline/cli.h"
+#include "pipeline/study_subject.h"
 
 namespace mien::pipeline {
+
+/// The options --examples (required), --ratings and --scales, which say what a command is about.
+void add_subject_options(CLI::App& command, StudySubject& subject);
 
 // Subcommands of `mien study`, one a source file; each adds itself to `study`.
 void add_study_analyze_command(CLI::App& study, Command& chosen);

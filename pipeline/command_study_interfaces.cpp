@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "pipeline/command_study.h"
-#include "pipeline/example_source.h"
 #include "pipeline/files.h"
 #include "pipeline/interface_evaluation.h"
 #include "pipeline/interface_figure.h"
@@ -102,14 +101,7 @@ void add_study_interfaces_command(CLI::App& study, Command& chosen) {
   CLI::App* command = study.add_subcommand(
       "interfaces", "Try sliders for adjectives, features and weights on targets, without people");
   const auto options = std::make_shared<InterfacesCommand>();
-  command
-      ->add_option("--examples", options->subject.examples,
-                   std::string("Examples: a manifest, ") + examples_help)
-      ->required();
-  command->add_option("--ratings", options->subject.ratings,
-                      "Answers (CSV); otherwise those of the manifest or the built-in set");
-  command->add_option("--scales", options->subject.scales,
-                      "Scales file (YAML); otherwise the manifest's or the 41 adjective pairs");
+  add_subject_options(*command, options->subject);
   command->add_option("--targets", options->targets, "Targets")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();

@@ -14,7 +14,6 @@
 #include "motion/retarget.h"
 #include "pipeline/command_study.h"
 #include "pipeline/csv.h"
-#include "pipeline/example_source.h"
 #include "pipeline/feature_regression.h"
 #include "pipeline/files.h"
 #include "pipeline/parameter_label.h"
@@ -157,14 +156,7 @@ void add_study_predict_command(CLI::App& study, Command& chosen) {
   CLI::App* command = study.add_subcommand(
       "predict", "Predict ratings from motion features, and tell how well that works");
   const auto options = std::make_shared<PredictOptions>();
-  command
-      ->add_option("--examples", options->subject.examples,
-                   std::string("Rated examples: a manifest, ") + examples_help)
-      ->required();
-  command->add_option("--ratings", options->subject.ratings,
-                      "Answers (CSV); otherwise those of the manifest or the built-in set");
-  command->add_option("--scales", options->subject.scales,
-                      "Scales file (YAML); otherwise the manifest's or the 41 adjective pairs");
+  add_subject_options(*command, options->subject);
   command->add_option("--motions", options->motions, "Motion files that nobody rated");
   command->add_option("-o,--output", options->out, "Folder for the tables (CSV)");
   command->footer(

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "pipeline/command_study.h"
-#include "pipeline/example_source.h"
 #include "pipeline/files.h"
 #include "pipeline/primary_parameters.h"
 #include "pipeline/study_subject.h"
@@ -91,14 +90,7 @@ void add_study_targets_command(CLI::App& study, Command& chosen) {
   CLI::App* command =
       study.add_subcommand("targets", "Sample motions for a matching experiment to aim at");
   const auto options = std::make_shared<TargetsCommand>();
-  command
-      ->add_option("--examples", options->subject.examples,
-                   std::string("Examples: a manifest, ") + examples_help)
-      ->required();
-  command->add_option("--ratings", options->subject.ratings,
-                      "Answers (CSV); otherwise those of the manifest or the built-in set");
-  command->add_option("--scales", options->subject.scales,
-                      "Scales file (YAML); otherwise the manifest's or the 41 adjective pairs");
+  add_subject_options(*command, options->subject);
   command->add_option("--from", options->kind, "What the targets are places of")
       ->check(CLI::IsMember({"adjectives", "features"}))
       ->capture_default_str();
