@@ -28,8 +28,10 @@ void add_weights(KeyBuilder& key, const motion::InterpolationOptions& weights) {
       .add("cells", std::int64_t{weights.grid_cells});
   add_choice(key, "nodes", weights.grid_source);
   add_choice(key, "drift", weights.kriging.linear_drift);
+  add_choice(key, "estimate", weights.pca.estimate);
   key.add("nugget", weights.kriging.nugget)
       .add("variance", weights.pca.variance_share)
+      .add("noise", weights.pca.noise)
       .add("step", weights.click_step);
 }
 

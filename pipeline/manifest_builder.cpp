@@ -231,6 +231,10 @@ class Builder {
       weights.kriging.linear_drift = *drift == "linear";
     assign(member(given, "nugget"), weights.kriging.nugget);
     assign(member(given, "variance"), weights.pca.variance_share);
+    assign(member(given, "estimate"), weights.pca.estimate,
+           {{"expected", motion::ModelEstimate::expected},
+            {"most-likely", motion::ModelEstimate::most_likely}});
+    assign(member(given, "noise"), weights.pca.noise);
     assign(member(given, "step"), weights.click_step);
   }
 

@@ -38,6 +38,8 @@ constexpr MethodOption method_options[] = {
     {"drift", Method::kriging},
     {"nugget", Method::kriging},
     {"variance", Method::pca},
+    {"estimate", Method::pca},
+    {"noise", Method::pca},
     {"step", Method::incremental},
 };
 
