@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace mien::motion {
+
+/// A linear time-invariant system: x(t+1) = A x(t) + B u(t), y(t) = C x(t) + D u(t).
+struct StateSpace {
+  Eigen::MatrixXd a;
+  Eigen::MatrixXd b;
+  Eigen::MatrixXd c;
+  Eigen::MatrixXd d;
+
+  int order() const { return static_cast<int>(a.rows()); }
+};
+
+/// The state before the first input.
+enum class InitialState {
+  settled,   ///< as if the first input had been there for ever
+  periodic,  ///< the one that is there again after the last input: the inputs are one cycle
+};
+
+/// Rows are moments: inputs T × p; outputs T × q.
+Eigen::MatrixXd simulated(const StateSpace& system, const Eigen::MatrixXd& inputs,
+                          InitialState initial);
+
+/// Identifies a system of at most `order` states from inputs and outputs of mean zero by the
+/// subspace method N4SID (Van Overschee and De Moor 1994): states from the oblique projection of
+/// future outputs, A and B by least squares on them, poles pulled to within `largest_pole`, then C
+/// and D by least squares on the states that a simulation goes through. Periodic data are one
+/// cycle.
+StateSpace identified(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& outputs, int order,
+                      InitialState initial, double largest_pole = 0.97);
+
+}  // namespace mien::motion
