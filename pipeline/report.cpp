@@ -72,6 +72,25 @@ std::string warning_list(const std::vector<std::string>& warnings) {
   return list + "</ul>\n";
 }
 
+/// Errors openly, warnings folded away.
+std::string finding_list(const std::vector<motion::Finding>& findings, double frames_per_second) {
+  std::string errors, warnings;
+  int folded = 0;
+  for (const motion::Finding& f : findings) {
+    const bool is_error = f.severity == motion::Severity::error;
+    (is_error ? errors : warnings) += fmt::format(
+        "<li><b>{}</b> {:.2f}–{:.2f} s: {}</li>\n", html_escaped(f.check),
+        f.first / frames_per_second, f.last / frames_per_second, html_escaped(f.sentence));
+    folded += is_error ? 0 : 1;
+  }
+  std::string list;
+  if (!errors.empty()) list += "<ul class=\"errors\">\n" + errors + "</ul>\n";
+  if (warnings.empty()) return list;
+  return list +
+         fmt::format("<details><summary>Lint: {} warning{}</summary>\n<ul>\n{}</ul></details>\n",
+                     folded, folded == 1 ? "" : "s", warnings);
+}
+
 std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
   const motion::Clip& clip = made.motion.clip;
   std::string facts = fmt::format("{} × {}, {} frames/s", stimulus.output.size[0],
@@ -108,8 +127,12 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
       "<a href=\"sheets/contact/{}.png\"><img loading=\"lazy\" src=\"sheets/contact/{}.png\" "
       "alt=\"Twelve frames of {}\"></a>\n<p>{}.</p>\n",
       id, id, id, html_escaped(facts_of(stimulus, made)));
-  return card + warning_list(made.warnings) + parameter_rows(stimulus, made, motions) +
-         weight_rows(made, motions) + "</article>\n";
+  if (!made.modified.empty()) {
+    card += fmt::format("<p>Modified: {}.</p>\n", html_escaped(made.modified));
+  }
+  return card + warning_list(made.warnings) +
+         finding_list(made.findings, made.motion.clip.frames_per_second) +
+         parameter_rows(stimulus, made, motions) + weight_rows(made, motions) + "</article>\n";
 }
 
 std::string sheet_card(const Sheet& sheet, Motions& motions) {

@@ -129,7 +129,7 @@ std::string weights_csv(const Manifest& manifest, Motions& motions) {
 std::string clips_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table({"stimulus", "role", "ratings", "source", "frames", "duration_s", "fps",
                    "cycle_s", "stride_m", "speed_m_s", "planted_drift_m", "method",
-                   "expected_error_m"});
+                   "expected_error_m", "modified", "modified_share"});
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
     const motion::Clip& clip = made.motion.clip;
@@ -141,7 +141,8 @@ std::string clips_csv(const Manifest& manifest, Motions& motions) {
                clip.loops ? shortest(duration) : "", clip.loops ? shortest(way_of(clip)) : "",
                duration > 0.0 ? shortest(way_of(clip) / duration) : "",
                shortest(made.planted_drift_m), method_of(stimulus),
-               made.expected_error_m ? shortest(*made.expected_error_m) : ""});
+               made.expected_error_m ? shortest(*made.expected_error_m) : "", made.modified,
+               made.modified.empty() ? "" : shortest(made.modified_share)});
   }
   return table.text();
 }
@@ -174,6 +175,22 @@ std::string impressions_csv(const Manifest& manifest, Motions& motions) {
                  impressions.examples[static_cast<std::size_t>(i)], ratings,
                  std::to_string(impressions.count(j, i)), shortest(impressions.mean(j, i)),
                  std::isnan(sd) ? "" : shortest(sd)});
+    }
+  }
+  return table.text();
+}
+
+std::string findings_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table({"stimulus", "check", "severity", "joint", "first_frame", "last_frame", "first_s",
+                   "last_s", "measured", "threshold", "unit", "sentence"});
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Synthesis& made = motions.of(stimulus.id);
+    for (const motion::Finding& f : made.findings) {
+      const double fps = made.motion.clip.frames_per_second;
+      table.row({stimulus.id, f.check, std::string(motion::name_of(f.severity)), f.joint,
+                 std::to_string(f.first), std::to_string(f.last), shortest(f.first / fps),
+                 shortest(f.last / fps), shortest(f.measured), shortest(f.threshold), f.unit,
+                 f.sentence});
     }
   }
   return table.text();
