@@ -13,7 +13,7 @@ namespace mien::motion {
 
 /// What a rotation is while its bands of frequency are weighted.
 enum class RotationSignal {
-  direction_vectors,  ///< two columns of its matrix (the thesis' way; swings saturate below 90°)
+  direction_vectors,  ///< two columns of its matrix (the thesis' way; swings saturate towards 90°)
   quaternions,        ///< its logarithm about the joint's mean rotation (angles scale exactly)
 };
 
