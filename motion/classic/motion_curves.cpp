@@ -24,14 +24,6 @@ void require_curves(const Clip& clip) {
   }
 }
 
-/// The rotation vector of the same rotation that is nearest to `previous`.
-Vec3 unwrapped(const Vec3& vector, const Vec3& previous) {
-  const double angle = vector.norm();
-  if (angle < 1e-9) return vector;
-  const Vec3 other = vector * (1.0 - 2.0 * pi / angle);
-  return (other - previous).norm() < (vector - previous).norm() ? other : vector;
-}
-
 Quat rotation_in(const Clip& clip, const Quat& heading, int frame, int joint) {
   const Quat& rotation = clip.poses[frame].rotations[joint];
   return joint == Pelvis ? (heading.conjugate() * rotation).normalized() : rotation;
@@ -51,6 +43,13 @@ double way_share(bool loops, int frames, int frame) {
 }
 
 }  // namespace
+
+Vec3 unwrapped(const Vec3& vector, const Vec3& previous) {
+  const double angle = vector.norm();
+  if (angle < 1e-9) return vector;
+  const Vec3 other = vector * (1.0 - 2.0 * pi / angle);
+  return (other - previous).norm() < (vector - previous).norm() ? other : vector;
+}
 
 std::vector<Quat> mean_rotations(const Clip& clip) {
   require_curves(clip);
