@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "motion/clip.h"
+#include "motion/classic/basic_periods.h"
 
 namespace mien::motion {
 
@@ -12,10 +12,6 @@ struct EmotionTransformOptions {
   bool timing = true;     ///< take over the emotion's timing
   bool amplitude = true;  ///< take over how far the joints swing
 };
-
-/// Joints by distance from the body's centre: trunk; neck, head and the limbs' roots; elbows and
-/// knees; hands and feet. The root's place is a class of its own.
-inline constexpr int amplitude_classes = 5;
 
 /// What an emotion does to one basic period of a motion.
 struct PeriodTransform {
@@ -28,6 +24,7 @@ struct PeriodTransform {
 /// Emotion transform: timing and amplitude by which an emotional performance differs from a
 /// neutral one of the same action (Amaya, Bruderlin and Calvert 1996).
 struct EmotionTransform {
+  BodyJoint effector = RightWrist;       ///< whose path tells time and periods
   std::vector<PeriodTransform> periods;  ///< one for each period of both, else only the mean
   PeriodTransform mean;
   double way_ratio = 1.0;  ///< of the ways along the floor

@@ -31,9 +31,9 @@ FourierMotion fourier_motion(const Clip& loop, const std::vector<Quat>& means);
 Clip to_clip(const FourierMotion& motion);
 
 /// The motion plus `amount` times what distinguishes `styled` from `neutral` (tired − normal), in
-/// A₀, Aₙ, φₙ (the shorter way round), cycle duration and way. With the motion itself as neutral:
-/// interpolation between the two, and extrapolation. Harmonics beyond `harmonics` stay the
-/// motion's. Amplitudes do not fall below 0, nor the duration below a third or beyond three times
+/// A₀, Aₙ, φₙ (the shorter way round), frequency of cycles and way. With the motion itself as
+/// neutral: interpolation between the two, and extrapolation. Harmonics beyond `harmonics` stay the
+/// motion's. Amplitudes do not fall below 0, nor the frequency below a third or beyond three times
 /// the motion's. All three must loop and begin at the same moment of the cycle; throws Error when
 /// one does not loop. Feet are not repaired.
 Clip fourier_styled(const Clip& motion, const Clip& neutral, const Clip& styled,

@@ -33,6 +33,9 @@ struct MotionCurves {
   int frame_count() const { return static_cast<int>(values.rows()); }
 };
 
+/// The rotation vector of the same rotation that is nearest to `previous`.
+Vec3 unwrapped(const Vec3& vector, const Vec3& previous);
+
 /// Mean rotation (Karcher) of every joint, the pelvis' in the frame of the mean direction.
 std::vector<Quat> mean_rotations(const Clip& clip);
 

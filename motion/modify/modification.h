@@ -13,7 +13,7 @@ namespace mien::motion {
 
 /// What a rotation is while its bands of frequency are weighted.
 enum class RotationSignal {
-  direction_vectors,  ///< two columns of its matrix (the thesis' way; swings saturate below 90°)
+  direction_vectors,  ///< two columns of its matrix (the thesis' way; swings saturate towards 90°)
   quaternions,        ///< its logarithm about the joint's mean rotation (angles scale exactly)
 };
 
@@ -33,9 +33,10 @@ enum class AccelerationPlace {
              ///< moments
 };
 
-/// The parts of the body whose timing is changed, each by itself.
+/// The parts of the body whose timing is changed, each by itself: arms with their clavicles, legs.
+/// The trunk keeps time with the hips.
 struct Limbs {
-  bool head = true;  ///< spine, chest, neck and head
+  bool head = true;  ///< and neck
   bool left_hand = true;
   bool right_hand = true;
   bool left_foot = false;
