@@ -118,14 +118,29 @@ struct Stimulus {
   OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
 };
 
-/// A comparison sheet.
+/// A sheet about two motions, or a gallery of several.
 struct Sheet {
   std::string path;       ///< in the manifest: "sheets[0]"
   std::string id;         ///< file name; "<target>_<created>" unless given
   std::string target;     ///< stimulus or example
   std::string created;    ///< stimulus or example
   std::string reference;  ///< stimulus or example; empty for none
+  /// Stimuli or examples, one a row, the first being what the others are measured against; then
+  /// there is no target. Empty for a comparison.
+  std::vector<std::string> gallery;
 };
+
+/// All motions on a sheet.
+std::vector<std::string> motions_on(const Sheet& sheet);
+
+/// Two motions whose distance a sheet shows.
+struct MotionPair {
+  std::string target;
+  std::string created;
+};
+
+/// A comparison's one; a gallery's first motion with each other.
+std::vector<MotionPair> pairs_on(const Sheet& sheet);
 
 /// A production as its author wrote it, defaults filled in and overrides merged.
 struct Manifest {

@@ -280,7 +280,12 @@ class Builder {
       assign(member(*compare, "created"), sheet.created);
       assign(member(*compare, "reference"), sheet.reference);
     }
-    sheet.id = sheet.target + "_" + sheet.created;
+    if (const json* gallery = member(given, "gallery"); gallery && gallery->is_array()) {
+      for (const json& name : *gallery) {
+        if (name.is_string()) sheet.gallery.push_back(name.get<std::string>());
+      }
+    }
+    sheet.id = sheet.gallery.empty() ? sheet.target + "_" + sheet.created : "gallery";
     assign(member(given, "id"), sheet.id);
     manifest_.sheets.push_back(std::move(sheet));
   }

@@ -93,6 +93,10 @@ class Checker {
       check_motion(member_path(compare, "target"), sheet.target, motions);
       check_motion(member_path(compare, "created"), sheet.created, motions);
       check_motion(member_path(compare, "reference"), sheet.reference, motions);
+      const std::string gallery = member_path(sheet.path, "gallery");
+      for (std::size_t i = 0; i < sheet.gallery.size(); ++i) {
+        check_motion(element_path(gallery, i), sheet.gallery[i], motions);
+      }
     }
   }
 
@@ -325,6 +329,7 @@ class Checker {
   }
 
   void check_sheet(const Sheet& sheet, std::map<std::string, std::string>& ids) {
+    if (!sheet.gallery.empty()) check_unique(sheet.id, sheet.path, ids);
     if (sheet.target.empty() || sheet.created.empty()) return;
     const std::string compare = member_path(sheet.path, "compare");
     if (sheet.target == sheet.created) {

@@ -136,27 +136,34 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
 }
 
 std::string sheet_card(const Sheet& sheet, Motions& motions) {
-  const motion::Distance d =
-      motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion);
   const std::string id = html_escaped(sheet.id);
+  std::string alternative = fmt::format("{} motions side by side", sheet.gallery.size());
+  std::string caption = alternative;
+  if (sheet.gallery.empty()) {
+    alternative = fmt::format("Comparison sheet of {} and {}", html_escaped(sheet.target),
+                              html_escaped(sheet.created));
+    caption = html_escaped(verdict(
+        motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion)));
+  }
   return fmt::format(
-      "<figure>\n<a href=\"sheets/{}.pdf\"><img loading=\"lazy\" src=\"sheets/{}.png\" "
-      "alt=\"Comparison sheet of {} and {}\"></a>\n<figcaption>{} (<a "
-      "href=\"sheets/{}.pdf\">PDF</a>)</figcaption>\n</figure>\n",
-      id, id, html_escaped(sheet.target), html_escaped(sheet.created), html_escaped(verdict(d)),
-      id);
+      "<figure>\n<a href=\"sheets/{0}.pdf\"><img loading=\"lazy\" src=\"sheets/{0}.png\" "
+      "alt=\"{1}\"></a>\n<figcaption>{2} (<a href=\"sheets/{0}.pdf\">PDF</a>)</figcaption>\n"
+      "</figure>\n",
+      id, alternative, caption);
 }
 
 std::string distance_table(const Manifest& manifest, Motions& motions) {
   std::string rows;
   for (const Sheet& sheet : manifest.sheets) {
-    const motion::Distance d =
-        motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion);
-    rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td>{}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.4f}</td>"
-        "<td>{}</td></tr>\n",
-        html_escaped(sheet.target), html_escaped(sheet.created), d.mean, d.sum, d.mpjpe,
-        d.matches() ? "yes" : "no");
+    for (const auto& [target, created] : pairs_on(sheet)) {
+      const motion::Distance d =
+          motion::distance(motions.of(target).motion, motions.of(created).motion);
+      rows += fmt::format(
+          "<tr><th scope=\"row\">{}</th><td>{}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.4f}</td>"
+          "<td>{}</td></tr>\n",
+          html_escaped(target), html_escaped(created), d.mean, d.sum, d.mpjpe,
+          d.matches() ? "yes" : "no");
+    }
   }
   return "<table><thead><tr><th>target</th><th>created</th><th>D (m)</th><th>sum (m)</th>"
          "<th>MPJPE (m)</th><th>D &lt; 0.06 m</th></tr></thead>\n<tbody>" +

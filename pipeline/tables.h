@@ -39,9 +39,9 @@ std::string parameters_csv(const Manifest& manifest, Motions& motions);
 /// rows where nothing is blended or nothing was rated.
 std::string impressions_csv(const Manifest& manifest, Motions& motions);
 
-/// What the lint found in the motions, a row a finding: stimulus, check, severity, joint, first_frame
-/// and last_frame (of one cycle, or of the whole clip), first_s, last_s, measured, threshold, unit,
-/// sentence.
+/// What the lint found in the motions, a row a finding: stimulus, check, severity, joint,
+/// first_frame and last_frame (of one cycle, or of the whole clip), first_s, last_s, measured,
+/// threshold, unit, sentence.
 std::string findings_csv(const Manifest& manifest, Motions& motions);
 
 }  // namespace mien::pipeline
