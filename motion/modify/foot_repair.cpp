@@ -18,6 +18,8 @@ namespace {
 constexpr double clearance = 0.015;     // metres; a foot that swings higher is clear
 constexpr double lift_seconds = 0.05;   // over which the lift of a foot comes and goes
 constexpr double onset_seconds = 0.06;  // after and before a plant without full lift
+constexpr int most_locks = 6;           // of the original
+constexpr double still = 5e-4;          // metres; a foot that drifts less stands
 
 double lowest(const SolePoints& sole) {
   return std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
@@ -101,11 +103,22 @@ PlacedStretch carried_over(const FootPath& path, const FootPath& known, const Fo
   to /= frames;
   to.y() = from.y();
   const Quat turn = exp(Vec3(0.0, yaw / frames, 0.0));
-  PlacedStretch stretch{plant.left, stance.first, {}};
-  for (int f = stance.first; f <= stance.last; ++f) {
+  // All of the plant, not the stance alone: a foot that has left the floor is to be as high again.
+  PlacedStretch stretch{plant.left, plant.first, {}};
+  for (int f = plant.first; f <= plant.last; ++f) {
     stretch.places.push_back({to + turn * (known.ankle_at(f) - from), turn * known.rotation_at(f)});
   }
   return stretch;
+}
+
+/// The original with its feet locked until they stand: what glided in it is not to glide on.
+Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants) {
+  Clip settled = foot_locked(original, plants);
+  for (int locks = 1; locks < most_locks; ++locks) {
+    if (planted_drift(settled, plants) < still) break;
+    settled = foot_locked(settled, plants);
+  }
+  return settled;
 }
 
 Clip with_plants_of(const Clip& clip, const Clip& settled, const std::vector<FootPlant>& plants) {
@@ -146,8 +159,7 @@ Clip with_repaired_feet(const Clip& clip, const Clip& original,
       break;
   }
   if (plants.empty()) return clip;
-  // Feet that glided in the original are not to glide on.
-  const Clip settled = foot_locked(foot_locked(original, plants), plants);
+  const Clip settled = with_still_feet(original, plants);
   const Clip shifted = with_hip_shift(clip, settled, plants, HipPath::smooth);
   return with_toe_clearance(with_plants_of(shifted, settled, plants), settled, plants);
 }
