@@ -66,7 +66,7 @@ ModifiedMotion at_share(const motion::Example& original, const Stimulus& stimulu
       keytime *= result.motion.clip.duration_seconds() / before;
     }
     result.planted_drift_m = step.report.drift_after_repair;
-    for (std::string& remark : step.report.remarks) result.remarks.push_back(std::move(remark));
+    for (std::string& remark : step.report.remarks) result.notes.push_back(std::move(remark));
   }
   result.findings = motion::lint(result.motion.clip, {}, &original.clip);
   return result;
@@ -119,7 +119,7 @@ ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
       fmt::format("{} ({}, frames {}–{})", fault.sentence, fault.check, fault.first, fault.last);
   switch (stimulus.on_fault) {
     case OnFault::warn:
-      whole.remarks.push_back("the modification breaks the motion: " + what);
+      whole.warnings.push_back("the modification breaks the motion: " + what);
       return whole;
     case OnFault::fail:
       throw Error(fmt::format("{}: modified by {}, the motion is broken: {}", stimulus.id,
@@ -127,14 +127,14 @@ ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
                   "lower the strength, or choose on_fault: warn, revert or reduce");
     case OnFault::revert: {
       ModifiedMotion result = at_share(original, stimulus, modifications, 0.0);
-      result.remarks.push_back("left unmodified, because the modification breaks it: " + what);
+      result.warnings.push_back("left unmodified, because the modification breaks it: " + what);
       return result;
     }
     case OnFault::reduce:
       break;
   }
   ModifiedMotion result = reduced(original, stimulus, modifications, own);
-  result.remarks.push_back(
+  result.warnings.push_back(
       fmt::format("modified at {:.0f} % of the strength asked for; at the whole of it: {}",
                   100.0 * result.share, what));
   return result;

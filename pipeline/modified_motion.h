@@ -16,11 +16,12 @@ struct ModifiedMotion {
   double share = 1.0;                     ///< of the strengths asked for; below 1 when reduced
   double planted_drift_m = 0.0;           ///< largest, of the feet that the original plants
   std::vector<motion::Finding> findings;  ///< of the result, against the original
-  std::vector<std::string> remarks;       ///< plain sentences for the report
+  std::vector<std::string> notes;         ///< what was done on the way, plain sentences
+  std::vector<std::string> warnings;      ///< what came of faults, plain sentences
 };
 
 /// Does the stimulus's modifications one after the other and looks the result over. Errors that
-/// the original has not are dealt with as `on_fault` says; what was done is among the remarks.
+/// the original has not are dealt with as `on_fault` says; what was done is among the warnings.
 /// Throws Error when a pose cannot be had, and for `on_fault: fail`.
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
                              const Repertoire& repertoire);

@@ -56,6 +56,7 @@ Hash digest_of(const Synthesis& synthesis, const motion::Clip& shown) {
   add(key, "reached", synthesis.reached);
   key.add("drift", synthesis.planted_drift_m);
   for (const std::string& warning : synthesis.warnings) key.add("warning", warning);
+  for (const std::string& note : synthesis.notes) key.add("note", note);
   key.add("modified", synthesis.modified).add("share", synthesis.modified_share);
   for (const motion::Finding& finding : synthesis.findings) {
     key.add("check", finding.check)

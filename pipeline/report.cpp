@@ -128,7 +128,9 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
       "alt=\"Twelve frames of {}\"></a>\n<p>{}.</p>\n",
       id, id, id, html_escaped(facts_of(stimulus, made)));
   if (!made.modified.empty()) {
-    card += fmt::format("<p>Modified: {}.</p>\n", html_escaped(made.modified));
+    std::string sentence = "Modified: " + made.modified;
+    for (const std::string& note : made.notes) sentence += "; " + note;
+    card += fmt::format("<p>{}.</p>\n", html_escaped(sentence));
   }
   return card + warning_list(made.warnings) +
          finding_list(made.findings, made.motion.clip.frames_per_second) +

@@ -192,8 +192,9 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
   synthesis.modified = described_modifications(stimulus);
   synthesis.modified_share = modified.share;
   synthesis.findings = std::move(modified.findings);
-  synthesis.warnings.insert(synthesis.warnings.end(), modified.remarks.begin(),
-                            modified.remarks.end());
+  synthesis.notes = std::move(modified.notes);
+  synthesis.warnings.insert(synthesis.warnings.end(), modified.warnings.begin(),
+                            modified.warnings.end());
 }
 
 }  // namespace

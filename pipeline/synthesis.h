@@ -27,6 +27,7 @@ struct Synthesis {
   NamedValues reached;
   double planted_drift_m = 0.0;  ///< horizontal, largest over all plants of the result
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;         ///< plain sentences that call for nothing
   std::string modified;                   ///< what was done to it ("sad × 0.8"); empty for nothing
   double modified_share = 1.0;            ///< of the strengths asked for (OnFault::reduce)
   std::vector<motion::Finding> findings;  ///< of the lint: of a modified motion against what it was
