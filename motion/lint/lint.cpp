@@ -47,6 +47,11 @@ void check_motion(const LintSubject& subject, const LintOptions& options,
   add(find_skating_feet(subject, options, original));
   add(find_sunken_feet(subject, options, original));
   add(find_floating(subject, options, original));
+  if (original) {
+    add(find_jerks(subject, options, *original));
+    add(find_shifted_contacts(subject, options, *original));
+    add(find_shifted_limbs(subject, options, *original));
+  }
   const BodyOnFloor body = body_on_floor(subject);
   const BodyOnFloor before = original ? body_on_floor(*original) : BodyOnFloor();
   const BodyOnFloor* original_body = original ? &before : nullptr;
