@@ -17,14 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_motion_file(const fs::path& path) {
-  static const std::set<std::string> extensions = {".bvh", ".amc", ".gltf", ".glb"};
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extensions.count(extension) > 0;
-}
-
 /// Mappings of all recordings, calibrated over those that share a rig.
 std::vector<BodyMapping> mappings_of(const std::vector<Recording>& recordings) {
   std::vector<BodyMapping> mappings(recordings.size());

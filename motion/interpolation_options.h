@@ -37,7 +37,15 @@ struct KrigingOptions {
   friend bool operator==(const KrigingOptions&, const KrigingOptions&) = default;
 };
 
+/// What a statistical model takes for the motion at parameters.
+enum class ModelEstimate {
+  expected,     ///< mean of the motions that have them: regression of coordinates on parameters
+  most_likely,  ///< maximum a posteriori: likely by itself, and with parameters as measured near
+};
+
 struct StatisticalModelOptions {
+  ModelEstimate estimate = ModelEstimate::expected;
+  double noise = 0.1;  ///< most likely: SD with which a motion's parameters are known, > 0
   double variance_share = 0.95;  ///< of the examples' variance that the components keep
   double ridge = 1e-3;           ///< added to the variances of the parameters
   int samples = 60;              ///< of a motion between its first and last keytime

@@ -21,6 +21,11 @@ std::string extension_of(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool is_motion_file(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".bvh" || extension == ".amc" || extension == ".gltf" || extension == ".glb";
+}
+
 Recording read_motion(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".bvh") return read_bvh(path);

@@ -87,6 +87,22 @@ void find_components(StatisticalModel& model, const Eigen::MatrixXd& centred, do
   model.example_coordinates = model.components.transpose() * centred;
 }
 
+/// Coordinates by parameters, both less their means. The most likely ones follow from the expected
+/// ones' formula when the parameters vary by what the components explain and the noise.
+Eigen::MatrixXd regression_of(const StatisticalModel& model, const Eigen::MatrixXd& centred,
+                              const StatisticalModelOptions& options) {
+  const auto count = static_cast<double>(centred.rows());
+  const Eigen::MatrixXd joint = model.example_coordinates * centred / count;  // q × M
+  Eigen::MatrixXd covariance = centred.transpose() * centred / count;
+  double added = options.ridge;
+  if (options.estimate == ModelEstimate::most_likely) {
+    covariance = joint.transpose() * model.variances.cwiseInverse().asDiagonal() * joint;
+    added = options.noise * options.noise;
+  }
+  covariance.diagonal().array() += added;
+  return covariance.ldlt().solve(joint.transpose()).transpose();
+}
+
 Eigen::VectorXd moment_at(const StatisticalModel& model, const Eigen::VectorXd& x, double share) {
   const auto at = [&](int sample) {
     const int wrapped = model.loops ? sample % model.samples : std::min(sample, model.samples - 1);
@@ -124,14 +140,7 @@ StatisticalModel fit_statistical_model(const ExampleSet& set, const Eigen::Matri
   find_components(model, vectors, options.variance_share);
 
   model.parameter_mean = parameters.colwise().mean();
-  const Eigen::MatrixXd centred = parameters.rowwise() - model.parameter_mean;
-  const double count = static_cast<double>(parameters.rows());
-  const Eigen::MatrixXd covariance =
-      centred.transpose() * centred / count +
-      options.ridge * Eigen::MatrixXd::Identity(parameters.cols(), parameters.cols());
-  model.regression = covariance.ldlt()
-                         .solve(centred.transpose() * model.example_coordinates.transpose() / count)
-                         .transpose();
+  model.regression = regression_of(model, parameters.rowwise() - model.parameter_mean, options);
   return model;
 }
 

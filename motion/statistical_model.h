@@ -15,7 +15,10 @@ namespace mien::motion {
 /// and the displacement of a cycle.
 ///
 /// Principal components of the examples' vectors and their regression on parameters (after Min,
-/// Chen and Chai 2009): x = mean + components · c, E[c|p] = regression · (p − p̄). Unlike the other
+/// Chen and Chai 2009): x = mean + components · c, and the coordinates at parameters are either
+/// expected, E[c|p] = Σ_cp (Σ_pp + ridge)⁻¹ (p − p̄), or most likely: those that minimise
+/// ‖C c − (p − p̄)‖²/noise² + cᵀ Λ⁻¹ c, where C, the regression of parameters on coordinates,
+/// measures a motion and Λ holds the components' variances. Both are linear in p. Unlike the other
 /// methods it does not reproduce its examples: what few of them share is left out.
 struct StatisticalModel {
   Skeleton body;
@@ -28,7 +31,7 @@ struct StatisticalModel {
   Eigen::VectorXd variances;            ///< q, descending
   double kept_variance = 1.0;           ///< share of the examples' variance
   Eigen::RowVectorXd parameter_mean;    ///< M
-  Eigen::MatrixXd regression;           ///< q × M
+  Eigen::MatrixXd regression;           ///< q × M: of either estimate
   Eigen::MatrixXd example_coordinates;  ///< q × N: c of the examples
 };
 
@@ -38,14 +41,14 @@ StatisticalModel fit_statistical_model(const ExampleSet& set, const Eigen::Matri
                                        const StatisticalModelOptions& options = {},
                                        WarpShape warp = WarpShape::monotone);
 
-/// Coordinates that are expected at parameters.
+/// Coordinates at parameters, expected or most likely.
 Eigen::VectorXd coordinates_at(const StatisticalModel& model, const Eigen::RowVectorXd& parameters);
 
 /// The motion with these coordinates. A loop's duration is rounded to whole frames.
 Example motion_of(const StatisticalModel& model, const Eigen::VectorXd& coordinates,
                   double frames_per_second);
 
-/// Weights of the examples (sum 1, may be negative) whose sum of vectors is the motion expected at
+/// Weights of the examples (sum 1, may be negative) whose sum of vectors is the motion at
 /// the parameters: what this method amounts to as a blend.
 Eigen::VectorXd equivalent_weights(const StatisticalModel& model,
                                    const Eigen::RowVectorXd& parameters);

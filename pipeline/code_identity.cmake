@@ -15,7 +15,7 @@ function(hash_sources variable)
   set(${variable} ${hash} PARENT_SCOPE)
 endfunction()
 
-hash_sources(motion motion/*)
+hash_sources(motion motion/* motion/*/*)
 hash_sources(film render/* scenes/* pipeline/film*)
 hash_sources(pipeline pipeline/*)
 file(WRITE ${OUTPUT}.new

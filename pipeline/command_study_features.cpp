@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -21,8 +22,14 @@ namespace {
 struct FeaturesOptions {
   StudySubject subject;
   int clusters = motion::feature_group_count;
+  motion::FeatureScaling scaling = motion::FeatureScaling::min_max;
   std::string out;
 };
+
+std::map<std::string, motion::FeatureScaling> scalings_by_name() {
+  return {{"min-max", motion::FeatureScaling::min_max},
+          {"z-score", motion::FeatureScaling::z_score}};
+}
 
 void write_all(const FeatureClusters& clusters, const Repertoire& repertoire,
                const std::filesystem::path& folder) {
@@ -39,7 +46,8 @@ int cluster(const FeaturesOptions& options, const Console& console) {
   Manifest manifest = manifest_of(options.subject);
   manifest.ratings.source = Ratings::Source::none;
   const Repertoire repertoire = load_repertoire(manifest);
-  const FeatureClusters clusters = cluster_features(repertoire.features, options.clusters);
+  const FeatureClusters clusters =
+      cluster_features(repertoire.features, options.clusters, options.scaling);
   write_all(clusters, repertoire, options.out);
   fmt::memory_buffer text;
   const auto out = fmt::appender(text);
@@ -70,6 +78,11 @@ void add_study_features_command(CLI::App& study, Command& chosen) {
   command->add_option("--clusters", options->clusters, "How many clusters")
       ->check(CLI::Range(1, motion::motion_feature_count))
       ->capture_default_str();
+  command
+      ->add_option("--scaling", options->scaling,
+                   "Scale features over the examples to 0 … 1, or to z scores [min-max]")
+      ->transform(CLI::CheckedTransformer(scalings_by_name()).description(""))
+      ->type_name("min-max|z-score");
   command->add_option("-o,--output", options->out, "Folder for the results")->required();
   command->footer(
       "\nWrites features.csv, linkage.csv, clusters.csv and dendrogram.pdf, .svg, .png, and says "

@@ -29,11 +29,11 @@ struct InterfacesCommand {
   std::string out;
 };
 
-/// Those that share out weights: the statistical model makes no blend of the examples.
+/// Those that take parameters; shares of the examples are an interface of their own.
 std::map<std::string, motion::InterpolationMethod> methods_by_name() {
   using enum motion::InterpolationMethod;
   std::map<std::string, motion::InterpolationMethod> methods;
-  for (const auto method : {cardinal, nearest, inverse_distance, grid, kriging, incremental}) {
+  for (const auto method : {cardinal, nearest, inverse_distance, grid, kriging, pca, incremental}) {
     methods.emplace(motion::name_of(method), method);
   }
   return methods;

@@ -28,9 +28,50 @@ void add_weights(KeyBuilder& key, const motion::InterpolationOptions& weights) {
       .add("cells", std::int64_t{weights.grid_cells});
   add_choice(key, "nodes", weights.grid_source);
   add_choice(key, "drift", weights.kriging.linear_drift);
+  add_choice(key, "estimate", weights.pca.estimate);
   key.add("nugget", weights.kriging.nugget)
       .add("variance", weights.pca.variance_share)
+      .add("noise", weights.pca.noise)
       .add("step", weights.click_step);
+}
+
+void add_pose(KeyBuilder& key, const PoseSource& pose) {
+  key.add("pose", pose.example).add("frame", std::int64_t{pose.frame});
+  if (!pose.file.empty()) add_file(key, pose.file);
+}
+
+void add_gains(KeyBuilder& key, const motion::PathGains& gains) {
+  key.add("low", gains.low).add("middle", gains.middle).add("high", gains.high);
+  for (const double band : gains.bands) key.add("band", band);
+}
+
+void add_modification(KeyBuilder& key, const motion::Modification& m) {
+  key.add("paths", m.paths).add("acceleration", m.acceleration);
+  if (m.gains) add_gains(key, *m.gains);
+  add_choice(key, "signal", m.signal);
+  add_choice(key, "acceleration_at", m.acceleration_place);
+  const std::int64_t limbs = m.limbs.head + 2 * m.limbs.left_hand + 4 * m.limbs.right_hand +
+                             8 * m.limbs.left_foot + 16 * m.limbs.right_foot;
+  key.add("limbs", limbs);
+  for (const motion::PostureChange& change : m.posture) {
+    key.add("posture", motion::name_of(change.unit)).add("degrees", change.degrees);
+  }
+  key.add("tempo", m.tempo)
+      .add("variation", m.variation)
+      .add("seed", static_cast<std::int64_t>(m.seed));
+  add_choice(key, "repair", m.repair);
+  add_choice(key, "soft_limits", m.soft_joint_limits);
+}
+
+void add_steps(KeyBuilder& key, const Stimulus& stimulus) {
+  for (const ModificationStep& step : stimulus.modify) {
+    key.add("modify", step.emotion).add("strength", step.strength);
+    add_modification(key, step.modification);
+    if (!step.pose) continue;
+    add_pose(key, step.pose->neutral);
+    add_pose(key, step.pose->posed);
+  }
+  if (!stimulus.modify.empty()) add_choice(key, "on_fault", stimulus.on_fault);
 }
 
 /// Files that a motion file of its kind may refer to: skeletons beside AMC, buffers beside glTF.
@@ -97,6 +138,7 @@ void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
   add_choice(key, "rotations", how.rotations);
   add_choice(key, "time_warp", how.time_warp);
   add_choice(key, "foot_lock", how.foot_lock);
+  add_steps(key, stimulus);
   key.add("fps", stimulus.output.fps).add("cycles", std::int64_t{stimulus.output.cycles});
   add_choice(key, "in_place", stimulus.output.in_place);
 }

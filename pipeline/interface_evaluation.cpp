@@ -7,62 +7,57 @@
 
 #include "pipeline/csv.h"
 #include "pipeline/primary_parameters.h"
-#include "pipeline/synthesis.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-/// A target, and the weights that it was made with.
+/// A target, and how it was made.
 struct KnownMotion {
-  std::string id;
+  SampledTarget made_at;
   motion::Example motion;
   Eigen::VectorXd weights;
 };
 
-/// The interface whose parameters targets are places of.
-const SliderInterface& target_interface(const std::vector<SliderInterface>& interfaces) {
-  return interfaces.front();
-}
-
-KnownMotion known_motion(const SampledTarget& target, const SliderInterface& interface,
+/// Targets are places of the first interface's parameters.
+KnownMotion known_motion(const SampledTarget& target, const FittedInterface& interface,
                          const Interpolation& interpolation, const Repertoire& repertoire) {
-  Stimulus stimulus;
-  stimulus.interpolation = interpolation;
-  NamedValues& wish =
-      interface.kind == InterfaceKind::features ? stimulus.features : stimulus.adjectives;
-  for (std::size_t i = 0; i < interface.sliders.size(); ++i) {
-    wish.emplace_back(interface.sliders[i], target.place[static_cast<Eigen::Index>(i)]);
-  }
-  return {target.id, motion_of(interface, target.place, interpolation, repertoire),
-          weights_of(stimulus, repertoire)};
+  return {target, motion_of(interface, target.place, interpolation, repertoire),
+          motion::weights_at(interface.interpolator, target.place).weights};
 }
 
-void try_target(const KnownMotion& target, const SliderInterface& interface,
-                const Interpolation& interpolation, const Repertoire& repertoire,
-                const EvaluationOptions& options, std::vector<InterfaceResult>& results) {
+/// The interface that the target was made with makes it again at the very same place.
+Eigen::RowVectorXd ideal_for(const KnownMotion& target, const FittedInterface& interface,
+                             InterfaceKind target_kind, const Repertoire& repertoire) {
+  if (interface.sliders.kind == target_kind) return target.made_at.place;
+  return ideal_settings(interface.sliders, target.motion, target.weights, repertoire);
+}
+
+void try_target(const KnownMotion& target, const FittedInterface& interface,
+                const Eigen::RowVectorXd& ideal, const Interpolation& interpolation,
+                const Repertoire& repertoire, const EvaluationOptions& options,
+                std::vector<InterfaceResult>& results) {
+  const std::string& id = target.made_at.id;
+  const InterfaceKind kind = interface.sliders.kind;
   const SliderDistance distance_at = [&](const Eigen::RowVectorXd& settings) {
     return motion::distance(target.motion,
                             motion_of(interface, settings, interpolation, repertoire))
         .mean;
   };
-  const Eigen::RowVectorXd ideal =
-      ideal_settings(interface, target.motion, target.weights, repertoire);
   for (const double step : options.steps) {
     const double distance = distance_at(rounded(ideal, step));
     const bool matches = distance < options.threshold;
-    results.push_back({interpolation.weights.method, target.id, interface.kind, step, 0, distance,
-                       distance, 1, matches, matches});
+    results.push_back(
+        {interpolation.weights.method, id, kind, step, 0, distance, distance, 1, matches, matches});
   }
   for (int u = 1; u <= options.users; ++u) {
-    const SimulatedUser user = {
-        .seed = options.seed,
-        .name = fmt::format("{} {} user {}", target.id, name_of(interface.kind), u),
-        .threshold = options.threshold};
+    const SimulatedUser user = {.seed = options.seed,
+                                .name = fmt::format("{} {} user {}", id, name_of(kind), u),
+                                .threshold = options.threshold};
     const InterfaceTrial trial = try_interface(ideal, user, distance_at);
-    results.push_back({interpolation.weights.method, target.id, interface.kind, 0.0, u,
-                       trial.first_distance, trial.distance, trial.looks,
-                       trial.first_distance < options.threshold, trial.matched});
+    results.push_back({interpolation.weights.method, id, kind, 0.0, u, trial.first_distance,
+                       trial.distance, trial.looks, trial.first_distance < options.threshold,
+                       trial.matched});
   }
 }
 
@@ -123,10 +118,16 @@ std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
   if (methods.empty()) methods.push_back(interpolation.weights.method);
   for (const motion::InterpolationMethod method : methods) {
     how.weights.method = method;
+    std::vector<FittedInterface> fitted;
+    for (const SliderInterface& interface : interfaces) {
+      fitted.push_back(fit_interface(interface, how, repertoire));
+    }
     for (const SampledTarget& target : targets) {
-      const KnownMotion known = known_motion(target, target_interface(interfaces), how, repertoire);
-      for (const SliderInterface& interface : interfaces) {
-        try_target(known, interface, how, repertoire, options, results);
+      const KnownMotion known = known_motion(target, fitted.front(), how, repertoire);
+      for (const FittedInterface& interface : fitted) {
+        const Eigen::RowVectorXd ideal =
+            ideal_for(known, interface, fitted.front().sliders.kind, repertoire);
+        try_target(known, interface, ideal, how, repertoire, options, results);
       }
     }
   }

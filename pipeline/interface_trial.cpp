@@ -9,7 +9,6 @@
 
 #include "motion/blend.h"
 #include "pipeline/named_random.h"
-#include "pipeline/synthesis.h"
 
 namespace mien::pipeline {
 
@@ -19,26 +18,14 @@ constexpr double guess_step = 0.1;
 constexpr double first_step = 0.2;
 constexpr double last_step = 0.02;
 
-Stimulus stimulus_of(const SliderInterface& interface, const Eigen::RowVectorXd& settings,
-                     const Interpolation& interpolation) {
-  Stimulus stimulus;
-  stimulus.interpolation = interpolation;
-  NamedValues values;
+/// What the examples have of each slider's parameter: N × sliders.
+Eigen::MatrixXd places_of_examples(const SliderInterface& interface, const ParameterTable& table) {
+  Eigen::MatrixXd places(table.values.cols(), static_cast<Eigen::Index>(interface.sliders.size()));
   for (std::size_t i = 0; i < interface.sliders.size(); ++i) {
-    values.emplace_back(interface.sliders[i], settings[static_cast<Eigen::Index>(i)]);
+    places.col(static_cast<Eigen::Index>(i)) =
+        table.values.row(table.find(interface.sliders[i])).transpose();
   }
-  switch (interface.kind) {
-    case InterfaceKind::adjectives:
-      stimulus.adjectives = std::move(values);
-      break;
-    case InterfaceKind::features:
-      stimulus.features = std::move(values);
-      break;
-    case InterfaceKind::weights:
-      stimulus.weights = std::move(values);
-      break;
-  }
-  return stimulus;
+  return places;
 }
 
 /// One user before one target.
@@ -151,21 +138,33 @@ const char* name_of(InterfaceKind kind) {
   return "weights";
 }
 
-motion::Example motion_of(const SliderInterface& interface, const Eigen::RowVectorXd& settings,
+FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
+                              const Repertoire& repertoire) {
+  if (interface.kind == InterfaceKind::weights) {
+    const auto count = static_cast<Eigen::Index>(interface.sliders.size());
+    return {interface,
+            motion::fit_interpolator(repertoire.settled, Eigen::MatrixXd::Identity(count, count),
+                                     {.method = motion::InterpolationMethod::direct})};
+  }
+  const ParameterTable& table =
+      interface.kind == InterfaceKind::features ? repertoire.features.table : repertoire.parameters;
+  return {interface,
+          motion::fit_interpolator(repertoire.settled, places_of_examples(interface, table),
+                                   interpolation.weights, interface.sliders)};
+}
+
+motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
                           const Interpolation& interpolation, const Repertoire& repertoire) {
-  Eigen::RowVectorXd moved = settings;
-  if (interface.kind == InterfaceKind::weights && moved.sum() == 0.0) moved.setOnes();
-  Stimulus stimulus = stimulus_of(interface, moved, interpolation);
-  return motion::blend(repertoire.settled, weights_of(stimulus, repertoire),
-                       {.frames_per_second = 30.0,
-                        .rotations = interpolation.rotations,
-                        .warp = interpolation.time_warp});
+  return motion::motion_at(interface.interpolator, repertoire.settled, settings,
+                           {.frames_per_second = 30.0,
+                            .rotations = interpolation.rotations,
+                            .warp = interpolation.time_warp});
 }
 
 Eigen::RowVectorXd ideal_settings(const SliderInterface& interface, const motion::Example& target,
                                   const Eigen::VectorXd& weights, const Repertoire& repertoire) {
   if (interface.kind == InterfaceKind::weights) {
-    return weights.transpose() / weights.maxCoeff();
+    return weights.cwiseMax(0.0).transpose() / weights.maxCoeff();
   }
   const bool by_features = interface.kind == InterfaceKind::features;
   const motion::FeatureValues features =

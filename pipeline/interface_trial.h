@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "motion/distance.h"
+#include "motion/interpolation.h"
 #include "pipeline/repertoire.h"
 
 namespace mien::pipeline {
@@ -26,15 +27,24 @@ struct SliderInterface {
   std::vector<std::string> sliders;
 };
 
+/// An interface ready to make motions: what lies between its sliders and the examples, fitted once.
+struct FittedInterface {
+  SliderInterface sliders;
+  motion::Interpolator interpolator;  ///< of the weights' interface: the shares themselves
+};
+
+FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
+                              const Repertoire& repertoire);
+
 /// The motion that the sliders of an interface make. Feet are not locked: that moves joints by a
 /// few millimetres and would take most of the time. Weights that are all 0 make the mean of all
 /// examples.
-motion::Example motion_of(const SliderInterface& interface, const Eigen::RowVectorXd& settings,
+motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
                           const Interpolation& interpolation, const Repertoire& repertoire);
 
 /// Where an ideal user would put the sliders for a motion that was made with known weights: the
 /// weights with the largest at 1, the adjectives that they sum up to, or the features as measured,
-/// cut to [0, 1].
+/// cut to [0, 1]. Weights below 0, which a statistical model's may be, become 0.
 Eigen::RowVectorXd ideal_settings(const SliderInterface& interface, const motion::Example& target,
                                   const Eigen::VectorXd& weights, const Repertoire& repertoire);
 

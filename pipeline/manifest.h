@@ -12,6 +12,7 @@
 #include "motion/interpolation_options.h"
 #include "motion/time_warp.h"
 #include "pipeline/expectation.h"
+#include "pipeline/modification.h"
 #include "pipeline/places.h"
 
 namespace mien::pipeline {
@@ -48,6 +49,12 @@ struct Ratings {
 /// What the ratings are on: the built-in 41 adjective pairs, or a file.
 struct ScalesSource {
   std::filesystem::path file;  ///< empty: built-in
+};
+
+/// What emotions are made of.
+struct RecipesSource {
+  std::string name = "builtin";  ///< or "fig29", or what was written
+  std::filesystem::path file;    ///< resolved; empty for what comes with the program
 };
 
 /// How a clip becomes a picture. The names are presets of `scenes`.
@@ -104,19 +111,36 @@ struct Stimulus {
   NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
   NamedValues weights;     ///< example → share, ≥ 0, not all 0
   std::optional<ClipSource> clip;
-  Look look;                    ///< the manifest's with this stimulus's own values over it
-  Output output;                ///< likewise
-  Interpolation interpolation;  ///< likewise
+  Look look;                             ///< the manifest's with this stimulus's own values over it
+  Output output;                         ///< likewise
+  Interpolation interpolation;           ///< likewise
+  std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
+  OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
 };
 
-/// A comparison sheet.
+/// A sheet about two motions, or a gallery of several.
 struct Sheet {
   std::string path;       ///< in the manifest: "sheets[0]"
   std::string id;         ///< file name; "<target>_<created>" unless given
   std::string target;     ///< stimulus or example
   std::string created;    ///< stimulus or example
   std::string reference;  ///< stimulus or example; empty for none
+  /// Stimuli or examples, one a row, the first being what the others are measured against; then
+  /// there is no target. Empty for a comparison.
+  std::vector<std::string> gallery;
 };
+
+/// All motions on a sheet.
+std::vector<std::string> motions_on(const Sheet& sheet);
+
+/// Two motions whose distance a sheet shows.
+struct MotionPair {
+  std::string target;
+  std::string created;
+};
+
+/// A comparison's one; a gallery's first motion with each other.
+std::vector<MotionPair> pairs_on(const Sheet& sheet);
 
 /// A production as its author wrote it, defaults filled in and overrides merged.
 struct Manifest {
@@ -129,6 +153,8 @@ struct Manifest {
   Look look;
   Output output;
   Interpolation interpolation;
+  RecipesSource recipes;
+  OnFault on_fault = OnFault::warn;
   std::vector<Stimulus> stimuli;
   std::vector<Sheet> sheets;
   Places places;

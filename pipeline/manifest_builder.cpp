@@ -4,6 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include "pipeline/json_assign.h"
+#include "pipeline/modification_json.h"
+#include "pipeline/recipes.h"
 #include "pipeline/yaml_json.h"
 
 namespace mien::pipeline {
@@ -13,56 +16,14 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// The member, or nullptr.
-const json* member(const json& object, const char* key) {
-  if (!object.is_object()) return nullptr;
-  const auto found = object.find(key);
-  return found == object.end() ? nullptr : &*found;
-}
-
-void assign(const json* value, std::string& target) {
-  if (value != nullptr && value->is_string()) target = value->get<std::string>();
-}
-
-void assign(const json* value, bool& target) {
-  if (value != nullptr && value->is_boolean()) target = value->get<bool>();
-}
-
-void assign(const json* value, double& target) {
-  if (value != nullptr && value->is_number()) target = value->get<double>();
-}
-
-void assign(const json* value, int& target) {
-  if (value == nullptr || !value->is_number_integer()) return;
-  const auto number = value->get<std::int64_t>();
-  if (std::in_range<int>(number)) target = static_cast<int>(number);
-}
-
-void assign(const json* value, std::uint64_t& target) {
-  if (value == nullptr || !value->is_number_integer() || *value < 0) return;
-  target = value->get<std::uint64_t>();
-}
-
-void assign(const json* value, std::array<int, 2>& target) {
-  if (value == nullptr || !value->is_array() || value->size() != 2) return;
-  assign(&(*value)[0], target[0]);
-  assign(&(*value)[1], target[1]);
-}
-
-template <class Enum>
-using Words = std::initializer_list<std::pair<const char*, Enum>>;
-
-template <class Enum>
-void assign(const json* value, Enum& target, Words<Enum> words) {
-  if (value == nullptr || !value->is_string()) return;
-  for (const auto& [word, meaning] : words) {
-    if (*value == word) target = meaning;
-  }
-}
-
 bool contains(const json& array, const char* word) {
   return std::find(array.begin(), array.end(), word) != array.end();
 }
+
+constexpr Words<OnFault> fault_words = {{"warn", OnFault::warn},
+                                        {"fail", OnFault::fail},
+                                        {"revert", OnFault::revert},
+                                        {"reduce", OnFault::reduce}};
 
 /// Builds one manifest; knows the folder that paths start from and the places that give the
 /// members of a map their written order.
@@ -83,6 +44,11 @@ class Builder {
     if (const json* how = member(document, "interpolation")) {
       overlay(*how, manifest_.interpolation);
     }
+    assign(member(document, "recipes"), manifest_.recipes.name);
+    if (builtin_recipes_text(manifest_.recipes.name).empty()) {
+      manifest_.recipes.file = resolved(manifest_.recipes.name);
+    }
+    assign(member(document, "on_fault"), manifest_.on_fault, fault_words);
     if (const json* stimuli = member(document, "stimuli"); stimuli && stimuli->is_array()) {
       for (const json& stimulus : *stimuli) read_stimulus(stimulus);
     }
@@ -231,6 +197,10 @@ class Builder {
       weights.kriging.linear_drift = *drift == "linear";
     assign(member(given, "nugget"), weights.kriging.nugget);
     assign(member(given, "variance"), weights.pca.variance_share);
+    assign(member(given, "estimate"), weights.pca.estimate,
+           {{"expected", motion::ModelEstimate::expected},
+            {"most-likely", motion::ModelEstimate::most_likely}});
+    assign(member(given, "noise"), weights.pca.noise);
     assign(member(given, "step"), weights.click_step);
   }
 
@@ -264,7 +234,29 @@ class Builder {
     if (const json* look = member(given, "look")) overlay(*look, stimulus.look);
     if (const json* output = member(given, "output")) overlay(*output, stimulus.output);
     if (const json* how = member(given, "interpolation")) overlay(*how, stimulus.interpolation);
+    if (const json* modify = member(given, "modify")) read_modify(*modify, stimulus);
+    stimulus.on_fault = manifest_.on_fault;
+    assign(member(given, "on_fault"), stimulus.on_fault, fault_words);
     manifest_.stimuli.push_back(std::move(stimulus));
+  }
+
+  void read_modify(const json& given, Stimulus& stimulus) const {
+    const std::string path = member_path(stimulus.path, "modify");
+    if (given.is_object()) stimulus.modify.push_back(modification_step(given, path));
+    if (!given.is_array()) return;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (!given[i].is_object()) continue;
+      stimulus.modify.push_back(modification_step(given[i], element_path(path, i)));
+    }
+  }
+
+  ModificationStep modification_step(const json& given, const std::string& path) const {
+    ModificationStep step{.path = path};
+    assign(member(given, "emotion"), step.emotion);
+    assign(member(given, "strength"), step.strength);
+    step.edit = modification_edit(given, path, manifest_.places,
+                                  [this](const std::string& file) { return resolved(file); });
+    return step;
   }
 
   ClipSource read_clip(const json& given) const {
@@ -288,7 +280,12 @@ class Builder {
       assign(member(*compare, "created"), sheet.created);
       assign(member(*compare, "reference"), sheet.reference);
     }
-    sheet.id = sheet.target + "_" + sheet.created;
+    if (const json* gallery = member(given, "gallery"); gallery && gallery->is_array()) {
+      for (const json& name : *gallery) {
+        if (name.is_string()) sheet.gallery.push_back(name.get<std::string>());
+      }
+    }
+    sheet.id = sheet.gallery.empty() ? sheet.target + "_" + sheet.created : "gallery";
     assign(member(given, "id"), sheet.id);
     manifest_.sheets.push_back(std::move(sheet));
   }

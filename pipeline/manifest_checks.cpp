@@ -1,7 +1,6 @@
 #include "pipeline/manifest_checks.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "motion/interpolation_options.h"
+#include "motion/motion_file.h"
 #include "motion/nearest_word.h"
 
 namespace mien::pipeline {
@@ -38,6 +38,8 @@ constexpr MethodOption method_options[] = {
     {"drift", Method::kriging},
     {"nugget", Method::kriging},
     {"variance", Method::pca},
+    {"estimate", Method::pca},
+    {"noise", Method::pca},
     {"step", Method::incremental},
 };
 
@@ -46,8 +48,6 @@ bool uses(const motion::InterpolationOptions& options, Method method) {
       options.method == Method::grid && options.grid_source == motion::GridSource::nearest;
   return options.method == method || (by_grid && method == Method::nearest);
 }
-
-constexpr std::array<std::string_view, 4> motion_endings{".bvh", ".amc", ".gltf", ".glb"};
 
 class Checker {
  public:
@@ -83,6 +83,7 @@ class Checker {
       for (const auto& [name, value] : stimulus.weights) {
         check_key(weights, name, "example", vocabulary.examples);
       }
+      check_poses(stimulus, vocabulary);
       if (!stimulus.id.empty()) motions.push_back(stimulus.id);
     }
     motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
@@ -92,6 +93,10 @@ class Checker {
       check_motion(member_path(compare, "target"), sheet.target, motions);
       check_motion(member_path(compare, "created"), sheet.created, motions);
       check_motion(member_path(compare, "reference"), sheet.reference, motions);
+      const std::string gallery = member_path(sheet.path, "gallery");
+      for (std::size_t i = 0; i < sheet.gallery.size(); ++i) {
+        check_motion(element_path(gallery, i), sheet.gallery[i], motions);
+      }
     }
   }
 
@@ -128,6 +133,18 @@ class Checker {
       if (ratings.source == Ratings::Source::builtin) {
         add("examples.scales", "built-in ratings are on the built-in scales",
             "use ratings: simulated, or leave scales out");
+      }
+    }
+  }
+
+  void check_poses(const Stimulus& stimulus, const Vocabulary& vocabulary) {
+    for (const ModificationStep& step : stimulus.modify) {
+      if (!step.edit.pose) continue;
+      const std::string path = member_path(step.path, "pose");
+      for (const auto& [key, pose] : {std::pair("neutral", step.edit.pose->neutral),
+                                      std::pair("posed", step.edit.pose->posed)}) {
+        if (pose.example.empty()) continue;
+        check_word(member_path(path, key), pose.example, "example", vocabulary.examples);
       }
     }
   }
@@ -215,8 +232,27 @@ class Checker {
     }
     if (!stimulus.weights.empty()) check_weights(stimulus, has_examples);
     check_interpolation(stimulus);
+    for (const ModificationStep& step : stimulus.modify) check_step(step);
     if (stimulus.clip) check_clip(stimulus.path, *stimulus.clip);
     check_output(member_path(stimulus.path, "output"), stimulus.output);
+  }
+
+  void check_step(const ModificationStep& step) {
+    if (step.edit.paths && step.edit.gains) {
+      add(member_path(step.path, "gains"), "paths says already how bands are weighted",
+          "give paths or gains");
+    }
+    if (!step.pose) return;
+    check_pose(member_path(step.path, "pose.neutral"), step.pose->neutral);
+    check_pose(member_path(step.path, "pose.posed"), step.pose->posed);
+  }
+
+  void check_pose(const std::string& path, const PoseSource& pose) {
+    if (!pose.file.empty()) check_file(path, pose.file, "the name of an example or a motion file");
+    if (!pose.example.empty() && !was_given("examples")) {
+      add(path, "there are no examples to take \"" + pose.example + "\" from",
+          "add examples:, or name a motion file");
+    }
   }
 
   /// Options of the whole study, of which each must be for some stimulus.
@@ -287,16 +323,13 @@ class Checker {
   }
 
   void check_ending(const std::string& path, const fs::path& file) {
-    std::string ending = file.extension().string();
-    for (char& c : ending) {
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    const auto known = std::find(motion_endings.begin(), motion_endings.end(), ending);
-    if (known != motion_endings.end()) return;
-    add(path, "\"" + ending + "\" is no kind of motion file", "use .bvh, .amc, .gltf or .glb");
+    if (motion::is_motion_file(file)) return;
+    add(path, "\"" + file.extension().string() + "\" is no kind of motion file",
+        "use .bvh, .amc, .gltf or .glb");
   }
 
   void check_sheet(const Sheet& sheet, std::map<std::string, std::string>& ids) {
+    if (!sheet.gallery.empty()) check_unique(sheet.id, sheet.path, ids);
     if (sheet.target.empty() || sheet.created.empty()) return;
     const std::string compare = member_path(sheet.path, "compare");
     if (sheet.target == sheet.created) {

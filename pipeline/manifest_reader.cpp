@@ -9,6 +9,7 @@
 
 #include "pipeline/manifest_builder.h"
 #include "pipeline/manifest_checks.h"
+#include "pipeline/recipes.h"
 #include "pipeline/schema.h"
 #include "pipeline/yaml_json.h"
 #include "pipeline/yaml_tree.h"
@@ -40,6 +41,7 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   JsonReading json = to_json(tree, root_of(schema), environment, reading.faults);
   add_at_new_paths(reading.faults, check_schema(json.document, schema, json.places));
   reading.manifest = build_manifest(json.document, std::move(json.places), file);
+  add_at_new_paths(reading.faults, resolve_modifications(reading.manifest));
   add_at_new_paths(reading.faults, check_meaning(reading.manifest));
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;

@@ -56,6 +56,16 @@ Hash digest_of(const Synthesis& synthesis, const motion::Clip& shown) {
   add(key, "reached", synthesis.reached);
   key.add("drift", synthesis.planted_drift_m);
   for (const std::string& warning : synthesis.warnings) key.add("warning", warning);
+  for (const std::string& note : synthesis.notes) key.add("note", note);
+  key.add("modified", synthesis.modified).add("share", synthesis.modified_share);
+  for (const motion::Finding& finding : synthesis.findings) {
+    key.add("check", finding.check)
+        .add("joint", finding.joint)
+        .add("first", std::int64_t{finding.first})
+        .add("last", std::int64_t{finding.last})
+        .add("measured", finding.measured)
+        .add("severity", motion::name_of(finding.severity));
+  }
   add(key, shown);
   return key.key();
 }

@@ -35,7 +35,9 @@ Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Mot
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
   add_motion(task.determinants, stimulus);
-  if (!stimulus.clip) task.determinants.add("repertoire", shared.repertoire);
+  if (!stimulus.clip || names_examples(stimulus)) {
+    task.determinants.add("repertoire", shared.repertoire);
+  }
   task.products.push_back({".mien/motions/" + stimulus.id + ".json", {}});
   task.cost_seconds = motion_cost_seconds;
   task.make = [&stimulus, &motions](TaskRun& run) {

@@ -36,9 +36,15 @@ Synthesis Motions::make(const std::string& name) {
   if (stimulus == nullptr) {
     return synthesize_example(name, manifest_.output, manifest_.interpolation, repertoire());
   }
-  // A file shown as it is needs no examples; there may be none.
-  if (stimulus->clip) return synthesize(*stimulus, Repertoire{});
+  // A file needs no examples, unless its modifications do; there may be none.
+  if (stimulus->clip && !names_examples(*stimulus)) return synthesize(*stimulus, Repertoire{});
   return synthesize(*stimulus, repertoire());
+}
+
+bool names_examples(const Stimulus& stimulus) {
+  return std::any_of(stimulus.modify.begin(), stimulus.modify.end(), [](const auto& step) {
+    return step.pose && !(step.pose->neutral.example.empty() && step.pose->posed.example.empty());
+  });
 }
 
 bool blends_examples(const Manifest& manifest) {

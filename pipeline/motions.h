@@ -40,6 +40,9 @@ class Motions {
   std::map<std::string, std::unique_ptr<Entry>> entries_;
 };
 
+/// Whether a modification of the stimulus takes something from an example.
+bool names_examples(const Stimulus& stimulus);
+
 /// Whether anything is made from examples, and not from a file alone.
 bool blends_examples(const Manifest& manifest);
 

@@ -70,9 +70,8 @@ bool Production::is_wanted(const Sheet& sheet) const {
   const auto is_wanted_motion = [&](const std::string& name) {
     return find_stimulus(manifest_, name) == nullptr || is_wanted(name);
   };
-  return is_wanted(sheet.id) ||
-         (is_wanted_motion(sheet.target) && is_wanted_motion(sheet.created) &&
-          is_wanted_motion(sheet.reference));
+  const std::vector<std::string> motions = motions_on(sheet);
+  return is_wanted(sheet.id) || std::all_of(motions.begin(), motions.end(), is_wanted_motion);
 }
 
 }  // namespace mien::pipeline

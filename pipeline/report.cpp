@@ -72,6 +72,25 @@ std::string warning_list(const std::vector<std::string>& warnings) {
   return list + "</ul>\n";
 }
 
+/// Errors openly, warnings folded away.
+std::string finding_list(const std::vector<motion::Finding>& findings, double frames_per_second) {
+  std::string errors, warnings;
+  int folded = 0;
+  for (const motion::Finding& f : findings) {
+    const bool is_error = f.severity == motion::Severity::error;
+    (is_error ? errors : warnings) += fmt::format(
+        "<li><b>{}</b> {:.2f}–{:.2f} s: {}</li>\n", html_escaped(f.check),
+        f.first / frames_per_second, f.last / frames_per_second, html_escaped(f.sentence));
+    folded += is_error ? 0 : 1;
+  }
+  std::string list;
+  if (!errors.empty()) list += "<ul class=\"errors\">\n" + errors + "</ul>\n";
+  if (warnings.empty()) return list;
+  return list +
+         fmt::format("<details><summary>Lint: {} warning{}</summary>\n<ul>\n{}</ul></details>\n",
+                     folded, folded == 1 ? "" : "s", warnings);
+}
+
 std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
   const motion::Clip& clip = made.motion.clip;
   std::string facts = fmt::format("{} × {}, {} frames/s", stimulus.output.size[0],
@@ -108,32 +127,45 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
       "<a href=\"sheets/contact/{}.png\"><img loading=\"lazy\" src=\"sheets/contact/{}.png\" "
       "alt=\"Twelve frames of {}\"></a>\n<p>{}.</p>\n",
       id, id, id, html_escaped(facts_of(stimulus, made)));
-  return card + warning_list(made.warnings) + parameter_rows(stimulus, made, motions) +
-         weight_rows(made, motions) + "</article>\n";
+  if (!made.modified.empty()) {
+    std::string sentence = "Modified: " + made.modified;
+    for (const std::string& note : made.notes) sentence += "; " + note;
+    card += fmt::format("<p>{}.</p>\n", html_escaped(sentence));
+  }
+  return card + warning_list(made.warnings) +
+         finding_list(made.findings, made.motion.clip.frames_per_second) +
+         parameter_rows(stimulus, made, motions) + weight_rows(made, motions) + "</article>\n";
 }
 
 std::string sheet_card(const Sheet& sheet, Motions& motions) {
-  const motion::Distance d =
-      motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion);
   const std::string id = html_escaped(sheet.id);
+  std::string alternative = fmt::format("{} motions side by side", sheet.gallery.size());
+  std::string caption = alternative;
+  if (sheet.gallery.empty()) {
+    alternative = fmt::format("Comparison sheet of {} and {}", html_escaped(sheet.target),
+                              html_escaped(sheet.created));
+    caption = html_escaped(verdict(
+        motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion)));
+  }
   return fmt::format(
-      "<figure>\n<a href=\"sheets/{}.pdf\"><img loading=\"lazy\" src=\"sheets/{}.png\" "
-      "alt=\"Comparison sheet of {} and {}\"></a>\n<figcaption>{} (<a "
-      "href=\"sheets/{}.pdf\">PDF</a>)</figcaption>\n</figure>\n",
-      id, id, html_escaped(sheet.target), html_escaped(sheet.created), html_escaped(verdict(d)),
-      id);
+      "<figure>\n<a href=\"sheets/{0}.pdf\"><img loading=\"lazy\" src=\"sheets/{0}.png\" "
+      "alt=\"{1}\"></a>\n<figcaption>{2} (<a href=\"sheets/{0}.pdf\">PDF</a>)</figcaption>\n"
+      "</figure>\n",
+      id, alternative, caption);
 }
 
 std::string distance_table(const Manifest& manifest, Motions& motions) {
   std::string rows;
   for (const Sheet& sheet : manifest.sheets) {
-    const motion::Distance d =
-        motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion);
-    rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td>{}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.4f}</td>"
-        "<td>{}</td></tr>\n",
-        html_escaped(sheet.target), html_escaped(sheet.created), d.mean, d.sum, d.mpjpe,
-        d.matches() ? "yes" : "no");
+    for (const auto& [target, created] : pairs_on(sheet)) {
+      const motion::Distance d =
+          motion::distance(motions.of(target).motion, motions.of(created).motion);
+      rows += fmt::format(
+          "<tr><th scope=\"row\">{}</th><td>{}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.4f}</td>"
+          "<td>{}</td></tr>\n",
+          html_escaped(target), html_escaped(created), d.mean, d.sum, d.mpjpe,
+          d.matches() ? "yes" : "no");
+    }
   }
   return "<table><thead><tr><th>target</th><th>created</th><th>D (m)</th><th>sum (m)</th>"
          "<th>MPJPE (m)</th><th>D &lt; 0.06 m</th></tr></thead>\n<tbody>" +

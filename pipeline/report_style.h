@@ -49,6 +49,8 @@ summary { cursor: pointer; }
 meter { width: 100%; min-width: 5rem; }
 .simulated, .warnings { background: var(--warn); color: var(--warn-ink); border-radius: .4rem; padding: .7rem 1rem; }
 .warnings { padding-left: 2rem; }
+.errors { border-left: .3rem solid var(--reference); margin: .6rem 0; padding-left: 1.6rem; }
+details ul { font-size: .9rem; padding-left: 1.2rem; }
 a { color: inherit; }
 @media print { video { display: none; } article, figure { break-inside: avoid; } }
 )";

@@ -20,6 +20,7 @@ std::string origin_of(const std::string& name, const Manifest& manifest) {
 SheetMotion sheet_motion(const std::string& name, const Manifest& manifest, Motions& motions) {
   const Synthesis& synthesis = motions.of(name);
   SheetMotion result{name, origin_of(name, manifest), synthesis.motion, {}};
+  if (!synthesis.modified.empty()) result.origin += ", then " + synthesis.modified;
   for (Eigen::Index i = 0; i < synthesis.weights.size(); ++i) {
     const std::string& example = motions.repertoire().names[static_cast<std::size_t>(i)].name;
     if (synthesis.weights[i] > 0.0) result.weights.emplace_back(example, synthesis.weights[i]);
@@ -77,6 +78,12 @@ std::vector<SheetParameter> parameters_of(const Asked& target, const Asked& crea
   return parameters;
 }
 
+std::vector<std::pair<std::string, std::string>> provenance_of(const Manifest& manifest) {
+  return {{"mien", std::string(program_version())},
+          {"seed", std::to_string(manifest.seed)},
+          {"manifest", manifest.file.filename().string()}};
+}
+
 }  // namespace
 
 SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
@@ -97,9 +104,18 @@ SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions
                                   (!created.values.empty() && !created.are_features);
     content.simulated_ratings = rests_on_ratings && repertoire.simulated_ratings;
   }
-  content.provenance = {{"mien", std::string(program_version())},
-                        {"seed", std::to_string(manifest.seed)},
-                        {"manifest", manifest.file.filename().string()}};
+  content.provenance = provenance_of(manifest);
+  return content;
+}
+
+GalleryContent gallery_content(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
+  GalleryContent content{manifest.study, sheet.id, {}, false, provenance_of(manifest)};
+  for (const std::string& name : sheet.gallery) {
+    content.motions.push_back(sheet_motion(name, manifest, motions));
+    const Stimulus* stimulus = find_stimulus(manifest, name);
+    const bool is_rated = stimulus != nullptr && !stimulus->adjectives.empty();
+    content.simulated_ratings |= is_rated && motions.repertoire().simulated_ratings;
+  }
   return content;
 }
 

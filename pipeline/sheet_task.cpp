@@ -25,6 +25,15 @@ void verify_pdf(const fs::path& file) {
   throw std::runtime_error(file.string() + " is no complete PDF");
 }
 
+void put_sheet(TaskRun& run, const std::string& pdf, const std::string& png) {
+  run.store.put(
+      run.task.products[0].path, run.keys[0], [&](const fs::path& file) { write_file(file, pdf); },
+      verify_pdf);
+  run.store.put(
+      run.task.products[1].path, run.keys[1], [&](const fs::path& file) { write_file(file, png); },
+      [](const fs::path& file) { render::check_image(file); });
+}
+
 }  // namespace
 
 Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
@@ -36,24 +45,23 @@ Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterm
   task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
   task.determinants.add("study", manifest.study).add("manifest", manifest.file.filename().string());
   bool uses_examples = false;
-  for (const std::string& name : {sheet.target, sheet.created, sheet.reference}) {
+  for (const std::string& name : motions_on(sheet)) {
     task.determinants.add("motion", name);
     const Stimulus* stimulus = find_stimulus(manifest, name);
     if (stimulus != nullptr) task.inputs.push_back("motion:" + name);
-    uses_examples = uses_examples || (stimulus == nullptr ? !name.empty() : !stimulus->clip);
+    uses_examples = uses_examples || stimulus == nullptr || !stimulus->clip;
   }
   if (uses_examples) task.determinants.add("repertoire", shared.repertoire);
   task.products = {{"sheets/" + sheet.id + ".pdf", {}}, {"sheets/" + sheet.id + ".png", {}}};
   task.cost_seconds = sheet_cost_seconds;
   task.make = [&sheet, &manifest, &motions](TaskRun& run) {
-    const SheetContent content = sheet_content(sheet, manifest, motions);
-    run.store.put(
-        run.task.products[0].path, run.keys[0],
-        [&](const fs::path& file) { write_file(file, sheet_as_pdf(content)); }, verify_pdf);
-    run.store.put(
-        run.task.products[1].path, run.keys[1],
-        [&](const fs::path& file) { write_file(file, sheet_as_png(content)); },
-        [](const fs::path& file) { render::check_image(file); });
+    if (sheet.gallery.empty()) {
+      const SheetContent content = sheet_content(sheet, manifest, motions);
+      put_sheet(run, sheet_as_pdf(content), sheet_as_png(content));
+    } else {
+      const GalleryContent content = gallery_content(sheet, manifest, motions);
+      put_sheet(run, gallery_as_pdf(content), gallery_as_png(content));
+    }
   };
   return task;
 }

@@ -11,8 +11,10 @@
 #include "motion/error.h"
 #include "motion/foot_lock.h"
 #include "motion/interpolation.h"
+#include "motion/lint/lint.h"
 #include "motion/motion_file.h"
 #include "motion/straighten.h"
+#include "pipeline/modified_motion.h"
 
 namespace mien::pipeline {
 
@@ -174,6 +176,27 @@ Synthesis as_captured(const Stimulus& stimulus) {
   return result;
 }
 
+Synthesis unmodified(const Stimulus& stimulus, const Repertoire& repertoire) {
+  if (stimulus.clip) return as_captured(stimulus);
+  const Wish wish = wish_of(stimulus, repertoire);
+  if (!wish.values.empty()) return from_parameters(stimulus, wish, repertoire);
+  return from_weights(given_weights(stimulus.weights, repertoire), stimulus.output,
+                      stimulus.interpolation, repertoire);
+}
+
+void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
+                         Synthesis& synthesis) {
+  ModifiedMotion modified = modify_motion(synthesis.motion, stimulus, repertoire);
+  synthesis.motion = std::move(modified.motion);
+  synthesis.planted_drift_m = modified.planted_drift_m;
+  synthesis.modified = described_modifications(stimulus);
+  synthesis.modified_share = modified.share;
+  synthesis.findings = std::move(modified.findings);
+  synthesis.notes = std::move(modified.notes);
+  synthesis.warnings.insert(synthesis.warnings.end(), modified.warnings.begin(),
+                            modified.warnings.end());
+}
+
 }  // namespace
 
 Wish wish_of(const Stimulus& stimulus, const Repertoire& repertoire) {
@@ -190,14 +213,14 @@ Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoir
 }
 
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
-  if (stimulus.clip) return as_captured(stimulus);
-  const Wish wish = wish_of(stimulus, repertoire);
-  Synthesis result = wish.values.empty()
-                         ? from_weights(given_weights(stimulus.weights, repertoire),
-                                        stimulus.output, stimulus.interpolation, repertoire)
-                         : from_parameters(stimulus, wish, repertoire);
+  Synthesis result = unmodified(stimulus, repertoire);
   result.motion.name = stimulus.id;
   result.motion.clip.name = stimulus.id;
+  if (stimulus.modify.empty()) {
+    result.findings = motion::lint(result.motion.clip);
+  } else {
+    apply_modifications(stimulus, repertoire, result);
+  }
   return result;
 }
 

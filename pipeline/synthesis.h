@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "motion/example.h"
+#include "motion/lint/finding.h"
 #include "pipeline/manifest.h"
 #include "pipeline/repertoire.h"
 
@@ -26,6 +27,10 @@ struct Synthesis {
   NamedValues reached;
   double planted_drift_m = 0.0;  ///< horizontal, largest over all plants of the result
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;         ///< plain sentences that call for nothing
+  std::string modified;                   ///< what was done to it ("sad × 0.8"); empty for nothing
+  double modified_share = 1.0;            ///< of the strengths asked for (OnFault::reduce)
+  std::vector<motion::Finding> findings;  ///< of the lint: of a modified motion against what it was
 };
 
 /// What a stimulus asks for, and where the examples lie on those parameters.
@@ -41,9 +46,9 @@ Wish wish_of(const Stimulus& stimulus, const Repertoire& repertoire);
 /// method that it asks for, over the parameters that it names.
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire);
 
-/// Makes a stimulus's motion: weights, blend of the examples (with settled feet), foot lock. A
-/// stimulus with `clip:` is read from its file, mapped onto the body and otherwise left as
-/// captured. Throws Error.
+/// Makes a stimulus's motion: weights, blend of the examples (with settled feet), foot lock; or, of
+/// a stimulus with `clip:`, the file mapped onto the body and otherwise as captured. Then its
+/// modifications, and a lint of the result. Throws Error.
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire);
 
 /// An example of the repertoire as if a stimulus had asked for it alone (sheets may name one).

@@ -18,14 +18,14 @@ std::string ratings_of(const Stimulus* stimulus, Motions& motions) {
 }
 
 /// Of a pair: simulated if either motion rests on simulated ratings.
-std::string ratings_of(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
-  const std::string target = ratings_of(find_stimulus(manifest, sheet.target), motions);
-  const std::string created = ratings_of(find_stimulus(manifest, sheet.created), motions);
+std::string ratings_of(const MotionPair& pair, const Manifest& manifest, Motions& motions) {
+  const std::string target = ratings_of(find_stimulus(manifest, pair.target), motions);
+  const std::string created = ratings_of(find_stimulus(manifest, pair.created), motions);
   return target == "none" ? created : target;
 }
 
-motion::Distance distance_of(const Sheet& sheet, Motions& motions) {
-  return motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion);
+motion::Distance distance_of(const MotionPair& pair, Motions& motions) {
+  return motion::distance(motions.of(pair.target).motion, motions.of(pair.created).motion);
 }
 
 const char* name_of(Role role) {
@@ -80,17 +80,31 @@ void add_parameters_that_come_along(const Stimulus& stimulus, const Synthesis& m
   }
 }
 
+void add_joint_distances(const std::string& sheet, const MotionPair& pair,
+                         const std::string& ratings, const motion::Distance& d, CsvWriter& table) {
+  for (int j = 0; j < motion::distance_joints; ++j) {
+    for (int t = 0; t < motion::distance_times; ++t) {
+      table.row({sheet, pair.target, pair.created, ratings,
+                 std::string(motion::name_of(motion::BodyJoint(j + 1))),
+                 shortest(t / (motion::distance_times - 1.0)),
+                 shortest(d.by_joint_and_time(j, t))});
+    }
+  }
+}
+
 }  // namespace
 
 std::string distances_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table({"sheet", "target", "created", "ratings", "alignment", "d_m", "d_sum_m",
                    "mpjpe_m", "threshold_m", "match"});
   for (const Sheet& sheet : manifest.sheets) {
-    const motion::Distance d = distance_of(sheet, motions);
-    table.row({sheet.id, sheet.target, sheet.created, ratings_of(sheet, manifest, motions),
-               d.alignment == motion::Alignment::pelvis ? "pelvis" : "world", shortest(d.mean),
-               shortest(d.sum), shortest(d.mpjpe), shortest(motion::distance_threshold_m),
-               d.matches() ? "1" : "0"});
+    for (const MotionPair& pair : pairs_on(sheet)) {
+      const motion::Distance d = distance_of(pair, motions);
+      table.row({sheet.id, pair.target, pair.created, ratings_of(pair, manifest, motions),
+                 d.alignment == motion::Alignment::pelvis ? "pelvis" : "world", shortest(d.mean),
+                 shortest(d.sum), shortest(d.mpjpe), shortest(motion::distance_threshold_m),
+                 d.matches() ? "1" : "0"});
+    }
   }
   return table.text();
 }
@@ -98,15 +112,9 @@ std::string distances_csv(const Manifest& manifest, Motions& motions) {
 std::string joint_distances_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table({"sheet", "target", "created", "ratings", "joint", "time", "distance_m"});
   for (const Sheet& sheet : manifest.sheets) {
-    const motion::Distance d = distance_of(sheet, motions);
-    const std::string ratings = ratings_of(sheet, manifest, motions);
-    for (int j = 0; j < motion::distance_joints; ++j) {
-      for (int t = 0; t < motion::distance_times; ++t) {
-        table.row({sheet.id, sheet.target, sheet.created, ratings,
-                   std::string(motion::name_of(motion::BodyJoint(j + 1))),
-                   shortest(t / (motion::distance_times - 1.0)),
-                   shortest(d.by_joint_and_time(j, t))});
-      }
+    for (const MotionPair& pair : pairs_on(sheet)) {
+      add_joint_distances(sheet.id, pair, ratings_of(pair, manifest, motions),
+                          distance_of(pair, motions), table);
     }
   }
   return table.text();
@@ -129,7 +137,7 @@ std::string weights_csv(const Manifest& manifest, Motions& motions) {
 std::string clips_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table({"stimulus", "role", "ratings", "source", "frames", "duration_s", "fps",
                    "cycle_s", "stride_m", "speed_m_s", "planted_drift_m", "method",
-                   "expected_error_m"});
+                   "expected_error_m", "modified", "modified_share"});
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
     const motion::Clip& clip = made.motion.clip;
@@ -141,7 +149,8 @@ std::string clips_csv(const Manifest& manifest, Motions& motions) {
                clip.loops ? shortest(duration) : "", clip.loops ? shortest(way_of(clip)) : "",
                duration > 0.0 ? shortest(way_of(clip) / duration) : "",
                shortest(made.planted_drift_m), method_of(stimulus),
-               made.expected_error_m ? shortest(*made.expected_error_m) : ""});
+               made.expected_error_m ? shortest(*made.expected_error_m) : "", made.modified,
+               made.modified.empty() ? "" : shortest(made.modified_share)});
   }
   return table.text();
 }
@@ -174,6 +183,22 @@ std::string impressions_csv(const Manifest& manifest, Motions& motions) {
                  impressions.examples[static_cast<std::size_t>(i)], ratings,
                  std::to_string(impressions.count(j, i)), shortest(impressions.mean(j, i)),
                  std::isnan(sd) ? "" : shortest(sd)});
+    }
+  }
+  return table.text();
+}
+
+std::string findings_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table({"stimulus", "check", "severity", "joint", "first_frame", "last_frame", "first_s",
+                   "last_s", "measured", "threshold", "unit", "sentence"});
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Synthesis& made = motions.of(stimulus.id);
+    for (const motion::Finding& f : made.findings) {
+      const double fps = made.motion.clip.frames_per_second;
+      table.row({stimulus.id, f.check, std::string(motion::name_of(f.severity)), f.joint,
+                 std::to_string(f.first), std::to_string(f.last), shortest(f.first / fps),
+                 shortest(f.last / fps), shortest(f.measured), shortest(f.threshold), f.unit,
+                 f.sentence});
     }
   }
   return table.text();

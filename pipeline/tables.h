@@ -24,7 +24,8 @@ std::string weights_csv(const Manifest& manifest, Motions& motions);
 
 /// A row a stimulus: stimulus, role, ratings, source (adjectives, features, weights, clip), frames
 /// and duration_s of what is shown, fps, cycle_s, stride_m (along the floor, a cycle), speed_m_s,
-/// planted_drift_m (largest, of a planted foot).
+/// planted_drift_m (largest, of a planted foot), method, expected_error_m, modified (what was done
+/// to it), modified_share (of the strengths asked for; below 1 when reduced).
 std::string clips_csv(const Manifest& manifest, Motions& motions);
 
 /// A row a stimulus and parameter: stimulus, ratings, parameter, asked, reached (Synthesis), both
@@ -37,5 +38,10 @@ std::string parameters_csv(const Manifest& manifest, Motions& motions);
 /// mean (0 low end … 1 high end), sd (over participants; empty where only means are known). No
 /// rows where nothing is blended or nothing was rated.
 std::string impressions_csv(const Manifest& manifest, Motions& motions);
+
+/// What the lint found in the motions, a row a finding: stimulus, check, severity, joint,
+/// first_frame and last_frame (of one cycle, or of the whole clip), first_s, last_s, measured,
+/// threshold, unit, sentence.
+std::string findings_csv(const Manifest& manifest, Motions& motions);
 
 }  // namespace mien::pipeline

@@ -50,14 +50,19 @@ struct Attendance {
   std::map<std::string, std::map<std::string, std::set<std::string>>> answered;
   std::map<std::string, Place> first_place;
   std::map<std::pair<std::string, std::string>, Place> first_place_about;
+  std::unordered_set<std::string> met;  // many answers, few names: hashing is quicker than order
 
   void add(const StudyAnswer& answer) {
-    scales.insert(answer.scale);
-    stimuli.insert(answer.stimulus);
+    if (met.insert("scale " + answer.scale).second) scales.insert(answer.scale);
+    if (met.insert("stimulus " + answer.stimulus).second) stimuli.insert(answer.stimulus);
     if (answer.participant.empty()) return;
-    answered[answer.participant][answer.stimulus].insert(answer.scale);
-    first_place.emplace(answer.participant, answer.place);
-    first_place_about.emplace(std::pair(answer.participant, answer.stimulus), answer.place);
+    auto& about = answered[answer.participant];
+    if (about.empty()) first_place.emplace(answer.participant, answer.place);
+    auto& on = about[answer.stimulus];
+    if (on.empty()) {
+      first_place_about.emplace(std::pair(answer.participant, answer.stimulus), answer.place);
+    }
+    on.insert(answer.scale);
   }
 
   /// Whether everybody was meant to see everything.

@@ -1,6 +1,7 @@
 #include "pipeline/study/feature_clusters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -71,9 +72,20 @@ std::string node_name(const FeatureClusters& clusters, int node) {
   return fmt::format("#{}", node - clusters.linkage.leaves + 1);
 }
 
+/// Rows of min–max scaled values as z scores, which differ from them by origin and unit only.
+Eigen::MatrixXd standardised(Eigen::MatrixXd rows) {
+  rows.colwise() -= rows.rowwise().mean().eval();
+  for (auto row : rows.rowwise()) {
+    const double deviation = std::sqrt(row.squaredNorm() / static_cast<double>(row.size()));
+    if (deviation > 0.0) row /= deviation;
+  }
+  return rows;
+}
+
 }  // namespace
 
-FeatureClusters cluster_features(const FeatureParameters& parameters, int clusters) {
+FeatureClusters cluster_features(const FeatureParameters& parameters, int clusters,
+                                 motion::FeatureScaling scaling) {
   FeatureClusters result;
   std::vector<int> rows;
   for (std::size_t r = 0; r < parameters.table.names.size(); ++r) {
@@ -87,6 +99,7 @@ FeatureClusters cluster_features(const FeatureParameters& parameters, int cluste
                 "ask for fewer clusters");
   }
   result.scaled = parameters.table.values(rows, Eigen::all);
+  if (scaling == motion::FeatureScaling::z_score) result.scaled = standardised(result.scaled);
   result.linkage = ward(result.scaled);
   result.partition = cut(result.linkage, clusters);
   result.suggested_clusters = clusters_by_largest_gap(result.linkage);

@@ -10,7 +10,7 @@ namespace mien::pipeline {
 namespace {
 
 constexpr double fine_dots_per_inch = 200.0;
-constexpr double most_pixels = 5e6;  // a tree of 500 scales would have 23 million
+constexpr double most_pixels = 3e6;  // a tree of 500 scales would have 23 million
 
 /// Fine, but coarser for figures that would become unwieldy pictures.
 double resolution_of(const Figure& figure) {

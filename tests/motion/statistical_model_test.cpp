@@ -97,5 +97,33 @@ TEST(StatisticalModel, ClosesItsLoops) {
   }
 }
 
+TEST(StatisticalModel, FindsTheCoordinatesOfLeastPenaltyWhenAskedForTheMostLikely) {
+  std::mt19937_64 random(65);
+  const ExampleSet set = builtin_examples("walks-10");
+  const Eigen::MatrixXd places = random_places(random, 10, 3);
+  const StatisticalModelOptions options{.estimate = ModelEstimate::most_likely, .noise = 0.2};
+  const StatisticalModel model = fit_statistical_model(set, places, options);
+  // The regression of parameters on coordinates, by least squares over the examples.
+  const Eigen::MatrixXd c = model.example_coordinates;
+  const Eigen::MatrixXd centred = places.rowwise() - model.parameter_mean;
+  const Eigen::MatrixXd measure =
+      (c * c.transpose()).ldlt().solve(c * centred).transpose().eval();  // M × q
+  const Eigen::RowVectorXd wanted = Eigen::RowVector3d(0.2, 0.7, 0.5);
+  const Eigen::VectorXd asked = (wanted - model.parameter_mean).transpose();
+  const auto penalty = [&](const Eigen::VectorXd& at) {
+    return (measure * at - asked).squaredNorm() / (options.noise * options.noise) +
+           at.cwiseAbs2().cwiseQuotient(model.variances).sum();
+  };
+  const Eigen::VectorXd found = coordinates_at(model, wanted);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 200; ++trial) {
+    Eigen::VectorXd moved = found;
+    for (Eigen::Index i = 0; i < moved.size(); ++i) {
+      moved[i] += 0.01 * normal(random) * std::sqrt(model.variances[i]);
+    }
+    EXPECT_LT(penalty(found), penalty(moved));
+  }
+}
+
 }  // namespace
 }  // namespace mien::motion

@@ -81,13 +81,33 @@ TEST(InterfaceEvaluation, IdealAdjectivesAndWeightsMakeTheTargetAgain) {
   const auto interfaces = interfaces_of(repertoire);
   ASSERT_EQ(interfaces.size(), 3u);
   const Eigen::RowVectorXd place = repertoire.parameters.values.col(4).head(4).transpose();
-  const motion::Example target = motion_of(interfaces[0], place, {}, repertoire);
+  const motion::Example target =
+      motion_of(fit_interface(interfaces[0], {}, repertoire), place, {}, repertoire);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(10);
   weights[4] = 1.0;  // an example's own adjectives
   for (const SliderInterface& interface : interfaces) {
     const auto ideal = ideal_settings(interface, target, weights, repertoire);
-    const motion::Example made = motion_of(interface, ideal, {}, repertoire);
+    const motion::Example made =
+        motion_of(fit_interface(interface, {}, repertoire), ideal, {}, repertoire);
     EXPECT_LT(motion::distance(target, made).mean, 1e-6) << name_of(interface.kind);
+  }
+}
+
+TEST(InterfaceEvaluation, EveryMethodMeetsItsOwnTargetsOnFineSliders) {
+  using enum motion::InterpolationMethod;
+  const Repertoire repertoire = rated_repertoire();
+  const auto interfaces = interfaces_of(repertoire);
+  const auto targets = sample_targets(repertoire.parameters, interfaces[0].sliders,
+                                      {.targets = 2, .practice = 0, .seed = 1});
+  const auto results =
+      evaluate_interfaces(repertoire, targets, {},
+                          {.methods = {cardinal, nearest, inverse_distance, grid, kriging, pca},
+                           .steps = {0.001},
+                           .users = 0});
+  ASSERT_EQ(results.size(), 6u * 2u * 3u);
+  for (const InterfaceResult& r : results) {
+    if (r.kind != InterfaceKind::adjectives) continue;
+    EXPECT_LT(r.distance, 0.001) << r.target << " " << motion::name_of(r.method);
   }
 }
 

@@ -46,6 +46,17 @@ TEST(FeatureClusters, BeyondThePublishedGroupsAreNumbered) {
   EXPECT_LT(clusters.adjusted_rand, 1.0);
 }
 
+TEST(FeatureClusters, MayBeOfZScores) {
+  const FeatureClusters clusters =
+      cluster_features(published_groups(), 4, motion::FeatureScaling::z_score);
+  EXPECT_DOUBLE_EQ(clusters.rand, 1.0);
+  for (Eigen::Index r = 0; r < clusters.scaled.rows(); ++r) {
+    const auto row = clusters.scaled.row(r);
+    EXPECT_NEAR(row.mean(), 0.0, 1e-12);
+    EXPECT_NEAR(row.squaredNorm() / static_cast<double>(row.size()), 1.0, 1e-12);
+  }
+}
+
 TEST(FeatureClusters, CannotBeMoreThanFeatures) {
   EXPECT_THROW(cluster_features(published_groups(), 52), Error);
 }

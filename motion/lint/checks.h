@@ -1,0 +1,75 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/lint/body_on_floor.h"
+#include "motion/lint/finding.h"
+#include "motion/lint/lint_options.h"
+#include "motion/lint/subject.h"
+
+namespace mien::motion {
+
+// The checks of the lint, a file each. All take a motion made ready by `lint_subject`; those of
+// whole bodies need the canonical one. `original` may be null where it is a pointer.
+
+using Findings = std::vector<Finding>;
+
+/// Numbers that are none, rotations that are none and bones that grow, of the clip as it was given.
+Findings find_broken_data(const Clip& clip, const LintOptions& options);
+
+/// Whether there is nothing in the clip that other checks could not calculate with.
+bool is_calculable(const Clip& clip);
+
+/// Rotations and root positions that step farther between two frames than the mean of the steps
+/// before and after: no body moves so, however fast it is. A loop's seam is left to the next.
+Findings find_jumps(const LintSubject& subject, const LintOptions& options);
+
+/// The step over a loop's seam, likewise, against what the steps elsewhere in the loop do.
+Findings find_broken_seam(const LintSubject& subject, const LintOptions& options);
+
+/// Angles beyond the healthy range (joint_angles.h) and beyond what the original did.
+Findings find_joints_beyond_limits(const LintSubject& subject, const LintOptions& options,
+                                   const LintSubject* original);
+
+/// Parts of the body (body_capsules.h) in each other, deeper than while standing at ease and than
+/// in the original. Depths are scaled to a stature of 1.75 m.
+Findings find_self_intersections(const LintSubject& subject, const LintOptions& options,
+                                 const LintSubject* original);
+
+/// Planted feet that slide: drift over one plant (slip.h) and, where nothing counts as planted
+/// because it is too fast, the speed of the stillest point on the floor. Against an original, what
+/// it slid more than that is an error sooner.
+Findings find_skating_feet(const LintSubject& subject, const LintOptions& options,
+                           const LintSubject* original);
+
+/// Soles below the floor, y = 0.
+Findings find_sunken_feet(const LintSubject& subject, const LintOptions& options,
+                          const LintSubject* original);
+
+/// Frames in which the lower sole hangs above the floor, though a foot is planted or the body does
+/// not fall.
+Findings find_floating(const LintSubject& subject, const LintOptions& options,
+                       const LintSubject* original);
+
+/// Joints that turn faster than people can, and than they did in the original.
+Findings find_fast_joints(const LintSubject& subject, const LintOptions& options,
+                          const LintSubject* original);
+
+/// Standing, the centre of mass outside the feet; walking, the extrapolated centre of mass (Hof,
+/// Gazendam and Sinke 2005) outward of the standing foot; the zero-moment point beside the feet.
+/// The originals are both null or neither; likewise below.
+Findings find_lost_balance(const LintSubject& subject, const BodyOnFloor& body,
+                           const LintOptions& options, const LintSubject* original,
+                           const BodyOnFloor* original_body);
+
+/// The floor's force on the feet: too large, upward from below, or too much sideways.
+Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& body,
+                               const LintOptions& options, const LintSubject* original,
+                               const BodyOnFloor* original_body);
+
+/// Torques beyond what strong adults have (inverse_dynamics.h).
+Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& body,
+                                const LintOptions& options, const LintSubject* original,
+                                const BodyOnFloor* original_body);
+
+}  // namespace mien::motion

@@ -1,0 +1,106 @@
+#include <cmath>
+#include <limits>
+
+#include "motion/lint/checks.h"
+#include "motion/lint/inverse_dynamics.h"
+#include "motion/lint/stretches.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double shortest_seconds = 0.1;
+constexpr double light = 0.3;  // body weights; below, friction says nothing
+
+std::vector<double> presses(const LintSubject& subject, const BodyOnFloor& body) {
+  std::vector<double> values;
+  for (const MovingBody& moment : body.moments) {
+    values.push_back(moment.floor_force.y() / gravity);
+  }
+  without_ends(subject, values);
+  return values;
+}
+
+std::vector<double> pulls(const LintSubject& subject, const BodyOnFloor& body) {
+  std::vector<double> values = presses(subject, body);
+  for (size_t t = 0; t < values.size(); ++t) {
+    values[t] = body.supports[t].empty() ? nothing : -values[t];
+  }
+  return values;
+}
+
+std::vector<double> frictions(const LintSubject& subject, const BodyOnFloor& body) {
+  std::vector<double> values(body.moments.size(), nothing);
+  for (size_t t = 0; t < values.size(); ++t) {
+    const Vec3& force = body.moments[t].floor_force;
+    if (body.supports[t].empty() || force.y() < light * gravity) continue;
+    values[t] = std::hypot(force.x(), force.z()) / force.y();
+  }
+  without_ends(subject, values);
+  return values;
+}
+
+/// Newton metres, a joint a row, in the order of `torque_joints`.
+std::vector<std::vector<double>> torques(const LintSubject& subject, const BodyOnFloor& body,
+                                         double mass_kg) {
+  std::vector<std::vector<double>> rows(torque_joints().size());
+  for (size_t t = 0; t < body.moments.size(); ++t) {
+    const std::vector<double> values = joint_torques(body.moments[t], body.supports[t]);
+    for (size_t j = 0; j < rows.size(); ++j) rows[j].push_back(mass_kg * values[j]);
+  }
+  for (std::vector<double>& row : rows) without_ends(subject, row);
+  return rows;
+}
+
+}  // namespace
+
+Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& body,
+                               const LintOptions& options, const LintSubject* original,
+                               const BodyOnFloor* original_body) {
+  Findings findings;
+  const auto add = [&](const auto& measure, const Levels& levels, const std::string& unit,
+                       const std::string& what, const std::string& after) {
+    const std::vector<double> before =
+        original ? measure(*original, *original_body) : std::vector<double>();
+    const auto sentence = [&](double worst) { return what + rounded(worst, 1) + after; };
+    add_stretches(findings, subject,
+                  {"forces", "", unit, raised(levels, before), shortest_seconds, 3, sentence},
+                  measure(subject, body));
+  };
+  add(presses, options.press, "body weights", "The feet press the floor with ",
+      " times the body's weight.");
+  add(pulls, options.pull, "body weights", "Planted feet are pulled to the floor with ",
+      " times the body's weight: it falls faster than things fall.");
+  add(frictions, options.friction, "", "The feet would slip: they push sideways with ",
+      " times what they press the floor with.");
+  return findings;
+}
+
+Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& body,
+                                const LintOptions& options, const LintSubject* original,
+                                const BodyOnFloor* original_body) {
+  Findings findings;
+  const double mass = options.body_mass_kg;
+  const auto rows = torques(subject, body, mass);
+  const auto before = original ? torques(*original, *original_body, mass)
+                               : std::vector<std::vector<double>>(rows.size());
+  for (size_t j = 0; j < rows.size(); ++j) {
+    const TorqueJoint& joint = torque_joints()[j];
+    const double limit = joint.limit * mass / 70.0;
+    const Levels levels = {limit * options.torque_ratio.warning,
+                           limit * options.torque_ratio.error};
+    const std::string name(name_of(BodyJoint(joint.joint)));
+    const auto sentence = [&](double worst) {
+      return "The " + spoken(name) + " would need " + rounded(worst, 0) + " N·m, more than the " +
+             rounded(limit, 0) + " N·m that strong adults have.";
+    };
+    add_stretches(
+        findings, subject,
+        {"joint-torque", name, "N·m", raised(levels, before[j]), shortest_seconds, 3, sentence},
+        rows[j]);
+  }
+  return findings;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/lint/checks.h"
+#include "motion/lint/joint_angles.h"
+#include "motion/lint/stretches.h"
+#include "motion/rotation.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double wrist_range_degrees = 80.0;  // from its mean attitude
+
+struct Range {
+  double least;
+  double most;
+};
+
+/// Every angle in every frame, an angle a row.
+std::vector<std::vector<double>> angles_of(const LintSubject& subject) {
+  std::vector<std::vector<double>> rows(joint_angles().size());
+  for (const Pose& pose : subject.clip.poses) {
+    const std::vector<double> values = measured_angles(pose);
+    for (size_t a = 0; a < rows.size(); ++a) rows[a].push_back(values[a]);
+  }
+  return rows;
+}
+
+/// Healthy ranges, widened to what the original did.
+std::vector<Range> ranges(const LintSubject* original) {
+  std::vector<Range> result;
+  for (const JointAngle& angle : joint_angles()) {
+    result.push_back({angle.least_degrees, angle.most_degrees});
+  }
+  if (!original) return result;
+  const auto rows = angles_of(*original);
+  for (size_t a = 0; a < rows.size(); ++a) {
+    const auto [least, most] = std::minmax_element(rows[a].begin(), rows[a].end());
+    result[a] = {std::min(result[a].least, *least), std::max(result[a].most, *most)};
+  }
+  return result;
+}
+
+void add_beyond(const LintSubject& subject, const JointAngle& angle, std::string_view what,
+                const Levels& levels, const std::vector<double>& beyond, Findings& findings) {
+  const std::string name(name_of(angle.joint));
+  const auto sentence = [&](double worst) {
+    return "The " + spoken(name) + " " + std::string(what) + ": " + rounded(worst, 0) +
+           "° beyond the range of its " + std::string(angle.name) + ".";
+  };
+  add_stretches(findings, subject, {"joint-limit", name, "°", levels, 0, 1, sentence}, beyond);
+}
+
+/// The hand against the forearm, degrees from its mean attitude: where a straight hand lies is not
+/// known of captures, whose hands are often markers on a wrist band.
+std::vector<double> wrist_bends(const LintSubject& subject, BodyJoint wrist) {
+  const Vec3 along = rest_direction(wrist);
+  Vec3 mean = Vec3::Zero();
+  for (const Pose& pose : subject.clip.poses) mean += pose.rotations[wrist] * along;
+  mean.normalize();
+  std::vector<double> bends;
+  for (const Pose& pose : subject.clip.poses) {
+    const double cosine = (pose.rotations[wrist] * along).dot(mean);
+    bends.push_back(std::acos(std::clamp(cosine, -1.0, 1.0)) / radians_per_degree);
+  }
+  return bends;
+}
+
+void find_bent_wrists(const LintSubject& subject, const LintOptions& options, Findings& findings) {
+  for (const BodyJoint wrist : {LeftWrist, RightWrist}) {
+    std::vector<double> beyond = wrist_bends(subject, wrist);
+    for (double& value : beyond) value -= wrist_range_degrees;
+    const JointAngle angle = {wrist, "bend", 0, wrist_range_degrees, "", ""};
+    add_beyond(subject, angle, "is bent too far", options.beyond_limit_degrees, beyond, findings);
+  }
+}
+
+}  // namespace
+
+Findings find_joints_beyond_limits(const LintSubject& subject, const LintOptions& options,
+                                   const LintSubject* original) {
+  Findings findings;
+  const auto rows = angles_of(subject);
+  const std::vector<Range> allowed = ranges(original);
+  for (size_t a = 0; a < rows.size(); ++a) {
+    const JointAngle& angle = joint_angles()[a];
+    std::vector<double> above = rows[a];
+    for (double& value : above) value -= allowed[a].most;
+    add_beyond(subject, angle, angle.beyond_most, options.beyond_limit_degrees, above, findings);
+    if (angle.beyond_least.empty()) continue;
+    std::vector<double> below = rows[a];
+    for (double& value : below) value = allowed[a].least - value;
+    add_beyond(subject, angle, angle.beyond_least, options.beyond_limit_degrees, below, findings);
+  }
+  find_bent_wrists(subject, options, findings);
+  return findings;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/lint/checks.h"
+#include "motion/lint/stretches.h"
+#include "motion/percentile.h"
+#include "motion/rotation.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// Steps from each frame to the next.
+std::vector<Vec3> turns(const Clip& clip, int joint) {
+  std::vector<Vec3> steps;
+  for (int t = 0; t + 1 < clip.frame_count(); ++t) {
+    const Quat& from = clip.poses[t].rotations[joint];
+    steps.push_back(log(from.conjugate() * clip.poses[t + 1].rotations[joint]));
+  }
+  return steps;
+}
+
+std::vector<Vec3> root_steps(const Clip& clip) {
+  std::vector<Vec3> steps;
+  for (int t = 0; t + 1 < clip.frame_count(); ++t) {
+    steps.push_back(clip.poses[t + 1].root_position - clip.poses[t].root_position);
+  }
+  return steps;
+}
+
+/// How far each step lies from the mean of its neighbours; at the ends from the only one.
+std::vector<double> excesses(const std::vector<Vec3>& steps) {
+  std::vector<double> result;
+  const int count = static_cast<int>(steps.size());
+  for (int i = 0; i < count; ++i) {
+    if (count < 2) return {0.0};
+    const Vec3& before = steps[i > 0 ? i - 1 : i + 1];
+    const Vec3& after = steps[i + 1 < count ? i + 1 : i - 1];
+    const double excess = (steps[i] - 0.5 * (before + after)).norm();
+    // The neighbours of a leap differ from their neighbours too, but are not long themselves.
+    result.push_back(std::min(excess, steps[i].norm()));
+  }
+  return result;
+}
+
+/// Whether step i leads over the seam of a loop.
+bool is_seam(const LintSubject& subject, int i) {
+  return subject.was_loop && (i + 1) % subject.frames == 0;
+}
+
+/// A value a step as a value a frame, that to which the step leads.
+std::vector<double> without_seams(const LintSubject& subject, const std::vector<double>& steps) {
+  std::vector<double> values(subject.frame_count(), nothing);
+  for (int i = 0; i < static_cast<int>(steps.size()); ++i) {
+    if (!is_seam(subject, i)) values[i + 1] = steps[i];
+  }
+  return values;
+}
+
+/// What exceeds the usual of a quarter second around: limbs that are shaken fast step far in every
+/// frame of a slow recording, a leap stands alone.
+std::vector<double> isolated(const std::vector<double>& excess, double rate) {
+  const int count = static_cast<int>(excess.size());
+  const int reach = std::max(3, static_cast<int>(std::lround(0.25 * rate)));
+  std::vector<double> result;
+  for (int i = 0; i < count; ++i) {
+    const auto first = excess.begin() + std::max(0, i - reach);
+    const auto last = excess.begin() + std::min(count, i + reach + 1);
+    result.push_back(excess[i] - percentile(std::vector<double>(first, last), 50));
+  }
+  return result;
+}
+
+Levels widened(const Levels& levels, double factor) {
+  return {factor * levels.warning, factor * levels.error};
+}
+
+/// Toes flick when they leave the floor: by nearly 40° in one thirtieth of a second as captured.
+double flick(const LintSubject& subject, int joint) {
+  const bool is_toe = is_body(subject.clip.body) && (joint == LeftToe || joint == RightToe);
+  return is_toe ? 1.5 : 1.0;
+}
+
+std::vector<double> in_degrees(std::vector<double> radians) {
+  for (double& value : radians) value /= radians_per_degree;
+  return radians;
+}
+
+/// The step over the seam at the end of the middle lap beyond twice what the loop does elsewhere.
+double seam_excess(const LintSubject& subject, const std::vector<double>& steps) {
+  std::vector<double> elsewhere;
+  for (int i = subject.start; i < subject.start + subject.frames - 1; ++i) {
+    const bool is_beside = i < subject.start + 2 || i > subject.start + subject.frames - 4;
+    if (!is_beside) elsewhere.push_back(steps[i]);
+  }
+  const double usual = elsewhere.empty() ? 0.0 : percentile(elsewhere, 95);
+  return steps[subject.start + subject.frames - 1] - 2.0 * usual;
+}
+
+void add_seam(const LintSubject& subject, const MeasuredFault& fault, double excess,
+              Findings& findings) {
+  std::vector<double> values(subject.frame_count(), nothing);
+  values[subject.start + subject.frames - 1] = excess;
+  add_stretches(findings, subject, fault, values);
+}
+
+}  // namespace
+
+Findings find_jumps(const LintSubject& subject, const LintOptions& options) {
+  Findings findings;
+  for (int j = 0; j < subject.clip.body.size(); ++j) {
+    const std::string& name = subject.clip.body.joints[j].name;
+    const auto sentence = [&](double worst) {
+      return "The " + spoken(name) + " leaps by " + rounded(worst, 0) +
+             "° from one frame to the next.";
+    };
+    const std::vector<double> steps = in_degrees(excesses(turns(subject.clip, j)));
+    const Levels levels = widened(options.jump_degrees, flick(subject, j));
+    add_stretches(findings, subject, {"jump", name, "°", levels, 0, 1, sentence},
+                  without_seams(subject, isolated(steps, subject.rate())));
+  }
+  const auto sentence = [](double worst) {
+    return "The whole body leaps by " + rounded(100.0 * worst, 0) +
+           " cm from one frame to the next.";
+  };
+  add_stretches(findings, subject, {"jump", "", "m", options.jump_metres, 0, 1, sentence},
+                without_seams(subject, excesses(root_steps(subject.clip))));
+  return findings;
+}
+
+Findings find_broken_seam(const LintSubject& subject, const LintOptions& options) {
+  Findings findings;
+  if (!subject.was_loop || subject.frames < 8) return findings;
+  for (int j = 0; j < subject.clip.body.size(); ++j) {
+    const std::string& name = subject.clip.body.joints[j].name;
+    const auto sentence = [&](double worst) {
+      return "The loop does not close: the " + spoken(name) + " leaps by " + rounded(worst, 1) +
+             "° at its seam.";
+    };
+    const std::vector<double> steps = in_degrees(excesses(turns(subject.clip, j)));
+    add_seam(subject, {"loop-seam", name, "°", options.seam_degrees, 0, 1, sentence},
+             seam_excess(subject, steps), findings);
+  }
+  const auto sentence = [](double worst) {
+    return "The loop does not close: the whole body leaps by " + rounded(100.0 * worst, 1) +
+           " cm at its seam.";
+  };
+  add_seam(subject, {"loop-seam", "", "m", options.seam_metres, 0, 1, sentence},
+           seam_excess(subject, excesses(root_steps(subject.clip))), findings);
+  return findings;
+}
+
+}  // namespace mien::motion

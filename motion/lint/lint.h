@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "motion/clip.h"
+#include "motion/lint/finding.h"
+#include "motion/lint/lint_options.h"
+
+namespace mien::motion {
+
+/// One rule of the lint.
+struct LintCheck {
+  std::string_view id;          ///< "foot-skate"
+  std::string_view what;        ///< what it looks for, a few words
+  bool needs_original = false;  ///< says nothing without one
+};
+
+/// All rules, in the order in which their findings are told.
+const std::vector<LintCheck>& lint_checks();
+
+/// Looks a motion over for what no body does: broken data, joints beyond their range, parts of the
+/// body in each other, feet that slide, sink or float, lost balance, forces and torques that
+/// nobody has.
+///
+/// The clip is in metres, +Y up, its floor at y = 0; a loop is judged as going on for ever, and one
+/// that walks in place as on a treadmill. Of a skeleton that is not the canonical body only the
+/// data is checked. With an `original` (the motion before it was modified, on any canonical body)
+/// what that did already counts less, and timing, phases and jerk are compared; it need not last
+/// as long, since moments are compared by their share of the duration. Findings are ordered by
+/// check, frame and joint. A clip without frames has none.
+std::vector<Finding> lint(const Clip& clip, const LintOptions& options = {},
+                          const Clip* original = nullptr);
+
+}  // namespace mien::motion

@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <limits>
+
+#include "motion/contact.h"
+#include "motion/lint/checks.h"
+#include "motion/lint/slip.h"
+#include "motion/lint/stretches.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double shortest_slide_seconds = 0.13;
+constexpr double beyond_original_metres = 0.02;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+double largest_slip(const LintSubject& subject) {
+  double largest = 0.0;
+  for (const FootPlant& plant : foot_plants(subject.clip)) {
+    largest = std::max(largest, planted_slip(subject, plant));
+  }
+  return largest / subject.scale;
+}
+
+/// Captures slide by some centimetres themselves; against an original, what it did not do counts
+/// sooner.
+Levels slip_levels(const LintOptions& options, const LintSubject* original) {
+  if (!original) return options.skate_metres;
+  const double before = largest_slip(*original);
+  const double warning = std::max(options.skate_metres.warning, before + 0.005);
+  return {warning, std::max(warning, before + beyond_original_metres)};
+}
+
+std::string sentence_of(const FootPlant& plant, double slip) {
+  return std::string("The planted ") + (plant.left ? "left" : "right") + " foot slides by " +
+         rounded(100.0 * slip, 1) + " cm.";
+}
+
+void find_slips(const LintSubject& subject, const LintOptions& options, const LintSubject* original,
+                Findings& findings) {
+  const Levels levels = slip_levels(options, original);
+  for (const FootPlant& plant : foot_plants(subject.clip)) {
+    const double slip = planted_slip(subject, plant) / subject.scale;
+    if (!(slip > levels.warning)) continue;
+    const bool is_error = slip > levels.error;
+    Finding finding;
+    finding.check = "foot-skate";
+    finding.joint = name_of(plant.left ? LeftAnkle : RightAnkle);
+    finding.first = plant.first;
+    finding.last = plant.last;
+    finding.measured = slip;
+    finding.threshold = is_error ? levels.error : levels.warning;
+    finding.unit = "m";
+    finding.severity = is_error ? Severity::error : Severity::warning;
+    finding.sentence = sentence_of(plant, slip);
+    add_finding(findings, subject, std::move(finding));
+  }
+}
+
+/// Speeds where neither foot is planted.
+std::vector<double> unplanted_speeds(const LintSubject& subject) {
+  std::vector<double> speeds = support_speeds(subject);
+  for (const FootPlant& plant : foot_plants(subject.clip)) {
+    const int last = std::min(plant.last, subject.frame_count() - 1);
+    for (int t = plant.first; t <= last; ++t) speeds[t] = nothing;
+  }
+  return speeds;
+}
+
+}  // namespace
+
+Findings find_skating_feet(const LintSubject& subject, const LintOptions& options,
+                           const LintSubject* original) {
+  Findings findings;
+  find_slips(subject, options, original, findings);
+  const auto sentence = [](double worst) {
+    return "No foot stands still: whatever touches the floor slides at up to " + rounded(worst, 1) +
+           " m/s.";
+  };
+  const Levels levels =
+      raised(options.slide_speed, original ? unplanted_speeds(*original) : std::vector<double>());
+  add_stretches(findings, subject,
+                {"foot-skate", "", "m/s", levels, shortest_slide_seconds, 3, sentence},
+                unplanted_speeds(subject));
+  return findings;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,77 @@
+#include "motion/lint/slip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/filter.h"
+#include "motion/percentile.h"
+#include "motion/sole.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double ends_seconds = 0.05;
+constexpr double flat_metres = 0.01;
+constexpr double near_metres = 0.04;
+
+Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
+
+/// What the supporting part of a sole moves between two frames. Of a flat sole all of it bears, and
+/// what moves least tells how far it slides.
+Vec3 slide(const SolePoints& from, const SolePoints& to) {
+  const double heel = 0.5 * (from.heel.y() + to.heel.y());
+  const double ball = 0.5 * (from.ball.y() + to.ball.y());
+  const Vec3 of_heel = level(to.heel - from.heel);
+  const Vec3 of_ball = level(to.ball - from.ball);
+  if (heel < ball - flat_metres) return of_heel;
+  if (ball < heel - flat_metres) return of_ball;
+  return of_heel.norm() < of_ball.norm() ? of_heel : of_ball;
+}
+
+}  // namespace
+
+double planted_slip(const LintSubject& subject, const FootPlant& plant) {
+  const int ends = static_cast<int>(std::lround(ends_seconds * subject.rate()));
+  std::vector<Vec3> track(1, Vec3::Zero());
+  const auto sole = [&](int t) {
+    return sole_points(subject.clip.body, subject.world[t], plant.left);
+  };
+  const int last = std::min(plant.last - ends, subject.frame_count() - 1);
+  for (int t = plant.first + ends; t < last; ++t) {
+    track.push_back(track.back() + slide(sole(t), sole(t + 1)));
+  }
+  double farthest = 0.0;
+  for (size_t a = 0; a < track.size(); ++a) {
+    for (size_t b = 0; b < a; ++b) farthest = std::max(farthest, (track[a] - track[b]).norm());
+  }
+  return farthest;
+}
+
+std::vector<double> support_speeds(const LintSubject& subject) {
+  std::vector<double> stillest(subject.world.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const bool left : {true, false}) {
+    const std::vector<SolePoints> soles = sole_paths(subject.clip, left);
+    for (const auto point : {&SolePoints::heel, &SolePoints::ball, &SolePoints::tip}) {
+      std::vector<Vec3> path;
+      std::vector<double> heights;
+      for (const SolePoints& sole : soles) {
+        path.push_back(sole.*point);
+        heights.push_back(path.back().y());
+      }
+      const double rest = percentile(heights, 3);
+      const double cutoff = std::min(10.0, 0.3 * subject.rate());
+      const std::vector<Vec3> velocity =
+          derivative(low_pass(path, cutoff, subject.rate()), subject.rate());
+      for (size_t t = 0; t < path.size(); ++t) {
+        if (heights[t] - rest > near_metres * subject.scale) continue;
+        const double speed = level(velocity[t]).norm();
+        if (!(stillest[t] < speed)) stillest[t] = speed;
+      }
+    }
+  }
+  return stillest;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/foot_lock.h"
+#include "motion/lint/subject.h"
+
+namespace mien::motion {
+
+/// How far, metres, a planted foot slides over the floor between the two most distant moments of
+/// a plant, whatever it rolls meanwhile: what the part of the sole moves that is lowest. The first
+/// and last 0.05 s of the plant, in which a foot comes down and leaves, do not count.
+double planted_slip(const LintSubject& subject, const FootPlant& plant);
+
+/// Horizontal speed, m/s, of the stillest of the sole points within 0.04 m of where they are
+/// lowest, frame by frame: under a body that walks something stands still. NaN while all are
+/// higher.
+std::vector<double> support_speeds(const LintSubject& subject);
+
+}  // namespace mien::motion

@@ -1,0 +1,167 @@
+#include "motion/modify/foot_repair.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/foot_path.h"
+#include "motion/foot_placement.h"
+#include "motion/modify/hip_shift.h"
+#include "motion/rotation.h"
+#include "motion/smooth_envelope.h"
+#include "motion/sole.h"
+#include "motion/two_bone_ik.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double clearance = 0.015;     // metres; a foot that swings higher is clear
+constexpr double lift_seconds = 0.05;   // over which the lift of a foot comes and goes
+constexpr double onset_seconds = 0.06;  // after and before a plant without full lift
+constexpr int most_locks = 6;           // of the original
+constexpr double still = 5e-4;          // metres; a foot that drifts less stands
+
+double lowest(const SolePoints& sole) {
+  return std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
+}
+
+/// How far each frame lies from the foot's nearest plant, frames; 0 within.
+std::vector<int> frames_from_plant(const std::vector<FootPlant>& plants, bool left, int count,
+                                   bool loops) {
+  std::vector<int> away(static_cast<size_t>(count), count);
+  for (const FootPlant& plant : plants) {
+    if (plant.left != left) continue;
+    for (int f = plant.first; f <= plant.last; ++f) {
+      away[static_cast<size_t>(loops ? f % count : std::min(f, count - 1))] = 0;
+    }
+  }
+  // Twice round, so that distances also run over a seam.
+  const int rounds = loops ? 2 * count : count;
+  for (int f = 1; f < rounds; ++f) {
+    auto& here = away[static_cast<size_t>(f % count)];
+    here = std::min(here, away[static_cast<size_t>((f - 1) % count)] + 1);
+  }
+  for (int f = rounds - 2; f >= 0; --f) {
+    auto& here = away[static_cast<size_t>(f % count)];
+    here = std::min(here, away[static_cast<size_t>((f + 1) % count)] + 1);
+  }
+  return away;
+}
+
+std::vector<double> lifts(const Clip& clip, const Clip& original,
+                          const std::vector<FootPlant>& plants, bool left) {
+  const std::vector<SolePoints> now = sole_paths(clip, left);
+  const std::vector<SolePoints> before = sole_paths(original, left);
+  const std::vector<int> away = frames_from_plant(plants, left, clip.frame_count(), clip.loops);
+  std::vector<double> needed(now.size(), 0.0);
+  for (size_t f = 0; f < now.size(); ++f) {
+    if (away[f] == 0) continue;
+    const double wanted = std::clamp(lowest(before[f]), 0.0, clearance);
+    needed[f] = std::max(0.0, wanted - lowest(now[f]));
+  }
+  const int half_width =
+      std::max(1, static_cast<int>(std::lround(lift_seconds * clip.frames_per_second)));
+  std::vector<double> lift = smooth_envelope(needed, half_width, clip.loops);
+  for (size_t f = 0; f < lift.size(); ++f) {
+    const double x = std::clamp(away[f] / (onset_seconds * clip.frames_per_second + 1.0), 0.0, 1.0);
+    lift[f] *= x * x * (3.0 - 2.0 * x);
+  }
+  return lift;
+}
+
+/// Raises the ankle of one pose; the foot keeps its direction in the world.
+void lift_foot(Pose& pose, const Skeleton& body, const LegJoints& leg, double height) {
+  const JointTransforms world = world_transforms(body, pose);
+  const auto at = [](BodyJoint joint) { return static_cast<size_t>(joint); };
+  const TwoBoneLimb limb = {world.positions[at(leg.hip)], world.positions[at(leg.knee)],
+                            world.positions[at(leg.ankle)]};
+  const TwoBoneSolution solution = solve_two_bone(limb, limb.end + Vec3(0, height, 0),
+                                                  world.rotations[at(leg.hip)] * Vec3::UnitZ());
+  const Quat thigh = solution.upper_turn * world.rotations[at(leg.hip)];
+  const Quat shank = solution.lower_turn * world.rotations[at(leg.knee)];
+  pose.rotations[at(leg.hip)] = (world.rotations[Pelvis].conjugate() * thigh).normalized();
+  pose.rotations[at(leg.knee)] = (thigh.conjugate() * shank).normalized();
+  pose.rotations[at(leg.ankle)] = (shank.conjugate() * world.rotations[at(leg.ankle)]).normalized();
+}
+
+/// The plant's feet as they stand in `known`, moved over the floor and turned about the vertical to
+/// where they are in `path` on the average.
+PlacedStretch carried_over(const FootPath& path, const FootPath& known, const FootPlant& plant) {
+  const FootLockOptions lock;
+  const Stance stance = stance_of(known, plant, lock.flat_metres, lock.lifted_metres);
+  Vec3 from = Vec3::Zero();
+  Vec3 to = Vec3::Zero();
+  double yaw = 0.0;
+  for (int f = stance.flat_first; f <= stance.flat_last; ++f) {
+    from += known.ball_at(f);
+    to += path.ball_at(f);
+    const Quat turn = path.rotation_at(f) * known.rotation_at(f).conjugate();
+    yaw += log(twist_about(turn, Vec3::UnitY())).y();
+  }
+  const double frames = stance.flat_last - stance.flat_first + 1;
+  from /= frames;
+  to /= frames;
+  to.y() = from.y();
+  const Quat turn = exp(Vec3(0.0, yaw / frames, 0.0));
+  // All of the plant, not the stance alone: a foot that has left the floor is to be as high again.
+  PlacedStretch stretch{plant.left, plant.first, {}};
+  for (int f = plant.first; f <= plant.last; ++f) {
+    stretch.places.push_back({to + turn * (known.ankle_at(f) - from), turn * known.rotation_at(f)});
+  }
+  return stretch;
+}
+
+/// The original with its feet locked until they stand: what glided in it is not to glide on.
+Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants) {
+  Clip settled = foot_locked(original, plants);
+  for (int locks = 1; locks < most_locks; ++locks) {
+    if (planted_drift(settled, plants) < still) break;
+    settled = foot_locked(settled, plants);
+  }
+  return settled;
+}
+
+Clip with_plants_of(const Clip& clip, const Clip& settled, const std::vector<FootPlant>& plants) {
+  std::vector<PlacedStretch> stretches;
+  for (const bool left : {true, false}) {
+    const FootPath path = foot_path(clip, left);
+    const FootPath known = foot_path(settled, left);
+    for (const FootPlant& plant : plants) {
+      if (plant.left == left) stretches.push_back(carried_over(path, known, plant));
+    }
+  }
+  return with_feet_placed(clip, stretches);
+}
+
+}  // namespace
+
+Clip with_toe_clearance(const Clip& clip, const Clip& original,
+                        const std::vector<FootPlant>& plants) {
+  Clip result = clip;
+  for (const bool left : {true, false}) {
+    const std::vector<double> lift = lifts(clip, original, plants, left);
+    for (size_t f = 0; f < lift.size(); ++f) {
+      if (lift[f] < 1e-6) continue;
+      lift_foot(result.poses[f], clip.body, leg_joints(left), lift[f]);
+    }
+  }
+  return result;
+}
+
+Clip with_repaired_feet(const Clip& clip, const Clip& original,
+                        const std::vector<FootPlant>& plants, FootRepair repair) {
+  switch (repair) {
+    case FootRepair::none:
+      return clip;
+    case FootRepair::hip_shift:
+      return with_hip_shift(clip, original, plants, HipPath::exact);
+    case FootRepair::plants:
+      break;
+  }
+  if (plants.empty()) return clip;
+  const Clip settled = with_still_feet(original, plants);
+  const Clip shifted = with_hip_shift(clip, settled, plants, HipPath::smooth);
+  return with_toe_clearance(with_plants_of(shifted, settled, plants), settled, plants);
+}
+
+}  // namespace mien::motion

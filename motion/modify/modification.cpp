@@ -1,0 +1,182 @@
+#include "motion/modify/modification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "motion/contact.h"
+#include "motion/error.h"
+#include "motion/modify/foot_repair.h"
+#include "motion/modify/nine_grid.h"
+#include "motion/modify/soft_limits.h"
+#include "motion/modify/tempo.h"
+#include "motion/modify/variation.h"
+#include "motion/rotation.h"
+#include "motion/straighten.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double walking_floor = 0.05;  // m/s; a floor that moves faster under a loop is walked on
+
+bool is_unit(const PathGains& gains) {
+  return gains.low == 1.0 && gains.middle == 1.0 && gains.high == 1.0 &&
+         std::all_of(gains.bands.begin(), gains.bands.end(), [](double g) { return g == 1.0; });
+}
+
+bool turns_nothing(const PoseDifference& difference) {
+  return std::all_of(difference.turns.begin(), difference.turns.end(),
+                     [](const Quat& turn) { return log(turn).norm() == 0.0; });
+}
+
+double towards_one(double value, double strength) { return 1.0 + strength * (value - 1.0); }
+
+void check_range(const char* name, double value, double least, double most) {
+  if (value >= least && value <= most) return;
+  char wrong[96];
+  char remedy[96];
+  std::snprintf(wrong, sizeof wrong, "%s is %g", name, value);
+  std::snprintf(remedy, sizeof remedy, "give a number from %g to %g", least, most);
+  throw Error(wrong, remedy);
+}
+
+/// The loop on its way when its feet walk in place; any other clip as it is.
+Clip sent_on_its_way(const Clip& clip) {
+  const Vec3 floor = floor_velocity(clip);
+  if (floor.norm() < walking_floor) return clip;
+  return travelling(clip, -floor * clip.duration_seconds());
+}
+
+/// Horizontal way of the whole clip, metres.
+double way(const Clip& clip) {
+  Vec3 way = clip.loops ? clip.cycle_displacement
+                        : Vec3(clip.poses.back().root_position - clip.poses.front().root_position);
+  way.y() = 0.0;
+  return way.norm();
+}
+
+Clip with_root_of(Clip clip, const Clip& other) {
+  for (size_t f = 0; f < clip.poses.size(); ++f) {
+    clip.poses[f].root_position = other.poses[f].root_position;
+  }
+  clip.cycle_displacement = other.cycle_displacement;
+  return clip;
+}
+
+void write_remarks(ModificationReport& report, FootRepair repair) {
+  char text[160];
+  if (repair != FootRepair::none && report.plants == 0) {
+    report.remarks.push_back("no foot stands on the floor: feet were not repaired");
+  }
+  if (report.plants > 0) {
+    std::snprintf(
+        text, sizeof text, "feet slid by up to %.1f mm in %d plants before repair, %.1f mm after",
+        1000.0 * report.drift_before_repair, report.plants, 1000.0 * report.drift_after_repair);
+    report.remarks.emplace_back(text);
+  }
+  if (std::abs(report.travel_ratio - 1.0) > 0.01) {
+    std::snprintf(text, sizeof text, "the way became %.0f %% of what it was",
+                  100.0 * report.travel_ratio);
+    report.remarks.emplace_back(text);
+  }
+  if (report.largest_limit_excess > radians_per_degree) {
+    std::snprintf(text, sizeof text, "a joint was bent back by up to %.0f° at its limit",
+                  report.largest_limit_excess / radians_per_degree);
+    report.remarks.emplace_back(text);
+  }
+}
+
+}  // namespace
+
+bool is_identity(const Modification& m) {
+  const bool paths_stay = m.gains ? is_unit(*m.gains) : m.paths == 1.0;
+  const bool posture_stays =
+      std::all_of(m.posture.begin(), m.posture.end(),
+                  [](const PostureChange& change) { return change.degrees == 0.0; }) &&
+      (!m.pose_difference || turns_nothing(*m.pose_difference));
+  return paths_stay && posture_stays && m.acceleration == 0.0 && m.tempo == 1.0 &&
+         m.variation == 0.0;
+}
+
+Modification scaled(const Modification& modification, double strength) {
+  if (strength == 1.0) return modification;
+  Modification m = modification;
+  m.paths = std::clamp(towards_one(m.paths, strength), 0.0, 2.0);
+  if (m.gains) {
+    for (double* gain : {&m.gains->low, &m.gains->middle, &m.gains->high}) {
+      *gain = std::max(0.0, towards_one(*gain, strength));
+    }
+    for (double& gain : m.gains->bands) gain = std::max(0.0, towards_one(gain, strength));
+  }
+  m.acceleration = std::clamp(strength * m.acceleration, -1.0, 1.0);
+  for (PostureChange& change : m.posture) change.degrees *= strength;
+  if (m.pose_difference) {
+    for (Quat& turn : m.pose_difference->turns) turn = exp(strength * log(turn));
+  }
+  m.tempo = std::clamp(std::pow(m.tempo, strength), 0.25, 4.0);
+  m.variation = std::clamp(strength * m.variation, 0.0, 1.0);
+  return m;
+}
+
+void check(const Modification& m) {
+  check_range("paths", m.paths, 0.0, 2.0);
+  check_range("acceleration", m.acceleration, -1.0, 1.0);
+  check_range("tempo", m.tempo, 0.25, 4.0);
+  check_range("variation", m.variation, 0.0, 1.0);
+  for (const PostureChange& change : m.posture) {
+    check_range(std::string(name_of(change.unit)).c_str(), change.degrees, -180.0, 180.0);
+  }
+  if (!m.gains) return;
+  check_range("gains.low", m.gains->low, 0.0, 100.0);
+  check_range("gains.middle", m.gains->middle, 0.0, 100.0);
+  check_range("gains.high", m.gains->high, 0.0, 100.0);
+  for (const double gain : m.gains->bands) check_range("gains.bands", gain, 0.0, 100.0);
+}
+
+ModifiedClip modify(const Clip& clip, const Modification& m) {
+  check(m);
+  if (!is_body(clip.body)) {
+    throw Error("\"" + clip.name + "\" does not move the canonical body",
+                "map its recording to the body first");
+  }
+  ModifiedClip result{clip, {}};
+  if (is_identity(m) || clip.frame_count() < 2) return result;
+  ModificationReport& report = result.report;
+
+  const Clip original = sent_on_its_way(clip);
+  const std::vector<FootPlant> plants =
+      m.repair == FootRepair::none ? std::vector<FootPlant>{} : foot_plants(original);
+  const Clip moved = with_variation(grid_motion(original, plants, m), m.variation, m.limbs, m.seed);
+
+  const Clip reference = with_tempo(original, m.tempo);
+  const std::vector<FootPlant> stands =
+      with_tempo(plants, original.frame_count(), reference.frame_count(), clip.loops);
+  Clip posed = with_tempo(moved, m.tempo);
+  if (!m.posture.empty() || m.pose_difference) {
+    posed = with_posture(posed, m.posture, m.pose_difference);
+  }
+  if (m.soft_joint_limits) {
+    SoftLimits limited = with_soft_limits(posed, reference);
+    posed = std::move(limited.clip);
+    report.largest_limit_excess = limited.largest_excess;
+  }
+  Clip repaired = with_repaired_feet(posed, reference, stands, m.repair);
+
+  report.plants = static_cast<int>(plants.size());
+  report.drift_before_repair = planted_drift(with_root_of(posed, reference), stands);
+  report.drift_after_repair = planted_drift(repaired, stands);
+  if (way(original) > 0.2) report.travel_ratio = way(repaired) / way(original);
+  write_remarks(report, m.repair);
+
+  const bool in_its_place = clip.loops && clip.cycle_displacement.isZero(1e-6);
+  result.clip = in_its_place ? in_place(repaired) : std::move(repaired);
+  result.clip.name = clip.name;
+  return result;
+}
+
+Clip modified(const Clip& clip, const Modification& modification) {
+  return modify(clip, modification).clip;
+}
+
+}  // namespace mien::motion

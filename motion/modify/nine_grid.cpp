@@ -1,0 +1,131 @@
+#include "motion/modify/nine_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "motion/modify/hip_shift.h"
+#include "motion/modify/joint_curve.h"
+#include "motion/modify/limb_timing.h"
+#include "motion/modify/path_length.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// The motion with other path lengths, and the root carried along by the feet.
+Clip with_paths(const Clip& original, const std::vector<FootPlant>& plants, const PathGains& gains,
+                const Modification& modification) {
+  const Clip filtered = with_path_gains(original, gains, modification.signal);
+  if (modification.repair == FootRepair::none) return filtered;
+  const bool smooth = modification.repair == FootRepair::plants;
+  return with_hip_shift(filtered, original, plants, smooth ? HipPath::smooth : HipPath::exact);
+}
+
+/// The motion with constant speed (`acceleration` < 0) or full acceleration (> 0).
+Clip with_timing(const Clip& clip, const std::vector<FootPlant>& plants, double acceleration,
+                 const Modification& modification) {
+  if (acceleration == 0.0) return clip;
+  if (acceleration < 0.0) return with_constant_speed(clip, modification.limbs);
+  if (modification.acceleration_place == AccelerationPlace::pauses) {
+    return with_acceleration(clip, modification.limbs);
+  }
+  const std::vector<int> moments = contact_frames(plants, clip.frame_count());
+  return with_acceleration(clip, modification.limbs, moments);
+}
+
+struct Weighted {
+  std::vector<Clip> clips;
+  std::vector<double> weights;
+
+  void add(Clip clip, double weight) {
+    clips.push_back(std::move(clip));
+    weights.push_back(weight);
+  }
+};
+
+/// The motions between whose path lengths the modification's lies.
+Weighted path_neighbours(const Clip& original, const std::vector<FootPlant>& plants,
+                         const Modification& modification) {
+  Weighted neighbours;
+  if (modification.gains) {
+    neighbours.add(with_paths(original, plants, *modification.gains, modification), 1.0);
+    return neighbours;
+  }
+  const double away = modification.paths - 1.0;
+  if (std::abs(away) < 1.0) neighbours.add(original, 1.0 - std::abs(away));
+  if (away != 0.0) {
+    const PathGains gains = away > 0.0 ? longest_path_gains() : shortest_path_gains();
+    neighbours.add(with_paths(original, plants, gains, modification), std::abs(away));
+  }
+  return neighbours;
+}
+
+}  // namespace
+
+Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights) {
+  assert(!clips.empty() && clips.size() == weights.size());
+  if (clips.size() == 1) return clips.front();
+  Clip mean = clips.front();
+  mean.cycle_displacement = Vec3::Zero();
+  for (size_t c = 0; c < clips.size(); ++c) {
+    mean.cycle_displacement += weights[c] * clips[c].cycle_displacement;
+  }
+  for (size_t f = 0; f < mean.poses.size(); ++f) {
+    Pose& pose = mean.poses[f];
+    pose.root_position = Vec3::Zero();
+    for (size_t c = 0; c < clips.size(); ++c) {
+      pose.root_position += weights[c] * clips[c].poses[f].root_position;
+    }
+    for (size_t j = 0; j < pose.rotations.size(); ++j) {
+      const Quat& first = clips.front().poses[f].rotations[j];
+      const bool same = std::all_of(clips.begin() + 1, clips.end(), [&](const Clip& clip) {
+        return clip.poses[f].rotations[j].coeffs() == first.coeffs();
+      });
+      if (same) continue;
+      Directions sum = Directions::Zero();
+      for (size_t c = 0; c < clips.size(); ++c) {
+        sum += weights[c] * directions_of(clips[c].poses[f].rotations[j]);
+      }
+      pose.rotations[j] = to_rotation(sum, f > 0 ? mean.poses[f - 1].rotations[j] : first);
+    }
+  }
+  return mean;
+}
+
+std::vector<GridMotion> nine_motions(const Clip& original, const std::vector<FootPlant>& plants,
+                                     const Modification& modification) {
+  constexpr std::array<std::string_view, 9> names = {
+      "short, constant", "short", "short, accelerated", "constant", "as is", "accelerated",
+      "long, constant",  "long",  "long, accelerated"};
+  std::vector<GridMotion> grid;
+  Modification place = modification;
+  place.gains.reset();
+  for (int u = 0; u <= 2; ++u) {
+    place.paths = u;
+    const Clip paths = path_neighbours(original, plants, place).clips.front();
+    for (int e = -1; e <= 1; ++e) {
+      grid.push_back({names[static_cast<size_t>(3 * u + e + 1)], static_cast<double>(u),
+                      static_cast<double>(e), with_timing(paths, plants, e, place)});
+    }
+  }
+  return grid;
+}
+
+Clip grid_motion(const Clip& original, const std::vector<FootPlant>& plants,
+                 const Modification& modification) {
+  const Weighted paths = path_neighbours(original, plants, modification);
+  const double timed = std::abs(modification.acceleration);
+  Weighted corners;
+  for (size_t p = 0; p < paths.clips.size(); ++p) {
+    if (timed < 1.0) corners.add(paths.clips[p], paths.weights[p] * (1.0 - timed));
+    if (timed > 0.0) {
+      corners.add(with_timing(paths.clips[p], plants, modification.acceleration, modification),
+                  paths.weights[p] * timed);
+    }
+  }
+  return mean_clip(corners.clips, corners.weights);
+}
+
+}  // namespace mien::motion

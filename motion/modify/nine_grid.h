@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "motion/modify/modification.h"
+
+namespace mien::motion {
+
+/// The weighted mean of clips of the same body, frames and rate: rotations by their direction
+/// vectors, made orthonormal again; root places and ways a cycle by sums. Weights sum to 1. A clip
+/// whose weight is 1 comes out as it is.
+Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights);
+
+/// One corner or middle of the grid of the thesis.
+struct GridMotion {
+  std::string_view name;  ///< "short, constant", … "long, accelerated"
+  double paths = 1.0;
+  double acceleration = 0.0;
+  Clip clip;
+};
+
+/// The nine motions {short, as is, long} × {constant speed, as is, accelerated}, feet repaired as
+/// the modification says. Its own `paths` and `acceleration` do not matter here. `original`
+/// travels.
+std::vector<GridMotion> nine_motions(const Clip& original, const std::vector<FootPlant>& plants,
+                                     const Modification& modification);
+
+/// The place (paths, acceleration) of the modification on that grid: paths are changed first, then
+/// the feet carried along, then the timing of each is changed, and the (at most four) motions
+/// around the place are mixed bilinearly. Explicit gains take the place of the paths' mix.
+Clip grid_motion(const Clip& original, const std::vector<FootPlant>& plants,
+                 const Modification& modification);
+
+}  // namespace mien::motion

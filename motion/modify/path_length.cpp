@@ -1,0 +1,147 @@
+#include "motion/modify/path_length.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/modify/joint_curve.h"
+#include "motion/modify/pyramid.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double low_to_middle_hz = 1.0;
+constexpr double middle_to_high_hz = 12.5;
+constexpr double transition_octaves = 0.5;
+
+/// 0 well below `border_hz`, 1 well above it.
+double share_above(double hz, double border_hz) {
+  return std::clamp(0.5 + std::log2(hz / border_hz) / transition_octaves, 0.0, 1.0);
+}
+
+double group_gain(const PathGains& gains, double hz) {
+  const double above_low = share_above(hz, low_to_middle_hz);
+  const double above_middle = share_above(hz, middle_to_high_hz);
+  return gains.low + above_low * (gains.middle - gains.low) +
+         above_middle * (gains.high - gains.middle);
+}
+
+/// `factor` samples for each one of the curve, by splines.
+std::vector<Directions> oversampled(const std::vector<Directions>& curve, int factor, bool loops) {
+  const size_t count = loops ? curve.size() * static_cast<size_t>(factor)
+                             : (curve.size() - 1) * static_cast<size_t>(factor) + 1;
+  std::vector<Directions> dense;
+  dense.reserve(count);
+  for (size_t i = 0; i < count; ++i) {
+    dense.push_back(value_at(curve, static_cast<double>(i) / factor, loops));
+  }
+  return dense;
+}
+
+/// The filter for one signal of a joint, whatever six numbers it holds.
+struct BandFilter {
+  std::vector<double> gains;
+  double rest_gain = 1.0;
+  int factor = 1;
+  bool loops = false;
+
+  std::vector<Directions> operator()(const std::vector<Directions>& curve) const {
+    const SignalEnds ends = loops ? SignalEnds::periodic : SignalEnds::open;
+    if (factor == 1) {
+      return with_band_gains(std::span<const Directions>(curve), gains, rest_gain, ends);
+    }
+    const std::vector<Directions> dense = oversampled(curve, factor, loops);
+    const std::vector<Directions> filtered =
+        with_band_gains(std::span<const Directions>(dense), gains, rest_gain, ends);
+    std::vector<Directions> result;
+    result.reserve(curve.size());
+    for (size_t i = 0; i < curve.size(); ++i) {
+      result.push_back(filtered[i * static_cast<size_t>(factor)]);
+    }
+    return result;
+  }
+};
+
+BandFilter band_filter(const Clip& clip, const PathGains& gains) {
+  BandFilter filter;
+  filter.loops = clip.loops;
+  filter.rest_gain = gains.low;
+  if (!gains.bands.empty()) {
+    filter.gains = gains.bands;
+    return filter;
+  }
+  filter.factor = oversampling(clip.frames_per_second);
+  filter.gains = band_gains(gains, filter.factor * clip.frames_per_second);
+  return filter;
+}
+
+Quat mean_rotation(const Clip& clip, size_t joint) {
+  Quat mean = clip.poses[clip.poses.size() / 2].rotations[joint];
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    Vec3 step = Vec3::Zero();
+    for (const Pose& pose : clip.poses) step += log(mean.conjugate() * pose.rotations[joint]);
+    mean = (mean * exp(step / clip.frame_count())).normalized();
+  }
+  return mean;
+}
+
+/// The rotation vector that means the same turn as `turn` and lies nearest to `previous`.
+Vec3 unwound(const Vec3& turn, const Vec3& previous) {
+  const double angle = turn.norm();
+  if (angle < 1e-9) return turn;
+  const double rounds = std::round((previous.dot(turn) / angle - angle) / (2.0 * pi));
+  return turn * (1.0 + 2.0 * pi * rounds / angle);
+}
+
+void filter_logarithms(Clip& clip, int joint, const BandFilter& filter) {
+  const auto at = static_cast<size_t>(joint);
+  const Quat mean = mean_rotation(clip, at);
+  std::vector<Directions> curve(clip.poses.size(), Directions::Zero());
+  Vec3 previous = Vec3::Zero();
+  for (size_t f = 0; f < curve.size(); ++f) {
+    previous = unwound(log(mean.conjugate() * clip.poses[f].rotations[at]), previous);
+    curve[f].head<3>() = previous;
+  }
+  curve = filter(curve);
+  for (size_t f = 0; f < curve.size(); ++f) {
+    clip.poses[f].rotations[at] = in_hemisphere_of(clip.poses[f].rotations[at],
+                                                   (mean * exp(curve[f].head<3>())).normalized());
+  }
+}
+
+}  // namespace
+
+PathGains longest_path_gains() { return {1.0, longest_middle_gain, high_gain, {}}; }
+
+PathGains shortest_path_gains() { return {1.0, shortest_middle_gain, high_gain, {}}; }
+
+int oversampling(double frames_per_second) {
+  int factor = 1;
+  while (factor * frames_per_second < 50.0) factor *= 2;
+  return factor == 2 ? 4 : factor;
+}
+
+std::vector<double> band_gains(const PathGains& gains, double rate_hz) {
+  std::vector<double> result;
+  for (int band = 0;; ++band) {
+    const double hz = band_peak_hz(band, rate_hz);
+    if (share_above(hz, low_to_middle_hz) == 0.0) return result;
+    result.push_back(group_gain(gains, hz));
+  }
+}
+
+Clip with_path_gains(const Clip& clip, const PathGains& gains, RotationSignal signal) {
+  Clip result = clip;
+  if (clip.poses.empty()) return result;
+  const BandFilter filter = band_filter(clip, gains);
+  for (int joint = 0; joint < clip.body.size(); ++joint) {
+    if (signal == RotationSignal::quaternions) {
+      filter_logarithms(result, joint, filter);
+    } else {
+      set_rotations(result, joint, filter(direction_curve(clip, joint)));
+    }
+  }
+  return result;
+}
+
+}  // namespace mien::motion

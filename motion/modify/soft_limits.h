@@ -1,0 +1,23 @@
+#pragma once
+
+#include "motion/clip.h"
+
+namespace mien::motion {
+
+/// A value that would pass `limit` bent back so that it never does: unchanged up to `start`, then
+/// start + m·(1 − exp(−(value − start)/m)), m = limit − start > 0.
+double softly_limited(double value, double start, double limit);
+
+/// What the joint limits did.
+struct SoftLimits {
+  Clip clip;
+  double largest_excess = 0.0;  ///< radians that some joint was bent back
+};
+
+/// The clip with knees (0–145° flexion), elbows (0–150°), ankles (25° dorsiflexion, 50° plantar
+/// flexion), hips (125° flexion, 25° extension, 45° abduction, 30° adduction) and wrists (80°)
+/// bent back softly over the last 10° before these limits. What `original` does, though it be
+/// beyond, is left.
+SoftLimits with_soft_limits(const Clip& clip, const Clip& original);
+
+}  // namespace mien::motion

@@ -1,0 +1,186 @@
+#include "pipeline/modified_motion.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/lint/lint.h"
+#include "motion/motion_file.h"
+#include "pipeline/csv.h"
+#include "pipeline/recording_clip.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr int halvings = 6;  // a sixty-fourth of the strength is less than anyone sees
+
+motion::Pose pose_of(const PoseSource& source, const Repertoire& repertoire) {
+  motion::Clip clip;
+  if (source.file.empty()) {
+    const auto& examples = repertoire.examples.examples;
+    const auto found = std::ranges::find(examples, source.example, &motion::Example::name);
+    if (found == examples.end()) {
+      throw Error(fmt::format("there is no example \"{}\" to take a pose from", source.example),
+                  "name one of the set's examples, or a motion file");
+    }
+    clip = found->clip;
+  } else {
+    clip = clip_of(motion::read_motion(source.file));
+  }
+  if (source.frame >= clip.frame_count()) {
+    throw Error(
+        Place{source.file.string(), 0, 0},
+        fmt::format("{} has {} frames, so frame {} does not exist",
+                    source.file.empty() ? source.example : "it", clip.frame_count(), source.frame),
+        fmt::format("name a frame from 0 to {}", clip.frame_count() - 1));
+  }
+  return clip.poses[static_cast<std::size_t>(source.frame)];
+}
+
+/// The stimulus's modifications, poses read.
+std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
+                                                   const Repertoire& repertoire) {
+  std::vector<motion::Modification> modifications;
+  for (const ModificationStep& step : stimulus.modify) {
+    modifications.push_back(step.modification);
+    if (!step.pose) continue;
+    modifications.back().pose_difference = motion::pose_difference(
+        pose_of(step.pose->neutral, repertoire), pose_of(step.pose->posed, repertoire));
+  }
+  return modifications;
+}
+
+/// Everything at a share of the strengths that were asked for.
+ModifiedMotion at_share(const motion::Example& original, const Stimulus& stimulus,
+                        const std::vector<motion::Modification>& modifications, double share) {
+  ModifiedMotion result{original, share};
+  for (std::size_t i = 0; i < modifications.size(); ++i) {
+    motion::ModifiedClip step = motion::modify(
+        result.motion.clip, motion::scaled(modifications[i], share * stimulus.modify[i].strength));
+    const double before = result.motion.clip.duration_seconds();
+    result.motion.clip = std::move(step.clip);
+    for (double& keytime : result.motion.keytimes) {
+      keytime *= result.motion.clip.duration_seconds() / before;
+    }
+    result.planted_drift_m = step.report.drift_after_repair;
+    for (std::string& remark : step.report.remarks) result.notes.push_back(std::move(remark));
+  }
+  result.findings = motion::lint(result.motion.clip, {}, &original.clip);
+  return result;
+}
+
+using BrokenPlace = std::pair<std::string, std::string>;
+
+/// Which checks find errors, and where on the body.
+std::set<BrokenPlace> broken_places(const std::vector<motion::Finding>& findings) {
+  std::set<BrokenPlace> places;
+  for (const motion::Finding& finding : findings) {
+    if (finding.severity == motion::Severity::error) places.emplace(finding.check, finding.joint);
+  }
+  return places;
+}
+
+/// The first error that the original does not have.
+const motion::Finding* new_error(const ModifiedMotion& modified, const std::set<BrokenPlace>& own) {
+  for (const motion::Finding& finding : modified.findings) {
+    if (finding.severity != motion::Severity::error) continue;
+    if (!own.contains({finding.check, finding.joint})) return &finding;
+  }
+  return nullptr;
+}
+
+/// The largest share without new errors, by bisection.
+ModifiedMotion reduced(const motion::Example& original, const Stimulus& stimulus,
+                       const std::vector<motion::Modification>& modifications,
+                       const std::set<BrokenPlace>& own) {
+  double clean = 0.0, broken = 1.0;
+  ModifiedMotion best = at_share(original, stimulus, modifications, clean);
+  for (int i = 0; i < halvings; ++i) {
+    const double share = 0.5 * (clean + broken);
+    ModifiedMotion tried = at_share(original, stimulus, modifications, share);
+    if (new_error(tried, own) != nullptr) {
+      broken = share;
+    } else {
+      clean = share;
+      best = std::move(tried);
+    }
+  }
+  return best;
+}
+
+ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
+                          const motion::Example& original, const Stimulus& stimulus,
+                          const std::vector<motion::Modification>& modifications,
+                          const std::set<BrokenPlace>& own) {
+  const std::string what =
+      fmt::format("{} ({}, frames {}–{})", fault.sentence, fault.check, fault.first, fault.last);
+  switch (stimulus.on_fault) {
+    case OnFault::warn:
+      whole.warnings.push_back("the modification breaks the motion: " + what);
+      return whole;
+    case OnFault::fail:
+      throw Error(fmt::format("{}: modified by {}, the motion is broken: {}", stimulus.id,
+                              described_modifications(stimulus), what),
+                  "lower the strength, or choose on_fault: warn, revert or reduce");
+    case OnFault::revert: {
+      ModifiedMotion result = at_share(original, stimulus, modifications, 0.0);
+      result.warnings.push_back("left unmodified, because the modification breaks it: " + what);
+      return result;
+    }
+    case OnFault::reduce:
+      break;
+  }
+  ModifiedMotion result = reduced(original, stimulus, modifications, own);
+  result.warnings.push_back(
+      fmt::format("modified at {:.0f} % of the strength asked for; at the whole of it: {}",
+                  100.0 * result.share, what));
+  return result;
+}
+
+void append(std::vector<std::string>& parts, const std::string& name,
+            const std::optional<double>& value, const char* unit = "") {
+  if (value) parts.push_back(fmt::format("{} {}{}", name, shortest(*value), unit));
+}
+
+}  // namespace
+
+ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
+                             const Repertoire& repertoire) {
+  const std::vector<motion::Modification> modifications = modifications_of(stimulus, repertoire);
+  ModifiedMotion whole = at_share(original, stimulus, modifications, 1.0);
+  if (!motion::has_errors(whole.findings)) return whole;
+  const std::set<BrokenPlace> own = broken_places(motion::lint(original.clip));
+  const motion::Finding* fault = new_error(whole, own);
+  if (fault == nullptr) return whole;
+  const motion::Finding worst = *fault;
+  return dealt_with(std::move(whole), worst, original, stimulus, modifications, own);
+}
+
+std::string described(const ModificationStep& step) {
+  const ModificationEdit& edit = step.edit;
+  std::vector<std::string> parts;
+  if (!step.emotion.empty()) parts.push_back(step.emotion);
+  append(parts, "paths", edit.paths);
+  if (edit.gains) parts.emplace_back("gains of bands");
+  append(parts, "acceleration", edit.acceleration);
+  for (const motion::PostureChange& change : edit.posture) {
+    append(parts, std::string(motion::name_of(change.unit)), change.degrees, "°");
+  }
+  if (edit.pose) parts.emplace_back("pose");
+  append(parts, "tempo", edit.tempo);
+  append(parts, "variation", edit.variation);
+  std::string text = fmt::format("{}", fmt::join(parts, ", "));
+  if (text.empty()) text = "nothing";
+  return step.strength == 1.0 ? text : fmt::format("{} × {}", text, shortest(step.strength));
+}
+
+std::string described_modifications(const Stimulus& stimulus) {
+  std::vector<std::string> steps;
+  for (const ModificationStep& step : stimulus.modify) steps.push_back(described(step));
+  return fmt::format("{}", fmt::join(steps, "; then "));
+}
+
+}  // namespace mien::pipeline
