@@ -11,7 +11,7 @@ namespace mien::motion {
 struct LtiStyleOptions {
   double amount = 1.0;  ///< 0 leaves the motion, 1 translates it, more exaggerates
   int order = 10;       ///< states of the model, 1 … 10
-  int inputs = 5;       ///< principal components of the neutral motion that drive it, ≥ 1
+  int inputs = 3;       ///< principal components of the neutral motion that drive it, ≥ 1
   bool timing = true;   ///< translate the timing too
   IterativeMotionWarpingOptions warping;
 };
