@@ -10,5 +10,6 @@ void add_motion_compare_command(CLI::App& motion, Command& chosen);
 void add_motion_convert_command(CLI::App& motion, Command& chosen);
 void add_motion_blend_command(CLI::App& motion, Command& chosen);
 void add_motion_features_command(CLI::App& motion, Command& chosen);
+void add_motion_lint_command(CLI::App& motion, Command& chosen);
 
 }  // namespace mien::pipeline
