@@ -90,4 +90,14 @@ std::vector<Finding> lint(const Clip& clip, const LintOptions& options, const Cl
   return findings;
 }
 
+std::vector<Finding> lint(const Recording& recording, const LintOptions& options) {
+  Clip clip;
+  clip.body = recording.skeleton;
+  clip.frames_per_second = recording.frames_per_second;
+  clip.poses = recording.poses;
+  Findings findings = find_broken_data(clip, options);
+  put_in_order(findings);
+  return findings;
+}
+
 }  // namespace mien::motion
