@@ -111,14 +111,20 @@ PlacedStretch carried_over(const FootPath& path, const FootPath& known, const Fo
   return stretch;
 }
 
-/// The original with its feet locked until they stand: what glided in it is not to glide on.
+/// The original with its feet locked until they stand, or as well as they can be made to: what
+/// glided in it is not to glide on.
 Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants) {
-  Clip settled = foot_locked(original, plants);
-  for (int locks = 1; locks < most_locks; ++locks) {
-    if (planted_drift(settled, plants) < still) break;
+  Clip best = foot_locked(original, plants);
+  double least = planted_drift(best, plants);
+  Clip settled = best;
+  for (int locks = 1; locks < most_locks && least >= still; ++locks) {
     settled = foot_locked(settled, plants);
+    const double drift = planted_drift(settled, plants);
+    if (drift >= least) continue;
+    least = drift;
+    best = settled;
   }
-  return settled;
+  return best;
 }
 
 Clip with_plants_of(const Clip& clip, const Clip& settled, const std::vector<FootPlant>& plants) {
@@ -130,7 +136,9 @@ Clip with_plants_of(const Clip& clip, const Clip& settled, const std::vector<Foo
       if (plant.left == left) stretches.push_back(carried_over(path, known, plant));
     }
   }
-  return with_feet_placed(clip, stretches);
+  FootLockOptions options;
+  options.keep_velocity = true;
+  return with_feet_placed(clip, stretches, options);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double standstill = 0.05;  // m/s
 constexpr double set_seconds = 0.15;
-constexpr double rounding_seconds = 0.05;
+constexpr double rounding_seconds = 0.1;
 
 /// Where each of `count` equal parts of `whole` begins; the end of the last too.
 std::vector<long> parts(long whole, long count) {
