@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "motion/filter.h"
+#include "motion/joint_transform.h"
 #include "motion/modify/joint_curve.h"
 
 namespace mien::motion {
@@ -122,7 +123,7 @@ BodyJoint end_of(Limb limb) {
 std::vector<double> limb_speeds(const Clip& clip, Limb limb) {
   std::vector<Vec3> path;
   for (const Pose& pose : clip.poses) {
-    path.push_back(world_positions(clip.body, pose)[end_of(limb)] - pose.root_position);
+    path.push_back(world_transform(clip.body, pose, end_of(limb)).position - pose.root_position);
   }
   const double rate = clip.frames_per_second;
   path = low_pass(path, std::min(12.5, 0.3 * rate), rate,
