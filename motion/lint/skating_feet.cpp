@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "motion/contact.h"
@@ -31,6 +32,38 @@ Levels slip_levels(const LintOptions& options, const LintSubject* original) {
   return {warning, std::max(warning, before + beyond_original_metres)};
 }
 
+/// The part of a plant in which the original's same foot stands too, as far as it does: a slower or
+/// smaller step makes feet that are still coming down, or leaving already, look planted.
+FootPlant as_in_original(FootPlant plant, const LintSubject& subject,
+                         const std::vector<FootPlant>& of_original, const LintSubject& original) {
+  const double rate = static_cast<double>(subject.frame_count()) / original.frame_count();
+  const int cycle = subject.clip.loops ? subject.frame_count() : 0;
+  FootPlant best = plant;
+  int most = 0;
+  for (const FootPlant& other : of_original) {
+    if (other.left != plant.left) continue;
+    for (const int shift : {-cycle, 0, cycle}) {
+      const int first =
+          std::max(plant.first, static_cast<int>(std::ceil(other.first * rate)) + shift);
+      const int last =
+          std::min(plant.last, static_cast<int>(std::floor(other.last * rate)) + shift);
+      if (last - first < most) continue;
+      most = last - first + 1;
+      best = {plant.left, first, last};
+    }
+  }
+  return best;
+}
+
+/// The plants whose slip counts.
+std::vector<FootPlant> judged_plants(const LintSubject& subject, const LintSubject* original) {
+  std::vector<FootPlant> plants = foot_plants(subject.clip);
+  if (!original) return plants;
+  const std::vector<FootPlant> of_original = foot_plants(original->clip);
+  for (FootPlant& plant : plants) plant = as_in_original(plant, subject, of_original, *original);
+  return plants;
+}
+
 std::string sentence_of(const FootPlant& plant, double slip) {
   return std::string("The planted ") + (plant.left ? "left" : "right") + " foot slides by " +
          rounded(100.0 * slip, 1) + " cm.";
@@ -39,7 +72,7 @@ std::string sentence_of(const FootPlant& plant, double slip) {
 void find_slips(const LintSubject& subject, const LintOptions& options, const LintSubject* original,
                 Findings& findings) {
   const Levels levels = slip_levels(options, original);
-  for (const FootPlant& plant : foot_plants(subject.clip)) {
+  for (const FootPlant& plant : judged_plants(subject, original)) {
     const double slip = planted_slip(subject, plant) / subject.scale;
     if (!(slip > levels.warning)) continue;
     const bool is_error = slip > levels.error;
