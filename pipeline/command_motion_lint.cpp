@@ -75,7 +75,11 @@ LintedFile linted(const std::string& file, const LintCommand& command,
   LintedFile result;
   result.file = file;
   result.is_human = motion::is_body(clip.body);
-  result.motion = {fs::path(file).stem().string(), clip.frame_count(), clip.frames_per_second, {}};
+  result.motion = {fs::path(file).stem().string(),
+                   clip.frame_count(),
+                   clip.frames_per_second,
+                   original != nullptr,
+                   {}};
   std::vector<motion::Finding>& findings = result.motion.findings;
   // Putting it on the canonical body hides what its own bones do.
   if (result.is_human) findings = motion::lint(recording, options);

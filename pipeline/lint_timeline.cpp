@@ -139,15 +139,16 @@ std::string subtitle_of(const LintedMotion& motion) {
       warnings, warnings == 1 ? "warning" : "warnings", motion.frames, motion.frames_per_second);
 }
 
-/// Names of the rules without findings, in lines that fit the page.
-std::vector<std::string> clean_lines(const std::vector<Row>& rows) {
+/// Names of the rules that looked and found nothing, in lines that fit the page.
+std::vector<std::string> clean_lines(const LintedMotion& motion) {
   std::vector<std::string> lines = {"nothing found:"};
   for (const motion::LintCheck& check : motion::lint_checks()) {
-    const bool has_findings = std::any_of(rows.begin(), rows.end(),
-                                          [&](const Row& row) { return row.check == check.id; });
-    if (has_findings) continue;
+    const bool has_findings =
+        std::any_of(motion.findings.begin(), motion.findings.end(),
+                    [&](const motion::Finding& finding) { return finding.check == check.id; });
+    if (has_findings || (check.needs_original && !motion.was_compared)) continue;
     if (lines.back().size() + check.id.size() > 120) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + std::string(check.id);
+    lines.back() += (lines.back().empty() ? "" : "  ") + std::string(check.id);
   }
   return lines;
 }
@@ -156,7 +157,7 @@ std::vector<std::string> clean_lines(const std::vector<Row>& rows) {
 
 Figure lint_timeline(const LintedMotion& motion) {
   const std::vector<Row> rows = rows_of(motion.findings);
-  const std::vector<std::string> clean = clean_lines(rows);
+  const std::vector<std::string> clean = clean_lines(motion);
   const double plot_height = row_height * std::max<double>(1.0, static_cast<double>(rows.size()));
   const double height = plot_top + plot_height + 40.0 + 12.0 * static_cast<double>(clean.size());
   Figure figure{"Faults of " + motion.name, width, height, {}};

@@ -73,6 +73,7 @@ Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& b
                                 const BodyOnFloor* original_body);
 
 /// Feet that come down or leave the floor at other moments than in the original, or stand no more.
+/// Shifts count in seconds of the original, here and below: a motion may be slowed down as a whole.
 Findings find_shifted_contacts(const LintSubject& subject, const LintOptions& options,
                                const LintSubject& original);
 

@@ -87,8 +87,9 @@ Findings find_shifted_contacts(const LintSubject& subject, const LintOptions& op
   const std::vector<FootPlant> plants = foot_plants(subject.clip);
   const Levels& levels = options.contact_shift_seconds;
   const double end = subject.frame_count() - 1.0;
+  const double seconds = pace(subject, original) / subject.rate();  // of the original, a frame
   for (const ExpectedPlant& expected : expected_plants(subject, original)) {
-    const double duration = (expected.last - expected.first) / subject.rate();
+    const double duration = (expected.last - expected.first) * seconds;
     const FootPlant* plant = counterpart(expected, plants);
     if (!plant) {
       if (duration < shortest_plant) continue;
@@ -97,8 +98,8 @@ Findings find_shifted_contacts(const LintSubject& subject, const LintOptions& op
                 findings);
       continue;
     }
-    const double start_shift = (plant->first - expected.first) / subject.rate();
-    const double end_shift = (plant->last - expected.last) / subject.rate();
+    const double start_shift = (plant->first - expected.first) * seconds;
+    const double end_shift = (plant->last - expected.last) * seconds;
     if (expected.has_start && plant->first > 0) {
       add_fault(subject, levels,
                 {expected, std::abs(start_shift), shifted("comes down", start_shift)}, findings);

@@ -114,6 +114,7 @@ std::vector<LimbFaults> limb_faults(const LintSubject& subject, const LintSubjec
     ways.push_back(limb_way(subject, joint));
     models.push_back(at_moments_of(subject, original, limb_way(original, joint)));
   }
+  const double seconds = pace(subject, original) / subject.rate();  // of the original, a frame
   const std::vector<double> none(subject.world.size(), 0.0);
   std::vector<LimbFaults> faults(limb_ends.size(), {none, none});
   for (const Window& window : windows(subject)) {
@@ -126,8 +127,8 @@ std::vector<LimbFaults> limb_faults(const LintSubject& subject, const LintSubjec
       if (!limbs[i]) continue;
       take_greater(faults[i].unlikeness, window, 1.0 - limbs[i]->correlation);
       if (limbs[i]->correlation < least_correlation) continue;
-      const double seconds = std::abs(limbs[i]->shift - common) / subject.rate();
-      take_greater(faults[i].shift, window, seconds);
+      const double shift = std::abs(limbs[i]->shift - common) * seconds;
+      take_greater(faults[i].shift, window, shift);
     }
   }
   return faults;

@@ -71,13 +71,24 @@ LintSubject lint_subject(const Clip& motion) {
   return subject;
 }
 
+namespace {
+
+/// Of the motion that was given, in frames.
+double duration_frames(const LintSubject& subject) {
+  return subject.was_loop ? subject.frames : std::max(subject.frames - 1, 1);
+}
+
+}  // namespace
+
 double corresponding_frame(const LintSubject& subject, double frame, const LintSubject& other) {
-  const auto length = [](const LintSubject& of) {
-    return of.was_loop ? of.frames : std::max(of.frames - 1, 1);
-  };
-  const double share = (frame - subject.start) / length(subject);
-  const double there = other.start + share * length(other);
+  const double share = (frame - subject.start) / duration_frames(subject);
+  const double there = other.start + share * duration_frames(other);
   return std::clamp(there, 0.0, other.frame_count() - 1.0);
+}
+
+double pace(const LintSubject& subject, const LintSubject& other) {
+  const double seconds = duration_frames(subject) / subject.rate();
+  return duration_frames(other) / other.rate() / seconds;
 }
 
 }  // namespace mien::motion

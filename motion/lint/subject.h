@@ -30,4 +30,8 @@ LintSubject lint_subject(const Clip& motion);
 /// duration, same lap.
 double corresponding_frame(const LintSubject& subject, double frame, const LintSubject& other);
 
+/// How many seconds of `other` one second of `subject` corresponds to: 1 unless it was slowed down
+/// or hurried.
+double pace(const LintSubject& subject, const LintSubject& other);
+
 }  // namespace mien::motion

@@ -267,6 +267,51 @@ TEST(CommandLine, BlendsComparesConvertsAndTellsAboutMotions) {
   EXPECT_EQ(run_mien({"motion", "info", (scratch.path() / "none.bvh").string()}).code, 2);
 }
 
+/// The BVH with a frame of half a second later in its middle.
+void put_leap_into(const fs::path& bvh, const fs::path& faulty) {
+  std::ifstream in(bvh);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  const std::size_t middle = lines.size() - 40;
+  lines[middle] = lines[middle + 15];
+  std::ofstream out(faulty);
+  for (const std::string& line : lines) out << line << '\n';
+}
+
+TEST(CommandLine, FindsFaultsOfMotions) {
+  const Scratch scratch;
+  const std::string walk = (scratch.path() / "walk.bvh").string();
+  const std::string faulty = (scratch.path() / "faulty.bvh").string();
+  ASSERT_EQ(run_mien({"motion", "blend", "--examples", "builtin:walks-10", "--weights", "normal=1",
+                      "--cycles", "3", "-o", walk})
+                .code,
+            0);
+  put_leap_into(walk, faulty);
+  const Ended clean = run_mien({"motion", "lint", walk});
+  EXPECT_EQ(clean.code, 0) << clean.errors;
+  EXPECT_TRUE(contains(clean.output, ": 0 errors, 0 warnings")) << clean.output;
+
+  const std::string picture = (scratch.path() / "faults.svg").string();
+  const Ended found = run_mien({"motion", "lint", walk, faulty, "--json"});
+  EXPECT_EQ(found.code, 1);
+  const json motions = json::parse(found.output)["motions"];
+  ASSERT_EQ(motions.size(), 2u);
+  EXPECT_EQ(motions[0]["errors"], 0);
+  EXPECT_GE(motions[1]["errors"], 1);
+  EXPECT_EQ(motions[1]["findings"][0]["check"], "jump");
+  EXPECT_EQ(motions[1]["findings"][0]["severity"], "error");
+
+  EXPECT_EQ(run_mien({"motion", "lint", faulty, "--original", walk, "--timeline", picture}).code,
+            1);
+  EXPECT_TRUE(fs::exists(picture));
+  EXPECT_TRUE(
+      contains(run_mien({"motion", "lint", faulty, "--csv"}).output,
+               "motion,check,joint,first,last,measured,threshold,unit,severity,sentence\n"));
+  EXPECT_EQ(run_mien({"motion", "lint", walk, faulty, "--timeline", picture}).code, 2);
+  EXPECT_EQ(run_mien({"motion", "lint", walk, "--timeline", "faults.gif"}).code, 2);
+  EXPECT_EQ(run_mien({"motion", "lint", (scratch.path() / "none.bvh").string()}).code, 2);
+}
+
 TEST(CommandLine, RendersAMotionFileByItself) {
   const Scratch scratch;
   const std::string walk = (scratch.path() / "walk.bvh").string();
