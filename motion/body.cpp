@@ -120,6 +120,15 @@ Skeleton standard_body(double height_m) {
   return body;
 }
 
+Skeleton standard_female_body(double height_m) {
+  Skeleton body = standard_body(height_m);
+  for (const BodyJoint shoulder : {LeftShoulder, RightShoulder}) {
+    body.joints[index(shoulder)].offset.x() *= 0.9;
+  }
+  for (const BodyJoint hip : {LeftHip, RightHip}) body.joints[index(hip)].offset.x() *= 1.06;
+  return body;
+}
+
 bool is_body(const Skeleton& skeleton) {
   if (skeleton.size() != body_joint_count) return false;
   for (int j = 0; j < body_joint_count; ++j) {

@@ -64,6 +64,11 @@ Vec3 rest_direction(BodyJoint joint);
 /// A body of average adult proportions (de Leva 1996 segment lengths, male), scaled to `height_m`.
 Skeleton standard_body(double height_m = 1.75);
 
+/// A body of average female proportions: narrower shoulders and wider hips than `standard_body`,
+/// whose segments' shares of stature it keeps otherwise (de Leva 1996: they differ by less than 1 %
+/// of stature).
+Skeleton standard_female_body(double height_m = 1.65);
+
 /// Whether the skeleton has the canonical joints in canonical order.
 bool is_body(const Skeleton& skeleton);
 

@@ -18,15 +18,22 @@ struct NamedStyle {
 /// Names of the built-in sets.
 std::vector<std::string_view> builtin_set_names();
 
-/// The styles of a built-in set, in its fixed order. An unknown name throws mien::Error that lists
-/// the known ones.
+/// The styles of a built-in set of walks, in its fixed order. An unknown name throws mien::Error
+/// that lists the known ones.
 ///
 /// "walks-10": normal, brisk, slow, happy, sad, angry, proud, afraid, tired, relaxed.
 /// "walks-27": nine emotions from around the circumplex of affect, each fast, at its own speed and
 /// slow: "happy-fast", "happy-normal", "happy-slow", …
 std::vector<NamedStyle> builtin_styles(std::string_view name);
 
+/// Names of the examples of a built-in set. Throws as above.
+std::vector<std::string> builtin_example_names(std::string_view name);
+
 /// The set's walks, made by the parametric walker on the standard body; marked as simulated.
+///
+/// "actors" is not for blending: a woman of 1.65 m and a man of 1.80 m ("woman-walk-sad",
+/// "man-knock-neutral", …), each walking neutrally and in seven acted emotions, knocking on a door
+/// neutrally and in two, and standing in three poses.
 ExampleSet builtin_examples(std::string_view name, double frames_per_second = 30.0);
 
 }  // namespace mien::motion

@@ -15,11 +15,13 @@ struct Example {
   std::vector<double> keytimes;  ///< seconds, ascending, first 0, last the clip's duration
 };
 
-/// Examples with the same number of keytimes, on one body.
+/// Examples with the same number of keytimes, on one body; or, when they are not to be blended,
+/// each on its own body with keytimes of its own.
 struct ExampleSet {
   std::string name;
   std::vector<Example> examples;
   bool simulated = false;  ///< made by the parametric walker, not captured
+  bool blendable = true;
 };
 
 }  // namespace mien::motion

@@ -73,6 +73,26 @@ std::vector<std::vector<double>> keytimes_of(const ExampleFolder& folder,
   return keytimes;
 }
 
+/// One number of keytimes, one body. Throws Error where keytimes differ.
+void make_blendable(const ExampleFolder& folder, LoadedExamples& loaded) {
+  std::vector<Example>& examples = loaded.set.examples;
+  const bool any_loops = std::any_of(examples.begin(), examples.end(),
+                                     [](const Example& example) { return example.clip.loops; });
+  if (!any_loops && folder.keytimes.empty()) even_keytimes(examples);
+  const size_t key_count = examples.front().keytimes.size();
+  for (size_t i = 0; i < examples.size(); ++i) {
+    if (examples[i].keytimes.size() != key_count) {
+      throw Error({(folder.path / loaded.file_stems[i]).string(), 0, 0},
+                  "\"" + examples[i].name + "\" has " +
+                      std::to_string(examples[i].keytimes.size()) + " keytimes and \"" +
+                      examples[0].name + "\" has " + std::to_string(key_count),
+                  "leave it out with exclude, take all motions whole with cycle: whole, or use "
+                  "each for itself with blend: false");
+    }
+    if (i > 0) examples[i].clip = retarget(examples[i].clip, examples.front().clip.body);
+  }
+}
+
 }  // namespace
 
 std::vector<fs::path> example_files(const ExampleFolder& folder) {
@@ -127,22 +147,8 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
     }
     loaded.set.examples.push_back(std::move(prepared.example));
   }
-  const bool any_loops = std::any_of(loaded.set.examples.begin(), loaded.set.examples.end(),
-                                     [](const Example& example) { return example.clip.loops; });
-  const bool by_hand = !folder.keytimes.empty();
-  if (!any_loops && !by_hand) even_keytimes(loaded.set.examples);
-  const size_t key_count = loaded.set.examples.front().keytimes.size();
-  const Skeleton& body = loaded.set.examples.front().clip.body;
-  for (size_t i = 0; i < names.size(); ++i) {
-    Example& example = loaded.set.examples[i];
-    if (example.keytimes.size() != key_count) {
-      throw Error({(folder.path / loaded.file_stems[i]).string(), 0, 0},
-                  "\"" + names[i] + "\" has " + std::to_string(example.keytimes.size()) +
-                      " keytimes and \"" + names[0] + "\" has " + std::to_string(key_count),
-                  "leave it out with exclude, or take all motions whole with cycle: whole");
-    }
-    if (i > 0) example.clip = retarget(example.clip, body);
-  }
+  loaded.set.blendable = folder.blendable;
+  if (folder.blendable) make_blendable(folder, loaded);
   return loaded;
 }
 

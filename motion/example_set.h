@@ -21,6 +21,8 @@ struct ExampleFolder {
   /// File stem → keytimes by hand, seconds (make_example.h). Empty to find them; otherwise every
   /// file has some, all equally many.
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;
+  /// Otherwise each motion stays on its own body, with keytimes of its own.
+  bool blendable = true;
 };
 
 /// The motion files that are chosen, ordered by name. Throws Error: no such folder, no such file.
@@ -38,9 +40,9 @@ struct LoadedExamples {
 };
 
 /// Reads the files, maps all files of one rig together, cuts and straightens each motion
-/// (make_example.h), and puts all on the first one's body (retarget.h). Throws Error naming the
-/// file that cannot be used: unreadable, no human, another number of keytimes than the first, a
-/// name that occurs twice, or keytimes by hand for other files than there are.
+/// (make_example.h), and, to be blended, puts all on the first one's body (retarget.h). Throws
+/// Error naming the file that cannot be used: unreadable, no human, another number of keytimes than
+/// the first, a name that occurs twice, or keytimes by hand for other files than there are.
 LoadedExamples load_examples(const ExampleFolder& folder);
 
 }  // namespace mien::motion

@@ -19,6 +19,7 @@ struct FootLockOptions {
   double flat_metres = 0.006;   ///< the sole is flat while heel and ball are this near their lowest
   double lifted_metres = 0.015;  ///< a heel or ball this much higher has left the floor
   double extension = 0.98;       ///< share of the leg's length that a correction may ask for
+  bool keep_velocity = false;    ///< corrections fade from a plant with the change they had in it
 };
 
 /// Removes foot skate: while planted, a foot turns about its heel until the sole is flat, stands

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "motion/joint_transform.h"
+
 namespace mien::motion {
 
 namespace {
@@ -53,10 +55,12 @@ FootPath foot_path(const Clip& clip, bool left) {
   path.sole_depth = 0.02 * standing_height(clip.body) / 1.73;  // as in sole.h
   path.loops = clip.loops;
   path.cycle_displacement = clip.cycle_displacement;
+  path.ankle.reserve(clip.poses.size());
+  path.rotation.reserve(clip.poses.size());
   for (const Pose& pose : clip.poses) {
-    const JointTransforms world = world_transforms(clip.body, pose);
-    path.ankle.push_back(world.positions[static_cast<size_t>(leg.ankle)]);
-    path.rotation.push_back(world.rotations[static_cast<size_t>(leg.ankle)]);
+    const JointTransform ankle = world_transform(clip.body, pose, leg.ankle);
+    path.ankle.push_back(ankle.position);
+    path.rotation.push_back(ankle.rotation);
   }
   return path;
 }

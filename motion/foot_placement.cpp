@@ -25,17 +25,29 @@ double fade(double x) {
   return 2.0 * x * x * x - 3.0 * x * x + 1.0;
 }
 
+/// A correction at the end of a stretch.
+struct Edge {
+  int frame;
+  Correction correction;
+  Correction outwards;  ///< its change from one frame to the next, away from the stretch
+
+  Correction at(int frames_away) const {
+    return {correction.translation + frames_away * outwards.translation,
+            correction.turn + frames_away * outwards.turn};
+  }
+};
+
+Correction operator-(const Correction& a, const Correction& b) {
+  return {a.translation - b.translation, a.turn - b.turn};
+}
+
 /// Corrections of one foot for every frame: exact in its stretches, fading between them.
 std::vector<Correction> corrections(const FootPath& path,
                                     const std::vector<PlacedStretch>& stretches, bool left,
-                                    double reach) {
+                                    double reach, bool keep_velocity) {
   const int count = path.frame_count();
   std::vector<Correction> result(static_cast<size_t>(count));
   std::vector<bool> placed(static_cast<size_t>(count), false);
-  struct Edge {
-    int frame;
-    Correction correction;
-  };
   std::vector<Edge> starts, ends;
   for (const PlacedStretch& stretch : stretches) {
     if (stretch.left != left || stretch.places.empty()) continue;
@@ -47,8 +59,13 @@ std::vector<Correction> corrections(const FootPath& path,
                     log(place.rotation * path.rotation_at(f).conjugate())};
       placed[at] = true;
     }
-    starts.push_back({stretch.first, result[static_cast<size_t>(path.wrapped(stretch.first))]});
-    ends.push_back({last, result[static_cast<size_t>(path.wrapped(last))]});
+    const auto added = [&](int f) { return result[static_cast<size_t>(path.wrapped(f))]; };
+    starts.push_back({stretch.first, added(stretch.first), {}});
+    ends.push_back({last, added(last), {}});
+    if (keep_velocity && last > stretch.first) {
+      starts.back().outwards = added(stretch.first) - added(stretch.first + 1);
+      ends.back().outwards = added(last) - added(last - 1);
+    }
   }
   const auto frames_after = [&](int from, int to) {
     return path.loops ? ((to - from) % count + count) % count : to - from;
@@ -72,14 +89,16 @@ std::vector<Correction> corrections(const FootPath& path,
     }
     Correction& correction = result[static_cast<size_t>(f)];
     if (before) {
-      const double share = fade(frames_after(before->frame, f) / fade_out);
-      correction.translation += share * before->correction.translation;
-      correction.turn += share * before->correction.turn;
+      const int away = frames_after(before->frame, f);
+      const double share = fade(away / fade_out);
+      correction.translation += share * before->at(away).translation;
+      correction.turn += share * before->at(away).turn;
     }
     if (after) {
-      const double share = fade(frames_after(f, after->frame) / fade_out);
-      correction.translation += share * after->correction.translation;
-      correction.turn += share * after->correction.turn;
+      const int away = frames_after(f, after->frame);
+      const double share = fade(away / fade_out);
+      correction.translation += share * after->at(away).translation;
+      correction.turn += share * after->at(away).turn;
     }
   }
   return result;
@@ -94,8 +113,8 @@ struct LegTargets {
 LegTargets leg_targets(const Clip& clip, const std::vector<PlacedStretch>& stretches, bool left,
                        double lowered, const FootLockOptions& options) {
   const FootPath path = foot_path(clip, left);
-  const auto added =
-      corrections(path, stretches, left, options.blend_seconds * clip.frames_per_second);
+  const auto added = corrections(
+      path, stretches, left, options.blend_seconds * clip.frames_per_second, options.keep_velocity);
   const Vec3 down(0.0, -lowered, 0.0);
   LegTargets targets{leg_joints(left), {}};
   for (size_t f = 0; f < added.size(); ++f) {

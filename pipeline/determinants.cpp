@@ -112,6 +112,7 @@ Hash repertoire_key(const Manifest& manifest) {
   const Examples& examples = manifest.examples;
   key.add("builtin", examples.builtin).add("seed", static_cast<std::int64_t>(manifest.seed));
   add_choice(key, "cycle", examples.cycle);
+  add_choice(key, "blend", examples.blendable);
   add_choice(key, "labels", examples.labels);
   for (const auto& [stem, label] : examples.given_labels) key.add(stem, label);
   for (const auto& [stem, times] : examples.keytimes) {

@@ -29,6 +29,8 @@ Examples parse_examples(const std::string& text) {
   Examples examples;
   if (text.starts_with(prefix)) {
     examples.builtin = text.substr(prefix.size());
+    examples.blendable = examples.builtin != unblendable_set;
+    refuse_unblendable(examples);
     return examples;
   }
   const std::filesystem::path path(text);
@@ -39,6 +41,12 @@ Examples parse_examples(const std::string& text) {
   examples.folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   examples.include = path.filename().string();
   return examples;
+}
+
+void refuse_unblendable(const Examples& examples) {
+  if (examples.blendable) return;
+  throw Error("the examples of this set are not blended, so nothing can be learnt about blends",
+              "name builtin:walks-10, or a folder without blend: false");
 }
 
 NamedValues parse_weights(const std::string& text) {

@@ -10,6 +10,12 @@ namespace mien::pipeline {
 /// "captures/*walk*.bvh".
 Examples parse_examples(const std::string& text);
 
+/// The built-in set that is not for blending.
+inline constexpr char unblendable_set[] = "actors";
+
+/// Throws Error when the examples are not for blending.
+void refuse_unblendable(const Examples& examples);
+
 /// What --weights names: "normal=0.6,proud=0.4". Throws Error.
 NamedValues parse_weights(const std::string& text);
 

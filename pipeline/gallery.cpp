@@ -14,7 +14,7 @@ constexpr double margin = 36.0;
 constexpr double header_height = 56.0;
 constexpr double footer_height = 30.0;
 constexpr double row_height = 84.0;
-constexpr double label_width = 190.0;
+constexpr double label_width = 205.0;
 constexpr int pixels_wide = 3508;
 
 double page_height(const GalleryContent& content) {
@@ -51,7 +51,7 @@ void draw_label(Canvas& canvas, const GalleryContent& content, const SheetMotion
                 const Box& row, const Colour& colour) {
   const TextStyle quiet = {.size = 8.0, .colour = quiet_ink, .max_width = label_width - 12.0};
   canvas.text({row.x, row.middle() - 12.0}, shown.id,
-              {.size = 12.0, .colour = colour, .bold = true, .max_width = label_width - 12.0});
+              {.size = 11.0, .colour = colour, .bold = true, .max_width = label_width - 12.0});
   canvas.text({row.x, row.middle() + 1.0}, shown.origin, quiet);
   std::string facts = fmt::format("{:.2f} s", shown.motion.clip.duration_seconds());
   if (&shown != &content.motions.front()) {

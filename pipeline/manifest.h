@@ -32,6 +32,7 @@ struct Examples {
   std::string exclude;           ///< glob on file names; empty excludes nothing
   Cycle cycle = Cycle::automatic;
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;  ///< by hand, by file stem
+  bool blendable = true;  ///< on one body with corresponding moments; else each for itself
   Labels labels = Labels::from_name;  ///< the part of the name that differs, or all of it
   std::vector<std::pair<std::string, std::string>> given_labels;  ///< file stem → label
 };

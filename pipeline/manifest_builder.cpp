@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "pipeline/example_source.h"
 #include "pipeline/json_assign.h"
 #include "pipeline/modification_json.h"
 #include "pipeline/recipes.h"
@@ -75,7 +76,9 @@ class Builder {
   void read_examples(const json& examples) {
     if (const json* set = member(examples, "set")) read_set(*set);
     Ratings& ratings = manifest_.ratings;
-    if (!manifest_.examples.builtin.empty()) ratings.source = Ratings::Source::builtin;
+    if (!manifest_.examples.builtin.empty() && manifest_.examples.blendable) {
+      ratings.source = Ratings::Source::builtin;
+    }
     if (const json* source = member(examples, "ratings"); source && source->is_string()) {
       ratings.source = Ratings::Source::file;
       assign(source, ratings.source,
@@ -112,6 +115,7 @@ class Builder {
       constexpr std::string_view prefix = "builtin:";
       const auto& name = set.get_ref<const std::string&>();
       if (name.starts_with(prefix)) examples.builtin = name.substr(prefix.size());
+      examples.blendable = examples.builtin != unblendable_set;
       return;
     }
     std::string folder;
@@ -123,6 +127,7 @@ class Builder {
            {{"auto", Examples::Cycle::automatic},
             {"whole", Examples::Cycle::whole},
             {"start-peak-end", Examples::Cycle::start_peak_end}});
+    assign(member(set, "blend"), examples.blendable);
     if (const json* keytimes = member(set, "keytimes")) read_keytimes(*keytimes);
     const json* labels = member(set, "labels");
     assign(

@@ -241,6 +241,7 @@ class Checker {
           "add examples: {set: builtin:walks-10}");
     }
     if (!stimulus.weights.empty()) check_weights(stimulus, has_examples);
+    if (has_examples && !manifest_.examples.blendable) check_single(stimulus);
     check_interpolation(stimulus);
     for (const ModificationStep& step : stimulus.modify) check_step(step);
     if (stimulus.clip) check_clip(stimulus.path, *stimulus.clip);
@@ -357,6 +358,17 @@ class Checker {
     if (std::none_of(stimulus.weights.begin(), stimulus.weights.end(), is_positive)) {
       add(path, "no weight is above 0", "give at least one example a share");
     }
+  }
+
+  /// Of examples that are not blended, one can be shown.
+  void check_single(const Stimulus& stimulus) {
+    const std::string remedy =
+        "name one example in weights:, or a set that is blended (builtin:walks-10, or a folder "
+        "without blend: false)";
+    const std::string wrong = "the examples of this set are not blended";
+    if (!stimulus.adjectives.empty()) add(member_path(stimulus.path, "adjectives"), wrong, remedy);
+    if (!stimulus.features.empty()) add(member_path(stimulus.path, "features"), wrong, remedy);
+    if (stimulus.weights.size() > 1) add(member_path(stimulus.path, "weights"), wrong, remedy);
   }
 
   void check_clip(const std::string& stimulus, const ClipSource& clip) {

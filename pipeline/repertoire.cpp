@@ -33,6 +33,7 @@ motion::ExampleFolder example_folder(const Examples& examples) {
   folder.keytimes = examples.keytimes;
   folder.shorten_names = examples.labels == Examples::Labels::from_name;
   folder.names = examples.given_labels;
+  folder.blendable = examples.blendable;
   return folder;
 }
 
@@ -84,12 +85,7 @@ std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest) {
 
 std::vector<std::string> example_names(const Manifest& manifest) {
   const Examples& examples = manifest.examples;
-  if (!examples.builtin.empty()) {
-    std::vector<std::string> names;
-    for (const auto& [name, style] : motion::builtin_styles(examples.builtin))
-      names.push_back(name);
-    return names;
-  }
+  if (!examples.builtin.empty()) return motion::builtin_example_names(examples.builtin);
   if (examples.folder.empty()) return {};
   return motion::example_names(example_folder(examples));
 }

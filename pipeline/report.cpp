@@ -7,6 +7,7 @@
 #include "motion/distance.h"
 #include "motion/interpolation_options.h"
 #include "pipeline/code_identity.h"
+#include "pipeline/feature_changes.h"
 #include "pipeline/parameter_label.h"
 #include "pipeline/report_ratings.h"
 #include "pipeline/report_style.h"
@@ -172,6 +173,25 @@ std::string distance_table(const Manifest& manifest, Motions& motions) {
          rows + "</tbody></table>\n";
 }
 
+/// Of comparisons with a reference: how many features went the target's way.
+std::string feature_agreement(const Manifest& manifest, Motions& motions) {
+  std::string rows;
+  for (const Sheet& sheet : manifest.sheets) {
+    const std::vector<FeatureChange> changes = feature_changes(sheet, motions);
+    const auto moved = std::count_if(changes.begin(), changes.end(),
+                                     [](const FeatureChange& change) { return change.moved(); });
+    const auto agree = std::count_if(changes.begin(), changes.end(),
+                                     [](const FeatureChange& change) { return change.agrees(); });
+    if (moved == 0) continue;
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                        html_escaped(sheet.target), html_escaped(sheet.created), moved, agree);
+  }
+  if (rows.empty()) return rows;
+  return "<table><thead><tr><th>target</th><th>created</th><th>features that the target moved "
+         "from the reference</th><th>moved the same way</th></tr></thead>\n<tbody>" +
+         rows + "</tbody></table>\n";
+}
+
 bool rests_on_simulated_ratings(const Manifest& manifest, Motions& motions) {
   const bool any = std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
                                [](const Stimulus& s) { return !s.adjectives.empty(); });
@@ -233,6 +253,7 @@ std::string report(const Manifest& manifest, Motions& motions) {
   page += "</div></section>\n";
   if (!manifest.sheets.empty()) {
     page += "<section><h2>Comparisons</h2>\n" + distance_table(manifest, motions);
+    page += feature_agreement(manifest, motions);
     for (const Sheet& sheet : manifest.sheets) page += sheet_card(sheet, motions);
     page += "</section>\n";
   }

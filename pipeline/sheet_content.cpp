@@ -14,7 +14,8 @@ std::string origin_of(const std::string& name, const Manifest& manifest) {
   if (stimulus == nullptr) return "example";
   if (stimulus->clip) return "as captured";
   if (!stimulus->features.empty()) return "from features";
-  return stimulus->adjectives.empty() ? "from weights" : "from adjectives";
+  if (!stimulus->adjectives.empty()) return "from adjectives";
+  return stimulus->weights.size() == 1 ? stimulus->weights.front().first : "from weights";
 }
 
 SheetMotion sheet_motion(const std::string& name, const Manifest& manifest, Motions& motions) {

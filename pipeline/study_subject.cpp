@@ -13,6 +13,7 @@ Manifest manifest_of(const StudySubject& subject) {
   Manifest manifest;
   if (file.extension() == ".yaml" || file.extension() == ".yml") {
     manifest = load_manifest(file, process_environment());
+    refuse_unblendable(manifest.examples);
   } else {
     manifest.examples = parse_examples(subject.examples);
     if (!manifest.examples.builtin.empty()) manifest.ratings.source = Ratings::Source::builtin;

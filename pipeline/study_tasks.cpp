@@ -25,7 +25,7 @@ constexpr Table tables[] = {
     {"distances", distances_csv},   {"joint_distances", joint_distances_csv},
     {"weights", weights_csv},       {"clips", clips_csv},
     {"parameters", parameters_csv}, {"impressions", impressions_csv},
-    {"findings", findings_csv}};
+    {"findings", findings_csv},     {"feature_changes", feature_changes_csv}};
 
 /// The manifest's own text: ids, roles and comparisons are all told in tables and report.
 void add_study(KeyBuilder& key, const Manifest& manifest, const SharedDeterminants& shared) {

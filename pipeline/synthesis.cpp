@@ -124,8 +124,16 @@ Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
                        const Interpolation& interpolation, const Repertoire& repertoire) {
   Synthesis result;
   result.weights = weights;
-  result.motion = motion::blend(examples_for(interpolation, repertoire), weights,
-                                blend_options(output, interpolation));
+  const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
+  const motion::BlendOptions options = blend_options(output, interpolation);
+  if (examples.blendable) {
+    result.motion = motion::blend(examples, weights, options);
+  } else {
+    Eigen::Index only = 0;
+    weights.maxCoeff(&only);
+    const motion::ExampleSet alone{"", {examples.examples[static_cast<std::size_t>(only)]}};
+    result.motion = motion::blend(alone, Eigen::VectorXd::Ones(1), options);
+  }
   lock_feet(interpolation, result);
   return result;
 }

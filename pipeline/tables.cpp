@@ -6,6 +6,7 @@
 #include "motion/distance.h"
 #include "motion/interpolation_options.h"
 #include "pipeline/csv.h"
+#include "pipeline/feature_changes.h"
 #include "pipeline/parameter_label.h"
 
 namespace mien::pipeline {
@@ -199,6 +200,25 @@ std::string findings_csv(const Manifest& manifest, Motions& motions) {
                  std::to_string(f.first), std::to_string(f.last), shortest(f.first / fps),
                  shortest(f.last / fps), shortest(f.measured), shortest(f.threshold), f.unit,
                  f.sentence});
+    }
+  }
+  return table.text();
+}
+
+std::string feature_changes_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table({"sheet", "reference", "target", "created", "ratings", "feature", "name",
+                   "name_ja", "unit", "reference_value", "target_change", "created_change", "moved",
+                   "agrees"});
+  for (const Sheet& sheet : manifest.sheets) {
+    for (const FeatureChange& change : feature_changes(sheet, motions)) {
+      const motion::MotionFeature& what =
+          motion::motion_features()[static_cast<std::size_t>(change.feature)];
+      table.row({sheet.id, sheet.reference, sheet.target, sheet.created,
+                 ratings_of({sheet.target, sheet.created}, manifest, motions), std::string(what.id),
+                 std::string(what.name), std::string(what.japanese),
+                 std::string(motion::symbol_of(what.unit)), shortest(change.reference),
+                 shortest(change.target_change()), shortest(change.created_change()),
+                 change.moved() ? "1" : "0", change.moved() ? (change.agrees() ? "1" : "0") : ""});
     }
   }
   return table.text();

@@ -44,4 +44,11 @@ std::string impressions_csv(const Manifest& manifest, Motions& motions);
 /// threshold, unit, sentence.
 std::string findings_csv(const Manifest& manifest, Motions& motions);
 
+/// How motions differ from the reference of their comparison (feature_changes.h), a row a
+/// comparison with a reference and a feature: sheet, reference, target, created, ratings, feature,
+/// name, name_ja, unit, reference_value, target_change, created_change, moved (1: the target
+/// differs measurably from the reference), agrees (1: so does the created motion, the same way;
+/// empty when the target has not moved).
+std::string feature_changes_csv(const Manifest& manifest, Motions& motions);
+
 }  // namespace mien::pipeline

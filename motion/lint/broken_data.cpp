@@ -54,10 +54,24 @@ void find_non_unit(const Clip& clip, const LintOptions& options, Findings& findi
   }
 }
 
+/// Whether a joint lies on the way from the root to where the skeleton first branches: rigs move
+/// the figure there as well as at the root.
+std::vector<bool> carries_the_figure(const Skeleton& skeleton) {
+  const auto children = children_of(skeleton);
+  std::vector<bool> result(children.size(), false);
+  for (size_t j = 0; j < children.size(); ++j) {
+    const int parent = skeleton.joints[j].parent;
+    result[j] = parent < 0 || (result[parent] && children[parent].size() == 1);
+  }
+  return result;
+}
+
 void find_bone_drift(const Clip& clip, const LintOptions& options, Findings& findings) {
   const auto has_offsets = [](const Pose& pose) { return !pose.offsets.empty(); };
   if (std::none_of(clip.poses.begin(), clip.poses.end(), has_offsets)) return;
+  const std::vector<bool> is_moved = carries_the_figure(clip.body);
   for (int j = 1; j < clip.body.size(); ++j) {
+    if (is_moved[j]) continue;
     std::vector<double> lengths;
     for (const Pose& pose : clip.poses) {
       lengths.push_back(

@@ -72,4 +72,18 @@ Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& b
                                 const LintOptions& options, const LintSubject* original,
                                 const BodyOnFloor* original_body);
 
+/// Feet that come down or leave the floor at other moments than in the original, or stand no more.
+Findings find_shifted_contacts(const LintSubject& subject, const LintOptions& options,
+                               const LintSubject& original);
+
+/// Limbs that come earlier or later than in the original: the shift at which the ways of hands,
+/// feet and head correlate best with theirs there, less what the limbs share; over 2 s each.
+Findings find_shifted_limbs(const LintSubject& subject, const LintOptions& options,
+                            const LintSubject& original);
+
+/// Hands, feet and head that move more jerkily than in the original: root mean square of the third
+/// derivative of their ways from the trunk over 0.5 s.
+Findings find_jerks(const LintSubject& subject, const LintOptions& options,
+                    const LintSubject& original);
+
 }  // namespace mien::motion

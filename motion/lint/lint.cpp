@@ -47,6 +47,11 @@ void check_motion(const LintSubject& subject, const LintOptions& options,
   add(find_skating_feet(subject, options, original));
   add(find_sunken_feet(subject, options, original));
   add(find_floating(subject, options, original));
+  if (original) {
+    add(find_jerks(subject, options, *original));
+    add(find_shifted_contacts(subject, options, *original));
+    add(find_shifted_limbs(subject, options, *original));
+  }
   const BodyOnFloor body = body_on_floor(subject);
   const BodyOnFloor before = original ? body_on_floor(*original) : BodyOnFloor();
   const BodyOnFloor* original_body = original ? &before : nullptr;
@@ -81,6 +86,16 @@ std::vector<Finding> lint(const Clip& clip, const LintOptions& options, const Cl
     }
     check_motion(lint_subject(clip), options, before ? &*before : nullptr, findings);
   }
+  put_in_order(findings);
+  return findings;
+}
+
+std::vector<Finding> lint(const Recording& recording, const LintOptions& options) {
+  Clip clip;
+  clip.body = recording.skeleton;
+  clip.frames_per_second = recording.frames_per_second;
+  clip.poses = recording.poses;
+  Findings findings = find_broken_data(clip, options);
   put_in_order(findings);
   return findings;
 }

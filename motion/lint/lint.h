@@ -32,4 +32,8 @@ const std::vector<LintCheck>& lint_checks();
 std::vector<Finding> lint(const Clip& clip, const LintOptions& options = {},
                           const Clip* original = nullptr);
 
+/// What is wrong with the data of a recording as it was read, before it is put on the canonical
+/// body, whose bones never change: numbers that are none and bones that grow.
+std::vector<Finding> lint(const Recording& recording, const LintOptions& options = {});
+
 }  // namespace mien::motion

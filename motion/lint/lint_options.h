@@ -26,16 +26,16 @@ struct LintOptions {
   double intersection_seconds = 0.1;          ///< shorter touches are let pass
   Levels leg_speed = {15.0, 25.0};            ///< rad/s
   Levels arm_speed = {25.0, 40.0};            ///< rad/s; trunk and head too
-  double jerk_ratio = 5.0;                    ///< of hands, feet and head, against the original
-  double jerk_ratio_error = 20.0;
+  Levels jerk_ratio = {5.0, 20.0};            ///< of hands, feet and head, by the original's
 
   // The feet.
   Levels skate_metres = {0.02, 0.05};           ///< drift of a planted foot over one plant
-  Levels slide_speed = {0.4, 0.8};              ///< m/s; of the stillest point on the floor
+  Levels slide_speed = {0.4, 0.6};              ///< m/s; of the stillest point on the floor
   Levels penetration_metres = {0.01, 0.03};     ///< of the sole below the floor
   Levels floating_metres = {0.03, 0.04};        ///< of the lower sole, of a body that does not fall
   Levels contact_shift_seconds = {0.07, 0.15};  ///< against the original
   Levels phase_shift_seconds = {0.1, 0.25};     ///< of a limb against the original
+  Levels unlikeness = {0.6, 0.9};  ///< 1 − correlation of a limb with the original at any shift
 
   // Balance and forces.
   Levels standing_margin_metres = {0.0, 0.05};  ///< centre of mass outside the support, standing

@@ -11,7 +11,7 @@ namespace mien::motion {
 namespace {
 
 constexpr double shortest_slide_seconds = 0.13;
-constexpr double beyond_original_metres = 0.02;
+constexpr double beyond_original_metres = 0.012;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double largest_slip(const LintSubject& subject) {

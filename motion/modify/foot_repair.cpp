@@ -111,16 +111,6 @@ PlacedStretch carried_over(const FootPath& path, const FootPath& known, const Fo
   return stretch;
 }
 
-/// The original with its feet locked until they stand: what glided in it is not to glide on.
-Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants) {
-  Clip settled = foot_locked(original, plants);
-  for (int locks = 1; locks < most_locks; ++locks) {
-    if (planted_drift(settled, plants) < still) break;
-    settled = foot_locked(settled, plants);
-  }
-  return settled;
-}
-
 Clip with_plants_of(const Clip& clip, const Clip& settled, const std::vector<FootPlant>& plants) {
   std::vector<PlacedStretch> stretches;
   for (const bool left : {true, false}) {
@@ -130,10 +120,26 @@ Clip with_plants_of(const Clip& clip, const Clip& settled, const std::vector<Foo
       if (plant.left == left) stretches.push_back(carried_over(path, known, plant));
     }
   }
-  return with_feet_placed(clip, stretches);
+  FootLockOptions options;
+  options.keep_velocity = true;
+  return with_feet_placed(clip, stretches, options);
 }
 
 }  // namespace
+
+Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants) {
+  Clip best = foot_locked(original, plants);
+  double least = planted_drift(best, plants);
+  Clip settled = best;
+  for (int locks = 1; locks < most_locks && least >= still; ++locks) {
+    settled = foot_locked(settled, plants);
+    const double drift = planted_drift(settled, plants);
+    if (drift >= least) continue;
+    least = drift;
+    best = settled;
+  }
+  return best;
+}
 
 Clip with_toe_clearance(const Clip& clip, const Clip& original,
                         const std::vector<FootPlant>& plants) {
@@ -148,6 +154,12 @@ Clip with_toe_clearance(const Clip& clip, const Clip& original,
   return result;
 }
 
+Clip with_plants_carried_over(const Clip& clip, const Clip& still,
+                              const std::vector<FootPlant>& plants) {
+  const Clip shifted = with_hip_shift(clip, still, plants, HipPath::smooth);
+  return with_toe_clearance(with_plants_of(shifted, still, plants), still, plants);
+}
+
 Clip with_repaired_feet(const Clip& clip, const Clip& original,
                         const std::vector<FootPlant>& plants, FootRepair repair) {
   switch (repair) {
@@ -159,9 +171,7 @@ Clip with_repaired_feet(const Clip& clip, const Clip& original,
       break;
   }
   if (plants.empty()) return clip;
-  const Clip settled = with_still_feet(original, plants);
-  const Clip shifted = with_hip_shift(clip, settled, plants, HipPath::smooth);
-  return with_toe_clearance(with_plants_of(shifted, settled, plants), settled, plants);
+  return with_plants_carried_over(clip, with_still_feet(original, plants), plants);
 }
 
 }  // namespace mien::motion

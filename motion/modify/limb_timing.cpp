@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "motion/filter.h"
+#include "motion/joint_transform.h"
 #include "motion/modify/joint_curve.h"
 
 namespace mien::motion {
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double standstill = 0.05;  // m/s
 constexpr double set_seconds = 0.15;
-constexpr double rounding_seconds = 0.05;
+constexpr double rounding_seconds = 0.1;
 
 /// Where each of `count` equal parts of `whole` begins; the end of the last too.
 std::vector<long> parts(long whole, long count) {
@@ -122,7 +123,7 @@ BodyJoint end_of(Limb limb) {
 std::vector<double> limb_speeds(const Clip& clip, Limb limb) {
   std::vector<Vec3> path;
   for (const Pose& pose : clip.poses) {
-    path.push_back(world_positions(clip.body, pose)[end_of(limb)] - pose.root_position);
+    path.push_back(world_transform(clip.body, pose, end_of(limb)).position - pose.root_position);
   }
   const double rate = clip.frames_per_second;
   path = low_pass(path, std::min(12.5, 0.3 * rate), rate,

@@ -10,8 +10,9 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double margin_deg = 10.0;
-constexpr double least_room_deg = 3.0;  // beyond what the original does
+constexpr double margin_deg = 15.0;
+constexpr double soft_room_deg = 12.0;  // beyond what the original does, before the stop
+constexpr double hinge_room_deg = 3.0;  // likewise for a knee or elbow that gets straight
 
 /// Range of one component of a joint's rotation vector on the left side, degrees. On the right the
 /// second and third components have the other sign.
@@ -34,10 +35,10 @@ constexpr std::array<JointRange, 8> joint_ranges = {{
 }};
 
 /// Bends the values back that come near `limit` from below, as far as `known` values did not.
-double limit_above(double value, double limit, double known) {
+double limit_above(double value, double limit, double known, double room) {
   const double start = std::max(limit - margin_deg * radians_per_degree, known);
   if (value <= start) return value;
-  const double end = std::max(limit, start + least_room_deg * radians_per_degree);
+  const double end = std::max(limit, start + room * radians_per_degree);
   return softly_limited(value, start, end);
 }
 
@@ -55,8 +56,10 @@ void limit_joint(SoftLimits& result, const Clip& original, BodyJoint joint,
   }
   for (Pose& pose : result.clip.poses) {
     const double before = value(pose);
-    double after = limit_above(before, range.most * radians_per_degree, most);
-    after = -limit_above(-after, -range.least * radians_per_degree, -least);
+    double after = limit_above(before, range.most * radians_per_degree, most,
+                               range.most == 0.0 ? hinge_room_deg : soft_room_deg);
+    after = -limit_above(-after, -range.least * radians_per_degree, -least,
+                         range.least == 0.0 ? hinge_room_deg : soft_room_deg);
     if (after == before) continue;
     Vec3 turn = log(pose.rotations[at]);
     turn[range.axis] = side * after;

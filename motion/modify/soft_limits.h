@@ -16,8 +16,8 @@ struct SoftLimits {
 
 /// The clip with knees (0–145° flexion), elbows (0–150°), ankles (25° dorsiflexion, 50° plantar
 /// flexion), hips (125° flexion, 25° extension, 45° abduction, 30° adduction) and wrists (80°)
-/// bent back softly over the last 10° before these limits. What `original` does, though it be
-/// beyond, is left.
+/// bent back softly over the last 15° before these limits. What `original` does is left, though it
+/// be beyond, and has at least 12° to bend back in: a harder stop would be seen as a jerk.
 SoftLimits with_soft_limits(const Clip& clip, const Clip& original);
 
 }  // namespace mien::motion

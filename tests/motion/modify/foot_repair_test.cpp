@@ -1,0 +1,152 @@
+#include "motion/modify/foot_repair.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/contact.h"
+#include "motion/foot_path.h"
+#include "motion/modify/hip_shift.h"
+#include "motion/modify/path_length.h"
+#include "motion/rotation.h"
+#include "motion/sole.h"
+#include "motion/walker.h"
+
+#include "modify/path_measures.h"
+#include "synthetic_walk.h"
+
+namespace mien::motion {
+namespace {
+
+using namespace mien::test;
+
+Clip ordinary() { return walk({}, 100.0, standard_body()).clip; }
+
+Clip with_paths(const Clip& clip, const PathGains& gains) {
+  return with_path_gains(clip, gains, RotationSignal::direction_vectors);
+}
+
+double lowest_sole(const Clip& clip, bool left, size_t frame) {
+  const SolePoints sole = sole_paths(clip, left)[frame];
+  return std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
+}
+
+TEST(HipShift, LeavesFeetThatStand) {
+  const Clip clip = ordinary();
+  const Clip shifted = with_hip_shift(clip, clip, foot_plants(clip), HipPath::exact);
+  EXPECT_LT(largest_difference(shifted, clip), 0.01);
+  EXPECT_NEAR(shifted.cycle_displacement.z(), clip.cycle_displacement.z(), 0.01);
+}
+
+TEST(HipShift, BringsARootThatWasHeldBackOnItsWay) {
+  // The same legs under a root that no longer moves.
+  Clip held = synthetic_clip(steady_walk(1.2, 4.0));
+  const Clip original = held;
+  for (Pose& pose : held.poses) {
+    pose.root_position.x() = 0.0;
+    pose.root_position.z() = 0.0;
+  }
+  const auto plants = foot_plants(original);
+  for (const HipPath path : {HipPath::exact, HipPath::smooth}) {
+    const Clip shifted = with_hip_shift(held, original, plants, path);
+    const Vec3 way = shifted.poses.back().root_position - shifted.poses.front().root_position;
+    EXPECT_NEAR(way.z(), 1.2 * 4.0, 0.1);
+    EXPECT_NEAR(way.x(), 0.0, 0.05);
+  }
+  const Clip exact = with_hip_shift(held, original, plants, HipPath::exact);
+  EXPECT_LT(planted_drift(exact, plants), 0.01);
+  EXPECT_GT(planted_drift(held, plants), 0.1);
+}
+
+TEST(HipShift, KeepsALoopOnItsLine) {
+  Clip limping = ordinary();
+  for (Pose& pose : limping.poses) {
+    pose.rotations[LeftHip] = exp(Vec3(0, 0, 0.05)) * pose.rotations[LeftHip];
+  }
+  const Clip clip = ordinary();
+  const Clip shifted = with_hip_shift(limping, clip, foot_plants(clip), HipPath::smooth);
+  EXPECT_NEAR(shifted.cycle_displacement.x(), 0.0, 1e-9);
+  EXPECT_GT(shifted.cycle_displacement.z(), 1.0);
+}
+
+TEST(HipShift, LowersTheBodyWithItsFeet) {
+  Clip raised = ordinary();
+  const Clip clip = raised;
+  for (Pose& pose : raised.poses) pose.root_position.y() += 0.2;
+  const auto plants = foot_plants(clip);
+  for (const HipPath path : {HipPath::exact, HipPath::smooth}) {
+    const Clip shifted = with_hip_shift(raised, clip, plants, path);
+    for (size_t f = 0; f < clip.poses.size(); f += 10) {
+      EXPECT_NEAR(shifted.poses[f].root_position.y(), clip.poses[f].root_position.y(), 1e-6);
+    }
+  }
+}
+
+TEST(FootRepair, LetsPlantedFeetStandInTheirOwnRoll) {
+  const Clip clip = ordinary();
+  const auto plants = foot_plants(clip);
+  const Clip still = with_still_feet(clip, plants);
+  EXPECT_LT(planted_drift(still, plants), 5e-4);
+  for (const PathGains& gains : {longest_path_gains(), shortest_path_gains()}) {
+    const Clip changed = with_paths(clip, gains);
+    const Clip repaired = with_plants_carried_over(changed, still, plants);
+    EXPECT_GT(planted_drift(changed, plants), 0.01);
+    EXPECT_LT(planted_drift(repaired, plants), 0.001);
+    for (const FootPlant& plant : plants) {
+      const FootPath path = foot_path(repaired, plant.left);
+      const FootPath known = foot_path(still, plant.left);
+      for (int f = plant.first; f <= plant.last; ++f) {
+        EXPECT_NEAR(path.ball_at(f).y(), known.ball_at(f).y(), 1e-3);
+        const Quat turn = path.rotation_at(f) * known.rotation_at(f).conjugate();
+        EXPECT_LT((turn * Vec3::UnitY() - Vec3::UnitY()).norm(), 1e-3);  // about the vertical
+      }
+    }
+  }
+}
+
+TEST(FootRepair, TurnsFeetInwardsWithTheLegs) {
+  Clip clip = ordinary();
+  const auto plants = foot_plants(clip);
+  Clip turned = clip;
+  for (Pose& pose : turned.poses) {
+    pose.rotations[LeftHip] = pose.rotations[LeftHip] * exp(Vec3(0, -0.2, 0));
+  }
+  const Clip repaired = with_repaired_feet(turned, clip, plants, FootRepair::plants);
+  const FootPath path = foot_path(repaired, true);
+  const FootPath before = foot_path(clip, true);
+  const int middle = 20;  // the left foot is flat
+  const Vec3 toes = path.rotation_at(middle) * Vec3::UnitZ();
+  const Vec3 toes_before = before.rotation_at(middle) * Vec3::UnitZ();
+  EXPECT_NEAR(std::atan2(toes.x(), toes.z()) - std::atan2(toes_before.x(), toes_before.z()), -0.2,
+              0.05);
+}
+
+TEST(FootRepair, OfNoneLeavesTheClip) {
+  const Clip clip = ordinary();
+  const Clip changed = with_paths(clip, longest_path_gains());
+  EXPECT_EQ(largest_difference(
+                with_repaired_feet(changed, clip, foot_plants(clip), FootRepair::none), changed),
+            0.0);
+  EXPECT_EQ(largest_difference(with_repaired_feet(changed, clip, {}, FootRepair::plants), changed),
+            0.0);
+}
+
+TEST(FootRepair, LiftsToesThatWouldScrapeTheFloor) {
+  const Clip clip = ordinary();
+  const auto plants = foot_plants(clip);
+  Clip sunk = clip;
+  for (Pose& pose : sunk.poses) pose.root_position.y() -= 0.03;
+  const Clip cleared = with_toe_clearance(sunk, clip, plants);
+  double lifted = 0.0;
+  for (size_t f = 0; f < clip.poses.size(); ++f) {
+    for (const bool left : {true, false}) {
+      const double before = lowest_sole(sunk, left, f);
+      const double after = lowest_sole(cleared, left, f);
+      EXPECT_GE(after, before - 1e-9);
+      lifted = std::max(lifted, after - before);
+    }
+  }
+  EXPECT_GT(lifted, 0.02);
+  EXPECT_LT(largest_difference(with_toe_clearance(clip, clip, plants), clip), 1e-9);
+}
+
+}  // namespace
+}  // namespace mien::motion
