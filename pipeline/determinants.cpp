@@ -63,10 +63,24 @@ void add_modification(KeyBuilder& key, const motion::Modification& m) {
   add_choice(key, "soft_limits", m.soft_joint_limits);
 }
 
+void add_style(KeyBuilder& key, const StyleStep& style) {
+  key.add("style", name_of(style.method))
+      .add("neutral", style.neutral)
+      .add("styled", style.styled)
+      .add("harmonics", std::int64_t{style.harmonics})
+      .add("order", std::int64_t{style.order})
+      .add("inputs", std::int64_t{style.inputs})
+      .add("components", std::int64_t{style.components})
+      .add("seed", static_cast<std::int64_t>(style.seed));
+  for (const int component : style.swap) key.add("swap", std::int64_t{component});
+  add_choice(key, "feet", style.feet);
+}
+
 void add_steps(KeyBuilder& key, const Stimulus& stimulus) {
   for (const ModificationStep& step : stimulus.modify) {
     key.add("modify", step.emotion).add("strength", step.strength);
     add_modification(key, step.modification);
+    if (step.style) add_style(key, *step.style);
     if (!step.pose) continue;
     add_pose(key, step.pose->neutral);
     add_pose(key, step.pose->posed);

@@ -259,6 +259,7 @@ class Builder {
     ModificationStep step{.path = path};
     assign(member(given, "emotion"), step.emotion);
     assign(member(given, "strength"), step.strength);
+    step.style = style_step(given);
     step.edit = modification_edit(given, path, manifest_.places,
                                   [this](const std::string& file) { return resolved(file); });
     return step;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -137,8 +138,17 @@ class Checker {
     }
   }
 
+  void check_style_examples(const ModificationStep& step, const Vocabulary& vocabulary) {
+    for (const auto& [key, name] :
+         {std::pair("neutral", step.style->neutral), std::pair("styled", step.style->styled)}) {
+      if (name.empty()) continue;
+      check_word(member_path(step.path, key), name, "example", vocabulary.examples);
+    }
+  }
+
   void check_poses(const Stimulus& stimulus, const Vocabulary& vocabulary) {
     for (const ModificationStep& step : stimulus.modify) {
+      if (step.style) check_style_examples(step, vocabulary);
       if (!step.edit.pose) continue;
       const std::string path = member_path(step.path, "pose");
       for (const auto& [key, pose] : {std::pair("neutral", step.edit.pose->neutral),
@@ -238,7 +248,47 @@ class Checker {
     check_output(member_path(stimulus.path, "output"), stimulus.output);
   }
 
+  /// Keys of a step, each with the older method that it is for; none for all of them.
+  void check_style(const ModificationStep& step) {
+    static const std::map<std::string, std::optional<StyleMethod>> keys = {
+        {"neutral", {}},
+        {"styled", {}},
+        {"harmonics", StyleMethod::unuma},
+        {"order", StyleMethod::hsu},
+        {"inputs", StyleMethod::hsu},
+        {"components", StyleMethod::shapiro},
+        {"swap", StyleMethod::shapiro}};
+    for (const auto& [key, method] : keys) {
+      const std::string path = member_path(step.path, key);
+      const bool is_for = step.style && (!method || step.style->method == *method);
+      if (!was_given(path) || is_for) continue;
+      add(path,
+          "only " + (method ? "method: " + std::string(name_of(*method)) : "a method") +
+              " has this",
+          "leave it out");
+    }
+    if (!step.style) return;
+    for (const char* key : {"neutral", "styled"}) {
+      if (was_given(member_path(step.path, key))) continue;
+      add(member_path(step.path, "method"),
+          "a style is the difference of two examples, and " + std::string(key) + " is missing",
+          "add neutral: and styled:");
+    }
+    if (!was_given("examples")) {
+      add(member_path(step.path, "method"), "there are no examples to take a style from",
+          "add examples:");
+    }
+    for (const char* key :
+         {"emotion", "paths", "gains", "signal", "acceleration", "acceleration_at", "limbs",
+          "posture", "pose", "tempo", "variation", "soft_limits"}) {
+      if (!was_given(member_path(step.path, key))) continue;
+      add(member_path(step.path, key), "a step with a method has no other changes",
+          "make a list of two steps");
+    }
+  }
+
   void check_step(const ModificationStep& step) {
+    check_style(step);
     if (step.edit.paths && step.edit.gains) {
       add(member_path(step.path, "gains"), "paths says already how bands are weighted",
           "give paths or gains");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motion/modify/modification.h"
+#include "pipeline/style_step.h"
 
 namespace mien::pipeline {
 
@@ -75,6 +76,7 @@ struct ModificationStep {
   ModificationEdit edit;  ///< over the recipe
   motion::Modification modification;         ///< the recipe with the edit over it, at strength 1
   std::optional<PoseDifferenceSource> pose;  ///< likewise; not yet part of the modification
+  std::optional<StyleStep> style;            ///< an older method, instead of all this but strength
 };
 
 }  // namespace mien::pipeline

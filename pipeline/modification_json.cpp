@@ -118,4 +118,30 @@ ModificationEdit modification_edit(
   return edit;
 }
 
+std::optional<StyleStep> style_step(const json& map) {
+  const json* method = member(map, "method");
+  if (method == nullptr) return std::nullopt;
+  StyleStep step;
+  for (const auto& [word, meaning] : style_methods) {
+    if (*method == word) step.method = meaning;
+  }
+  assign(member(map, "neutral"), step.neutral);
+  assign(member(map, "styled"), step.styled);
+  assign(member(map, "harmonics"), step.harmonics);
+  assign(member(map, "order"), step.order);
+  assign(member(map, "inputs"), step.inputs);
+  assign(member(map, "components"), step.components);
+  assign(member(map, "seed"), step.seed);
+  if (const json* swap = member(map, "swap"); swap && swap->is_array()) {
+    for (const json& component : *swap) {
+      int number = 0;
+      assign(&component, number);
+      step.swap.push_back(number);
+    }
+  }
+  const json* repair = member(map, "repair");
+  step.feet = repair == nullptr || *repair != "none";
+  return step;
+}
+
 }  // namespace mien::pipeline

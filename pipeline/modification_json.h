@@ -16,4 +16,7 @@ ModificationEdit modification_edit(
     const nlohmann::json& map, const std::string& path, const Places& places,
     const std::function<std::filesystem::path(std::string)>& resolve);
 
+/// The older method that a map names, if it does: method, neutral, styled and the method's options.
+std::optional<StyleStep> style_step(const nlohmann::json& map);
+
 }  // namespace mien::pipeline

@@ -10,6 +10,7 @@
 #include "motion/motion_file.h"
 #include "pipeline/csv.h"
 #include "pipeline/recording_clip.h"
+#include "pipeline/style_transfer.h"
 
 namespace mien::pipeline {
 
@@ -53,20 +54,40 @@ std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
   return modifications;
 }
 
+/// One step at a share of its strength.
+void take_step(ModifiedMotion& result, const ModificationStep& step,
+               const motion::Modification& modification, double share,
+               const Repertoire& repertoire) {
+  if (step.style) {
+    RestyledMotion styled = restyled(result.motion, *step.style, share * step.strength, repertoire);
+    result.motion = std::move(styled.motion);
+    result.planted_drift_m = styled.planted_drift_m;
+    for (std::string& note : styled.notes) result.notes.push_back(std::move(note));
+    return;
+  }
+  motion::ModifiedClip modified =
+      motion::modify(result.motion.clip, motion::scaled(modification, share * step.strength));
+  const double before = result.motion.clip.duration_seconds();
+  result.motion.clip = std::move(modified.clip);
+  for (double& keytime : result.motion.keytimes) {
+    keytime *= result.motion.clip.duration_seconds() / before;
+  }
+  result.planted_drift_m = modified.report.drift_after_repair;
+  for (std::string& remark : modified.report.remarks) result.notes.push_back(std::move(remark));
+}
+
+/// The modifications of a stimulus, with what they are made of.
+struct Steps {
+  const Stimulus& stimulus;
+  const Repertoire& repertoire;
+  std::vector<motion::Modification> modifications;
+};
+
 /// Everything at a share of the strengths that were asked for.
-ModifiedMotion at_share(const motion::Example& original, const Stimulus& stimulus,
-                        const std::vector<motion::Modification>& modifications, double share) {
+ModifiedMotion at_share(const motion::Example& original, const Steps& steps, double share) {
   ModifiedMotion result{original, share};
-  for (std::size_t i = 0; i < modifications.size(); ++i) {
-    motion::ModifiedClip step = motion::modify(
-        result.motion.clip, motion::scaled(modifications[i], share * stimulus.modify[i].strength));
-    const double before = result.motion.clip.duration_seconds();
-    result.motion.clip = std::move(step.clip);
-    for (double& keytime : result.motion.keytimes) {
-      keytime *= result.motion.clip.duration_seconds() / before;
-    }
-    result.planted_drift_m = step.report.drift_after_repair;
-    for (std::string& remark : step.report.remarks) result.notes.push_back(std::move(remark));
+  for (std::size_t i = 0; i < steps.modifications.size(); ++i) {
+    take_step(result, steps.stimulus.modify[i], steps.modifications[i], share, steps.repertoire);
   }
   result.findings = motion::lint(result.motion.clip, {}, &original.clip);
   return result;
@@ -93,14 +114,13 @@ const motion::Finding* new_error(const ModifiedMotion& modified, const std::set<
 }
 
 /// The largest share without new errors, by bisection.
-ModifiedMotion reduced(const motion::Example& original, const Stimulus& stimulus,
-                       const std::vector<motion::Modification>& modifications,
+ModifiedMotion reduced(const motion::Example& original, const Steps& steps,
                        const std::set<BrokenPlace>& own) {
   double clean = 0.0, broken = 1.0;
-  ModifiedMotion best = at_share(original, stimulus, modifications, clean);
+  ModifiedMotion best = at_share(original, steps, clean);
   for (int i = 0; i < halvings; ++i) {
     const double share = 0.5 * (clean + broken);
-    ModifiedMotion tried = at_share(original, stimulus, modifications, share);
+    ModifiedMotion tried = at_share(original, steps, share);
     if (new_error(tried, own) != nullptr) {
       broken = share;
     } else {
@@ -112,9 +132,9 @@ ModifiedMotion reduced(const motion::Example& original, const Stimulus& stimulus
 }
 
 ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
-                          const motion::Example& original, const Stimulus& stimulus,
-                          const std::vector<motion::Modification>& modifications,
+                          const motion::Example& original, const Steps& steps,
                           const std::set<BrokenPlace>& own) {
+  const Stimulus& stimulus = steps.stimulus;
   const std::string what =
       fmt::format("{} ({}, frames {}–{})", fault.sentence, fault.check, fault.first, fault.last);
   switch (stimulus.on_fault) {
@@ -126,14 +146,14 @@ ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
                               described_modifications(stimulus), what),
                   "lower the strength, or choose on_fault: warn, revert or reduce");
     case OnFault::revert: {
-      ModifiedMotion result = at_share(original, stimulus, modifications, 0.0);
+      ModifiedMotion result = at_share(original, steps, 0.0);
       result.warnings.push_back("left unmodified, because the modification breaks it: " + what);
       return result;
     }
     case OnFault::reduce:
       break;
   }
-  ModifiedMotion result = reduced(original, stimulus, modifications, own);
+  ModifiedMotion result = reduced(original, steps, own);
   result.warnings.push_back(
       fmt::format("modified at {:.0f} % of the strength asked for; at the whole of it: {}",
                   100.0 * result.share, what));
@@ -149,20 +169,24 @@ void append(std::vector<std::string>& parts, const std::string& name,
 
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
                              const Repertoire& repertoire) {
-  const std::vector<motion::Modification> modifications = modifications_of(stimulus, repertoire);
-  ModifiedMotion whole = at_share(original, stimulus, modifications, 1.0);
+  const Steps steps{stimulus, repertoire, modifications_of(stimulus, repertoire)};
+  ModifiedMotion whole = at_share(original, steps, 1.0);
   if (!motion::has_errors(whole.findings)) return whole;
   const std::set<BrokenPlace> own = broken_places(motion::lint(original.clip));
   const motion::Finding* fault = new_error(whole, own);
   if (fault == nullptr) return whole;
   const motion::Finding worst = *fault;
-  return dealt_with(std::move(whole), worst, original, stimulus, modifications, own);
+  return dealt_with(std::move(whole), worst, original, steps, own);
 }
 
 std::string described(const ModificationStep& step) {
   const ModificationEdit& edit = step.edit;
   std::vector<std::string> parts;
   if (!step.emotion.empty()) parts.push_back(step.emotion);
+  if (step.style) {
+    parts.push_back(fmt::format("{} → {} by {}", step.style->neutral, step.style->styled,
+                                name_of(step.style->method)));
+  }
   append(parts, "paths", edit.paths);
   if (edit.gains) parts.emplace_back("gains of bands");
   append(parts, "acceleration", edit.acceleration);

@@ -43,6 +43,7 @@ Synthesis Motions::make(const std::string& name) {
 
 bool names_examples(const Stimulus& stimulus) {
   return std::any_of(stimulus.modify.begin(), stimulus.modify.end(), [](const auto& step) {
+    if (step.style) return true;
     return step.pose && !(step.pose->neutral.example.empty() && step.pose->posed.example.empty());
   });
 }

@@ -232,6 +232,19 @@ INSTANTIATE_TEST_SUITE_P(
              "stimuli: [{id: a, clip: walk.bvh, output: {video: [mp4]}}]\n",
              "m.yaml:5:43: stimuli[0].output.size: a video needs an even width and height; use "
              "[962, 542], or video: []\n"},
+        Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {method: hsu, neutral: normal, "
+             "styled: sad, harmonics: 5}}]\n",
+             "m.yaml:4:104: stimuli[0].modify.harmonics: only method: unuma has this; leave it "
+             "out\n"},
+        Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {method: hsu, neutral: normal, "
+             "styled: sad, tempo: 2}}]\n",
+             "m.yaml:4:100: stimuli[0].modify.tempo: a step with a method has no other changes; "
+             "make a list of two steps\n"},
+        Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {method: hsu, styled: sad}}]\n",
+             "m.yaml:4:58: stimuli[0].modify.method: a style is the difference of two examples, "
+             "and neutral is missing; add neutral: and styled:\n"},
+        Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {tempo: 2, styled: sad}}]\n",
+             "m.yaml:4:68: stimuli[0].modify.styled: only a method has this; leave it out\n"},
         Case{"output: {fps: .inf}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:15: output.fps: not a finite number; write a finite one\n"},
         Case{"interpolation: {foot_lock: yes}\nstimuli: [{id: a, clip: walk.bvh}]\n",
