@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/foot_path.h"
 #include "motion/rotation.h"
@@ -142,15 +143,29 @@ TwoBoneLimb limb_of(const JointTransforms& world, const LegJoints& leg) {
           world.positions[static_cast<size_t>(leg.ankle)]};
 }
 
+/// Bends a knee that is bent backwards to the front by as much. The turns of the two bones, from
+/// the left.
+std::pair<Quat, Quat> knee_to_the_front(TwoBoneLimb& limb, const Vec3& forward) {
+  const Vec3 line = (limb.end - limb.root).normalized();
+  const Vec3 bend = limb.middle - limb.root - line.dot(limb.middle - limb.root) * line;
+  if (bend.dot(forward) >= 0.0) return {Quat::Identity(), Quat::Identity()};
+  const Vec3 front = limb.middle - 2.0 * bend;
+  const std::pair turns = {Quat::FromTwoVectors(limb.middle - limb.root, front - limb.root),
+                           Quat::FromTwoVectors(limb.end - limb.middle, limb.end - front)};
+  limb.middle = front;
+  return turns;
+}
+
 void place_leg(Pose& pose, const JointTransforms& world, const LegJoints& leg,
                const FootPlace& place, double drop) {
   TwoBoneLimb limb = limb_of(world, leg);
   const Vec3 down(0.0, -drop, 0.0);
   limb = {limb.root + down, limb.middle + down, limb.end + down};
   const Vec3 forward = world.rotations[static_cast<size_t>(leg.hip)] * Vec3::UnitZ();
+  const auto [upper, lower] = knee_to_the_front(limb, forward);
   const TwoBoneSolution solution = solve_two_bone(limb, place.ankle, forward);
-  const Quat thigh = solution.upper_turn * world.rotations[static_cast<size_t>(leg.hip)];
-  const Quat shank = solution.lower_turn * world.rotations[static_cast<size_t>(leg.knee)];
+  const Quat thigh = solution.upper_turn * upper * world.rotations[static_cast<size_t>(leg.hip)];
+  const Quat shank = solution.lower_turn * lower * world.rotations[static_cast<size_t>(leg.knee)];
   pose.rotations[static_cast<size_t>(leg.hip)] =
       (world.rotations[Pelvis].conjugate() * thigh).normalized();
   pose.rotations[static_cast<size_t>(leg.knee)] = (thigh.conjugate() * shank).normalized();

@@ -119,6 +119,21 @@ TEST(FootRepair, TurnsFeetInwardsWithTheLegs) {
               0.05);
 }
 
+TEST(FootRepair, BendsKneesForwardThatWereBentBackwards) {
+  const Clip clip = ordinary();
+  const auto plants = foot_plants(clip);
+  for (const double degrees : {-8.0, -5.0, -2.0}) {
+    Clip stiff = clip;
+    for (size_t f = 0; f < 30; ++f) {
+      stiff.poses[f].rotations[LeftKnee] = exp(Vec3(degrees * radians_per_degree, 0.0, 0.0));
+    }
+    const Clip repaired = with_repaired_feet(stiff, clip, plants, FootRepair::plants);
+    for (const Pose& pose : repaired.poses) {
+      EXPECT_GT(log(pose.rotations[LeftKnee]).x(), -0.01) << degrees;
+    }
+  }
+}
+
 TEST(FootRepair, OfNoneLeavesTheClip) {
   const Clip clip = ordinary();
   const Clip changed = with_paths(clip, longest_path_gains());

@@ -127,6 +127,24 @@ TEST(LimbTiming, NearMomentsLeavesTheRest) {
   EXPECT_DOUBLE_EQ(only_near(durations, seam, 100.0, true)[199], 10.0);
 }
 
+TEST(LimbTiming, AcceleratesNearContactsAlone) {
+  const Clip clip = repeated(walk({}, 100.0, standard_body()).clip, 4);
+  const std::vector<int> moments = {110};
+  const Clip everywhere = with_acceleration(clip, {});
+  const Clip near = with_acceleration(clip, {}, moments);
+  const auto moved = [&](const Clip& after, size_t first, size_t last) {
+    double largest = 0.0;
+    for (size_t f = first; f < last; ++f) {
+      largest = std::max(largest, angle_between(after.poses[f].rotations[LeftShoulder],
+                                                clip.poses[f].rotations[LeftShoulder]));
+    }
+    return largest;
+  };
+  EXPECT_GT(moved(near, 90, 180), 0.02);  // within the segment of the contact
+  EXPECT_LT(moved(near, 220, 420), 1e-9);
+  EXPECT_GT(moved(everywhere, 220, 420), 0.02);
+}
+
 TEST(LimbTiming, OfRealHandsDoesWhatItSays) {
   std::vector<Clip> takes = real_walks();
   if (takes.empty()) GTEST_SKIP() << "no motion capture here: set MIEN_DATA";
