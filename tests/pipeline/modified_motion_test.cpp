@@ -1,0 +1,116 @@
+#include "pipeline/modified_motion.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/builtin_sets.h"
+#include "motion/distance.h"
+#include "motion/error.h"
+#include "motion/lint/lint.h"
+#include "motion/settled_feet.h"
+
+namespace mien::pipeline {
+namespace {
+
+const motion::Example& normal_walk() {
+  static const motion::Example walk = [] {
+    motion::Example made = motion::builtin_examples("walks-10").examples.front();
+    made.clip = motion::with_settled_feet(made.clip);
+    return made;
+  }();
+  return walk;
+}
+
+Stimulus stimulus_with(const std::vector<motion::PostureChange>& posture, OnFault on_fault) {
+  Stimulus stimulus;
+  stimulus.id = "s";
+  stimulus.on_fault = on_fault;
+  ModificationStep step;
+  step.edit.posture = posture;
+  step.modification = with_edit({}, step.edit);
+  stimulus.modify.push_back(step);
+  return stimulus;
+}
+
+/// No neck bends so far.
+Stimulus broken_neck(OnFault on_fault) {
+  return stimulus_with({{motion::PostureUnit::head_flexion, 85.0}}, on_fault);
+}
+
+double moved(const motion::Example& motion) { return motion::distance(normal_walk(), motion).mean; }
+
+TEST(ModifiedMotion, IsTheMotionItselfAtStrengthZero) {
+  Stimulus stimulus = broken_neck(OnFault::fail);
+  stimulus.modify[0].strength = 0.0;
+  const ModifiedMotion result = modify_motion(normal_walk(), stimulus, {});
+  EXPECT_LT(moved(result.motion), 1e-9);
+  EXPECT_EQ(result.share, 1.0);
+}
+
+TEST(ModifiedMotion, WarnsOfFaultsAndKeepsThem) {
+  const ModifiedMotion result = modify_motion(normal_walk(), broken_neck(OnFault::warn), {});
+  EXPECT_TRUE(motion::has_errors(result.findings));
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_NE(result.warnings[0].find("breaks the motion"), std::string::npos);
+  EXPECT_GT(moved(result.motion), 0.005);
+}
+
+TEST(ModifiedMotion, FailsWhenAskedTo) {
+  try {
+    modify_motion(normal_walk(), broken_neck(OnFault::fail), {});
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("modified by head-flexion 85°"), std::string::npos) << text;
+    EXPECT_NE(text.find("lower the strength"), std::string::npos) << text;
+  }
+}
+
+TEST(ModifiedMotion, RevertsWhenAskedTo) {
+  const ModifiedMotion result = modify_motion(normal_walk(), broken_neck(OnFault::revert), {});
+  EXPECT_LT(moved(result.motion), 1e-9);
+  EXPECT_FALSE(motion::has_errors(result.findings));
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_NE(result.warnings[0].find("left unmodified"), std::string::npos);
+}
+
+TEST(ModifiedMotion, IsReducedToTheLargestCleanStrength) {
+  const ModifiedMotion result = modify_motion(normal_walk(), broken_neck(OnFault::reduce), {});
+  EXPECT_GT(result.share, 0.2);
+  EXPECT_LT(result.share, 0.98);
+  EXPECT_FALSE(motion::has_errors(result.findings));
+  EXPECT_GT(moved(result.motion), 0.003);
+  // A sixty-fourth more would break it.
+  Stimulus more = broken_neck(OnFault::warn);
+  more.modify[0].strength = result.share + 1.0 / 64.0;
+  EXPECT_TRUE(motion::has_errors(modify_motion(normal_walk(), more, {}).findings));
+}
+
+TEST(ModifiedMotion, DoesItsStepsInOrderAndMovesKeytimesWithTempo) {
+  Stimulus stimulus = stimulus_with({{motion::PostureUnit::head_flexion, 10.0}}, OnFault::warn);
+  ModificationStep slower;
+  slower.edit.tempo = 0.8;
+  slower.strength = 1.0;
+  slower.modification = with_edit({}, slower.edit);
+  stimulus.modify.push_back(slower);
+  const ModifiedMotion result = modify_motion(normal_walk(), stimulus, {});
+  const double before = normal_walk().clip.duration_seconds();
+  EXPECT_NEAR(result.motion.clip.duration_seconds(), before / 0.8, 0.02);
+  EXPECT_EQ(result.motion.keytimes.size(), normal_walk().keytimes.size());
+  EXPECT_NEAR(result.motion.keytimes.back(), result.motion.clip.duration_seconds(), 1e-9);
+  EXPECT_EQ(described_modifications(stimulus), "head-flexion 10°; then tempo 0.8");
+}
+
+TEST(ModifiedMotion, TakesPosesFromExamples) {
+  Repertoire repertoire;
+  repertoire.examples = motion::builtin_examples("actors");
+  Stimulus stimulus = stimulus_with({}, OnFault::warn);
+  stimulus.modify[0].pose = {{"man-stand-neutral", {}, 0}, {"man-stand-sad", {}, 0}};
+  EXPECT_GT(moved(modify_motion(normal_walk(), stimulus, repertoire).motion), 0.003);
+  stimulus.modify[0].pose->posed.frame = 1000;
+  EXPECT_THROW(modify_motion(normal_walk(), stimulus, repertoire), Error);
+  stimulus.modify[0].pose->posed = {"nobody", {}, 0};
+  EXPECT_THROW(modify_motion(normal_walk(), stimulus, repertoire), Error);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
