@@ -94,10 +94,11 @@ Modification scaled(const Modification& modification, double strength);
 /// Throws mien::Error for a number outside its range.
 void check(const Modification& modification);
 
-/// The clip of the canonical body, modified: paths, foot repair, speed, and posture last (order of
-/// the emotion thesis), then tempo, joint limits and a last repair of what posture did to the feet.
-/// Bone lengths never change; a loop stays a loop. Clips may travel or walk in place. Throws as
-/// `check`, and for a skeleton that is not the canonical body.
+/// The clip of the canonical body, modified: paths, the hips carried along by the feet, speed, and
+/// the mix of what lies around the place on the nine-motion grid (order of the emotion thesis);
+/// then variation, tempo, posture, joint limits and the repair of the feet. Bone lengths never
+/// change; a loop stays a loop. Clips may travel or walk in place. Throws as `check`, and for a
+/// skeleton that is not the canonical body.
 ModifiedClip modify(const Clip& clip, const Modification& modification);
 
 /// As `modify`, the clip alone.
