@@ -1,6 +1,8 @@
 #include "pipeline/report.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -8,6 +10,7 @@
 #include "motion/interpolation_options.h"
 #include "pipeline/code_identity.h"
 #include "pipeline/feature_changes.h"
+#include "pipeline/lint_timeline.h"
 #include "pipeline/parameter_label.h"
 #include "pipeline/report_ratings.h"
 #include "pipeline/report_style.h"
@@ -73,23 +76,44 @@ std::string warning_list(const std::vector<std::string>& warnings) {
   return list + "</ul>\n";
 }
 
-/// Errors openly, warnings folded away.
-std::string finding_list(const std::vector<motion::Finding>& findings, double frames_per_second) {
-  std::string errors, warnings;
-  int folded = 0;
-  for (const motion::Finding& f : findings) {
-    const bool is_error = f.severity == motion::Severity::error;
-    (is_error ? errors : warnings) += fmt::format(
-        "<li><b>{}</b> {:.2f}–{:.2f} s: {}</li>\n", html_escaped(f.check),
-        f.first / frames_per_second, f.last / frames_per_second, html_escaped(f.sentence));
-    folded += is_error ? 0 : 1;
+/// A vector drawing as part of the page. Pictures of their own, since glyphs of drawings in one
+/// page would share their names.
+std::string drawing(const Figure& figure, const std::string& alternative) {
+  std::string encoded;
+  for (const char c : as_svg(figure)) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                          std::string_view(" .,-_:;/=()").find(c) != std::string_view::npos;
+    if (is_plain) {
+      encoded += c;
+    } else {
+      encoded += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
   }
-  std::string list;
-  if (!errors.empty()) list += "<ul class=\"errors\">\n" + errors + "</ul>\n";
-  if (warnings.empty()) return list;
-  return list +
-         fmt::format("<details><summary>Lint: {} warning{}</summary>\n<ul>\n{}</ul></details>\n",
-                     folded, folded == 1 ? "" : "s", warnings);
+  return fmt::format("<img loading=\"lazy\" src=\"data:image/svg+xml,{}\" alt=\"{}\">\n", encoded,
+                     html_escaped(alternative));
+}
+
+/// Errors openly, warnings folded away with the picture of all over time.
+std::string finding_list(const Synthesis& made) {
+  const motion::Clip& clip = made.motion.clip;
+  std::string errors, warnings;
+  for (const motion::Finding& f : made.findings) {
+    const bool is_error = f.severity == motion::Severity::error;
+    (is_error ? errors : warnings) +=
+        fmt::format("<li><b>{}</b> {:.2f}–{:.2f} s: {}</li>\n", html_escaped(f.check),
+                    f.first / clip.frames_per_second, f.last / clip.frames_per_second,
+                    html_escaped(f.sentence));
+  }
+  if (made.findings.empty()) return "";
+  if (!errors.empty()) errors = "<ul class=\"errors\">\n" + errors + "</ul>\n";
+  const LintedMotion linted{made.motion.name, clip.frame_count(), clip.frames_per_second,
+                            !made.modified.empty(), made.findings};
+  const std::string title = made.findings.size() == 1
+                                ? "Lint: 1 finding"
+                                : fmt::format("Lint: {} findings", made.findings.size());
+  return errors + "<details><summary>" + title + "</summary>\n" +
+         drawing(lint_timeline(linted), "Findings over time") + "<ul>\n" + warnings +
+         "</ul></details>\n";
 }
 
 std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
@@ -133,8 +157,7 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
     for (const std::string& note : made.notes) sentence += "; " + note;
     card += fmt::format("<p>{}.</p>\n", html_escaped(sentence));
   }
-  return card + warning_list(made.warnings) +
-         finding_list(made.findings, made.motion.clip.frames_per_second) +
+  return card + warning_list(made.warnings) + finding_list(made) +
          parameter_rows(stimulus, made, motions) + weight_rows(made, motions) + "</article>\n";
 }
 
