@@ -30,7 +30,8 @@ struct Limb {
   double away() const {
     double sum = 0.0;
     for (const Seen& p : joints) sum += p.away;
-    return sum / static_cast<double>(joints.size());
+    // A head is a ball, whose front hides the neck that goes into it.
+    return sum / static_cast<double>(joints.size()) - (head ? 0.1 : 0.0);
   }
 };
 

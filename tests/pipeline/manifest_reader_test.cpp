@@ -336,7 +336,7 @@ TEST_F(ManifestReaderTest, TellsWhatIsWrongWithExamples) {
       faults_in("mien: 1\nstudy: s\nexamples:\n  set: builtin:walks-11\n  ratings: no.csv\n"
                 "  scales: no.yaml\nstimuli: [{id: a, weights: {x: 1}}]\n"),
       "m.yaml:4:8: examples.set: \"builtin:walks-11\" is not one of builtin:walks-10, "
-      "builtin:walks-27; did you mean \"builtin:walks-10\"?\n"
+      "builtin:walks-27, builtin:actors; did you mean \"builtin:walks-10\"?\n"
       "m.yaml:5:12: examples.ratings: there is no file no.csv; give 'builtin', 'simulated', "
       "'none' or a CSV file; paths are taken from the manifest's folder\n"
       "m.yaml:6:11: examples.scales: there is no file no.yaml; give 'builtin' or a YAML file; "

@@ -119,7 +119,7 @@ TEST(Recipes, UnknownEmotionsAreRefusedWithTheNearestName) {
   const ManifestReading reading =
       parse("stimuli:\n- {id: a, weights: {normal: 1}, modify: {emotion: angri}}\n");
   EXPECT_NE(told(reading).find(
-                "m.yaml:6:54: stimuli[0].modify.emotion: there is no recipe for \"angri\"; did you "
+                "m.yaml:6:51: stimuli[0].modify.emotion: there is no recipe for \"angri\"; did you "
                 "mean \"angry\"?"),
             std::string::npos)
       << told(reading);

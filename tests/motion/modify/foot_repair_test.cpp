@@ -10,8 +10,8 @@
 #include "motion/sole.h"
 #include "motion/walker.h"
 
-#include "modify/path_measures.h"
-#include "synthetic_walk.h"
+#include "path_measures.h"
+#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

@@ -7,8 +7,8 @@
 #include "motion/rotation.h"
 #include "motion/walker.h"
 
-#include "modify/path_measures.h"
-#include "modify/real_takes.h"
+#include "path_measures.h"
+#include "real_takes.h"
 
 namespace mien::motion {
 namespace {

@@ -13,10 +13,10 @@
 #include "motion/straighten.h"
 #include "motion/walker.h"
 
-#include "modify/path_measures.h"
-#include "modify/real_takes.h"
-#include "random_motion.h"
-#include "refusal.h"
+#include "path_measures.h"
+#include "real_takes.h"
+#include "motion/random_motion.h"
+#include "motion/refusal.h"
 
 namespace mien::motion {
 namespace {

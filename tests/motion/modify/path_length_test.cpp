@@ -9,7 +9,7 @@
 #include "motion/straighten.h"
 #include "motion/walker.h"
 
-#include "modify/path_measures.h"
+#include "path_measures.h"
 
 namespace mien::motion {
 namespace {

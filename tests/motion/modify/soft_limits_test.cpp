@@ -8,7 +8,7 @@
 #include "motion/rotation.h"
 #include "motion/walker.h"
 
-#include "modify/path_measures.h"
+#include "path_measures.h"
 
 namespace mien::motion {
 namespace {

@@ -7,8 +7,8 @@
 #include "motion/contact.h"
 #include "motion/walker.h"
 
-#include "modify/path_measures.h"
-#include "random_motion.h"
+#include "path_measures.h"
+#include "motion/random_motion.h"
 
 namespace mien::motion {
 namespace {

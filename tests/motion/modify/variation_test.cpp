@@ -7,7 +7,7 @@
 
 #include "motion/walker.h"
 
-#include "modify/path_measures.h"
+#include "path_measures.h"
 
 namespace mien::motion {
 namespace {
