@@ -106,7 +106,7 @@ TEST(CommandLine, CheckTellsFaultsOfTheFilesThatAManifestNames) {
                              .string()});
   EXPECT_EQ(once.errors, (scratch.path() / "n.yaml").string() +
                              ":3:17: examples.set: \"builtin:walks-11\" is not one of "
-                             "builtin:walks-10, builtin:walks-27; did you mean "
+                             "builtin:walks-10, builtin:walks-27, builtin:actors; did you mean "
                              "\"builtin:walks-10\"?\n");
 }
 

@@ -79,6 +79,7 @@ TEST(BuiltinSets, EveryWalkIsWithinHumanRanges) {
   for (const std::string_view name : builtin_set_names()) {
     for (const Example& example : builtin_examples(name, 100.0).examples) {
       const Clip& clip = example.clip;
+      if (!clip.loops) continue;  // knocks and standing
       const double speed = clip.cycle_displacement.z() / clip.duration_seconds();
       EXPECT_GT(speed, 0.4) << example.name;
       EXPECT_LT(speed, 2.3) << example.name;
