@@ -5,8 +5,8 @@
 namespace mien::pipeline {
 
 void add_motion_command(CLI::App& app, Command& chosen) {
-  CLI::App* motion =
-      app.add_subcommand("motion", "Look at, measure, check, compare, convert and blend motion files");
+  CLI::App* motion = app.add_subcommand(
+      "motion", "Look at, measure, check, compare, convert and blend motion files");
   motion->require_subcommand(1);
   add_motion_info_command(*motion, chosen);
   add_motion_compare_command(*motion, chosen);

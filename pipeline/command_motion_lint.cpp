@@ -79,7 +79,8 @@ LintedFile linted(const std::string& file, const LintCommand& command,
                    clip.frame_count(),
                    clip.frames_per_second,
                    original != nullptr,
-                   {}};
+                   {},
+                   clip.loops};
   std::vector<motion::Finding>& findings = result.motion.findings;
   // Putting it on the canonical body hides what its own bones do.
   if (result.is_human) findings = motion::lint(recording, options);

@@ -10,6 +10,7 @@
 #include "motion/motion_file.h"
 #include "pipeline/checked_manifest.h"
 #include "pipeline/command_motion.h"
+#include "pipeline/files.h"
 #include "pipeline/modified_motion.h"
 #include "pipeline/recipes.h"
 #include "pipeline/synthesis.h"
@@ -31,9 +32,11 @@ struct ModifyOptions {
 
 /// A manifest of one stimulus says the same, so it is what is checked and made.
 std::string manifest_of(const ModifyOptions& options, double fps) {
-  const std::string change = options.change.find(':') == std::string::npos
-                                 ? "{emotion: " + options.change + "}"
-                                 : "{" + options.change + "}";
+  std::string change = options.change;
+  if (!change.starts_with('{') && !change.starts_with('[')) {
+    change =
+        change.find(':') == std::string::npos ? "{emotion: " + change + "}" : "{" + change + "}";
+  }
   return fmt::format(
       "mien: 1\nstudy: modify\nrecipes: '{}'\non_fault: {}\noutput: {{fps: {}}}\n"
       "stimuli:\n- id: modified\n  clip: '{}'\n  modify: {}\n",
@@ -51,20 +54,22 @@ int modify_file(const ModifyOptions& options, const Console& console) {
   ManifestReading reading = parse_manifest(manifest_of(options, fps), here, process_environment());
   if (!reading.faults.empty()) {
     // Places in a manifest that nobody wrote would lead nowhere.
-    for (Fault& fault : reading.faults) fault.place = {};
+    for (Fault& fault : reading.faults) {
+      if (fault.place.file == here.string()) fault.place = {};
+    }
     throw Faults(std::move(reading.faults));
   }
   const Synthesis made = synthesize(reading.manifest.stimuli.front(), {});
   motion::write_motion(motion::to_recording(made.motion.clip), options.out);
-  console.out << options.out << ": " << made.modified << ", " << made.motion.clip.frame_count()
-              << " frames\n";
+  console.out << fmt::format("{}: {}{}, {} frames\n", options.out, made.modified,
+                             share_text(made.modified_share), made.motion.clip.frame_count());
   for (const std::string& note : made.notes) console.out << "  " << note << '\n';
   for (const std::string& warning : made.warnings) console.err << "warning: " << warning << '\n';
   return exit_done;
 }
 
 void list_emotions(const RecipeBook& book, const Console& console) {
-  console.out << book.name << "\n";
+  if (!book.name.empty()) console.out << book.name << "\n";
   for (const Recipe& recipe : book.recipes) {
     ModificationStep step;
     step.edit = recipe.edit;
@@ -80,12 +85,13 @@ int emotions(const std::string& recipes, bool as_yaml, bool posture, const Conso
     }
     return exit_done;
   }
+  const RecipeBook book = read_recipes(recipes, recipes);
   const std::string_view text = builtin_recipes_text(recipes);
-  if (as_yaml && !text.empty()) {
-    console.out << text;
-    return exit_done;
+  if (as_yaml) {
+    console.out << (text.empty() ? read_file(recipes) : std::string(text));
+  } else {
+    list_emotions(book, console);
   }
-  list_emotions(read_recipes(recipes, recipes), console);
   return exit_done;
 }
 
@@ -107,11 +113,14 @@ void add_motion_modify_command(CLI::App& motion, Command& chosen) {
       ->check(CLI::IsMember({"warn", "fail", "revert", "reduce"}))
       ->capture_default_str();
   command->add_option("--fps", options->fps, "Frames per second to write; the file's without it")
-      ->check(CLI::Range(1.0, 1000.0));
+      ->check(CLI::Range(1.0, 240.0));
   command->footer(
-      "\nThe result is of the canonical body (21 joints, metres, +Y up). Examples:\n"
+      "\nThe result is of the canonical body (21 joints, metres, +Y up). What names examples "
+      "(method:, "
+      "pose: of\nan example) needs a manifest. Examples:\n"
       "  mien motion modify walk.bvh sad sad.bvh\n"
       "  mien motion modify walk.bvh 'emotion: angry, strength: 0.6' angry.glb\n"
+      "  mien motion modify walk.bvh '[{emotion: sad}, {tempo: 1.2}]' brisk-sad.bvh\n"
       "  mien motion modify walk.bvh 'paths: 1.4, posture: {head-flexion: 12}' longer.bvh");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return modify_file(*options, console); };

@@ -74,7 +74,7 @@ void draw_rows(Canvas& canvas, const GalleryContent& content) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const Box row = {margin, margin + header_height + row_height * static_cast<double>(r),
                      page_width - 2.0 * margin, row_height};
-    const MotionColours& colours = r == 0 ? reference_colours : created_colours;
+    const MotionColours& colours = content.colours[r];
     const double ground = row.bottom() - 5.0 + scale * extent.bottom;
     canvas.line({row.x + label_width, ground}, {row.right(), ground},
                 {.width = 0.7, .colour = hairline});

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/palette.h"
 #include "pipeline/sheet.h"
 
 namespace mien::pipeline {
@@ -14,6 +15,7 @@ struct GalleryContent {
   std::string study;
   std::string title;  ///< the sheet's id
   std::vector<SheetMotion> motions;
+  std::vector<MotionColours> colours;  ///< one a motion: of its role
   bool simulated_ratings = false;
   std::vector<std::pair<std::string, std::string>> provenance;
 };

@@ -15,6 +15,7 @@ struct LintedMotion {
   double frames_per_second = 30.0;
   bool was_compared = false;  ///< with an original, as some rules need
   std::vector<motion::Finding> findings;
+  bool loops = false;  ///< otherwise there is no seam to look at
 };
 
 /// The findings over time: a row for every rule and joint that has any, and a line that names the

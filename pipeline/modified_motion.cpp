@@ -81,7 +81,13 @@ struct Steps {
   const Stimulus& stimulus;
   const Repertoire& repertoire;
   std::vector<motion::Modification> modifications;
+  motion::Clip shown_original;  ///< at the output's frame rate
 };
+
+motion::Clip at_rate(const motion::Clip& clip, double frames_per_second) {
+  if (clip.frames_per_second == frames_per_second) return clip;
+  return motion::resampled(clip, frames_per_second);
+}
 
 /// Everything at a share of the strengths that were asked for.
 ModifiedMotion at_share(const motion::Example& original, const Steps& steps, double share) {
@@ -89,7 +95,9 @@ ModifiedMotion at_share(const motion::Example& original, const Steps& steps, dou
   for (std::size_t i = 0; i < steps.modifications.size(); ++i) {
     take_step(result, steps.stimulus.modify[i], steps.modifications[i], share, steps.repertoire);
   }
-  result.findings = motion::lint(result.motion.clip, {}, &original.clip);
+  // Last, so that a change does the same whatever the rate at which it is shown.
+  result.motion.clip = at_rate(result.motion.clip, steps.stimulus.output.fps);
+  result.findings = motion::lint(result.motion.clip, {}, &steps.shown_original);
   return result;
 }
 
@@ -104,7 +112,16 @@ std::set<BrokenPlace> broken_places(const std::vector<motion::Finding>& findings
   return places;
 }
 
-/// The first error that the original does not have.
+/// What is broken without the modification's doing: in the original itself, and by the repair of
+/// the feet, which is there in full at the least strength.
+std::set<BrokenPlace> broken_anyway(const motion::Example& original, const Steps& steps) {
+  std::set<BrokenPlace> places = broken_places(motion::lint(steps.shown_original));
+  places.merge(broken_places(motion::lint(steps.shown_original, {}, &steps.shown_original)));
+  places.merge(broken_places(at_share(original, steps, 1e-3).findings));
+  return places;
+}
+
+/// The first error that is not there anyway.
 const motion::Finding* new_error(const ModifiedMotion& modified, const std::set<BrokenPlace>& own) {
   for (const motion::Finding& finding : modified.findings) {
     if (finding.severity != motion::Severity::error) continue;
@@ -169,12 +186,18 @@ void append(std::vector<std::string>& parts, const std::string& name,
 
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
                              const Repertoire& repertoire) {
-  const Steps steps{stimulus, repertoire, modifications_of(stimulus, repertoire)};
+  const Steps steps{stimulus, repertoire, modifications_of(stimulus, repertoire),
+                    at_rate(original.clip, stimulus.output.fps)};
   ModifiedMotion whole = at_share(original, steps, 1.0);
   if (!motion::has_errors(whole.findings)) return whole;
-  const std::set<BrokenPlace> own = broken_places(motion::lint(original.clip));
+  const std::set<BrokenPlace> own = broken_anyway(original, steps);
   const motion::Finding* fault = new_error(whole, own);
-  if (fault == nullptr) return whole;
+  if (fault == nullptr) {
+    whole.notes.push_back(
+        "what the lint finds broken is so without the modification, or by the "
+        "repair of the feet alone");
+    return whole;
+  }
   const motion::Finding worst = *fault;
   return dealt_with(std::move(whole), worst, original, steps, own);
 }
@@ -199,6 +222,10 @@ std::string described(const ModificationStep& step) {
   std::string text = fmt::format("{}", fmt::join(parts, ", "));
   if (text.empty()) text = "nothing";
   return step.strength == 1.0 ? text : fmt::format("{} × {}", text, shortest(step.strength));
+}
+
+std::string share_text(double share) {
+  return share == 1.0 ? "" : fmt::format(" at {:.0f} % of that", 100.0 * share);
 }
 
 std::string described_modifications(const Stimulus& stimulus) {

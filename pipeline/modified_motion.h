@@ -29,6 +29,9 @@ ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& st
 /// "sad × 0.8", "paths 1.4, acceleration +0.3, head-flexion 12°": a step as people read it.
 std::string described(const ModificationStep& step);
 
+/// " at 40 % of that": what was done of a modification, empty when it was all.
+std::string share_text(double share);
+
 /// All steps of a stimulus, in their order; empty without any.
 std::string described_modifications(const Stimulus& stimulus);
 

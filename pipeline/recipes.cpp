@@ -40,6 +40,22 @@ RecipeBook build(const JsonReading& reading, const fs::path& folder) {
   return book;
 }
 
+std::vector<Fault> faults_of(const RecipeBook& book, const Places& places) {
+  std::vector<Fault> faults;
+  for (const Recipe& recipe : book.recipes) {
+    const std::string path = member_path("recipes", recipe.name);
+    if (recipe.name.empty()) {
+      faults.push_back({place_of(places, "recipes"), "recipes", "a recipe has no name",
+                        "call it what manifests name as emotion"});
+    }
+    if (recipe.edit.paths && recipe.edit.gains) {
+      faults.push_back({place_of(places, member_path(path, "gains")), member_path(path, "gains"),
+                        "paths says already how bands are weighted", "give paths or gains"});
+    }
+  }
+  return faults;
+}
+
 constexpr double seeds = 9007199254740992.0;  // 2⁵³: what a double counts
 
 void resolve(ModificationStep& step, const Recipe* recipe, std::uint64_t study_seed,
@@ -96,7 +112,10 @@ RecipeBook parse_recipes(std::string_view yaml, const fs::path& file) {
     faults.push_back(std::move(fault));
   }
   if (!faults.empty()) throw Faults(faults);
-  return build(reading, file.parent_path());
+  RecipeBook book = build(reading, file.parent_path());
+  faults = faults_of(book, reading.places);
+  if (!faults.empty()) throw Faults(faults);
+  return book;
 }
 
 std::vector<Fault> resolve_modifications(Manifest& manifest) {

@@ -11,6 +11,7 @@
 #include "pipeline/code_identity.h"
 #include "pipeline/feature_changes.h"
 #include "pipeline/lint_timeline.h"
+#include "pipeline/modified_motion.h"
 #include "pipeline/parameter_label.h"
 #include "pipeline/report_ratings.h"
 #include "pipeline/report_style.h"
@@ -106,8 +107,8 @@ std::string finding_list(const Synthesis& made) {
   }
   if (made.findings.empty()) return "";
   if (!errors.empty()) errors = "<ul class=\"errors\">\n" + errors + "</ul>\n";
-  const LintedMotion linted{made.motion.name, clip.frame_count(), clip.frames_per_second,
-                            !made.modified.empty(), made.findings};
+  const LintedMotion linted{made.motion.name,       clip.frame_count(), clip.frames_per_second,
+                            !made.modified.empty(), made.findings,      clip.loops};
   const std::string title = made.findings.size() == 1
                                 ? "Lint: 1 finding"
                                 : fmt::format("Lint: {} findings", made.findings.size());
@@ -153,7 +154,7 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
       "alt=\"Twelve frames of {}\"></a>\n<p>{}.</p>\n",
       id, id, id, html_escaped(facts_of(stimulus, made)));
   if (!made.modified.empty()) {
-    std::string sentence = "Modified: " + made.modified;
+    std::string sentence = "Modified: " + made.modified + share_text(made.modified_share);
     for (const std::string& note : made.notes) sentence += "; " + note;
     card += fmt::format("<p>{}.</p>\n", html_escaped(sentence));
   }

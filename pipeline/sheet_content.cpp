@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "pipeline/code_identity.h"
+#include "pipeline/modified_motion.h"
 #include "pipeline/parameter_label.h"
 
 namespace mien::pipeline {
@@ -21,7 +22,10 @@ std::string origin_of(const std::string& name, const Manifest& manifest) {
 SheetMotion sheet_motion(const std::string& name, const Manifest& manifest, Motions& motions) {
   const Synthesis& synthesis = motions.of(name);
   SheetMotion result{name, origin_of(name, manifest), synthesis.motion, {}};
-  if (!synthesis.modified.empty()) result.origin += ", then " + synthesis.modified;
+  if (!synthesis.modified.empty()) {
+    result.origin =
+        synthesis.modified + share_text(synthesis.modified_share) + ", of " + result.origin;
+  }
   for (Eigen::Index i = 0; i < synthesis.weights.size(); ++i) {
     const std::string& example = motions.repertoire().names[static_cast<std::size_t>(i)].name;
     if (synthesis.weights[i] > 0.0) result.weights.emplace_back(example, synthesis.weights[i]);
@@ -79,6 +83,12 @@ std::vector<SheetParameter> parameters_of(const Asked& target, const Asked& crea
   return parameters;
 }
 
+/// Examples are what motions are made from: references.
+MotionColours colours_of(const Stimulus* stimulus) {
+  if (stimulus == nullptr || stimulus->role == Role::reference) return reference_colours;
+  return stimulus->role == Role::target ? target_colours : created_colours;
+}
+
 std::vector<std::pair<std::string, std::string>> provenance_of(const Manifest& manifest) {
   return {{"mien", std::string(program_version())},
           {"seed", std::to_string(manifest.seed)},
@@ -110,10 +120,11 @@ SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions
 }
 
 GalleryContent gallery_content(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
-  GalleryContent content{manifest.study, sheet.id, {}, false, provenance_of(manifest)};
+  GalleryContent content{manifest.study, sheet.id, {}, {}, false, provenance_of(manifest)};
   for (const std::string& name : sheet.gallery) {
     content.motions.push_back(sheet_motion(name, manifest, motions));
     const Stimulus* stimulus = find_stimulus(manifest, name);
+    content.colours.push_back(colours_of(stimulus));
     const bool is_rated = stimulus != nullptr && !stimulus->adjectives.empty();
     content.simulated_ratings |= is_rated && motions.repertoire().simulated_ratings;
   }

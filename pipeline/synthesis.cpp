@@ -177,7 +177,9 @@ Synthesis as_captured(const Stimulus& stimulus) {
   result.warnings = mapping.warnings;
   const motion::Clip clip = excerpt(motion::to_body(recording, mapping), *stimulus.clip);
   result.motion.name = stimulus.id;
-  result.motion.clip = motion::resampled(clip, stimulus.output.fps);
+  // What is modified stays at its own rate until then.
+  result.motion.clip =
+      stimulus.modify.empty() ? motion::resampled(clip, stimulus.output.fps) : clip;
   result.motion.keytimes = {0.0, result.motion.clip.duration_seconds()};
   result.planted_drift_m =
       motion::planted_drift(result.motion.clip, motion::foot_plants(result.motion.clip));

@@ -100,6 +100,36 @@ TEST(ModifiedMotion, DoesItsStepsInOrderAndMovesKeytimesWithTempo) {
   EXPECT_EQ(described_modifications(stimulus), "head-flexion 10°; then tempo 0.8");
 }
 
+TEST(ModifiedMotion, IsNotBlamedForWhatWasBrokenBefore) {
+  motion::Example torn = normal_walk();
+  torn.clip.loops = false;
+  // A wrist that leaps for one frame.
+  torn.clip.poses[12].rotations[motion::LeftElbow] = motion::Quat(0.0, 0.0, 1.0, 0.0);
+  Stimulus stimulus = stimulus_with({{motion::PostureUnit::head_flexion, 5.0}}, OnFault::fail);
+  ModifiedMotion result = modify_motion(torn, stimulus, {});
+  EXPECT_TRUE(motion::has_errors(result.findings));
+  EXPECT_TRUE(result.warnings.empty());
+  ASSERT_FALSE(result.notes.empty());
+  EXPECT_NE(result.notes.back().find("without the modification"), std::string::npos);
+}
+
+TEST(ModifiedMotion, DoesTheSameAtEveryRateItIsShownAt) {
+  motion::Example captured = normal_walk();
+  captured.clip = motion::repeated(captured.clip, 3);
+  captured.keytimes = {0.0, captured.clip.duration_seconds()};
+  Stimulus stimulus = stimulus_with({}, OnFault::warn);
+  stimulus.modify[0].modification.paths = 0.4;
+  std::vector<double> ways;
+  for (const double fps : {10.0, 30.0, 120.0}) {
+    stimulus.output.fps = fps;
+    const motion::Clip clip = modify_motion(captured, stimulus, {}).motion.clip;
+    EXPECT_EQ(clip.frames_per_second, fps);
+    ways.push_back((clip.poses.back().root_position - clip.poses.front().root_position).norm());
+  }
+  EXPECT_NEAR(ways[0], ways[1], 0.01 * ways[1]);
+  EXPECT_NEAR(ways[2], ways[1], 0.01 * ways[1]);
+}
+
 TEST(ModifiedMotion, TakesPosesFromExamples) {
   Repertoire repertoire;
   repertoire.examples = motion::builtin_examples("actors");

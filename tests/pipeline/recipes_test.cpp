@@ -115,6 +115,17 @@ TEST(Recipes, OfABrokenFileAreToldWithTheirPlaces) {
       << faults;
 }
 
+TEST(Recipes, MayNotGivePathsAndGains) {
+  try {
+    parse_recipes("recipes:\n  both: {paths: 1.2, gains: {middle: 2}}\n", "/nowhere/r.yaml");
+    FAIL() << "nothing was thrown";
+  } catch (const Faults& faults) {
+    EXPECT_EQ(to_string(faults.list().at(0)),
+              "/nowhere/r.yaml:2:29: recipes.both.gains: paths says already how bands are "
+              "weighted; give paths or gains");
+  }
+}
+
 TEST(Recipes, UnknownEmotionsAreRefusedWithTheNearestName) {
   const ManifestReading reading =
       parse("stimuli:\n- {id: a, weights: {normal: 1}, modify: {emotion: angri}}\n");
