@@ -8,10 +8,10 @@
 #include "motion/modify/path_length.h"
 #include "motion/rotation.h"
 #include "motion/sole.h"
+#include "motion/synthetic_walk.h"
 #include "motion/walker.h"
 
 #include "path_measures.h"
-#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

@@ -9,14 +9,14 @@
 #include "motion/contact.h"
 #include "motion/make_example.h"
 #include "motion/mirror.h"
+#include "motion/random_motion.h"
+#include "motion/refusal.h"
 #include "motion/rotation.h"
 #include "motion/straighten.h"
 #include "motion/walker.h"
 
 #include "path_measures.h"
 #include "real_takes.h"
-#include "motion/random_motion.h"
-#include "motion/refusal.h"
 
 namespace mien::motion {
 namespace {

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "motion/contact.h"
+#include "motion/random_motion.h"
 #include "motion/walker.h"
 
 #include "path_measures.h"
-#include "motion/random_motion.h"
 
 namespace mien::motion {
 namespace {
