@@ -12,6 +12,8 @@
 #include "motion/interpolation_options.h"
 #include "motion/motion_file.h"
 #include "motion/nearest_word.h"
+#include "pipeline/fault_list.h"
+#include "pipeline/modification_checks.h"
 
 namespace mien::pipeline {
 
@@ -50,11 +52,11 @@ bool uses(const motion::InterpolationOptions& options, Method method) {
   return options.method == method || (by_grid && method == Method::nearest);
 }
 
-class Checker {
+class Checker : FaultList {
  public:
-  explicit Checker(const Manifest& manifest) : manifest_(manifest) {}
+  explicit Checker(const Manifest& manifest) : FaultList(manifest.places), manifest_(manifest) {}
 
-  std::vector<Fault> take() { return std::move(faults_); }
+  using FaultList::take;
 
   void meaning() {
     check_examples();
@@ -84,7 +86,6 @@ class Checker {
       for (const auto& [name, value] : stimulus.weights) {
         check_key(weights, name, "example", vocabulary.examples);
       }
-      check_poses(stimulus, vocabulary);
       if (!stimulus.id.empty()) motions.push_back(stimulus.id);
     }
     motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
@@ -102,13 +103,6 @@ class Checker {
   }
 
  private:
-  void add(const std::string& path, std::string wrong, std::string remedy) {
-    faults_.push_back(
-        {place_of(manifest_.places, path), path, std::move(wrong), std::move(remedy)});
-  }
-
-  bool was_given(const std::string& path) const { return manifest_.places.values.contains(path); }
-
   void check_examples() {
     const Examples& examples = manifest_.examples;
     std::error_code error;
@@ -138,27 +132,6 @@ class Checker {
     }
   }
 
-  void check_style_examples(const ModificationStep& step, const Vocabulary& vocabulary) {
-    for (const auto& [key, name] :
-         {std::pair("neutral", step.style->neutral), std::pair("styled", step.style->styled)}) {
-      if (name.empty()) continue;
-      check_word(member_path(step.path, key), name, "example", vocabulary.examples);
-    }
-  }
-
-  void check_poses(const Stimulus& stimulus, const Vocabulary& vocabulary) {
-    for (const ModificationStep& step : stimulus.modify) {
-      if (step.style) check_style_examples(step, vocabulary);
-      if (!step.edit.pose) continue;
-      const std::string path = member_path(step.path, "pose");
-      for (const auto& [key, pose] : {std::pair("neutral", step.edit.pose->neutral),
-                                      std::pair("posed", step.edit.pose->posed)}) {
-        if (pose.example.empty()) continue;
-        check_word(member_path(path, key), pose.example, "example", vocabulary.examples);
-      }
-    }
-  }
-
   void check_expectations(const Vocabulary& vocabulary) {
     const std::vector<Expectation>& expected = manifest_.ratings.expected;
     for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -170,12 +143,6 @@ class Checker {
                    vocabulary.examples);
       }
     }
-  }
-
-  void check_word(const std::string& path, const std::string& name, const std::string& what,
-                  const std::vector<std::string>& known) {
-    if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
-    add(path, "unknown " + what + " \"" + name + "\"", motion::did_you_mean(name, known));
   }
 
   void check_keytimes(const Examples& examples) {
@@ -192,13 +159,6 @@ class Checker {
             "give every motion the same moments");
       }
     }
-  }
-
-  void check_file(const std::string& path, const fs::path& file, const std::string& expected) {
-    std::error_code error;
-    if (fs::is_regular_file(file, error)) return;
-    add(path, "there is no file " + file.string(),
-        "give " + expected + "; paths are taken from the manifest's folder");
   }
 
   void check_output(const std::string& path, const Output& output) {
@@ -243,67 +203,8 @@ class Checker {
     if (!stimulus.weights.empty()) check_weights(stimulus, has_examples);
     if (has_examples && !manifest_.examples.blendable) check_single(stimulus);
     check_interpolation(stimulus);
-    for (const ModificationStep& step : stimulus.modify) check_step(step);
     if (stimulus.clip) check_clip(stimulus.path, *stimulus.clip);
     check_output(member_path(stimulus.path, "output"), stimulus.output);
-  }
-
-  /// Keys of a step, each with the older method that it is for; none for all of them.
-  void check_style(const ModificationStep& step) {
-    static const std::map<std::string, std::optional<StyleMethod>> keys = {
-        {"neutral", {}},
-        {"styled", {}},
-        {"harmonics", StyleMethod::unuma},
-        {"order", StyleMethod::hsu},
-        {"inputs", StyleMethod::hsu},
-        {"components", StyleMethod::shapiro},
-        {"swap", StyleMethod::shapiro}};
-    for (const auto& [key, method] : keys) {
-      const std::string path = member_path(step.path, key);
-      const bool is_for = step.style && (!method || step.style->method == *method);
-      if (!was_given(path) || is_for) continue;
-      add(path,
-          "only " + (method ? "method: " + std::string(name_of(*method)) : "a method") +
-              " has this",
-          "leave it out");
-    }
-    if (!step.style) return;
-    for (const char* key : {"neutral", "styled"}) {
-      if (was_given(member_path(step.path, key))) continue;
-      add(member_path(step.path, "method"),
-          "a style is the difference of two examples, and " + std::string(key) + " is missing",
-          "add neutral: and styled:");
-    }
-    if (!was_given("examples")) {
-      add(member_path(step.path, "method"), "there are no examples to take a style from",
-          "add examples:");
-    }
-    for (const char* key :
-         {"emotion", "paths", "gains", "signal", "acceleration", "acceleration_at", "limbs",
-          "posture", "pose", "tempo", "variation", "soft_limits"}) {
-      if (!was_given(member_path(step.path, key))) continue;
-      add(member_path(step.path, key), "a step with a method has no other changes",
-          "make a list of two steps");
-    }
-  }
-
-  void check_step(const ModificationStep& step) {
-    check_style(step);
-    if (step.edit.paths && step.edit.gains) {
-      add(member_path(step.path, "gains"), "paths says already how bands are weighted",
-          "give paths or gains");
-    }
-    if (!step.pose) return;
-    check_pose(member_path(step.path, "pose.neutral"), step.pose->neutral);
-    check_pose(member_path(step.path, "pose.posed"), step.pose->posed);
-  }
-
-  void check_pose(const std::string& path, const PoseSource& pose) {
-    if (!pose.file.empty()) check_file(path, pose.file, "the name of an example or a motion file");
-    if (!pose.example.empty() && !was_given("examples")) {
-      add(path, "there are no examples to take \"" + pose.example + "\" from",
-          "add examples:, or name a motion file");
-    }
   }
 
   /// Options of the whole study, of which each must be for some stimulus.
@@ -406,8 +307,7 @@ class Checker {
     // Without any, something else is at fault, and has been told.
     if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
     const std::string path = member_path(map, name);
-    faults_.push_back({key_place_of(manifest_.places, path), path, "unknown " + what,
-                       motion::did_you_mean(name, known)});
+    add_at_key(path, "unknown " + what, motion::did_you_mean(name, known));
   }
 
   void check_motion(const std::string& path, const std::string& name,
@@ -418,21 +318,25 @@ class Checker {
   }
 
   const Manifest& manifest_;
-  std::vector<Fault> faults_;
 };
+
+std::vector<Fault> joined(std::vector<Fault> faults, std::vector<Fault> more) {
+  for (Fault& fault : more) faults.push_back(std::move(fault));
+  return faults;
+}
 
 }  // namespace
 
 std::vector<Fault> check_meaning(const Manifest& manifest) {
   Checker checker(manifest);
   checker.meaning();
-  return checker.take();
+  return joined(checker.take(), check_modifications(manifest));
 }
 
 std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary) {
   Checker checker(manifest);
   checker.names(vocabulary);
-  return checker.take();
+  return joined(checker.take(), check_modification_names(manifest, vocabulary));
 }
 
 }  // namespace mien::pipeline

@@ -126,6 +126,22 @@ TEST(Recipes, MayNotGivePathsAndGains) {
   }
 }
 
+TEST(Recipes, TellWhereTheirOwnPosesAreMissing) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "r");
+  write_file(folder.path() / "r" / "my.recipes.yaml",
+             "recipes:\n  slump: {pose: {neutral: no.bvh, posed: somebody}}\n");
+  const ManifestReading reading = parse_manifest(
+      "mien: 1\nstudy: s\nrecipes: r/my.recipes.yaml\nstimuli:\n"
+      "- {id: a, clip: w.bvh, modify: {emotion: slump}}\n",
+      folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; });
+  const std::string faults = told(reading);
+  EXPECT_NE(faults.find("m.yaml:5:42: stimuli[0].modify.emotion: its recipe names a pose of " +
+                        (folder.path() / "r" / "no.bvh").string() + ", which is no file"),
+            std::string::npos)
+      << faults;
+}
+
 TEST(Recipes, UnknownEmotionsAreRefusedWithTheNearestName) {
   const ManifestReading reading =
       parse("stimuli:\n- {id: a, weights: {normal: 1}, modify: {emotion: angri}}\n");
