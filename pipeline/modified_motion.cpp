@@ -1,7 +1,8 @@
 #include "pipeline/modified_motion.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -101,38 +102,43 @@ ModifiedMotion at_share(const motion::Example& original, const Steps& steps, dou
   return result;
 }
 
-using BrokenPlace = std::pair<std::string, std::string>;
+/// Where something is broken (check and joint), and the worst that was measured there.
+using Breakage = std::map<std::pair<std::string, std::string>, double>;
 
-/// Which checks find errors, and where on the body.
-std::set<BrokenPlace> broken_places(const std::vector<motion::Finding>& findings) {
-  std::set<BrokenPlace> places;
+/// An error of the same kind in the same place counts as new when it is half as bad again.
+constexpr double clearly_worse = 1.5;
+
+void add_breakage(const std::vector<motion::Finding>& findings, Breakage& breakage) {
   for (const motion::Finding& finding : findings) {
-    if (finding.severity == motion::Severity::error) places.emplace(finding.check, finding.joint);
+    if (finding.severity != motion::Severity::error) continue;
+    double& worst = breakage[{finding.check, finding.joint}];
+    worst = std::max(worst, std::abs(finding.measured));
   }
-  return places;
 }
 
 /// What is broken without the modification's doing: in the original itself, and by the repair of
 /// the feet, which is there in full at the least strength.
-std::set<BrokenPlace> broken_anyway(const motion::Example& original, const Steps& steps) {
-  std::set<BrokenPlace> places = broken_places(motion::lint(steps.shown_original));
-  places.merge(broken_places(motion::lint(steps.shown_original, {}, &steps.shown_original)));
-  places.merge(broken_places(at_share(original, steps, 1e-3).findings));
-  return places;
+Breakage broken_anyway(const motion::Example& original, const Steps& steps) {
+  Breakage breakage;
+  add_breakage(motion::lint(steps.shown_original), breakage);
+  add_breakage(motion::lint(steps.shown_original, {}, &steps.shown_original), breakage);
+  add_breakage(at_share(original, steps, 1e-3).findings, breakage);
+  return breakage;
 }
 
 /// The first error that is not there anyway.
-const motion::Finding* new_error(const ModifiedMotion& modified, const std::set<BrokenPlace>& own) {
+const motion::Finding* new_error(const ModifiedMotion& modified, const Breakage& own) {
   for (const motion::Finding& finding : modified.findings) {
     if (finding.severity != motion::Severity::error) continue;
-    if (!own.contains({finding.check, finding.joint})) return &finding;
+    const auto known = own.find({finding.check, finding.joint});
+    if (known == own.end()) return &finding;
+    if (std::abs(finding.measured) > clearly_worse * known->second) return &finding;
   }
   return nullptr;
 }
 
 /// The largest share without new errors, by bisection.
-ModifiedMotion reduced(const motion::Example& original, const Steps& steps,
-                       const std::set<BrokenPlace>& own) {
+ModifiedMotion reduced(const motion::Example& original, const Steps& steps, const Breakage& own) {
   double clean = 0.0, broken = 1.0;
   ModifiedMotion best = at_share(original, steps, clean);
   for (int i = 0; i < halvings; ++i) {
@@ -150,7 +156,7 @@ ModifiedMotion reduced(const motion::Example& original, const Steps& steps,
 
 ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
                           const motion::Example& original, const Steps& steps,
-                          const std::set<BrokenPlace>& own) {
+                          const Breakage& own) {
   const Stimulus& stimulus = steps.stimulus;
   const std::string what =
       fmt::format("{} ({}, frames {}–{})", fault.sentence, fault.check, fault.first, fault.last);
@@ -190,7 +196,7 @@ ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& st
                     at_rate(original.clip, stimulus.output.fps)};
   ModifiedMotion whole = at_share(original, steps, 1.0);
   if (!motion::has_errors(whole.findings)) return whole;
-  const std::set<BrokenPlace> own = broken_anyway(original, steps);
+  const Breakage own = broken_anyway(original, steps);
   const motion::Finding* fault = new_error(whole, own);
   if (fault == nullptr) {
     whole.notes.push_back(

@@ -20,9 +20,10 @@ struct ModifiedMotion {
   std::vector<std::string> warnings;      ///< what came of faults, plain sentences
 };
 
-/// Does the stimulus's modifications one after the other and looks the result over. Errors that
-/// the original has not are dealt with as `on_fault` says; what was done is among the warnings.
-/// Throws Error when a pose cannot be had, and for `on_fault: fail`.
+/// Does the stimulus's modifications one after the other and looks the result over. Errors
+/// that neither the original nor the repair of its feet alone has, or that are half as bad again,
+/// are dealt with as `on_fault` says; what was done is among the warnings. The motion comes back at
+/// the output's frame rate. Throws Error when a pose cannot be had, and for `on_fault: fail`.
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
                              const Repertoire& repertoire);
 

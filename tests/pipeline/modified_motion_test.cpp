@@ -113,6 +113,19 @@ TEST(ModifiedMotion, IsNotBlamedForWhatWasBrokenBefore) {
   EXPECT_NE(result.notes.back().find("without the modification"), std::string::npos);
 }
 
+TEST(ModifiedMotion, IsBlamedForWhatItMakesMuchWorse) {
+  motion::Example bowed = normal_walk();
+  bowed.clip = motion::with_posture(bowed.clip, {{motion::PostureUnit::head_flexion, 85.0}});
+  const auto findings = motion::lint(bowed.clip);
+  ASSERT_TRUE(motion::has_errors(findings));  // beyond the neck's range before anything is done
+  const ModifiedMotion little = modify_motion(
+      bowed, stimulus_with({{motion::PostureUnit::head_flexion, 1.0}}, OnFault::warn), {});
+  EXPECT_TRUE(little.warnings.empty());
+  const ModifiedMotion much = modify_motion(
+      bowed, stimulus_with({{motion::PostureUnit::head_flexion, 60.0}}, OnFault::warn), {});
+  EXPECT_EQ(much.warnings.size(), 1u);
+}
+
 TEST(ModifiedMotion, DoesTheSameAtEveryRateItIsShownAt) {
   motion::Example captured = normal_walk();
   captured.clip = motion::repeated(captured.clip, 3);
