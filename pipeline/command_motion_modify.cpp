@@ -1,16 +1,17 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "motion/lint/lint.h"
 #include "motion/motion_file.h"
-#include "pipeline/checked_manifest.h"
 #include "pipeline/command_motion.h"
 #include "pipeline/files.h"
+#include "pipeline/manifest_reader.h"
 #include "pipeline/modified_motion.h"
 #include "pipeline/recipes.h"
 #include "pipeline/synthesis.h"
@@ -30,17 +31,34 @@ struct ModifyOptions {
   double fps = 0.0;
 };
 
-/// A manifest of one stimulus says the same, so it is what is checked and made.
-std::string manifest_of(const ModifyOptions& options, double fps) {
+/// A manifest of one stimulus says the same, so it is what is checked and made. Names of files are
+/// variables in it: whatever stands in them, YAML does not see it.
+std::string manifest_of(const ModifyOptions& options) {
   std::string change = options.change;
   if (!change.starts_with('{') && !change.starts_with('[')) {
     change =
         change.find(':') == std::string::npos ? "{emotion: " + change + "}" : "{" + change + "}";
   }
   return fmt::format(
-      "mien: 1\nstudy: modify\nrecipes: '{}'\non_fault: {}\noutput: {{fps: {}}}\n"
-      "stimuli:\n- id: modified\n  clip: '{}'\n  modify: {}\n",
-      options.recipes, options.on_fault, fps, options.in, change);
+      "mien: 1\nstudy: modify\nrecipes: '${{MIEN_RECIPES}}'\non_fault: {}\n"
+      "stimuli:\n- id: motion\n  clip: '${{MIEN_MOTION}}'\n  modify: {}\n",
+      options.on_fault, change);
+}
+
+Environment environment_of(const ModifyOptions& options) {
+  return [&options](const std::string& name) -> std::optional<std::string> {
+    if (name == "MIEN_MOTION") return options.in;
+    if (name == "MIEN_RECIPES") return options.recipes;
+    return process_environment()(name);
+  };
+}
+
+/// As somebody reads it who has written no manifest.
+Fault without_manifest(Fault fault, const fs::path& manifest) {
+  constexpr std::string_view stimulus = "stimuli[0].";
+  if (fault.place.file == manifest.string()) fault.place = {};
+  if (fault.path.starts_with(stimulus)) fault.path.erase(0, stimulus.size());
+  return fault;
 }
 
 int modify_file(const ModifyOptions& options, const Console& console) {
@@ -48,18 +66,16 @@ int modify_file(const ModifyOptions& options, const Console& console) {
   if (fs::equivalent(options.in, options.out, unknown)) {
     throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
   }
-  const double fps =
-      options.fps > 0.0 ? options.fps : motion::read_motion(options.in).frames_per_second;
   const fs::path here = fs::current_path() / "command line";
-  ManifestReading reading = parse_manifest(manifest_of(options, fps), here, process_environment());
+  ManifestReading reading = parse_manifest(manifest_of(options), here, environment_of(options));
   if (!reading.faults.empty()) {
-    // Places in a manifest that nobody wrote would lead nowhere.
-    for (Fault& fault : reading.faults) {
-      if (fault.place.file == here.string()) fault.place = {};
-    }
+    for (Fault& fault : reading.faults) fault = without_manifest(std::move(fault), here);
     throw Faults(std::move(reading.faults));
   }
-  const Synthesis made = synthesize(reading.manifest.stimuli.front(), {});
+  Stimulus& stimulus = reading.manifest.stimuli.front();
+  stimulus.output.fps =
+      options.fps > 0.0 ? options.fps : motion::read_motion(options.in).frames_per_second;
+  const Synthesis made = synthesize(stimulus, {});
   motion::write_motion(motion::to_recording(made.motion.clip), options.out);
   console.out << fmt::format("{}: {}{}, {} frames\n", options.out, made.modified,
                              share_text(made.modified_share), made.motion.clip.frame_count());
@@ -113,7 +129,7 @@ void add_motion_modify_command(CLI::App& motion, Command& chosen) {
       ->check(CLI::IsMember({"warn", "fail", "revert", "reduce"}))
       ->capture_default_str();
   command->add_option("--fps", options->fps, "Frames per second to write; the file's without it")
-      ->check(CLI::Range(1.0, 240.0));
+      ->check(CLI::Range(1.0, 1000.0));
   command->footer(
       "\nThe result is of the canonical body (21 joints, metres, +Y up). What names examples "
       "(method:, "

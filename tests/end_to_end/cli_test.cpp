@@ -312,6 +312,35 @@ TEST(CommandLine, FindsFaultsOfMotions) {
   EXPECT_EQ(run_mien({"motion", "lint", (scratch.path() / "none.bvh").string()}).code, 2);
 }
 
+TEST(CommandLine, ModifiesAMotionFile) {
+  const Scratch scratch;
+  // A name that a shell or a YAML file would stumble on.
+  const std::string walk = (scratch.path() / "it's ${X}.bvh").string();
+  ASSERT_EQ(run_mien({"motion", "blend", "--examples", "builtin:walks-10", "--weights", "normal=1",
+                      "--cycles", "3", "-o", walk})
+                .code,
+            0);
+  const std::string sad = (scratch.path() / "sad.bvh").string();
+  const Ended ended = run_mien({"motion", "modify", walk, "[{emotion: sad}, {tempo: 0.9}]", sad});
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  const Ended compared = run_mien({"motion", "compare", walk, sad});
+  EXPECT_EQ(compared.code, 0) << compared.errors;
+  EXPECT_NE(compared.output, run_mien({"motion", "compare", walk, walk}).output);
+
+  const Ended unknown = run_mien({"motion", "modify", walk, "sadd", sad + ".bvh"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_TRUE(contains(unknown.errors, "did you mean \"sad\"?")) << unknown.errors;
+  EXPECT_FALSE(fs::exists(sad + ".bvh"));
+
+  const std::string before = text_of(walk);
+  EXPECT_EQ(run_mien({"motion", "modify", walk, "sad", walk}).code, 2);
+  EXPECT_EQ(text_of(walk), before);
+
+  const std::string recipes = (scratch.path() / "my.recipes.yaml").string();
+  std::ofstream(recipes) << "recipes:\n  gloomy: {posture: {head-flexion: 15}}\n";
+  EXPECT_EQ(run_mien({"motion", "modify", walk, "gloomy", sad, "--recipes", recipes}).code, 0);
+}
+
 TEST(CommandLine, RendersAMotionFileByItself) {
   const Scratch scratch;
   const std::string walk = (scratch.path() / "walk.bvh").string();
