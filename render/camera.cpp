@@ -10,8 +10,15 @@ CameraFrame frame_of(const Camera& camera) {
   if (camera.width < 1 || camera.height < 1)
     throw std::invalid_argument("camera: the picture has no pixels");
   const float angle = camera.vertical_field_of_view;
-  if (!(angle > 0.0f && angle < std::numbers::pi_v<float>))
+  if (camera.parallel_height == 0.0f && !(angle > 0.0f && angle < std::numbers::pi_v<float>))
     throw std::invalid_argument("camera: the field of view is not between 0 and π");
+  if (!(camera.parallel_height >= 0.0f && std::isfinite(camera.parallel_height)))
+    throw std::invalid_argument("camera: the height of its view is negative or not finite");
+  if (!std::isfinite(camera.shift_x) || !std::isfinite(camera.shift_y))
+    throw std::invalid_argument("camera: its shift is not finite");
+  if (!(camera.aperture_radius >= 0.0f && std::isfinite(camera.aperture_radius)) ||
+      !(camera.focus_distance > 0.0f))
+    throw std::invalid_argument("camera: aperture or focus distance is not positive");
   const Vec3 axis = camera.target - camera.position;
   const Vec3 right = axis.cross(camera.up);
   if (!(axis.norm() > 0.0f) || !(right.norm() > 1e-6f * axis.norm() * camera.up.norm()) ||
@@ -22,13 +29,27 @@ CameraFrame frame_of(const Camera& camera) {
   frame.position = camera.position;
   frame.forward = axis.normalized();
   const Vec3 unit_right = right.normalized();
-  const auto half_height = static_cast<float>(camera.height) / 2.0f;
-  const auto step = static_cast<float>(std::tan(0.5 * angle)) / half_height;
+  const Vec3 unit_down = frame.forward.cross(unit_right);
+  const auto height = static_cast<float>(camera.height);
+  frame.parallel = camera.parallel_height > 0.0f;
+  const float step = frame.parallel ? camera.parallel_height / height
+                                    : static_cast<float>(std::tan(0.5 * angle)) / (0.5f * height);
   frame.step_right = step * unit_right;
-  frame.step_down = step * frame.forward.cross(unit_right);
-  frame.half_width = static_cast<float>(camera.width) / 2.0f;
-  frame.half_height = half_height;
+  frame.step_down = step * unit_down;
+  frame.centre_x = static_cast<float>(camera.width) / 2.0f + camera.shift_x;
+  frame.centre_y = height / 2.0f + camera.shift_y;
+  frame.lens_right = camera.aperture_radius * unit_right;
+  frame.lens_down = camera.aperture_radius * unit_down;
+  frame.focus_distance = camera.focus_distance;
   return frame;
+}
+
+EyeRay CameraFrame::ray(float x, float y, float lens_x, float lens_y) const {
+  const EyeRay sharp = ray(x, y);
+  const Vec3 focus =
+      sharp.origin + (focus_distance / sharp.direction.dot(forward)) * sharp.direction;
+  const Vec3 origin = sharp.origin + lens_x * lens_right + lens_y * lens_down;
+  return {origin, (focus - origin).normalized()};
 }
 
 std::optional<Eigen::Vector2f> project(const Camera& camera, const Vec3& point) {
@@ -36,9 +57,9 @@ std::optional<Eigen::Vector2f> project(const Camera& camera, const Vec3& point) 
   const Vec3 towards = point - frame.position;
   const float depth = towards.dot(frame.forward);
   if (!(depth > 0.0f)) return std::nullopt;
-  const float scale = 1.0f / (depth * frame.step_right.squaredNorm());
-  return Eigen::Vector2f{frame.half_width + towards.dot(frame.step_right) * scale,
-                         frame.half_height + towards.dot(frame.step_down) * scale};
+  const float scale = 1.0f / ((frame.parallel ? 1.0f : depth) * frame.step_right.squaredNorm());
+  return Eigen::Vector2f{frame.centre_x + towards.dot(frame.step_right) * scale,
+                         frame.centre_y + towards.dot(frame.step_down) * scale};
 }
 
 }  // namespace mien::render

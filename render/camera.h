@@ -8,31 +8,52 @@
 
 namespace mien::render {
 
-/// A pinhole camera with square pixels. Film x goes right and y goes down; pixel (i, j) covers
+/// A camera with square pixels. Film x goes right and y goes down; pixel (i, j) covers
 /// [i, i+1) × [j, j+1), its centre is at (i + ½, j + ½).
 struct Camera {
   Vec3 position{0.0f, 1.0f, 5.0f};
   Vec3 target{0.0f, 1.0f, 0.0f};          ///< any point on the optical axis, not the position
   Vec3 up = Vec3::UnitY();                ///< not parallel to the axis
   float vertical_field_of_view = 0.524f;  ///< radians, 0 … π, from the top to the bottom edge
-  int width = 960;                        ///< pixels
-  int height = 540;                       ///< pixels
+  float parallel_height = 0.0f;  ///< metres from the top to the bottom edge of an orthographic
+                                 ///< camera, which has no field of view; 0: perspective
+  float shift_x = 0.0f;  ///< the optical axis meets the film so many pixels right of its middle
+  float shift_y = 0.0f;  ///< and so many below
+  float aperture_radius = 0.0f;  ///< metres; 0: a pinhole, everything is sharp
+  float focus_distance = 5.0f;   ///< along the axis, metres; of a camera with an aperture
+  int width = 960;               ///< pixels
+  int height = 540;              ///< pixels
 };
 
-/// The camera's axes, computed once a picture: a film point (x, y) looks along
-/// forward + (x − width/2)·step_right + (y − height/2)·step_down, before normalisation.
+/// A ray of light, seen from the eye. The direction has unit length.
+struct EyeRay {
+  Vec3 origin;
+  Vec3 direction;
+};
+
+/// The camera's axes, computed once a picture.
 struct CameraFrame {
   Vec3 position;
   Vec3 forward;     ///< unit
-  Vec3 step_right;  ///< change of direction per pixel
-  Vec3 step_down;   ///< change of direction per pixel
-  float half_width;
-  float half_height;
+  Vec3 step_right;  ///< a pixel to the right at distance 1 (perspective) or anywhere, metres
+  Vec3 step_down;   ///< a pixel down, likewise
+  float centre_x;   ///< film point that the axis goes through
+  float centre_y;
+  bool parallel;
+  Vec3 lens_right;  ///< from the middle of the aperture to its rim; zero for a pinhole
+  Vec3 lens_down;
+  float focus_distance;
 
-  /// Unit direction through a film point.
-  Vec3 direction(float x, float y) const {
-    return (forward + (x - half_width) * step_right + (y - half_height) * step_down).normalized();
+  /// Through a film point and the middle of the aperture.
+  EyeRay ray(float x, float y) const {
+    const Vec3 aside = (x - centre_x) * step_right + (y - centre_y) * step_down;
+    if (parallel) return {position + aside, forward};
+    return {position, (forward + aside).normalized()};
   }
+
+  /// Through a film point and a point of the aperture, (0, 0) in its middle, its rim at radius 1.
+  /// What lies at the focus distance stays where `ray` sees it.
+  EyeRay ray(float x, float y, float lens_x, float lens_y) const;
 };
 
 /// Throws std::invalid_argument when the camera is degenerate (no size, target at the position, up

@@ -71,23 +71,24 @@ Color unshadowed_floor(const Scene& scene, const Vec3& point) {
 }
 
 SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, float x, float y) {
-  const Vec3 direction = camera.direction(x, y);
+  const EyeRay ray = camera.ray(x, y);
+  const Vec3& direction = ray.direction;
   SetPixel pixel;
   pixel.radiance = backdrop_radiance(scene.sky, direction);
   if (!scene.has_ground) return pixel;
-  const std::optional<float> distance = distance_to_floor(camera.position, direction);
+  const std::optional<float> distance = distance_to_floor(ray.origin, direction);
   if (!distance) return pixel;
 
-  pixel.point = camera.position + *distance * direction;
+  pixel.point = ray.origin + *distance * direction;
   pixel.point.y() = 0.0f;
   const Vec3 across = pixel.point - Vec3{camera.position.x(), 0.0f, camera.position.z()};
   const float share = visibility(scene.ground, across.norm());
   if (share <= 0.0f) return pixel;
 
   pixel.shows_floor = true;
-  const Vec3 unnormalised = direction / direction.dot(camera.forward);
+  const float forwards = direction.dot(camera.forward);
   const Footprint print =
-      footprint(camera, unnormalised, *distance * direction.dot(camera.forward));
+      footprint(camera, direction / forwards, camera.parallel ? 1.0f : *distance * forwards);
   pixel.visible_albedo = share * albedo_at(scene.ground, pixel.point, print);
   pixel.radiance = (1.0f - share) * pixel.radiance +
                    pixel.visible_albedo * inverse_pi * irradiance_on_floor(scene, pixel.point);

@@ -72,8 +72,8 @@ FilmBox film_box(const CameraFrame& camera, const Ball& ball) {
   }
   box.x = seen(towards.dot(camera.step_right) / pixel, depth, radius);
   box.y = seen(towards.dot(camera.step_down) / pixel, depth, radius);
-  for (float* x : {&box.x.low, &box.x.high}) *x = camera.half_width + *x / pixel;
-  for (float* y : {&box.y.low, &box.y.high}) *y = camera.half_height + *y / pixel;
+  for (float* x : {&box.x.low, &box.x.high}) *x = camera.centre_x + *x / pixel;
+  for (float* y : {&box.y.low, &box.y.high}) *y = camera.centre_y + *y / pixel;
   return box;
 }
 

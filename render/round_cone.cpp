@@ -37,9 +37,9 @@ RoundCone round_cone(const Capsule& capsule) {
 
 std::vector<RoundCone> round_cones(const Scene& scene) {
   std::vector<RoundCone> cones;
-  cones.reserve(scene.spheres.size() + scene.capsules.size());
-  for (const Sphere& sphere : scene.spheres) cones.push_back(round_cone(sphere));
-  for (const Capsule& capsule : scene.capsules) cones.push_back(round_cone(capsule));
+  cones.reserve(scene.solids.spheres.size() + scene.solids.capsules.size());
+  for (const Sphere& sphere : scene.solids.spheres) cones.push_back(round_cone(sphere));
+  for (const Capsule& capsule : scene.solids.capsules) cones.push_back(round_cone(capsule));
   return cones;
 }
 

@@ -92,15 +92,15 @@ void validate(const Scene& scene) {
   const auto has_material = [&](int index) { return index >= 0 && index < material_count; };
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     validate(scene.materials[i], indexed("materials", i));
-  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-    const Sphere& sphere = scene.spheres[i];
+  for (std::size_t i = 0; i < scene.solids.spheres.size(); ++i) {
+    const Sphere& sphere = scene.solids.spheres[i];
     const std::string where = indexed("spheres", i);
     require(sphere.centre.allFinite(), where + ".centre", "not finite");
     require(is_radius(sphere.radius), where + ".radius", "negative or not finite");
     require(has_material(sphere.material), where + ".material", "out of range");
   }
-  for (std::size_t i = 0; i < scene.capsules.size(); ++i) {
-    const Capsule& capsule = scene.capsules[i];
+  for (std::size_t i = 0; i < scene.solids.capsules.size(); ++i) {
+    const Capsule& capsule = scene.solids.capsules[i];
     const std::string where = indexed("capsules", i);
     require(capsule.start.allFinite() && capsule.end.allFinite(), where, "an end is not finite");
     require(is_radius(capsule.start_radius) && is_radius(capsule.end_radius), where,

@@ -92,10 +92,10 @@ std::optional<FloorArea> floor_under(const CameraFrame& camera, float x, float y
   FloorArea area{infinity, -infinity, infinity, -infinity};
   for (const float dx : {-half_width, half_width}) {
     for (const float dy : {-half_width, half_width}) {
-      const Vec3 direction = camera.direction(x + dx, y + dy);
-      const std::optional<float> distance = distance_to_floor(camera.position, direction);
+      const EyeRay ray = camera.ray(x + dx, y + dy);
+      const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
       if (!distance) return std::nullopt;
-      const Vec3 point = camera.position + *distance * direction;
+      const Vec3 point = ray.origin + *distance * ray.direction;
       area.x_min = std::min(area.x_min, point.x());
       area.x_max = std::max(area.x_max, point.x());
       area.z_min = std::min(area.z_min, point.z());
@@ -205,9 +205,10 @@ void TilePainter::plan_floor_sky(Pixel& pixel) const {
 Vec3 TilePainter::camera_direction(const Sample& sample) const {
   const Pixel& pixel = *sample.pixel;
   const Point2 u = pixel.sampler.point(Dimension::FilmPosition, sample.index);
-  return picture_.camera.direction(
-      static_cast<float>(pixel.x) + 0.5f + picture_.filter.offset(u.u),
-      static_cast<float>(pixel.y) + 0.5f + picture_.filter.offset(u.v));
+  return picture_.camera
+      .ray(static_cast<float>(pixel.x) + 0.5f + picture_.filter.offset(u.u),
+           static_cast<float>(pixel.y) + 0.5f + picture_.filter.offset(u.v))
+      .direction;
 }
 
 void TilePainter::trace(const Sample& sample, const Vec3& direction) {
@@ -240,6 +241,7 @@ void TilePainter::trace_primaries() {
 
 void TilePainter::light_figure(const Sample& sample, const Surface& surface) {
   const Scene& scene = picture_.scene;
+  sample.pixel->sum += surface.material->emission;
   const Vec3 origin = ray_origin(surface);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Point2 u = sample.pixel->sampler.light_point(static_cast<int>(i), sample.index);

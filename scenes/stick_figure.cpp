@@ -83,12 +83,13 @@ render::Vec3 to_render(const motion::Vec3& point) { return point.cast<float>(); 
 
 void add_capsule(render::Scene& scene, const motion::Vec3& start, const motion::Vec3& end,
                  double start_radius, double end_radius, int material) {
-  scene.capsules.push_back({to_render(start), to_render(end), static_cast<float>(start_radius),
-                            static_cast<float>(end_radius), material});
+  scene.solids.capsules.push_back({to_render(start), to_render(end),
+                                   static_cast<float>(start_radius), static_cast<float>(end_radius),
+                                   material});
 }
 
 void add_sphere(render::Scene& scene, const motion::Vec3& centre, double radius, int material) {
-  scene.spheres.push_back({to_render(centre), static_cast<float>(radius), material});
+  scene.solids.spheres.push_back({to_render(centre), static_cast<float>(radius), material});
 }
 
 void add_body(render::Scene& scene, const motion::Skeleton& body,

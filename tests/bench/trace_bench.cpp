@@ -61,13 +61,14 @@ Scene standing_figure() {
   Scene scene;
   scene.materials = {Material{}};
   const std::vector<Joint> joints = figure();
-  for (const Joint& joint : joints) scene.spheres.push_back({joint.place, 0.06f});
+  for (const Joint& joint : joints) scene.solids.spheres.push_back({joint.place, 0.06f});
   for (const Joint& joint : joints)
     if (joint.parent >= 0)
-      scene.capsules.push_back({.start = joints[static_cast<std::size_t>(joint.parent)].place,
-                                .end = joint.place,
-                                .start_radius = 0.05f,
-                                .end_radius = 0.04f});
+      scene.solids.capsules.push_back(
+          {.start = joints[static_cast<std::size_t>(joint.parent)].place,
+           .end = joint.place,
+           .start_radius = 0.05f,
+           .end_radius = 0.04f});
   scene.lights = {
       softbox({2.0f, 4.0f, 2.0f}, {0.0f, 1.0f, 0.0f}, 1.5f, 1.5f, Color::Constant(8.0f))};
   return scene;
@@ -79,8 +80,8 @@ class BareScene {
   BareScene(const EmbreeDevice& device, const Scene& scene) : scene_(rtcNewScene(device.get())) {
     std::vector<float> balls, curves;
     std::vector<unsigned> starts;
-    for (const Sphere& sphere : scene.spheres) append(balls, sphere.centre, sphere.radius);
-    for (const Capsule& capsule : scene.capsules) {
+    for (const Sphere& sphere : scene.solids.spheres) append(balls, sphere.centre, sphere.radius);
+    for (const Capsule& capsule : scene.solids.capsules) {
       starts.push_back(static_cast<unsigned>(curves.size() / 4));
       append(curves, capsule.start, capsule.start_radius);
       append(curves, capsule.end, capsule.end_radius);
@@ -127,7 +128,7 @@ std::vector<RayPacket> primary_rays() {
     for (int x = 0; x < camera.width; ++x) {
       if (packets.empty() || packets.back().count == packet_size) packets.emplace_back();
       const Vec3 direction =
-          frame.direction(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+          frame.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f).direction;
       packets.back().push(frame.position, direction,
                           distance_to_floor(frame.position, direction).value_or(infinity));
     }

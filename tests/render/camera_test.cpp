@@ -38,7 +38,7 @@ TEST(Camera, LooksThroughTheFilmPointOfWhatItSees) {
     const CameraFrame frame = frame_of(camera);
     const Eigen::Vector2f film{960.0f * along(random), 540.0f * along(random)};
     const float distance = 0.5f + 9.0f * along(random);
-    const Vec3 point = frame.position + distance * frame.direction(film.x(), film.y());
+    const Vec3 point = frame.position + distance * frame.ray(film.x(), film.y()).direction;
     const auto seen = project(camera, point);
     ASSERT_TRUE(seen);
     EXPECT_LT((*seen - film).norm(), 0.02f) << "trial " << trial;

@@ -32,7 +32,7 @@ Scene bare_floor(float albedo) {
 TEST(FloorSky, BesideASphereLacksTheSpheresFormFactor) {
   for (const float x : {0.3f, 0.7f, 1.0f, 2.0f, 4.0f}) {
     Scene scene = bare_floor(0.5f);
-    scene.spheres = {{.centre = {0.0f, 0.6f, 0.0f}, .radius = 0.6f}};
+    scene.solids.spheres = {{.centre = {0.0f, 0.6f, 0.0f}, .radius = 0.6f}};
     const double distance = std::hypot(static_cast<double>(x), 0.6);
     const double hidden = std::pow(0.6 / distance, 3);
     const test::SampleMean found =
@@ -78,10 +78,10 @@ TEST(FloorSky, IsUnbiasedHoweverFewRaysItIsWorth) {
   Scene scene = bare_floor(0.8f);
   scene.sky.zenith = Color::Constant(2.0f);
   scene.sky.horizon = Color::Constant(0.5f);
-  scene.spheres = sparse_figure();
+  scene.solids.spheres = sparse_figure();
   for (const float x : {0.4f, 1.5f, 2.5f, 4.0f, 6.0f}) {
     const Vec3 point{x, 0.0f, 0.3f};
-    const double hidden = hidden_sky(scene.spheres, point, 0.5, 1.5);
+    const double hidden = hidden_sky(scene.solids.spheres, point, 0.5, 1.5);
     const double whole = 0.5 + 1.5 * 2.0 / 3.0;
     const test::SampleMean found =
         radiance_at(scene, camera_on(point, aside), {.samples_per_pixel = 16}, 40);
@@ -97,7 +97,7 @@ TEST(FloorLight, IsNoneWhereTheFigureHidesTheLight) {
   scene.lights = {{.centre = {0.0f, 4.0f, 0.0f}, .radiance = Color::Constant(20.0f)}};
   const Camera camera = camera_on(Vec3::Zero(), {3.0f, 0.3f, 0.0f});
   const double lit = radiance_at(scene, camera, {}, 1).mean();
-  scene.spheres = {{.centre = {0.0f, 1.2f, 0.0f}, .radius = 1.0f}};
+  scene.solids.spheres = {{.centre = {0.0f, 1.2f, 0.0f}, .radius = 1.0f}};
   expect_mean(radiance_at(scene, camera, {}, 8), 0.0, 1e-3 * lit, 1e-3 * lit);
 }
 
@@ -107,11 +107,11 @@ TEST(FloorLight, IsWhatTheFigureLeavesOfTheLight) {
   Scene scene = bare_floor(0.5f);
   scene.sky.zenith = scene.sky.horizon = Color::Zero();
   scene.lights = {{.centre = {0.0f, 4.0f, 0.0f}, .radiance = Color::Constant(20.0f)}};
-  scene.spheres = {{.centre = {0.0f, 1.0f, 0.0f}, .radius = 0.08f}};
+  scene.solids.spheres = {{.centre = {0.0f, 1.0f, 0.0f}, .radius = 0.08f}};
   // The cone that touches the ball; a disc of half angle α right above has form factor sin² α.
   const double hidden = 0.08 * 0.08;
   Scene unhidden = scene;
-  unhidden.spheres.clear();
+  unhidden.solids.spheres.clear();
   const Camera camera = camera_on(Vec3::Zero(), {3.0f, 1.0f, 0.0f});
   const double whole = radiance_at(unhidden, camera, {}, 1).mean();
   const double expected = whole - 0.5 * 20.0 * hidden;

@@ -25,7 +25,7 @@ Scene one_sphere() {
   Scene scene;
   scene.has_ground = false;
   scene.materials = {{.albedo = albedo}};
-  scene.spheres = {{.centre = {0.0f, 1.0f, 0.0f}, .radius = 1.0f}};
+  scene.solids.spheres = {{.centre = {0.0f, 1.0f, 0.0f}, .radius = 1.0f}};
   return scene;
 }
 
@@ -78,9 +78,11 @@ Scene random_figure(unsigned seed) {
   const auto place = [&] { return Vec3{uniform(-1, 1), uniform(-0.1f, 2), uniform(-1, 1)}; };
   Scene scene;
   scene.materials = {{.albedo = albedo}, {.albedo = {0.7f, 0.2f, 0.1f}, .sheen = 0.04f}};
-  for (int i = 0; i < 6; ++i) scene.spheres.push_back({place(), uniform(0.02f, 0.2f), i % 2});
   for (int i = 0; i < 6; ++i)
-    scene.capsules.push_back({place(), place(), uniform(0.01f, 0.2f), uniform(0.01f, 0.2f), i % 2});
+    scene.solids.spheres.push_back({place(), uniform(0.02f, 0.2f), i % 2});
+  for (int i = 0; i < 6; ++i)
+    scene.solids.capsules.push_back(
+        {place(), place(), uniform(0.01f, 0.2f), uniform(0.01f, 0.2f), i % 2});
   // The second light stands as low as the figure, so that its shadows reach the horizon.
   scene.lights = {softbox({2.0f, 4.0f, 2.0f}, Vec3::UnitY(), 1.5f, 1.0f, Color::Constant(8.0f)),
                   softbox({-3.0f, 1.5f, 1.0f}, Vec3::UnitY(), 0.5f, 2.0f, Color::Constant(3.0f))};
@@ -123,8 +125,8 @@ Scene twigs(unsigned seed) {
   scene.materials = {Material{}};
   for (int i = 0; i < 3; ++i) {
     const Vec3 place{uniform(random), 0.8f + uniform(random), uniform(random)};
-    scene.spheres.push_back({place, 0.01f});
-    scene.spheres.push_back({place + Vec3{0.2f, 0.1f, 0.1f}, 0.12f});
+    scene.solids.spheres.push_back({place, 0.01f});
+    scene.solids.spheres.push_back({place + Vec3{0.2f, 0.1f, 0.1f}, 0.12f});
   }
   scene.sky = even_sky(Color::Zero());
   const bool wide = seed % 2 == 0;
@@ -191,9 +193,9 @@ TEST(Tracer, ShowsNothingOfAFigureFarAway) {
     scene.sky.zenith = scene.sky.horizon = scene.sky.below = Color::Zero();
     const Camera camera{.width = 75, .height = 50};
     const Film alone = tracer.trace(scene, camera, {});
-    scene.spheres.push_back({.centre = {0.0f, 1.0f, 60.0f}, .radius = 0.5f});
+    scene.solids.spheres.push_back({.centre = {0.0f, 1.0f, 60.0f}, .radius = 0.5f});
     EXPECT_EQ(tracer.trace(scene, camera, {}), alone) << "seed " << seed;
-    scene.spheres.back().centre = {0.0f, 1.0f, 0.0f};
+    scene.solids.spheres.back().centre = {0.0f, 1.0f, 0.0f};
     EXPECT_NE(tracer.trace(scene, camera, {}), alone) << "seed " << seed;
   }
 }
@@ -208,7 +210,7 @@ TEST(Tracer, ShowsTheBackdropWhereNoFigureStands) {
 
 TEST(Tracer, RefusesADegenerateSceneByTheNameOfItsMember) {
   Scene scene = one_sphere();
-  scene.spheres[0].material = 1;
+  scene.solids.spheres[0].material = 1;
   try {
     Tracer().trace(scene, {}, {});
     ADD_FAILURE() << "nothing was refused";
