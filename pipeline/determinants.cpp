@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <variant>
 
 #include "pipeline/code_identity.h"
 #include "pipeline/repertoire.h"
@@ -101,6 +102,13 @@ std::vector<std::filesystem::path> parts_of(const std::filesystem::path& file) {
   return parts;
 }
 
+void add_look(KeyBuilder& key, const Look& look) {
+  key.add("look", look.written);
+  if (!look.scene_file.empty()) add_file(key, look.scene_file);
+  const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure);
+  if (character != nullptr) add_file(key, character->file);
+}
+
 Hash libraries_key() {
   KeyBuilder key;
   for (const auto& [name, version] : library_versions()) key.add(name, version);
@@ -159,9 +167,7 @@ void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
 }
 
 void add_film(KeyBuilder& key, const Stimulus& stimulus) {
-  key.add("scene", stimulus.look.scene)
-      .add("figure", stimulus.look.figure)
-      .add("camera", stimulus.look.camera);
+  add_look(key, stimulus.look);
   add_choice(key, "role", stimulus.role);
   key.add("width", std::int64_t{stimulus.output.size[0]})
       .add("height", std::int64_t{stimulus.output.size[1]})

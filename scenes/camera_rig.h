@@ -13,6 +13,13 @@ namespace mien::scenes {
 /// Names that `look: {camera: …}` takes: front, side, three-quarter, follow, orbit.
 std::vector<std::string> camera_names();
 
+/// How the action is looked at.
+struct CameraSettings {
+  std::string view = "three-quarter";  ///< one of `camera_names`
+
+  friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
+};
+
 /// One camera a frame of a clip.
 struct CameraRig {
   std::vector<render::Camera> cameras;  ///< a single one for a standing camera
@@ -40,6 +47,7 @@ Action action_of(const motion::Clip& clip);
 /// `front` looks the figure in the face, `side` sees it walk from left to right, `three-quarter`
 /// stands between them; `follow` is the three-quarter camera going with the figure, `orbit` circles
 /// once round the action. Throws Error for an unknown name.
-CameraRig make_camera_rig(std::string_view name, const Action& action, std::array<int, 2> size);
+CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
+                          std::array<int, 2> size);
 
 }  // namespace mien::scenes
