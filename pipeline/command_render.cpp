@@ -16,6 +16,7 @@
 #include "pipeline/cli.h"
 #include "pipeline/files.h"
 #include "pipeline/film.h"
+#include "pipeline/look_checks.h"
 #include "pipeline/look_options.h"
 #include "pipeline/progress.h"
 #include "pipeline/recording_clip.h"
@@ -148,7 +149,7 @@ int render_file(const RenderOptions& options, const Console& console) {
   const Look look = look_of(options.look);
   const motion::Clip clip =
       motion::resampled(clip_of(motion::read_motion(options.file)), options.fps);
-  const scenes::Shot shot = scenes::stage(clip, {.set = look.scene,
+  const scenes::Shot shot = scenes::stage(clip, {.set = set_of(look),
                                                  .figure = look.figure,
                                                  .camera = look.camera,
                                                  .size = settings.output.size});

@@ -6,6 +6,7 @@
 
 #include "pipeline/code_identity.h"
 #include "pipeline/repertoire.h"
+#include "pipeline/set_file.h"
 
 namespace mien::pipeline {
 
@@ -102,11 +103,18 @@ std::vector<std::filesystem::path> parts_of(const std::filesystem::path& file) {
   return parts;
 }
 
+/// The character that a figure or a trail's figure is.
+const scenes::CharacterOptions* character_in(const scenes::Figure& figure) {
+  if (const auto* trail = std::get_if<scenes::TrailOptions>(&figure)) {
+    return std::get_if<scenes::CharacterOptions>(&trail->figure);
+  }
+  return std::get_if<scenes::CharacterOptions>(&figure);
+}
+
 void add_look(KeyBuilder& key, const Look& look) {
-  key.add("look", look.written);
+  key.add("look", look.written).add("set", hash_of(builtin_set_text(scene_of(look))));
   if (!look.scene_file.empty()) add_file(key, look.scene_file);
-  const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure);
-  if (character != nullptr) add_file(key, character->file);
+  if (const auto* character = character_in(look.figure)) add_file(key, character->file);
 }
 
 Hash libraries_key() {

@@ -1,9 +1,10 @@
 #include "pipeline/look.h"
 
-#include <algorithm>
+#include <variant>
 
 #include "pipeline/json_assign.h"
-#include "scenes/sets.h"
+#include "pipeline/look_json.h"
+#include "pipeline/set_file.h"
 
 namespace mien::pipeline {
 
@@ -12,45 +13,21 @@ namespace {
 using nlohmann::json;
 using Resolve = std::function<std::filesystem::path(const std::string&)>;
 
-scenes::Figure mannequin_from(const json& given) {
-  scenes::MannequinOptions options;
-  assign(member(given, "build"), options.build);
-  assign(member(given, "sex"), options.sex);
-  return options;
-}
-
-scenes::Figure figure_named(const std::string& name) {
-  if (name == "mannequin") return scenes::MannequinOptions{};
-  return scenes::StickOptions{};
-}
-
-/// A name, or a name with options.
-scenes::Figure figure_from(const json& given, const Resolve& resolve) {
-  if (given.is_string()) return figure_named(given.get<std::string>());
-  if (const json* mannequin = member(given, "mannequin")) return mannequin_from(*mannequin);
-  if (const json* character = member(given, "character")) {
-    std::string file;
-    assign(character, file);
-    return scenes::CharacterOptions{resolve(file)};
-  }
-  return scenes::StickOptions{};
-}
-
-scenes::CameraSettings camera_from(const json& given) {
-  scenes::CameraSettings camera;
-  assign(&given, camera.view);
-  assign(member(given, "view"), camera.view);
-  return camera;
-}
-
 void assign_scene(const json& given, Look& look, const Resolve& resolve) {
+  look.background.clear();
   assign(&given, look.scene);
-  const std::vector<std::string> names = scenes::set_names();
-  const bool is_shipped = std::find(names.begin(), names.end(), look.scene) != names.end();
+  assign(member(given, "set"), look.scene);
+  assign(member(given, "background"), look.background);
+  const bool is_shipped = !builtin_set_text(look.scene).empty();
   look.scene_file = is_shipped ? std::filesystem::path() : resolve(look.scene);
 }
 
 }  // namespace
+
+std::string scene_of(const Look& look) {
+  if (!look.scene.empty()) return look.scene;
+  return std::holds_alternative<scenes::PointLightOptions>(look.figure) ? "void" : "studio";
+}
 
 void overlay(const json& given, Look& look, const Resolve& resolve) {
   if (!given.is_object()) return;

@@ -6,6 +6,7 @@
 
 #include "pipeline/environment.h"
 #include "pipeline/fault.h"
+#include "pipeline/look_checks.h"
 #include "pipeline/schema.h"
 #include "pipeline/yaml_json.h"
 #include "pipeline/yaml_tree.h"
@@ -17,23 +18,29 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
+const std::string options_name = "options";
+
 bool is_character(const std::string& figure) {
   const std::string ending = fs::path(figure).extension().string();
   return ending == ".glb" || ending == ".gltf" || ending == ".vrm";
 }
 
+bool is_map(const std::string& text) {
+  return text.starts_with('{') || text.find(": ") != std::string::npos;
+}
+
 /// Options without their braces get them.
 std::string in_braces(const std::string& text) {
-  const bool is_bare_map = text.find(':') != std::string::npos && !text.starts_with('{');
-  return is_bare_map ? "{" + text + "}" : text;
+  return is_map(text) && !text.starts_with('{') ? "{" + text + "}" : text;
 }
 
 /// Names of files are variables in it: whatever stands in them, YAML does not see it.
 std::string yaml_of(const LookOptions& options) {
+  const std::string scene = is_map(options.scene) ? in_braces(options.scene) : "'${MIEN_SCENE}'";
   const std::string figure =
       is_character(options.figure) ? "{character: '${MIEN_FIGURE}'}" : in_braces(options.figure);
-  return "scene: '${MIEN_SCENE}'\nfigure: " + figure + "\ncamera: " + in_braces(options.camera) +
-         "\n";
+  const std::string given_scene = options.scene.empty() ? "" : "scene: " + scene + "\n";
+  return given_scene + "figure: " + figure + "\ncamera: " + in_braces(options.camera) + "\n";
 }
 
 json look_schema() {
@@ -46,6 +53,7 @@ json look_schema() {
 /// As somebody reads it who has written options, no file.
 Faults as_options(std::vector<Fault> faults) {
   for (Fault& fault : faults) {
+    if (fault.place.file != options_name) continue;
     fault.place = {};
     fault.path = fault.path.empty() ? fault.path : "--" + fault.path;
   }
@@ -61,7 +69,7 @@ Look look_of(const LookOptions& options) {
     return process_environment()(name);
   };
   std::vector<Fault> faults;
-  const YamlNode tree = read_yaml(yaml_of(options), "look", faults);
+  const YamlNode tree = read_yaml(yaml_of(options), options_name, faults);
   if (!faults.empty()) throw as_options(std::move(faults));
   const json schema = look_schema();
   const JsonReading reading = to_json(tree, root_of(schema), environment, faults);
@@ -70,7 +78,9 @@ Look look_of(const LookOptions& options) {
   }
   if (!faults.empty()) throw as_options(std::move(faults));
   Look look;
-  overlay(reading.document, look, [](const std::string& path) { return fs::absolute(path); });
+  overlay(reading.document, look, [](const std::string& path) { return fs::path(path); });
+  faults = check_look(look, "", reading.places);
+  if (!faults.empty()) throw as_options(std::move(faults));
   return look;
 }
 

@@ -31,7 +31,7 @@ struct Casting {
   Actor& actor;
 
   void operator()(const StickOptions&) const {
-    actor.draw = [](render::Scene& scene, const Actor& self, int frame) {
+    actor.draw = [](render::Scene& scene, const Actor& self, int frame, const render::Camera&) {
       add_stick_figure(scene, self.clip.body, self.clip.poses[static_cast<size_t>(frame)],
                        self.colours, self.height_m);
     };
@@ -43,6 +43,14 @@ struct Casting {
 
   void operator()(const CharacterOptions&) const {
     throw Error("characters cannot be drawn yet", "choose stick");
+  }
+
+  void operator()(const PointLightOptions&) const {
+    throw Error("point lights cannot be drawn yet", "choose stick");
+  }
+
+  void operator()(const TrailOptions&) const {
+    throw Error("trails cannot be drawn yet", "choose stick");
   }
 };
 

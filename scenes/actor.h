@@ -4,6 +4,7 @@
 #include <string>
 
 #include "motion/clip.h"
+#include "render/camera.h"
 #include "render/scene.h"
 #include "scenes/figure.h"
 #include "scenes/figure_colour.h"
@@ -18,9 +19,11 @@ struct Actor {
   double height_m = 1.75;
   float opacity = 1.0f;  ///< 0 … 1
 
-  /// Appends what the figure looks like at a frame of its clip: materials and solids. The same
-  /// frame always gives the same; what takes long was prepared when it was cast.
-  std::function<void(render::Scene& scene, const Actor& actor, int frame)> draw;
+  /// Appends what the figure looks like, from that camera, at a frame of its clip: materials and
+  /// solids. The same frame always gives the same; what takes long was prepared when it was cast.
+  std::function<void(render::Scene& scene, const Actor& actor, int frame,
+                     const render::Camera& camera)>
+      draw;
 };
 
 /// Gives a clip its body. Throws Error when the figure cannot be made of it.

@@ -7,18 +7,12 @@
 
 #include "motion/clip.h"
 #include "render/camera.h"
+#include "scenes/camera_settings.h"
 
 namespace mien::scenes {
 
 /// Names that `look: {camera: …}` takes: front, side, three-quarter, follow, orbit.
 std::vector<std::string> camera_names();
-
-/// How the action is looked at.
-struct CameraSettings {
-  std::string view = "three-quarter";  ///< one of `camera_names`
-
-  friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
-};
 
 /// One camera a frame of a clip.
 struct CameraRig {

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "scenes/point_light_options.h"
+
 namespace mien::scenes {
 
 /// A round cone a bone and a sphere a joint.
@@ -28,10 +30,32 @@ struct CharacterOptions {
   friend bool operator==(const CharacterOptions&, const CharacterOptions&) = default;
 };
 
-/// What stands for the moving body, with everything that can be said of it.
-using Figure = std::variant<StickOptions, MannequinOptions, CharacterOptions>;
+/// What has a surface and can be shown in several poses at once.
+using BodyFigure = std::variant<StickOptions, MannequinOptions, CharacterOptions>;
 
-/// The key that a manifest has for it: "stick", "mannequin", "character".
+/// Several poses of one clip in one picture.
+struct TrailOptions {
+  BodyFigure figure;
+
+  /// Poses left behind, evenly spread over the clip, each from its moment on; the last picture
+  /// shows them all. 0 leaves none.
+  int poses = 6;
+
+  int before = 0;                   ///< onion skin: poses before the present one
+  int after = 0;                    ///< and after it
+  double every_s = 0.2;             ///< seconds from one to the next
+  double faintest = 0.15;           ///< opacity of the pose farthest from the present, 0 … 1
+  double trace_width_m = 0.018;     ///< of the lines that joints leave behind
+  std::vector<std::string> traces;  ///< "feet", "hands", "head", "pelvis", or names of joints
+
+  friend bool operator==(const TrailOptions&, const TrailOptions&) = default;
+};
+
+/// What stands for the moving body, with everything that can be said of it.
+using Figure =
+    std::variant<StickOptions, MannequinOptions, CharacterOptions, PointLightOptions, TrailOptions>;
+
+/// The key that a manifest has for it: "stick", "mannequin", "character", "point-light", "trail".
 std::string_view name_of(const Figure& figure);
 
 /// Figures that need no options: what `look: {figure: …}` takes as a mere name.

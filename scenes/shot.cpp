@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "scenes/sets.h"
+#include "scenes/travel.h"
 
 namespace mien::scenes {
 
 namespace {
 
 /// Draws an actor as a figure of its own, whose parts are its own.
-void add_actor(render::Scene& scene, const Actor& actor, int frame) {
+void add_actor(render::Scene& scene, const Actor& actor, int frame, const render::Camera& camera) {
   const int last = actor.clip.frame_count() - 1;
-  actor.draw(scene, actor, std::min(frame, last));
+  actor.draw(scene, actor, std::min(frame, last), camera);
 }
 
 }  // namespace
@@ -23,17 +23,25 @@ int Shot::frame_count() const {
 }
 
 Shot stage(const motion::Clip& clip, const Look& look) {
-  const Action action = action_of(clip);
   Shot shot;
-  shot.actors.push_back(cast(clip, look.figure, look.role));
-  shot.set = make_set(look.set, action.centre, action.forward);
+  shot.set = look.set;
+  shot.place.forward = action_of(clip).forward;
+  if (look.set.in_place) shot.step = mean_step(clip);
+  shot.actors.push_back(cast(on_the_spot(clip, shot.step), look.figure, look.role));
+  Action action = action_of(shot.actors.front().clip);
+  action.forward = shot.place.forward;
+  shot.place.centre = action.centre;
+  shot.standing = standing_set(shot.set, shot.place);
   shot.cameras = make_camera_rig(look.camera, action, look.size);
   return shot;
 }
 
 render::Scene scene_at(const Shot& shot, int frame) {
-  render::Scene scene = shot.set;
-  for (const Actor& actor : shot.actors) add_actor(scene, actor, frame);
+  render::Scene scene = shot.standing;
+  const render::Camera& camera = shot.cameras.at(frame);
+  add_walls(scene, shot.set, shot.place, camera.position.cast<double>());
+  if (shot.set.in_place) add_moving_ground(scene, shot.set, shot.place, -frame * shot.step);
+  for (const Actor& actor : shot.actors) add_actor(scene, actor, frame, camera);
   return scene;
 }
 

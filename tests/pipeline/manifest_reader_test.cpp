@@ -110,7 +110,7 @@ stimuli:
   EXPECT_EQ(manifest.stimuli[0].look.camera.view, "side");
   EXPECT_EQ(manifest.stimuli[1].output.fps, 25.0);
   EXPECT_EQ(manifest.stimuli[1].look.camera.view, "orbit");
-  EXPECT_EQ(manifest.stimuli[1].look.scene, "studio");
+  EXPECT_EQ(manifest.stimuli[1].look.figure, scenes::Figure());
 }
 
 TEST_F(ManifestReaderTest, ReadsEveryOptionOfInterpolation) {
