@@ -9,37 +9,13 @@
 #include "pipeline/determinants.h"
 #include "pipeline/film.h"
 #include "pipeline/film_frames.h"
-#include "pipeline/look_checks.h"
-#include "pipeline/synthesis.h"
+#include "pipeline/film_shot.h"
 #include "render/image_io.h"
 #include "render/quality.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-scenes::Role role_of(Role role) {
-  switch (role) {
-    case Role::target:
-      return scenes::Role::target;
-    case Role::reference:
-      return scenes::Role::reference;
-    default:
-      return scenes::Role::created;
-  }
-}
-
-scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions) {
-  const scenes::SetPlan set = set_of(stimulus.look);
-  Output shown = stimulus.output;
-  // A set that goes under the figure needs to know how fast it goes.
-  if (set.in_place) shown.in_place = false;
-  return scenes::stage(shown_clip(motions.of(stimulus.id), shown), {.set = set,
-                                                                    .figure = stimulus.look.figure,
-                                                                    .camera = stimulus.look.camera,
-                                                                    .role = role_of(stimulus.role),
-                                                                    .size = stimulus.output.size});
-}
 
 int samples_of(Quality quality) {
   return (quality == Quality::draft   ? render::draft_quality()
@@ -75,7 +51,7 @@ class FilmMaker {
       : output_(stimulus.output),
         settings_(settings),
         run_(run),
-        shot_(shot_of(stimulus, motions)),
+        shot_(shot_of(stimulus, motions, settings.seed)),
         contact_(shot_.frame_count()) {}
 
   void make() {

@@ -6,9 +6,11 @@
 #include <variant>
 
 #include "motion/nearest_word.h"
-#include "pipeline/colour_json.h"
 #include "pipeline/fault_list.h"
 #include "pipeline/set_file.h"
+#include "scenes/dot_display.h"
+#include "scenes/hex_colour.h"
+#include "scenes/trail_figure.h"
 
 namespace mien::pipeline {
 
@@ -33,11 +35,42 @@ void check_scene(const Look& look, const std::string& path, FaultList& list,
   }
 }
 
-void check_figure(const Look& look, const std::string& path, FaultList& list) {
-  const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure);
-  if (character != nullptr) {
+void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
+                const std::vector<std::string>& joints, FaultList& list) {
+  for (std::size_t i = 0; i < dots.joints.size(); ++i) {
+    list.check_word(element_path(member_path(path, "joints"), i), dots.joints[i], "joint", joints);
+  }
+  if (dots.scrambled && dots.lifetime > 0) {
+    list.add(member_path(path, "lifetime"),
+             "scrambled dots have no limbs to spend a limited lifetime on",
+             "leave scrambled or lifetime out");
+  }
+}
+
+void check_trail(const scenes::TrailOptions& trail, const std::string& path,
+                 const std::vector<std::string>& joints, FaultList& list) {
+  constexpr int most_poses = 29;  // figures of a picture, less the present pose and the traces
+  if (scenes::most_ghosts(trail) > most_poses) {
+    list.add(path, "too many poses for one picture", "show at most 29 besides the present one");
+  }
+  std::vector<std::string> known = joints;
+  if (!known.empty()) known.insert(known.end(), {"feet", "hands", "head", "pelvis"});
+  for (std::size_t i = 0; i < trail.traces.size(); ++i) {
+    list.check_word(element_path(member_path(path, "traces"), i), trail.traces[i], "joint", known);
+  }
+}
+
+void check_figure(const Look& look, const std::string& path, const std::vector<std::string>& joints,
+                  FaultList& list) {
+  if (const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure)) {
     list.check_file(member_path(path, "character"), character->file,
                     "a skinned character (.gltf, .glb, .vrm)");
+  }
+  if (const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure)) {
+    check_dots(*dots, member_path(path, "point-light"), joints, list);
+  }
+  if (const auto* trail = std::get_if<scenes::TrailOptions>(&look.figure)) {
+    check_trail(*trail, member_path(path, "trail"), joints, list);
   }
 }
 
@@ -78,17 +111,24 @@ void check_camera(const Look& look, const std::string& path, FaultList& list) {
 
 scenes::SetPlan set_of(const Look& look) {
   scenes::SetPlan plan = read_set(scene_of(look), look.scene_file);
-  if (!look.background.empty()) {
-    plan.sky.backdrop_horizon = plan.sky.backdrop_zenith = colour_from_hex(look.background);
+  const auto show = [&](const render::Color& colour) {
+    plan.sky.backdrop_horizon = plan.sky.backdrop_zenith = colour;
+  };
+  const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure);
+  if (dots != nullptr && (look.scene.empty() || !dots->background.empty())) {
+    show(scenes::dot_colours(*dots).background);
+  } else if (scenes::is_hex_colour(look.background)) {
+    show(scenes::colour_from_hex(look.background));
   }
   return plan;
 }
 
-std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places) {
+std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places,
+                              const std::vector<std::string>& joints) {
   FaultList list(places);
   std::vector<Fault> faults;
   check_scene(look, member_path(path, "scene"), list, faults);
-  check_figure(look, member_path(path, "figure"), list);
+  check_figure(look, member_path(path, "figure"), joints, list);
   check_camera(look, member_path(path, "camera"), list);
   for (Fault& fault : list.take()) faults.push_back(std::move(fault));
   return faults;

@@ -79,7 +79,7 @@ Look look_of(const LookOptions& options) {
   if (!faults.empty()) throw as_options(std::move(faults));
   Look look;
   overlay(reading.document, look, [](const std::string& path) { return fs::path(path); });
-  faults = check_look(look, "", reading.places);
+  faults = check_look(look, "", reading.places, {});
   if (!faults.empty()) throw as_options(std::move(faults));
   return look;
 }

@@ -1,4 +1,3 @@
-#include "pipeline/look_checks.h"
 #include "pipeline/manifest_reader.h"
 
 #include <fstream>
@@ -8,12 +7,15 @@
 #include <system_error>
 #include <utility>
 
+#include "motion/body.h"
+#include "pipeline/look_checks.h"
 #include "pipeline/manifest_builder.h"
 #include "pipeline/manifest_checks.h"
 #include "pipeline/recipes.h"
 #include "pipeline/schema.h"
 #include "pipeline/yaml_json.h"
 #include "pipeline/yaml_tree.h"
+#include "scenes/dot_joints.h"
 
 namespace mien::pipeline {
 
@@ -30,11 +32,12 @@ void add_at_new_paths(std::vector<Fault>& faults, std::vector<Fault> more) {
 
 /// The manifest's look, and those of stimuli that say something of their own.
 std::vector<Fault> check_looks(const Manifest& manifest) {
-  std::vector<Fault> faults = check_look(manifest.look, "look", manifest.places);
+  const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
+  std::vector<Fault> faults = check_look(manifest.look, "look", manifest.places, joints);
   for (const Stimulus& stimulus : manifest.stimuli) {
     const std::string path = member_path(stimulus.path, "look");
     if (!manifest.places.values.contains(path)) continue;
-    for (Fault& fault : check_look(stimulus.look, path, manifest.places)) {
+    for (Fault& fault : check_look(stimulus.look, path, manifest.places, joints)) {
       faults.push_back(std::move(fault));
     }
   }

@@ -2,33 +2,21 @@
 
 #include <algorithm>
 
-#include "motion/body.h"
 #include "motion/error.h"
+#include "scenes/dot_display.h"
+#include "scenes/figure_height.h"
+#include "scenes/figure_scope.h"
 #include "scenes/stick_figure.h"
+#include "scenes/trail_figure.h"
 
 namespace mien::scenes {
 
 namespace {
 
-/// How tall the figure is drawn: the body's stature, or the extent of whatever skeleton it is.
-double height_of(const motion::Clip& clip) {
-  if (motion::is_body(clip.body)) return motion::standing_height(clip.body);
-  const motion::JointTransforms world = motion::world_transforms(clip.body, clip.poses.front());
-  double height = 0.0;
-  const auto reach = [&](const motion::Vec3& point) {
-    height = std::max(height, (point - world.positions.front()).norm());
-  };
-  for (size_t j = 0; j < world.positions.size(); ++j) {
-    reach(world.positions[j]);
-    const auto& tip = clip.body.joints[j].tip;
-    if (tip) reach(world.positions[j] + world.rotations[j] * *tip);
-  }
-  return std::max(height, 0.2);
-}
-
 /// Gives an actor the way in which its kind of figure is drawn.
 struct Casting {
   Actor& actor;
+  const DotStage& stage;
 
   void operator()(const StickOptions&) const {
     actor.draw = [](render::Scene& scene, const Actor& self, int frame, const render::Camera&) {
@@ -45,24 +33,36 @@ struct Casting {
     throw Error("characters cannot be drawn yet", "choose stick");
   }
 
-  void operator()(const PointLightOptions&) const {
-    throw Error("point lights cannot be drawn yet", "choose stick");
+  void operator()(const PointLightOptions& options) const {
+    actor.dots = point_light(actor.clip, options, stage);
+    actor.draw = [options](render::Scene& scene, const Actor& self, int frame,
+                           const render::Camera& camera) {
+      add_dots(scene, self.dots, frame, options, camera);
+    };
   }
 
-  void operator()(const TrailOptions&) const {
-    throw Error("trails cannot be drawn yet", "choose stick");
+  void operator()(const TrailOptions& options) const {
+    std::visit(*this, options.figure);
+    actor.trail = options;
   }
 };
 
 }  // namespace
 
-Actor cast(const motion::Clip& clip, const Figure& figure, Role role) {
+Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage) {
   Actor actor;
   actor.clip = clip;
   actor.colours = colours_of(role);
-  actor.height_m = height_of(clip);
-  std::visit(Casting{actor}, figure);
+  actor.height_m = figure_height(clip);
+  std::visit(Casting{actor, stage}, figure);
   return actor;
+}
+
+void add_actor(render::Scene& scene, const Actor& actor, int frame, const render::Camera& camera) {
+  const int shown = std::min(frame, actor.clip.frame_count() - 1);
+  if (actor.trail) return add_trail(scene, actor, *actor.trail, shown, camera);
+  draw_as_figure(scene, actor.name, actor.opacity,
+                 [&] { actor.draw(scene, actor, shown, camera); });
 }
 
 }  // namespace mien::scenes
