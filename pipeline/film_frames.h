@@ -6,6 +6,7 @@
 #include "pipeline/manifest.h"
 #include "render/film.h"
 #include "render/image.h"
+#include "render/tone.h"
 
 namespace mien::pipeline {
 
@@ -13,11 +14,12 @@ namespace mien::pipeline {
 std::string frame_name(FrameFormat format, int frame);
 
 /// Writes one frame. `format` is not none.
-void write_frame(const std::filesystem::path& file, const render::Film& film, FrameFormat format);
+void write_frame(const std::filesystem::path& file, const render::Film& film, FrameFormat format,
+                 const render::Tone& tone = {});
 
 /// The frame as a display shows it. Throws render::Error when it does not decode or has another
 /// size.
 render::Image8 read_frame(const std::filesystem::path& file, FrameFormat format,
-                          const std::array<int, 2>& size);
+                          const std::array<int, 2>& size, const render::Tone& tone = {});
 
 }  // namespace mien::pipeline

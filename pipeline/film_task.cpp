@@ -9,33 +9,13 @@
 #include "pipeline/determinants.h"
 #include "pipeline/film.h"
 #include "pipeline/film_frames.h"
-#include "pipeline/synthesis.h"
+#include "pipeline/film_shot.h"
 #include "render/image_io.h"
 #include "render/quality.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-scenes::Role role_of(Role role) {
-  switch (role) {
-    case Role::target:
-      return scenes::Role::target;
-    case Role::reference:
-      return scenes::Role::reference;
-    default:
-      return scenes::Role::created;
-  }
-}
-
-scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions) {
-  const motion::Clip clip = shown_clip(motions.of(stimulus.id), stimulus.output);
-  return scenes::stage(clip, {.set = stimulus.look.scene,
-                              .figure = stimulus.look.figure,
-                              .camera = stimulus.look.camera,
-                              .role = role_of(stimulus.role),
-                              .size = stimulus.output.size});
-}
 
 int samples_of(Quality quality) {
   return (quality == Quality::draft   ? render::draft_quality()
@@ -71,7 +51,7 @@ class FilmMaker {
       : output_(stimulus.output),
         settings_(settings),
         run_(run),
-        shot_(shot_of(stimulus, motions)),
+        shot_(shot_of(stimulus, motions, settings.seed)),
         contact_(shot_.frame_count()) {}
 
   void make() {

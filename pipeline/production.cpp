@@ -6,6 +6,7 @@
 
 #include "motion/nearest_word.h"
 #include "pipeline/determinants.h"
+#include "pipeline/film_dots.h"
 #include "pipeline/film_task.h"
 #include "pipeline/motion_task.h"
 #include "pipeline/sheet_task.h"
@@ -49,6 +50,7 @@ Production::Production(Manifest manifest, ProductionOptions options)
     if (stimulus.output.bvh || stimulus.output.glb) {
       graph_.add(clip_task(stimulus, shared, motions_));
     }
+    if (has_dots(stimulus)) graph_.add(dots_task(stimulus, manifest_.seed, shared, motions_));
     const FilmSettings settings{stimulus.output, manifest_.seed, threads, options_.drawing};
     graph_.add(film_task(stimulus, settings, shared, motions_));
   }
