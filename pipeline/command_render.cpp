@@ -16,11 +16,11 @@
 #include "pipeline/cli.h"
 #include "pipeline/files.h"
 #include "pipeline/film.h"
+#include "pipeline/look_checks.h"
+#include "pipeline/look_options.h"
 #include "pipeline/progress.h"
 #include "pipeline/recording_clip.h"
 #include "render/image_io.h"
-#include "scenes/camera_rig.h"
-#include "scenes/sets.h"
 #include "scenes/shot.h"
 
 namespace mien::pipeline {
@@ -34,7 +34,7 @@ struct RenderOptions {
   std::string out;
   std::string size = "960x540";
   std::string quality = "standard";
-  Look look;
+  LookOptions look;
   double fps = 30.0;
   int jobs = 0;
 };
@@ -146,11 +146,12 @@ void make_contact_sheet(const scenes::Shot& shot, const FilmSettings& settings,
 int render_file(const RenderOptions& options, const Console& console) {
   const FilmSettings settings = settings_of(options);
   const fs::path out = output_of(options);
+  const Look look = look_of(options.look);
   const motion::Clip clip =
       motion::resampled(clip_of(motion::read_motion(options.file)), options.fps);
-  const scenes::Shot shot = scenes::stage(clip, {.set = options.look.scene,
-                                                 .figure = options.look.figure,
-                                                 .camera = options.look.camera,
+  const scenes::Shot shot = scenes::stage(clip, {.set = set_of(look),
+                                                 .figure = look.figure,
+                                                 .camera = look.camera,
                                                  .size = settings.output.size});
   const TaskGraph graph = one_task(out.string());
   const Draft draft(out);
@@ -180,15 +181,16 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command->add_option("--fps", options->fps, "Frames per second")
       ->check(CLI::Range(1.0, 240.0))
       ->capture_default_str();
-  command->add_option("--camera", options->look.camera, "Camera")
-      ->check(CLI::IsMember(scenes::camera_names()))
+  command
+      ->add_option("--camera", options->look.camera,
+                   "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
       ->capture_default_str();
-  command->add_option("--figure", options->look.figure, "Figure")
-      ->check(CLI::IsMember(scenes::figure_names()))
+  command
+      ->add_option("--figure", options->look.figure,
+                   "stick or mannequin, options (\"mannequin: {build: 0.3}\"), or a character's "
+                   "file (.glb, .gltf, .vrm)")
       ->capture_default_str();
-  command->add_option("--scene", options->look.scene, "Scene")
-      ->check(CLI::IsMember(scenes::set_names()))
-      ->capture_default_str();
+  command->add_option("--scene", options->look.scene, "Scene")->capture_default_str();
   command->add_option("--quality", options->quality, "Samples per pixel")
       ->check(CLI::IsMember({"draft", "standard", "final"}))
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include "pipeline/determinants.h"
 #include "pipeline/film.h"
 #include "pipeline/film_frames.h"
+#include "pipeline/look_checks.h"
 #include "pipeline/synthesis.h"
 #include "render/image_io.h"
 #include "render/quality.h"
@@ -29,12 +30,15 @@ scenes::Role role_of(Role role) {
 }
 
 scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions) {
-  const motion::Clip clip = shown_clip(motions.of(stimulus.id), stimulus.output);
-  return scenes::stage(clip, {.set = stimulus.look.scene,
-                              .figure = stimulus.look.figure,
-                              .camera = stimulus.look.camera,
-                              .role = role_of(stimulus.role),
-                              .size = stimulus.output.size});
+  const scenes::SetPlan set = set_of(stimulus.look);
+  Output shown = stimulus.output;
+  // A set that goes under the figure needs to know how fast it goes.
+  if (set.in_place) shown.in_place = false;
+  return scenes::stage(shown_clip(motions.of(stimulus.id), shown), {.set = set,
+                                                                    .figure = stimulus.look.figure,
+                                                                    .camera = stimulus.look.camera,
+                                                                    .role = role_of(stimulus.role),
+                                                                    .size = stimulus.output.size});
 }
 
 int samples_of(Quality quality) {

@@ -1,3 +1,4 @@
+#include "pipeline/look_checks.h"
 #include "pipeline/manifest_reader.h"
 
 #include <fstream>
@@ -27,6 +28,19 @@ void add_at_new_paths(std::vector<Fault>& faults, std::vector<Fault> more) {
   }
 }
 
+/// The manifest's look, and those of stimuli that say something of their own.
+std::vector<Fault> check_looks(const Manifest& manifest) {
+  std::vector<Fault> faults = check_look(manifest.look, "look", manifest.places);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const std::string path = member_path(stimulus.path, "look");
+    if (!manifest.places.values.contains(path)) continue;
+    for (Fault& fault : check_look(stimulus.look, path, manifest.places)) {
+      faults.push_back(std::move(fault));
+    }
+  }
+  return faults;
+}
+
 }  // namespace
 
 ManifestReading parse_manifest(std::string_view text, const std::filesystem::path& file,
@@ -43,6 +57,7 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   reading.manifest = build_manifest(json.document, std::move(json.places), file);
   add_at_new_paths(reading.faults, resolve_modifications(reading.manifest));
   add_at_new_paths(reading.faults, check_meaning(reading.manifest));
+  add_at_new_paths(reading.faults, check_looks(reading.manifest));
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
 }

@@ -193,10 +193,12 @@ Action action_of(const motion::Clip& clip) {
   return action;
 }
 
-CameraRig make_camera_rig(std::string_view name, const Action& action, std::array<int, 2> size) {
+CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
+                          std::array<int, 2> size) {
+  const std::string& name = settings.view;
   const std::vector<std::string> names = camera_names();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    throw Error("there is no camera \"" + std::string(name) + "\"",
+    throw Error("there is no camera \"" + name + "\"",
                 "choose front, side, three-quarter, follow or orbit");
   }
   if (name == "orbit") return orbit(action, size);

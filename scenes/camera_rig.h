@@ -7,6 +7,7 @@
 
 #include "motion/clip.h"
 #include "render/camera.h"
+#include "scenes/camera_settings.h"
 
 namespace mien::scenes {
 
@@ -40,6 +41,7 @@ Action action_of(const motion::Clip& clip);
 /// `front` looks the figure in the face, `side` sees it walk from left to right, `three-quarter`
 /// stands between them; `follow` is the three-quarter camera going with the figure, `orbit` circles
 /// once round the action. Throws Error for an unknown name.
-CameraRig make_camera_rig(std::string_view name, const Action& action, std::array<int, 2> size);
+CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
+                          std::array<int, 2> size);
 
 }  // namespace mien::scenes

@@ -126,6 +126,10 @@ void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motio
   scene.textures.push_back(&mannequin.paint);
   mesh.material = static_cast<int>(scene.materials.size());
   scene.materials.push_back(skin);
+  const auto first_part = static_cast<int>(scene.parts.size());
+  for (int& part : mesh.triangle_parts) part += first_part;
+  const auto figure = static_cast<int>(scene.figures.size()) - 1;
+  for (const motion::Joint& joint : body.joints) scene.parts.push_back({joint.name, figure});
   scene.solids.meshes.push_back(std::move(mesh));
 }
 

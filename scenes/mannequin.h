@@ -19,12 +19,13 @@ struct Mannequin {
 /// Makes a mannequin on the canonical body (`is_body`) with its own bone lengths, once a shot.
 ///
 /// Its colours are those of the stick figure: left limbs lighter, right ones darker, but less so;
-/// the face and the soles stand out, so that one can read where it looks and how it treads.
+/// the face stands out, so that one can read where it looks.
 Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
                          const FigureColours& colours);
 
-/// The mannequin in a pose of the body that it was made for (dual quaternion skinning), its parts
-/// called like the body's joints. The mannequin has to outlive the scene.
+/// Appends the mannequin in a pose of the body that it was made for (dual quaternion skinning), its
+/// parts called like the body's joints and belonging to the scene's last figure. The mannequin has
+/// to outlive the scene.
 void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose);
 

@@ -5,15 +5,10 @@
 
 #include "motion/body.h"
 #include "motion/pose.h"
+#include "scenes/figure.h"
 #include "scenes/lump.h"
 
 namespace mien::scenes {
-
-/// What a mannequin looks like besides the bones that it is built on.
-struct MannequinOptions {
-  double build = 0.5;  ///< slim 0 … heavy 1
-  double sex = 0.5;    ///< female 0 … male 1: shoulders, waist, hips and chest
-};
 
 /// The flesh on a body's bones, limb by limb. Limbs flow into the trunk, not into each other.
 struct Flesh {

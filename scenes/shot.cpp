@@ -2,46 +2,46 @@
 
 #include <algorithm>
 
-#include "motion/error.h"
-#include "scenes/sets.h"
-#include "scenes/stick_figure.h"
+#include "scenes/travel.h"
 
 namespace mien::scenes {
 
 namespace {
 
-/// How tall the figure is drawn: the body's stature, or the extent of whatever skeleton it is.
-double height_of(const motion::Clip& clip, const Action& action) {
-  if (motion::is_body(clip.body)) return motion::standing_height(clip.body);
-  double height = 0.0;
-  for (const motion::Vec3& point : action.points.front()) {
-    height = std::max(height, (point - action.points.front().front()).norm());
-  }
-  return std::max(height, 0.2);
+/// Draws an actor as a figure of its own, whose parts are its own.
+void add_actor(render::Scene& scene, const Actor& actor, int frame, const render::Camera& camera) {
+  const int last = actor.clip.frame_count() - 1;
+  actor.draw(scene, actor, std::min(frame, last), camera);
 }
 
 }  // namespace
 
-std::vector<std::string> figure_names() { return {"stick"}; }
+int Shot::frame_count() const {
+  int most = 0;
+  for (const Actor& actor : actors) most = std::max(most, actor.clip.frame_count());
+  return most;
+}
 
 Shot stage(const motion::Clip& clip, const Look& look) {
-  if (look.figure != "stick") {
-    throw Error("there is no figure \"" + look.figure + "\"", "choose stick");
-  }
-  const Action action = action_of(clip);
   Shot shot;
-  shot.clip = clip;
-  shot.set = make_set(look.set, action.centre, action.forward);
+  shot.set = look.set;
+  shot.place.forward = action_of(clip).forward;
+  if (look.set.in_place) shot.step = mean_step(clip);
+  shot.actors.push_back(cast(on_the_spot(clip, shot.step), look.figure, look.role));
+  Action action = action_of(shot.actors.front().clip);
+  action.forward = shot.place.forward;
+  shot.place.centre = action.centre;
+  shot.standing = standing_set(shot.set, shot.place);
   shot.cameras = make_camera_rig(look.camera, action, look.size);
-  shot.colours = colours_of(look.role);
-  shot.height_m = height_of(clip, action);
   return shot;
 }
 
 render::Scene scene_at(const Shot& shot, int frame) {
-  render::Scene scene = shot.set;
-  add_stick_figure(scene, shot.clip.body, shot.clip.poses[static_cast<size_t>(frame)], shot.colours,
-                   shot.height_m);
+  render::Scene scene = shot.standing;
+  const render::Camera& camera = shot.cameras.at(frame);
+  add_walls(scene, shot.set, shot.place, camera.position.cast<double>());
+  if (shot.set.in_place) add_moving_ground(scene, shot.set, shot.place, -frame * shot.step);
+  for (const Actor& actor : shot.actors) add_actor(scene, actor, frame, camera);
   return scene;
 }
 

@@ -2,40 +2,43 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "motion/clip.h"
 #include "render/camera.h"
 #include "render/scene.h"
+#include "scenes/actor.h"
 #include "scenes/camera_rig.h"
+#include "scenes/figure.h"
 #include "scenes/figure_colour.h"
+#include "scenes/set_plan.h"
 
 namespace mien::scenes {
 
-/// How a clip is shown. Names are those of `set_names` and `camera_names`; the figure is "stick".
+/// How a clip is shown.
 struct Look {
-  std::string set = "studio";
-  std::string figure = "stick";
-  std::string camera = "three-quarter";
+  SetPlan set;
+  Figure figure;
+  CameraSettings camera;
   Role role = Role::neutral;
   std::array<int, 2> size{960, 540};  ///< pixels
 };
 
-/// A clip staged: everything that is needed to draw any of its frames, in any order.
+/// Clips staged: everything that is needed to draw any frame, in any order.
 struct Shot {
-  motion::Clip clip;  ///< at the video's frame rate; metres
-  render::Scene set;  ///< what stands still
+  std::vector<Actor> actors;  ///< at least one
+  SetPlan set;
+  Place place;                               ///< where the set stands
+  render::Scene standing;                    ///< what stands still of it
+  motion::Vec3 step = motion::Vec3::Zero();  ///< that a figure in place would go a frame, metres
   CameraRig cameras;
-  FigureColours colours;
-  double height_m = 1.75;
 
-  int frame_count() const { return clip.frame_count(); }
+  /// Of the longest clip; an actor whose own has ended stands still.
+  int frame_count() const;
 };
 
-/// Names that `look: {figure: …}` takes.
-std::vector<std::string> figure_names();
-
-/// Stages a clip that does not loop (`repeated` makes one of a loop). Throws Error for unknown
-/// names.
+/// Stages a clip that does not loop (`repeated` makes one of a loop). Throws Error when a figure or
+/// camera cannot be had.
 Shot stage(const motion::Clip& clip, const Look& look);
 
 render::Scene scene_at(const Shot& shot, int frame);
