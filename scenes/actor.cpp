@@ -6,6 +6,7 @@
 
 #include "motion/body.h"
 #include "motion/error.h"
+#include "scenes/character.h"
 #include "scenes/mannequin.h"
 #include "scenes/stick_figure.h"
 
@@ -57,8 +58,17 @@ struct Casting {
     };
   }
 
-  void operator()(const CharacterOptions&) const {
-    throw Error("characters cannot be drawn yet", "choose stick");
+  void operator()(const CharacterOptions& options) const {
+    require_body(actor.clip, "a character");
+    const auto character =
+        std::make_shared<const Character>(fitted(read_character(options.file), actor.clip.body));
+    // It has a stature of its own, which the camera has to know.
+    actor.clip = worn_by(*character, actor.clip);
+    actor.height_m = height_of(actor.clip);
+    actor.draw = [character](render::Scene& scene, const Actor& self, int frame,
+                             const render::Camera&) {
+      add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)]);
+    };
   }
 
   void operator()(const PointLightOptions&) const {
