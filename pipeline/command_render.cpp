@@ -153,6 +153,9 @@ int render_file(const RenderOptions& options, const Console& console) {
                                                  .figure = look.figure,
                                                  .camera = look.camera,
                                                  .size = settings.output.size});
+  for (const scenes::Actor& actor : shot.actors) {
+    for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
+  }
   const TaskGraph graph = one_task(out.string());
   const Draft draft(out);
   {

@@ -9,6 +9,7 @@
 #include "pipeline/colour_json.h"
 #include "pipeline/fault_list.h"
 #include "pipeline/set_file.h"
+#include "scenes/character.h"
 
 namespace mien::pipeline {
 
@@ -33,11 +34,22 @@ void check_scene(const Look& look, const std::string& path, FaultList& list,
   }
 }
 
+void check_character(const scenes::CharacterOptions& character, const std::string& path,
+                     FaultList& list) {
+  list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)");
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(character.file, unknown)) return;
+  try {
+    scenes::read_character(character.file);
+  } catch (const Error& wrong) {
+    list.add(path, wrong.what(), "name another file");
+  }
+}
+
 void check_figure(const Look& look, const std::string& path, FaultList& list) {
   const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure);
   if (character != nullptr) {
-    list.check_file(member_path(path, "character"), character->file,
-                    "a skinned character (.gltf, .glb, .vrm)");
+    check_character(*character, member_path(path, "character"), list);
   }
 }
 

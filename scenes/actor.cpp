@@ -65,6 +65,7 @@ struct Casting {
     // It has a stature of its own, which the camera has to know.
     actor.clip = worn_by(*character, actor.clip);
     actor.height_m = height_of(actor.clip);
+    actor.warnings = character->warnings;
     actor.draw = [character](render::Scene& scene, const Actor& self, int frame,
                              const render::Camera&) {
       add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)]);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "motion/clip.h"
 #include "render/camera.h"
@@ -17,7 +18,8 @@ struct Actor {
   motion::Clip clip;            ///< at the video's frame rate, not looping; metres
   FigureColours colours;
   double height_m = 1.75;
-  float opacity = 1.0f;  ///< 0 … 1
+  float opacity = 1.0f;               ///< 0 … 1
+  std::vector<std::string> warnings;  ///< what of the figure is not drawn; plain sentences
 
   /// Appends what the figure looks like, from that camera, at a frame of its clip: materials and
   /// solids. The same frame always gives the same; what takes long was prepared when it was cast.
