@@ -198,6 +198,8 @@ int render_file(const RenderOptions& options, const Console& console) {
                                                  .size = settings.output.size,
                                                  .in_place = options.in_place,
                                                  .seed = options.seed});
+  for (const scenes::Actor& actor : shot.actors)
+    for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
   const bool is_still = options.still || (shot.actors.front().trail && out.extension() == ".png");
   if (options.still && out.extension() != ".png") {
     throw Error("--still: a still is a picture", "end --output in .png");

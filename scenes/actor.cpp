@@ -1,17 +1,27 @@
 #include "scenes/actor.h"
 
 #include <algorithm>
+#include <memory>
+#include <string>
 
 #include "motion/error.h"
+#include "scenes/character.h"
 #include "scenes/dot_display.h"
 #include "scenes/figure_height.h"
 #include "scenes/figure_scope.h"
+#include "scenes/mannequin.h"
 #include "scenes/stick_figure.h"
 #include "scenes/trail_figure.h"
 
 namespace mien::scenes {
 
 namespace {
+
+void require_body(const motion::Clip& clip, const std::string& figure) {
+  if (motion::is_body(clip.body)) return;
+  throw Error({clip.name}, figure + " needs a human body, and this motion has none",
+              "draw it as a stick figure");
+}
 
 /// Gives an actor the way in which its kind of figure is drawn.
 struct Casting {
@@ -25,12 +35,29 @@ struct Casting {
     };
   }
 
-  void operator()(const MannequinOptions&) const {
-    throw Error("the mannequin cannot be drawn yet", "choose stick");
+  void operator()(const MannequinOptions& options) const {
+    require_body(actor.clip, "a mannequin");
+    // Shared by the copies of the actor; nobody changes it.
+    const auto mannequin =
+        std::make_shared<const Mannequin>(make_mannequin(actor.clip.body, options, actor.colours));
+    actor.draw = [mannequin](render::Scene& scene, const Actor& self, int frame,
+                             const render::Camera&) {
+      add_mannequin(scene, *mannequin, self.clip.body, self.clip.poses[static_cast<size_t>(frame)]);
+    };
   }
 
-  void operator()(const CharacterOptions&) const {
-    throw Error("characters cannot be drawn yet", "choose stick");
+  void operator()(const CharacterOptions& options) const {
+    require_body(actor.clip, "a character");
+    const auto character =
+        std::make_shared<const Character>(fitted(read_character(options.file), actor.clip.body));
+    // It has a stature of its own, which the camera has to know.
+    actor.clip = worn_by(*character, actor.clip);
+    actor.height_m = figure_height(actor.clip);
+    actor.warnings = character->warnings;
+    actor.draw = [character](render::Scene& scene, const Actor& self, int frame,
+                             const render::Camera&) {
+      add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)]);
+    };
   }
 
   void operator()(const PointLightOptions& options) const {

@@ -23,6 +23,7 @@ struct Actor {
   float opacity = 1.0f;               ///< 0 … 1
   std::vector<Dot> dots;              ///< of a point-light figure
   std::optional<TrailOptions> trail;  ///< shown in several poses
+  std::vector<std::string> warnings;  ///< what of the figure is not drawn; plain sentences
 
   /// Appends what the figure looks like, from that camera, at a frame of its clip: materials and
   /// solids. The same frame always gives the same; what takes long was prepared when it was cast.
