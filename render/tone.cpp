@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "render/bayer.h"
+
 namespace mien::render {
 namespace {
 
@@ -41,17 +43,6 @@ class Quantiser {
   std::vector<float> thresholds_;  // lowest light of the codes 1 … top
   std::vector<int> first_;         // code at the start of each of equal slots of light
 };
-
-// Recursive ordered dither, 0 … 63.
-int bayer(int x, int y) {
-  int rank = 0;
-  for (int bit = 0; bit < 3; ++bit) {
-    const int across = ((x ^ y) >> bit) & 1;
-    const int down = (y >> bit) & 1;
-    rank = (rank << 2) | (across << 1) | down;
-  }
-  return rank;
-}
 
 float exposure(const Tone& tone) {
   return static_cast<float>(std::exp2(static_cast<double>(tone.exposure_stops)));
