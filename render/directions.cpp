@@ -9,13 +9,8 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-struct Disc {
-  float x;
-  float y;
-};
-
 // Point on the unit circle at `eighths`·π/4, −1 … 1. Chebyshev fits, error below 4e-8.
-Disc on_arc(float eighths) {
+DiscPoint on_arc(float eighths) {
   const float angle = eighths * (pi / 4.0f);
   const float z = angle * angle;
   const float cosine =
@@ -25,25 +20,24 @@ Disc on_arc(float eighths) {
   return {cosine, sine};
 }
 
-// Shirley & Chiu 1997: squares onto rings, so that strata stay compact.
-Disc concentric(Point2 u) {
-  const float x = 2.0f * u.u - 1.0f;
-  const float y = 2.0f * u.v - 1.0f;
-  if (x == 0.0f && y == 0.0f) return {0.0f, 0.0f};
-  if (std::abs(x) > std::abs(y)) {
-    const Disc p = on_arc(y / x);
-    return {x * p.x, x * p.y};
-  }
-  const Disc p = on_arc(x / y);
-  return {y * p.y, y * p.x};
-}
-
 Vec3 around(const Vec3& normal, float x, float y, float z) {
   const Tangents frame = tangents(normal);
   return (x * frame.a + y * frame.b + z * normal).normalized();
 }
 
 }  // namespace
+
+DiscPoint disc_point(Point2 u) {
+  const float x = 2.0f * u.u - 1.0f;
+  const float y = 2.0f * u.v - 1.0f;
+  if (x == 0.0f && y == 0.0f) return {0.0f, 0.0f};
+  if (std::abs(x) > std::abs(y)) {
+    const DiscPoint p = on_arc(y / x);
+    return {x * p.x, x * p.y};
+  }
+  const DiscPoint p = on_arc(x / y);
+  return {y * p.y, y * p.x};
+}
 
 float arc_sine(float x) {
   const bool upper = x > 0.5f;
@@ -65,12 +59,12 @@ Tangents tangents(const Vec3& n) {
 }
 
 Vec3 cosine_direction(const Vec3& normal, Point2 u) {
-  const Disc p = concentric(u);
+  const DiscPoint p = disc_point(u);
   return around(normal, p.x, p.y, std::sqrt(std::max(0.0f, 1.0f - p.x * p.x - p.y * p.y)));
 }
 
 Vec3 cone_direction(const Vec3& axis, float cosine_of_half_angle, Point2 u) {
-  const Disc p = concentric(u);
+  const DiscPoint p = disc_point(u);
   // The squared radius is uniform, hence so is the height it is mapped to (Archimedes).
   const float squared = p.x * p.x + p.y * p.y;
   const float drop = squared * (1.0f - cosine_of_half_angle);

@@ -11,6 +11,14 @@ namespace mien::render {
 /// Arc sine on 0 … 1, to 1e-7.
 float arc_sine(float x);
 
+/// A point of the unit disc, evenly: squares become rings, so that strata stay compact (Shirley &
+/// Chiu 1997).
+struct DiscPoint {
+  float x;
+  float y;
+};
+DiscPoint disc_point(Point2 u);
+
 /// Unit vectors a and b such that a, b and the unit vector `normal` form a right-handed frame (Duff
 /// et al. 2017).
 struct Tangents {

@@ -25,22 +25,46 @@ bool machine_has(const std::string& instruction_set) {
               "\"; Embree knows sse2, sse4.2, avx, avx2 and avx512");
 }
 
-void bounds_of(const RTCBoundsFunctionArguments* arguments) {
-  const RoundCone& cone =
-      static_cast<const RoundCone*>(arguments->geometryUserPtr)[arguments->primID];
+struct Box {
+  Eigen::Array3f lower;
+  Eigen::Array3f upper;
+};
+
+Box box_of(const RoundCone& cone) {
   const Eigen::Array3f a = cone.a.array(), b = cone.b().array();
-  const Eigen::Array3f lower = (a - cone.radius_a).min(b - cone.radius_b);
-  const Eigen::Array3f upper = (a + cone.radius_a).max(b + cone.radius_b);
+  return {(a - cone.radius_a).min(b - cone.radius_b), (a + cone.radius_a).max(b + cone.radius_b)};
+}
+
+Box box_of(const Triangle& triangle) {
+  const Eigen::Array3f a = triangle.a.array(), b = triangle.b.array(), c = triangle.c.array();
+  return {a.min(b).min(c), a.max(b).max(c)};
+}
+
+template <class Shape>
+void give_bounds(const std::vector<Shape>& opening, const std::vector<Shape>& closing,
+                 const RTCBoundsFunctionArguments* arguments) {
+  const bool moves = arguments->timeStep > 0;
+  const Box box = box_of((moves ? closing : opening)[arguments->primID]);
   // Wider than any rounding, in Embree or in the intersection, so that no box hides a hit.
   const float padding =
-      1e-4f * std::max(1.0f, std::max(lower.abs().maxCoeff(), upper.abs().maxCoeff()));
+      1e-4f * std::max(1.0f, std::max(box.lower.abs().maxCoeff(), box.upper.abs().maxCoeff()));
   RTCBounds& bounds = *arguments->bounds_o;
-  bounds.lower_x = lower.x() - padding;
-  bounds.lower_y = lower.y() - padding;
-  bounds.lower_z = lower.z() - padding;
-  bounds.upper_x = upper.x() + padding;
-  bounds.upper_y = upper.y() + padding;
-  bounds.upper_z = upper.z() + padding;
+  bounds.lower_x = box.lower.x() - padding;
+  bounds.lower_y = box.lower.y() - padding;
+  bounds.lower_z = box.lower.z() - padding;
+  bounds.upper_x = box.upper.x() + padding;
+  bounds.upper_y = box.upper.y() + padding;
+  bounds.upper_z = box.upper.z() + padding;
+}
+
+void bounds_of_cone(const RTCBoundsFunctionArguments* arguments) {
+  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
+  give_bounds(shapes.cones, shapes.closing_cones, arguments);
+}
+
+void bounds_of_triangle(const RTCBoundsFunctionArguments* arguments) {
+  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
+  give_bounds(shapes.triangles, shapes.closing_triangles, arguments);
 }
 
 // Embree's ray packets of N rays are arrays of N values, field by field.
@@ -49,11 +73,18 @@ struct PacketFields {
   unsigned lanes;
 
   float* operator[](unsigned field) const { return fields + field * lanes; }
-  RayLanes rays() const {
-    return {(*this)[0], (*this)[1], (*this)[2], (*this)[4], (*this)[5], (*this)[6]};
+  RayLanes rays(unsigned from = 0) const {
+    return {(*this)[0] + from, (*this)[1] + from, (*this)[2] + from,
+            (*this)[4] + from, (*this)[5] + from, (*this)[6] + from};
   }
   const float* near_distance() const { return (*this)[3]; }
+  const float* time() const { return (*this)[7]; }
   float* far_distance() const { return (*this)[8]; }
+  std::uint32_t present(unsigned lane) const {
+    std::uint32_t bits;
+    std::memcpy(&bits, (*this)[10] + lane, sizeof bits);
+    return bits;
+  }
 };
 
 struct Distances {
@@ -61,9 +92,15 @@ struct Distances {
 };
 
 // First crossing of the surface beyond the near distance; infinity when there is none.
-Distances crossings(const RoundCone& cone, const PacketFields& packet) {
+Distances cone_crossings(const Shapes& shapes, std::size_t index, const PacketFields& packet) {
   float enter[max_lanes], leave[max_lanes];
-  intersect_lines(cone, packet.rays(), packet.lanes, enter, leave);
+  if (shapes.closing_cones.empty()) {
+    intersect_lines(shapes.cones[index], packet.rays(), packet.lanes, enter, leave);
+  } else {
+    for (unsigned i = 0; i < packet.lanes; ++i)
+      intersect_lines(shapes.cone_at(index, packet.time()[i]), packet.rays(i), 1, enter + i,
+                      leave + i);
+  }
   Distances distances;
   const float* from = packet.near_distance();
   for (unsigned i = 0; i < packet.lanes; ++i) {
@@ -75,37 +112,61 @@ Distances crossings(const RoundCone& cone, const PacketFields& packet) {
   return distances;
 }
 
-void intersect_cone(const RTCIntersectFunctionNArguments* arguments) {
+Distances triangle_crossings(const Shapes& shapes, std::size_t index, const PacketFields& packet) {
+  Distances distances;
+  if (shapes.closing_triangles.empty()) {
+    intersect_triangle(shapes.triangles[index], packet.rays(), packet.lanes, distances.lane);
+  } else {
+    for (unsigned i = 0; i < packet.lanes; ++i)
+      intersect_triangle(shapes.triangle_at(index, packet.time()[i]), packet.rays(i), 1,
+                         distances.lane + i);
+  }
+  return distances;
+}
+
+bool is_there(const Shapes& shapes, std::size_t shape, const PacketFields& packet, unsigned lane) {
+  return shapes.all_present || ((packet.present(lane) >> shapes.figures[shape]) & 1u) != 0;
+}
+
+template <Distances (*crossings)(const Shapes&, std::size_t, const PacketFields&)>
+void intersect_shape(const RTCIntersectFunctionNArguments* arguments) {
   const unsigned lanes = arguments->N;
   const PacketFields packet{reinterpret_cast<float*>(RTCRayHitN_RayN(arguments->rayhit, lanes)),
                             lanes};
   RTCHitN* hit = RTCRayHitN_HitN(arguments->rayhit, lanes);
-  const RoundCone& cone =
-      static_cast<const RoundCone*>(arguments->geometryUserPtr)[arguments->primID];
-  const Distances crossing = crossings(cone, packet);
+  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
+  const Distances crossing = crossings(shapes, arguments->primID, packet);
+  const std::size_t shape = arguments->primID + (arguments->geomID == 0 ? 0 : shapes.cones.size());
   float* reach = packet.far_distance();
   for (unsigned i = 0; i < lanes; ++i) {
-    if (arguments->valid[i] == 0) continue;
+    if (arguments->valid[i] == 0 || crossing.lane[i] > reach[i]) continue;
+    // Where two are equally far, the one of the lower number counts.
+    const unsigned geometry = RTCHitN_geomID(hit, lanes, i);
     const bool nearer = crossing.lane[i] < reach[i];
-    const bool tie = crossing.lane[i] == reach[i] &&
-                     RTCHitN_geomID(hit, lanes, i) != RTC_INVALID_GEOMETRY_ID &&
-                     arguments->primID < RTCHitN_primID(hit, lanes, i);
-    if (!nearer && !tie) continue;
+    const bool earlier =
+        geometry != RTC_INVALID_GEOMETRY_ID &&
+        (arguments->geomID < geometry ||
+         (arguments->geomID == geometry && arguments->primID < RTCHitN_primID(hit, lanes, i)));
+    if (!(nearer || (crossing.lane[i] == reach[i] && earlier))) continue;
+    if (!is_there(shapes, shape, packet, i)) continue;
     reach[i] = crossing.lane[i];
     RTCHitN_primID(hit, lanes, i) = arguments->primID;
     RTCHitN_geomID(hit, lanes, i) = arguments->geomID;
   }
 }
 
-void occlude_by_cone(const RTCOccludedFunctionNArguments* arguments) {
+template <Distances (*crossings)(const Shapes&, std::size_t, const PacketFields&)>
+void occlude_by_shape(const RTCOccludedFunctionNArguments* arguments) {
   const unsigned lanes = arguments->N;
   const PacketFields packet{reinterpret_cast<float*>(arguments->ray), lanes};
-  const RoundCone& cone =
-      static_cast<const RoundCone*>(arguments->geometryUserPtr)[arguments->primID];
-  const Distances crossing = crossings(cone, packet);
+  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
+  const Distances crossing = crossings(shapes, arguments->primID, packet);
+  const std::size_t shape = arguments->primID + (arguments->geomID == 0 ? 0 : shapes.cones.size());
   float* reach = packet.far_distance();
   for (unsigned i = 0; i < lanes; ++i) {
-    if (arguments->valid[i] != 0 && crossing.lane[i] < reach[i]) reach[i] = -infinity;
+    if (arguments->valid[i] != 0 && crossing.lane[i] < reach[i] &&
+        is_there(shapes, shape, packet, i))
+      reach[i] = -infinity;
   }
 }
 
@@ -117,11 +178,11 @@ void copy_rays(const RayPacket& rays, RTCRay8& out, std::array<int, packet_size>
   std::memcpy(out.dir_y, rays.direction_y, sizeof rays.direction_y);
   std::memcpy(out.dir_z, rays.direction_z, sizeof rays.direction_z);
   std::memcpy(out.tfar, rays.reach, sizeof rays.reach);
+  std::memcpy(out.time, rays.time, sizeof rays.time);
+  std::memcpy(out.id, rays.present, sizeof rays.present);
   for (int i = 0; i < packet_size; ++i) {
     out.tnear[i] = 0.0f;
-    out.time[i] = 0.0f;
     out.mask[i] = ~0u;
-    out.id[i] = 0;
     out.flags[i] = 0;
     valid[static_cast<std::size_t>(i)] = i < rays.count ? -1 : 0;
   }
@@ -154,7 +215,8 @@ std::string EmbreeDevice::description() const {
          version(RTC_DEVICE_PROPERTY_VERSION_PATCH) + ", " + instruction_set_;
 }
 
-void RayPacket::push(const Vec3& origin, const Vec3& direction, float distance) {
+void RayPacket::push(const Vec3& origin, const Vec3& direction, float distance, float when,
+                     std::uint32_t figures) {
   origin_x[count] = origin.x();
   origin_y[count] = origin.y();
   origin_z[count] = origin.z();
@@ -162,21 +224,32 @@ void RayPacket::push(const Vec3& origin, const Vec3& direction, float distance) 
   direction_y[count] = direction.y();
   direction_z[count] = direction.z();
   reach[count] = distance;
+  time[count] = when;
+  present[count] = figures;
   ++count;
 }
 
-EmbreeScene::EmbreeScene(const EmbreeDevice& device, std::vector<RoundCone> cones)
-    : cones_(std::move(cones)), scene_(rtcNewScene(device.get())) {
+EmbreeScene::EmbreeScene(const EmbreeDevice& device, Shapes shapes)
+    : shapes_(std::move(shapes)), scene_(rtcNewScene(device.get())) {
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(cones_.size()));
-  rtcSetGeometryUserData(geometry, cones_.data());
-  rtcSetGeometryBoundsFunction(geometry, bounds_of, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersect_cone);
-  rtcSetGeometryOccludedFunction(geometry, occlude_by_cone);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene_, geometry);
-  rtcReleaseGeometry(geometry);
+  const auto attach = [&](std::size_t count, bool moves, RTCBoundsFunction bounds,
+                          RTCIntersectFunctionN hit, RTCOccludedFunctionN blocked) {
+    RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
+    rtcSetGeometryTimeStepCount(geometry, moves ? 2 : 1);
+    rtcSetGeometryUserData(geometry, &shapes_);
+    rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, hit);
+    rtcSetGeometryOccludedFunction(geometry, blocked);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+  };
+  // In the order of their numbers.
+  attach(shapes_.cones.size(), !shapes_.closing_cones.empty(), bounds_of_cone,
+         intersect_shape<cone_crossings>, occlude_by_shape<cone_crossings>);
+  attach(shapes_.triangles.size(), !shapes_.closing_triangles.empty(), bounds_of_triangle,
+         intersect_shape<triangle_crossings>, occlude_by_shape<triangle_crossings>);
   rtcCommitScene(scene_);
   throw_on_error(device.get(), "build a scene");
 }
@@ -193,9 +266,10 @@ Hits EmbreeScene::intersect(const RayPacket& rays) const {
   embree::intersect8(valid.data(), scene_, &packet, true);
   for (int i = 0; i < packet_size; ++i) {
     hits.distance[i] = packet.ray.tfar[i];
-    hits.cone[i] = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID
-                       ? -1
-                       : static_cast<int>(packet.hit.primID[i]);
+    const unsigned geometry = packet.hit.geomID[i];
+    hits.shape[i] = geometry == RTC_INVALID_GEOMETRY_ID ? -1
+                    : geometry == 0                     ? static_cast<int>(packet.hit.primID[i])
+                                    : static_cast<int>(shapes_.cones.size() + packet.hit.primID[i]);
   }
   return hits;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/round_cone.h"
+#include "render/shapes.h"
 
 struct RTCDeviceTy;
 struct RTCSceneTy;
@@ -41,29 +41,33 @@ struct RayPacket {
   alignas(32) float direction_y[packet_size] = {};
   alignas(32) float direction_z[packet_size] = {};
   alignas(32) float reach[packet_size] = {};  ///< nothing further than this counts, metres
+  alignas(32) float time[packet_size] = {};   ///< 0 when the shutter opens … 1 when it closes
+  alignas(32) std::uint32_t present[packet_size] = {};  ///< bit f: figure f is there
   int count = 0;
 
-  void push(const Vec3& origin, const Vec3& direction, float distance);
+  void push(const Vec3& origin, const Vec3& direction, float distance, float when = 0.0f,
+            std::uint32_t figures = ~0u);
+  Vec3 origin(int i) const { return {origin_x[i], origin_y[i], origin_z[i]}; }
   Vec3 direction(int i) const { return {direction_x[i], direction_y[i], direction_z[i]}; }
 };
 
 /// The nearest hit of each ray of a packet.
 struct Hits {
   float distance[packet_size];
-  int cone[packet_size];  ///< index of the round cone; −1: none
+  int shape[packet_size];  ///< number of the shape; −1: none
 };
 
-/// Round cones in an Embree hierarchy. Embree proposes candidates from padded boxes, our own
-/// intersection decides, and of two equally near hits the lower index wins, so that what is found
+/// Shapes in an Embree hierarchy. Embree proposes candidates from padded boxes, our own
+/// intersections decide, and of two equally near hits the lower number wins, so that what is found
 /// does not depend on Embree's version or instruction set.
 class EmbreeScene {
  public:
-  EmbreeScene(const EmbreeDevice& device, std::vector<RoundCone> cones);
+  EmbreeScene(const EmbreeDevice& device, Shapes shapes);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  const std::vector<RoundCone>& cones() const { return cones_; }
+  const Shapes& shapes() const { return shapes_; }
 
   /// Primary rays: neighbours that go about the same way.
   Hits intersect(const RayPacket& rays) const;
@@ -72,7 +76,7 @@ class EmbreeScene {
   std::uint32_t occluded(const RayPacket& rays) const;
 
  private:
-  std::vector<RoundCone> cones_;
+  Shapes shapes_;
   RTCSceneTy* scene_ = nullptr;
 };
 

@@ -8,4 +8,10 @@ namespace mien::render {
 /// values above 1 are allowed).
 using Film = Image<float>;
 
+/// A film, and how much of each pixel is covered where the background does not show.
+struct Exposure {
+  Film film;                 ///< multiplied by alpha (associated)
+  std::vector<float> alpha;  ///< 0 … 1, one a pixel; empty where the background shows
+};
+
 }  // namespace mien::render

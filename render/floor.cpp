@@ -33,10 +33,18 @@ Footprint footprint(const CameraFrame& camera, const Vec3& unnormalised, float s
 
 Color albedo_at(const Ground& ground, const Vec3& point, const Footprint& print) {
   if (ground.line_spacing <= 0.0f) return ground.albedo;
-  const float in_x = line_cover(point.x(), print.x, ground.line_spacing, ground.line_width);
-  const float in_z = line_cover(point.z(), print.z, ground.line_spacing, ground.line_width);
-  const float cover = in_x + in_z - in_x * in_z;
-  return ground.albedo + cover * (ground.line_albedo - ground.albedo);
+  const float x = point.x() - ground.offset_x, z = point.z() - ground.offset_z;
+  const auto cover = [&](float spacing, float width) {
+    const float in_x = line_cover(x, print.x, spacing, width);
+    const float in_z = line_cover(z, print.z, spacing, width);
+    return in_x + in_z - in_x * in_z;
+  };
+  const Color fine = ground.albedo + cover(ground.line_spacing, ground.line_width) *
+                                         (ground.line_albedo - ground.albedo);
+  if (ground.major_every == 0) return fine;
+  const float major =
+      cover(static_cast<float>(ground.major_every) * ground.line_spacing, 2.0f * ground.line_width);
+  return fine + major * (ground.major_albedo - fine);
 }
 
 Color irradiance_on_floor(const Scene& scene, const Vec3& point) {
@@ -70,8 +78,7 @@ Color unshadowed_floor(const Scene& scene, const Vec3& point) {
   return scene.ground.albedo * inverse_pi * irradiance_on_floor(scene, point);
 }
 
-SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, float x, float y) {
-  const EyeRay ray = camera.ray(x, y);
+SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, const EyeRay& ray) {
   const Vec3& direction = ray.direction;
   SetPixel pixel;
   pixel.radiance = backdrop_radiance(scene.sky, direction);

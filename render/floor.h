@@ -11,15 +11,15 @@ namespace mien::render {
 /// Staging can use it to choose Sky::below.
 Color unshadowed_floor(const Scene& scene, const Vec3& point);
 
-/// What a pixel shows when no figure is near: backdrop or unshadowed floor, in closed form, taken
-/// at the pixel's centre with the grid filtered over the pixel.
+/// What a ray from the eye shows when no solid is near: backdrop or unshadowed floor, in closed
+/// form, with the grid filtered over a pixel.
 struct SetPixel {
   Color radiance = Color::Zero();
   bool shows_floor = false;
-  Vec3 point = Vec3::Zero();             ///< of the floor, at the pixel's centre
+  Vec3 point = Vec3::Zero();             ///< of the floor
   Color visible_albedo = Color::Zero();  ///< of the floor, times how little of it has faded
 };
-SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, float x, float y);
+SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, const EyeRay& ray);
 
 /// Distance along a unit direction at which a ray meets the floor from above.
 std::optional<float> distance_to_floor(const Vec3& origin, const Vec3& direction);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "render/camera.h"
@@ -8,23 +9,30 @@
 #include "render/quality.h"
 #include "render/reach.h"
 #include "render/scene.h"
+#include "render/standing_set.h"
 
 namespace mien::render {
 
 /// All that is fixed while a picture is drawn: the scene made ready for tracing and what its figure
-/// can touch. `scene` outlives it.
+/// can touch. The scenes and the set outlive it.
 struct Picture {
-  const Scene& scene;
+  const Scene& scene;            ///< when the shutter opens
+  const Solids& solids;          ///< the figure's, in `scene`
+  const Solids* closing_solids;  ///< when the shutter closes; null: nothing moves
   Quality quality;
   CameraFrame camera;
+  std::optional<CameraFrame> closing_camera;  ///< none: the camera stands
   Filter filter;
   EmbreeScene figure;
+  const StandingSet& set;
   BoundingSphere bounds;                 ///< of the figure
   FilmMask film_mask;                    ///< where primary rays may meet the figure
   std::vector<ShadowMask> shadow_masks;  ///< where it may hide each light from the floor
-};
+  std::vector<float> opacities;          ///< of the figures
 
-Picture prepare(const EmbreeDevice& device, const Scene& scene, const Camera& camera,
-                const Quality& quality);
+  /// Every sample is drawn by itself, set and all: nothing about the set is the same for all rays
+  /// of a pixel.
+  bool piecemeal() const { return closing_camera || !camera.lens_right.isZero(); }
+};
 
 }  // namespace mien::render

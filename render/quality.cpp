@@ -6,6 +6,7 @@ Quality draft_quality() {
   Quality quality;
   quality.samples_per_pixel = 4;
   quality.sky_rays = 1;
+  quality.standing_samples = 16;
   return quality;
 }
 
@@ -14,7 +15,7 @@ Quality standard_quality() { return {}; }
 Quality final_quality() {
   Quality quality;
   quality.samples_per_pixel = 128;
-  quality.sky_rays = 2;
+  quality.standing_samples = 256;
   return quality;
 }
 

@@ -4,12 +4,21 @@
 
 namespace mien::render {
 
+/// What is behind the figure.
+enum class Background {
+  shown,        ///< the set
+  transparent,  ///< nothing
+  shadow        ///< nothing but the figure's shadow on the set, as alpha
+};
+
 /// How much work goes into a picture. The same values give the same bytes.
 struct Quality {
   int samples_per_pixel = 16;  ///< primary rays a pixel, each with one shadow ray a light
   int sky_rays = 2;            ///< rays towards the sky for each primary ray that meets the figure
+  int standing_samples = 64;   ///< samples a pixel of what stands still, done once a camera
   float filter_width = 2.0f;   ///< whole width of the Blackman–Harris filter, pixels
-  std::uint64_t seed = 0;      ///< another seed, another noise pattern
+  Background background = Background::shown;
+  std::uint64_t seed = 0;  ///< another seed, another noise pattern
 
   /// Trace the rays that are known to meet nothing too. Same picture, bit for bit, only slower: it
   /// is there to prove that.

@@ -15,17 +15,47 @@ struct Ball {
   float radius;
 };
 
-// A chain of balls such that the solid lies in the hulls of neighbours, each hull about as long as
-// it is thick: boxes around those are tighter than one box around the whole.
-std::vector<Ball> chain(const RoundCone& cone) {
+// A solid as pieces, each within the hull of a few balls. A round cone becomes a chain whose pieces
+// are about as long as they are thick: boxes around those are tighter than one box around the
+// whole. What moves fills the hull of where it comes from and where it goes to.
+template <class Visit>
+void visit_pieces(const RoundCone& cone, const RoundCone* closing, Visit visit) {
   const float thickness = 2.0f * std::max(std::max(cone.radius_a, cone.radius_b), 1e-3f);
   const int pieces = std::clamp(static_cast<int>(std::ceil(cone.axis.norm() / thickness)), 1, 16);
-  std::vector<Ball> balls;
-  for (int i = 0; i <= pieces; ++i) {
+  const auto ball = [&](const RoundCone& of, int i) {
     const float t = static_cast<float>(i) / static_cast<float>(pieces);
-    balls.push_back({cone.a + t * cone.axis, cone.radius_a + t * (cone.radius_b - cone.radius_a)});
+    return Ball{of.a + t * of.axis, of.radius_a + t * (of.radius_b - of.radius_a)};
+  };
+  for (int i = 0; i < pieces; ++i) {
+    if (closing == nullptr) {
+      visit(std::array{ball(cone, i), ball(cone, i + 1)});
+    } else {
+      // Between the two the solid may be a sphere of the larger radius anywhere on its axis.
+      std::array balls{ball(cone, i), ball(cone, i + 1), ball(*closing, i), ball(*closing, i + 1)};
+      const float radius =
+          std::max({cone.radius_a, cone.radius_b, closing->radius_a, closing->radius_b});
+      for (Ball& each : balls) each.radius = radius;
+      visit(balls);
+    }
   }
-  return balls;
+}
+
+template <class Visit>
+void visit_pieces(const Triangle& triangle, const Triangle* closing, Visit visit) {
+  const std::array balls{Ball{triangle.a, 0.0f}, Ball{triangle.b, 0.0f}, Ball{triangle.c, 0.0f}};
+  if (closing == nullptr) return visit(balls);
+  visit(std::array{balls[0], balls[1], balls[2], Ball{closing->a, 0.0f}, Ball{closing->b, 0.0f},
+                   Ball{closing->c, 0.0f}});
+}
+
+template <class Visit>
+void visit_pieces(const Shapes& shapes, Visit visit) {
+  for (std::size_t i = 0; i < shapes.cones.size(); ++i)
+    visit_pieces(shapes.cones[i], shapes.closing_cones.empty() ? nullptr : &shapes.closing_cones[i],
+                 visit);
+  for (std::size_t i = 0; i < shapes.triangles.size(); ++i)
+    visit_pieces(shapes.triangles[i],
+                 shapes.closing_triangles.empty() ? nullptr : &shapes.closing_triangles[i], visit);
 }
 
 struct Interval {
@@ -64,6 +94,14 @@ FilmBox film_box(const CameraFrame& camera, const Ball& ball) {
   const float depth = towards.dot(camera.forward);
   const float radius = 1.001f * ball.radius + 1e-4f;
   FilmBox box;
+  if (camera.parallel) {
+    box.behind = depth <= -radius;
+    const float x = camera.centre_x + towards.dot(camera.step_right) / (pixel * pixel);
+    const float y = camera.centre_y + towards.dot(camera.step_down) / (pixel * pixel);
+    box.x = {x - radius / pixel, x + radius / pixel};
+    box.y = {y - radius / pixel, y + radius / pixel};
+    return box;
+  }
   if (depth <= 1.01f * radius + 1e-3f) {
     // Across the plane of the camera it could be anywhere.
     box.behind = depth <= -radius;
@@ -77,14 +115,28 @@ FilmBox film_box(const CameraFrame& camera, const Ball& ball) {
   return box;
 }
 
-std::array<Vec3, 8> box_corners(const Ball& from, const Ball& to) {
-  const Vec3 low = (from.centre.array() - from.radius).min(to.centre.array() - to.radius);
-  const Vec3 high = (from.centre.array() + from.radius).max(to.centre.array() + to.radius);
-  std::array<Vec3, 8> corners;
+// Points whose hull holds a piece.
+struct HullPoints {
+  std::array<Vec3, 8> points;
+  std::size_t count = 0;
+};
+
+template <std::size_t count>
+HullPoints hull_points(const std::array<Ball, count>& balls) {
+  HullPoints hull;
+  if (balls[0].radius == 0.0f) {
+    for (const Ball& ball : balls) hull.points[hull.count++] = ball.centre;
+    return hull;
+  }
+  Eigen::Array3f low = Eigen::Array3f::Constant(infinity), high = -low;
+  for (const Ball& ball : balls) {
+    low = low.min(ball.centre.array() - ball.radius);
+    high = high.max(ball.centre.array() + ball.radius);
+  }
   for (unsigned i = 0; i < 8; ++i)
-    corners[i] = {i & 1u ? high.x() : low.x(), i & 2u ? high.y() : low.y(),
-                  i & 4u ? high.z() : low.z()};
-  return corners;
+    hull.points[hull.count++] = {i & 1u ? high.x() : low.x(), i & 2u ? high.y() : low.y(),
+                                 i & 4u ? high.z() : low.z()};
+  return hull;
 }
 
 constexpr FloorArea nowhere{infinity, -infinity, infinity, -infinity};
@@ -93,9 +145,10 @@ constexpr FloorArea anywhere{-infinity, infinity, -infinity, infinity};
 // The shadow of a convex body from a convex light lies in the hull of the shadows of its corners
 // from the light's corners: for each light point the projection onto the floor keeps lines
 // straight, and so it does in the light point for each point of the body.
-FloorArea shadow_area(const AreaLight& light, const Ball& from, const Ball& to) {
+FloorArea shadow_area(const AreaLight& light, const HullPoints& hull) {
   FloorArea area = nowhere;
-  for (const Vec3& corner : box_corners(from, to)) {
+  for (std::size_t i = 0; i < hull.count; ++i) {
+    const Vec3& corner = hull.points[i];
     for (const float u : {-1.0f, 1.0f}) {
       for (const float v : {-1.0f, 1.0f}) {
         const Vec3 lamp = light.centre + u * light.half_u + v * light.half_v;
@@ -116,25 +169,32 @@ FloorArea shadow_area(const AreaLight& light, const Ball& from, const Ball& to) 
 
 }  // namespace
 
-BoundingSphere bounding_sphere(std::span<const RoundCone> cones) {
-  if (cones.empty()) return {};
-  Eigen::Array3f low = Eigen::Array3f::Constant(infinity);
-  Eigen::Array3f high = Eigen::Array3f::Constant(-infinity);
-  for (const RoundCone& cone : cones) {
-    low = low.min(cone.a.array() - cone.radius_a).min(cone.b().array() - cone.radius_b);
-    high = high.max(cone.a.array() + cone.radius_a).max(cone.b().array() + cone.radius_b);
-  }
+BoundingSphere bounding_sphere(const Shapes& shapes) {
+  if (shapes.empty()) return {};
+  Eigen::Array3f low = Eigen::Array3f::Constant(infinity), high = -low;
+  visit_pieces(shapes, [&](const auto& balls) {
+    for (const Ball& ball : balls) {
+      low = low.min(ball.centre.array() - ball.radius);
+      high = high.max(ball.centre.array() + ball.radius);
+    }
+  });
   BoundingSphere sphere{(0.5f * (low + high)).matrix(), 0.0f};
-  for (const RoundCone& cone : cones)
-    sphere.radius = std::max({sphere.radius, (cone.a - sphere.centre).norm() + cone.radius_a,
-                              (cone.b() - sphere.centre).norm() + cone.radius_b});
+  visit_pieces(shapes, [&](const auto& balls) {
+    for (const Ball& ball : balls)
+      sphere.radius = std::max(sphere.radius, (ball.centre - sphere.centre).norm() + ball.radius);
+  });
   sphere.radius = 1.0001f * sphere.radius + 1e-4f;
   return sphere;
 }
 
-FilmMask::FilmMask(const Camera& camera, std::span<const RoundCone> cones, float filter_half_width)
+FilmMask::FilmMask(const Camera& camera, const Shapes& shapes, float filter_half_width)
     : width_(camera.width),
       touched_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)) {
+  if (camera.aperture_radius > 0.0f && !shapes.empty()) {
+    // What is out of focus may show anywhere.
+    std::fill(touched_.begin(), touched_.end(), std::uint8_t{1});
+    return;
+  }
   const CameraFrame frame = frame_of(camera);
   const float margin = filter_half_width + 0.01f;
   const auto first = [&](float edge, int size) {
@@ -143,37 +203,31 @@ FilmMask::FilmMask(const Camera& camera, std::span<const RoundCone> cones, float
   const auto past = [&](float edge, int size) {
     return static_cast<int>(std::clamp(std::ceil(edge + margin + 0.5f), 0.0f, float(size)));
   };
-  for (const RoundCone& cone : cones) {
-    const std::vector<Ball> balls = chain(cone);
-    for (std::size_t i = 0; i + 1 < balls.size(); ++i) {
-      FilmBox box = film_box(frame, balls[i]);
-      box.include(film_box(frame, balls[i + 1]));
-      const bool all = box.everywhere;
-      const int x_begin = all ? 0 : first(box.x.low, camera.width);
-      const int x_end = all ? camera.width : past(box.x.high, camera.width);
-      const int y_begin = all ? 0 : first(box.y.low, camera.height);
-      const int y_end = all ? camera.height : past(box.y.high, camera.height);
-      for (int y = y_begin; y < y_end && x_begin < x_end; ++y)
-        std::fill_n(touched_.begin() + std::ptrdiff_t{y} * camera.width + x_begin, x_end - x_begin,
-                    std::uint8_t{1});
-    }
-  }
+  visit_pieces(shapes, [&](const auto& balls) {
+    FilmBox box = film_box(frame, balls[0]);
+    for (std::size_t i = 1; i < balls.size(); ++i) box.include(film_box(frame, balls[i]));
+    const bool all = box.everywhere;
+    const int x_begin = all ? 0 : first(box.x.low, camera.width);
+    const int x_end = all ? camera.width : past(box.x.high, camera.width);
+    const int y_begin = all ? 0 : first(box.y.low, camera.height);
+    const int y_end = all ? camera.height : past(box.y.high, camera.height);
+    for (int y = y_begin; y < y_end && x_begin < x_end; ++y)
+      std::fill_n(touched_.begin() + std::ptrdiff_t{y} * camera.width + x_begin, x_end - x_begin,
+                  std::uint8_t{1});
+  });
 }
 
-ShadowMask::ShadowMask(const AreaLight& light, std::span<const RoundCone> cones) {
+ShadowMask::ShadowMask(const AreaLight& light, const Shapes& shapes) {
   std::vector<FloorArea> areas;
   area_ = nowhere;
-  for (const RoundCone& cone : cones) {
-    const std::vector<Ball> balls = chain(cone);
-    for (std::size_t i = 0; i + 1 < balls.size(); ++i) {
-      const FloorArea area = shadow_area(light, balls[i], balls[i + 1]);
-      areas.push_back(area);
-      area_.x_min = std::min(area_.x_min, area.x_min);
-      area_.x_max = std::max(area_.x_max, area.x_max);
-      area_.z_min = std::min(area_.z_min, area.z_min);
-      area_.z_max = std::max(area_.z_max, area.z_max);
-    }
-  }
+  visit_pieces(shapes, [&](const auto& balls) {
+    const FloorArea area = shadow_area(light, hull_points(balls));
+    areas.push_back(area);
+    area_.x_min = std::min(area_.x_min, area.x_min);
+    area_.x_max = std::max(area_.x_max, area.x_max);
+    area_.z_min = std::min(area_.z_min, area.z_min);
+    area_.z_max = std::max(area_.z_max, area.z_max);
+  });
   if (areas.empty()) return;
   everywhere_ = !std::isfinite(area_.x_max - area_.x_min + area_.z_max - area_.z_min);
   if (everywhere_) return;

@@ -1,30 +1,29 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "render/camera.h"
-#include "render/round_cone.h"
 #include "render/scene.h"
+#include "render/shapes.h"
 
 namespace mien::render {
 
 // What a figure can touch, so that rays that cannot meet it need not be traced. All of these err on
 // the side of touching.
 
-/// A sphere around all round cones; radius −1 around none.
+/// A sphere around all shapes; radius −1 around none.
 struct BoundingSphere {
   Vec3 centre = Vec3::Zero();
   float radius = -1.0f;
 };
-BoundingSphere bounding_sphere(std::span<const RoundCone> cones);
+BoundingSphere bounding_sphere(const Shapes& shapes);
 
-/// The pixels whose primary rays, anywhere under a filter of that half width, may meet a round
-/// cone.
+/// The pixels whose primary rays, anywhere under a filter of that half width, may meet a
+/// shape.
 class FilmMask {
  public:
-  FilmMask(const Camera& camera, std::span<const RoundCone> cones, float filter_half_width);
+  FilmMask(const Camera& camera, const Shapes& shapes, float filter_half_width);
 
   bool may_meet(int x, int y) const {
     return touched_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
@@ -44,10 +43,10 @@ struct FloorArea {
   float z_max;
 };
 
-/// The part of the floor on which a round cone may hide a part of a light: a grid of cells.
+/// The part of the floor on which a shape may hide a part of a light: a grid of cells.
 class ShadowMask {
  public:
-  ShadowMask(const AreaLight& light, std::span<const RoundCone> cones);
+  ShadowMask(const AreaLight& light, const Shapes& shapes);
 
   /// Whether any point of the area may lie in shadow or half shadow.
   bool may_shade(const FloorArea& area) const;

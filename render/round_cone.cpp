@@ -11,6 +11,7 @@ RoundCone round_cone(const Sphere& sphere) {
   cone.a = sphere.centre;
   cone.radius_a = cone.radius_b = sphere.radius;
   cone.material = sphere.material;
+  cone.part = sphere.part;
   return cone;
 }
 
@@ -20,8 +21,10 @@ RoundCone round_cone(const Capsule& capsule) {
   const float side_squared = axis.squaredNorm() - slope * slope;
   // Only a side that is long against the rounding of the axis is a side at all.
   if (side_squared <= 1e-6f * axis.squaredNorm()) {
-    return slope >= 0.0f ? round_cone(Sphere{capsule.start, capsule.start_radius, capsule.material})
-                         : round_cone(Sphere{capsule.end, capsule.end_radius, capsule.material});
+    return slope >= 0.0f ? round_cone(Sphere{capsule.start, capsule.start_radius, capsule.material,
+                                             capsule.part})
+                         : round_cone(Sphere{capsule.end, capsule.end_radius, capsule.material,
+                                             capsule.part});
   }
   RoundCone cone;
   cone.a = capsule.start;
@@ -32,14 +35,15 @@ RoundCone round_cone(const Capsule& capsule) {
   cone.slope = slope;
   cone.side_squared = side_squared;
   cone.material = capsule.material;
+  cone.part = capsule.part;
   return cone;
 }
 
-std::vector<RoundCone> round_cones(const Scene& scene) {
+std::vector<RoundCone> round_cones(const Solids& solids) {
   std::vector<RoundCone> cones;
-  cones.reserve(scene.solids.spheres.size() + scene.solids.capsules.size());
-  for (const Sphere& sphere : scene.solids.spheres) cones.push_back(round_cone(sphere));
-  for (const Capsule& capsule : scene.solids.capsules) cones.push_back(round_cone(capsule));
+  cones.reserve(solids.spheres.size() + solids.capsules.size());
+  for (const Sphere& sphere : solids.spheres) cones.push_back(round_cone(sphere));
+  for (const Capsule& capsule : solids.capsules) cones.push_back(round_cone(capsule));
   return cones;
 }
 

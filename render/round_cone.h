@@ -17,6 +17,7 @@ struct RoundCone {
   float slope = 0.0f;         ///< radius_a − radius_b
   float side_squared = 0.0f;  ///< |axis|² − slope²: squared length of the side; zero for a sphere
   int material = 0;
+  int part = 0;
 
   Vec3 b() const { return a + axis; }
 };
@@ -24,8 +25,8 @@ struct RoundCone {
 RoundCone round_cone(const Sphere& sphere);
 RoundCone round_cone(const Capsule& capsule);
 
-/// All spheres of a scene, then all capsules.
-std::vector<RoundCone> round_cones(const Scene& scene);
+/// All spheres, then all capsules.
+std::vector<RoundCone> round_cones(const Solids& solids);
 
 /// Unit outward normal at a point of the surface.
 Vec3 normal_at(const RoundCone& cone, const Vec3& point);

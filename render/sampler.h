@@ -74,7 +74,10 @@ enum class Dimension : std::uint32_t {
   FigureSky,
   FloorSky,
   FloorSkyChoice,
-  FirstLight
+  Lens,
+  Time,                   ///< the first number alone
+  FirstLight,             ///< one a light
+  FirstFigure = 1u << 16  ///< one a figure, the first number alone: whether it is there
 };
 
 /// The random numbers of a pixel, a pure function of the seed, pixel, dimension and index.
@@ -90,6 +93,12 @@ class PixelSampler {
   Point2 point(Dimension dimension, int index) const {
     return sample_point(static_cast<std::uint32_t>(index),
                         mixed(seed_, static_cast<std::uint32_t>(dimension)));
+  }
+  /// Of the `which`-th light or figure.
+  Point2 point(Dimension first, int which, int index) const {
+    return sample_point(
+        static_cast<std::uint32_t>(index),
+        mixed(seed_, static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(which)));
   }
   Point2 light_point(int light, int index) const {
     return sample_point(static_cast<std::uint32_t>(index),

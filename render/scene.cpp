@@ -32,6 +32,10 @@ void validate(const Material& material, const std::string& where) {
           "not within 0.2 … 1");
 }
 
+void validate_emission(const Material& material, const std::string& where) {
+  require(is_light(material.emission), where + ".emission", "negative or not finite");
+}
+
 void validate(const AreaLight& light, const std::string& where) {
   require(light.centre.allFinite(), where + ".centre", "not finite");
   const float area = light.half_u.cross(light.half_v).norm();
@@ -53,9 +57,88 @@ void validate(const Ground& ground) {
   require(ground.line_spacing >= 0.0f && ground.line_width >= 0.0f &&
               (ground.line_spacing == 0.0f || ground.line_width <= ground.line_spacing),
           "ground", "lines are wider than their spacing");
+  require(is_reflectance(ground.major_albedo) && ground.major_every >= 0, "ground",
+          "major lines are not a reflectance or not counted from 0");
+  require(std::isfinite(ground.offset_x) && std::isfinite(ground.offset_z), "ground",
+          "an offset is not finite");
   require(ground.fade_start >= 0.0f && ground.fade_end > ground.fade_start &&
               std::isfinite(ground.fade_end),
           "ground", "fade_end is not beyond fade_start");
+}
+
+/// The indices that solids may use.
+struct Counts {
+  int materials;
+  int parts;
+};
+
+void require_index(int index, int count, const std::string& where) {
+  require(index >= 0 && index < count, where, "out of range");
+}
+
+void validate(const Mesh& mesh, const Counts& counts, const std::string& where) {
+  const auto vertices = static_cast<int>(mesh.positions.size());
+  require(mesh.normals.size() == mesh.positions.size(), where + ".normals", "not one a vertex");
+  require(mesh.uv.empty() || mesh.uv.size() == mesh.positions.size(), where + ".uv",
+          "not one a vertex");
+  require(mesh.triangle_parts.empty() || mesh.triangle_parts.size() == mesh.triangles.size(),
+          where + ".triangle_parts", "not one a triangle");
+  for (const Vec3& position : mesh.positions)
+    require(position.allFinite(), where + ".positions", "not finite");
+  for (const Vec3& normal : mesh.normals)
+    require(normal.allFinite(), where + ".normals", "not finite");
+  for (const auto& uv : mesh.uv)
+    require(std::abs(uv[0]) < 1e6f && std::abs(uv[1]) < 1e6f, where + ".uv", "not within ±1e6");
+  for (const auto& triangle : mesh.triangles)
+    for (const int vertex : triangle)
+      require(vertex >= 0 && vertex < vertices, where + ".triangles", "a vertex is out of range");
+  for (const int part : mesh.triangle_parts)
+    require_index(part, counts.parts, where + ".triangle_parts");
+  require_index(mesh.material, counts.materials, where + ".material");
+  require_index(mesh.part, counts.parts, where + ".part");
+}
+
+void validate(const Solids& solids, const Counts& counts, const std::string& prefix) {
+  for (std::size_t i = 0; i < solids.spheres.size(); ++i) {
+    const Sphere& sphere = solids.spheres[i];
+    const std::string where = prefix + indexed("spheres", i);
+    require(sphere.centre.allFinite(), where + ".centre", "not finite");
+    require(is_radius(sphere.radius), where + ".radius", "negative or not finite");
+    require_index(sphere.material, counts.materials, where + ".material");
+    require_index(sphere.part, counts.parts, where + ".part");
+  }
+  for (std::size_t i = 0; i < solids.capsules.size(); ++i) {
+    const Capsule& capsule = solids.capsules[i];
+    const std::string where = prefix + indexed("capsules", i);
+    require(capsule.start.allFinite() && capsule.end.allFinite(), where, "an end is not finite");
+    require(is_radius(capsule.start_radius) && is_radius(capsule.end_radius), where,
+            "a radius is negative or not finite");
+    require_index(capsule.material, counts.materials, where + ".material");
+    require_index(capsule.part, counts.parts, where + ".part");
+  }
+  for (std::size_t i = 0; i < solids.meshes.size(); ++i)
+    validate(solids.meshes[i], counts, prefix + indexed("meshes", i));
+}
+
+void validate_figures(const Scene& scene) {
+  require(!scene.figures.empty() && scene.figures.size() <= 32, "figures", "not 1 … 32");
+  require(!scene.parts.empty(), "parts", "there is none");
+  for (std::size_t i = 0; i < scene.figures.size(); ++i)
+    require(scene.figures[i].opacity >= 0.0f && scene.figures[i].opacity <= 1.0f,
+            indexed("figures", i) + ".opacity", "not within 0 … 1");
+  for (std::size_t i = 0; i < scene.parts.size(); ++i)
+    require_index(scene.parts[i].figure, static_cast<int>(scene.figures.size()),
+                  indexed("parts", i) + ".figure");
+}
+
+void validate_textures(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    const Texture* texture = scene.textures[i];
+    require(texture != nullptr && texture->width > 0 && texture->height > 0 &&
+                texture->texels.size() == static_cast<std::size_t>(texture->width) *
+                                              static_cast<std::size_t>(texture->height),
+            indexed("textures", i), "has not as many texels as its size says");
+  }
 }
 
 float elevation_sine(const Vec3& towards) { return std::clamp(towards.y(), 0.0f, 1.0f); }
@@ -88,25 +171,19 @@ Color sky_irradiance_on_floor(const Sky& sky) {
 }
 
 void validate(const Scene& scene) {
-  const auto material_count = static_cast<int>(scene.materials.size());
-  const auto has_material = [&](int index) { return index >= 0 && index < material_count; };
-  for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    validate(scene.materials[i], indexed("materials", i));
-  for (std::size_t i = 0; i < scene.solids.spheres.size(); ++i) {
-    const Sphere& sphere = scene.solids.spheres[i];
-    const std::string where = indexed("spheres", i);
-    require(sphere.centre.allFinite(), where + ".centre", "not finite");
-    require(is_radius(sphere.radius), where + ".radius", "negative or not finite");
-    require(has_material(sphere.material), where + ".material", "out of range");
+  const Counts counts{static_cast<int>(scene.materials.size()),
+                      static_cast<int>(scene.parts.size())};
+  validate_figures(scene);
+  validate_textures(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    validate(material, indexed("materials", i));
+    validate_emission(material, indexed("materials", i));
+    require(material.texture >= -1 && material.texture < static_cast<int>(scene.textures.size()),
+            indexed("materials", i) + ".texture", "out of range");
   }
-  for (std::size_t i = 0; i < scene.solids.capsules.size(); ++i) {
-    const Capsule& capsule = scene.solids.capsules[i];
-    const std::string where = indexed("capsules", i);
-    require(capsule.start.allFinite() && capsule.end.allFinite(), where, "an end is not finite");
-    require(is_radius(capsule.start_radius) && is_radius(capsule.end_radius), where,
-            "a radius is negative or not finite");
-    require(has_material(capsule.material), where + ".material", "out of range");
-  }
+  validate(scene.solids, counts, "");
+  validate(scene.standing, counts, "standing.");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     validate(scene.lights[i], indexed("lights", i));
   validate(scene.sky);

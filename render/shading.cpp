@@ -1,6 +1,7 @@
 #include "render/shading.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace mien::render {
@@ -24,17 +25,123 @@ float ggx(const Surface& surface, const Vec3& towards) {
   return density * fresnel / (4.0f * masking);
 }
 
-}  // namespace
+float off_surface(const Vec3& point) { return 1e-4f * std::max(1.0f, point.cwiseAbs().maxCoeff()); }
 
-Color reflectance(const Surface& surface, const Vec3& towards) {
-  const Color diffuse = surface.material->albedo * std::numbers::inv_pi_v<float>;
-  if (surface.material->sheen <= 0.0f) return diffuse;
-  return diffuse + ggx(surface, towards);
+Surface cone_surface(const RoundCone& cone, const Vec3& point) {
+  Surface surface;
+  surface.point = point;
+  surface.normal = normal_at(cone, point);
+  surface.origin = point + off_surface(point) * surface.normal;
+  surface.part = cone.part;
+  return surface;
 }
 
-Vec3 ray_origin(const Surface& surface) {
-  const float offset = 1e-4f * std::max(1.0f, surface.point.cwiseAbs().maxCoeff());
-  return surface.point + offset * surface.normal;
+/// What belongs to the corners of a triangle.
+struct Corners {
+  Vec3 a;
+  Vec3 b;
+  Vec3 c;
+
+  Vec3 at(float wa, const Barycentric& w) const { return wa * a + w.b * b + w.c * c; }
+};
+
+Corners normals_of(const Mesh& mesh, const std::array<int, 3>& corners, float side) {
+  const auto normal = [&](int k) -> Vec3 {
+    return side * mesh.normals[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
+  };
+  return {normal(0), normal(1), normal(2)};
+}
+
+/// From a corner's tangent plane, if the point lies below it.
+Vec3 lifted(const Vec3& point, const Vec3& corner, const Vec3& normal) {
+  return point - std::min(0.0f, (point - corner).dot(normal)) * normal;
+}
+
+Color texture_at(const Texture& texture, const Mesh& mesh, const std::array<int, 3>& corners,
+                 float wa, const Barycentric& w) {
+  float u = 0.0f, v = 0.0f;
+  const float weights[3] = {wa, w.b, w.c};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& uv = mesh.uv[static_cast<std::size_t>(corners[k])];
+    u += weights[k] * uv[0];
+    v += weights[k] * uv[1];
+  }
+  return texel_at(texture, u, v);
+}
+
+}  // namespace
+
+Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closing,
+                   const Shapes& shapes, int shape, const Vec3& point, const Vec3& direction,
+                   float time) {
+  const auto index = static_cast<std::size_t>(shape);
+  if (index < shapes.cones.size()) {
+    const RoundCone cone = shapes.cone_at(index, time);
+    Surface surface = cone_surface(cone, point);
+    surface.towards_eye = -direction;
+    surface.material = &scene.materials[static_cast<std::size_t>(cone.material)];
+    surface.albedo = surface.material->albedo;
+    return surface;
+  }
+  const std::size_t number = index - shapes.cones.size();
+  const TriangleSource& source = shapes.sources[number];
+  const Mesh& mesh = solids.meshes[static_cast<std::size_t>(source.mesh)];
+  const auto& corners = mesh.triangles[static_cast<std::size_t>(source.triangle)];
+  const Triangle triangle = shapes.triangle_at(number, time);
+  const Barycentric w = barycentric(triangle, point);
+  const float wa = 1.0f - w.b - w.c;
+
+  Vec3 flat = (triangle.b - triangle.a).cross(triangle.c - triangle.a).normalized();
+  // The side that is seen.
+  const float side = flat.dot(direction) > 0.0f ? -1.0f : 1.0f;
+  flat *= side;
+  Corners normals = normals_of(mesh, corners, side);
+  if (closing != nullptr && time > 0.0f) {
+    const Corners later =
+        normals_of(closing->meshes[static_cast<std::size_t>(source.mesh)], corners, side);
+    normals = {(1.0f - time) * normals.a + time * later.a,
+               (1.0f - time) * normals.b + time * later.b,
+               (1.0f - time) * normals.c + time * later.c};
+  }
+  Surface surface;
+  surface.point = point;
+  surface.normal = normals.at(wa, w);
+  const float length = surface.normal.norm();
+  surface.normal = length > 1e-6f ? Vec3(surface.normal / length) : flat;
+  const Corners curved{lifted(point, triangle.a, normals.a), lifted(point, triangle.b, normals.b),
+                       lifted(point, triangle.c, normals.c)};
+  surface.origin = curved.at(wa, w) + off_surface(point) * flat;
+  surface.towards_eye = -direction;
+  surface.material = &scene.materials[static_cast<std::size_t>(mesh.material)];
+  surface.albedo = surface.material->albedo;
+  if (surface.material->texture >= 0 && !mesh.uv.empty())
+    surface.albedo *= texture_at(
+        *scene.textures[static_cast<std::size_t>(surface.material->texture)], mesh, corners, wa, w);
+  surface.part = mesh.triangle_parts.empty()
+                     ? mesh.part
+                     : mesh.triangle_parts[static_cast<std::size_t>(source.triangle)];
+  return surface;
+}
+
+Color texel_at(const Texture& texture, float u, float v) {
+  const float x = (u - std::floor(u)) * static_cast<float>(texture.width) - 0.5f;
+  const float y = (v - std::floor(v)) * static_cast<float>(texture.height) - 0.5f;
+  const float left = std::floor(x), top = std::floor(y);
+  const auto texel = [&](float column, float row) -> const Color& {
+    const int i = (static_cast<int>(column) + texture.width) % texture.width;
+    const int j = (static_cast<int>(row) + texture.height) % texture.height;
+    return texture.texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(texture.width) +
+                          static_cast<std::size_t>(i)];
+  };
+  const float fx = x - left, fy = y - top;
+  return (1.0f - fy) * ((1.0f - fx) * texel(left, top) + fx * texel(left + 1.0f, top)) +
+         fy * ((1.0f - fx) * texel(left, top + 1.0f) + fx * texel(left + 1.0f, top + 1.0f));
+}
+
+Color reflectance(const Surface& surface, const Vec3& towards) {
+  const Color diffuse = surface.albedo * std::numbers::inv_pi_v<float>;
+  if (surface.material->sheen <= 0.0f) return diffuse;
+  return diffuse + ggx(surface, towards);
 }
 
 }  // namespace mien::render

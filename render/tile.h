@@ -24,6 +24,6 @@ Tile tile_at(const Film& film, int column, int row);
 /// The set (floor and backdrop) is known in closed form. Primary rays are traced where they may
 /// meet the figure; what meets it is lit by rays to the lights and to the sky. From the floor is
 /// taken away what the figure hides of the lights and of the sky, found by rays too.
-void draw(const Picture& picture, const Tile& tile, Film& film);
+void draw(const Picture& picture, const Tile& tile, Exposure& exposure);
 
 }  // namespace mien::render

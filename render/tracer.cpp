@@ -1,5 +1,8 @@
 #include "render/tracer.h"
 
+#include <stdexcept>
+#include <utility>
+
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -10,6 +13,35 @@
 
 namespace mien::render {
 
+namespace {
+
+template <class Work>
+void for_all_tiles(tbb::task_arena& arena, const Film& film, Work work) {
+  const auto tiles = [](int pixels) { return (pixels + tile_size - 1) / tile_size; };
+  const tbb::blocked_range2d<int> all(0, tiles(film.height), 1, 0, tiles(film.width), 4);
+  arena.execute([&] {
+    tbb::parallel_for(all, [&](const tbb::blocked_range2d<int>& part) {
+      for (int row = part.rows().begin(); row < part.rows().end(); ++row)
+        for (int column = part.cols().begin(); column < part.cols().end(); ++column)
+          work(tile_at(film, column, row));
+    });
+  });
+}
+
+std::vector<float> opacities_of(const Scene& scene) {
+  std::vector<float> opacities;
+  for (const Figure& figure : scene.figures) opacities.push_back(figure.opacity);
+  return opacities;
+}
+
+void check(const Quality& quality) {
+  if (quality.samples_per_pixel < 1 || quality.sky_rays < 1 || quality.standing_samples < 1 ||
+      !(quality.filter_width > 0.0f))
+    throw std::invalid_argument("quality: samples, sky rays and filter width must be positive");
+}
+
+}  // namespace
+
 struct Tracer::Engine {
   explicit Engine(const TracerOptions& options)
       : device(options.instruction_set),
@@ -17,7 +49,72 @@ struct Tracer::Engine {
 
   EmbreeDevice device;
   tbb::task_arena arena;
+  std::vector<float> key;  // of the set
+  StandingSet set;
+
+  const StandingSet& standing_set(const Scene& scene, const Camera& camera, const Quality& quality);
+  Picture prepare(const Scene& scene, const Camera& camera, const Quality& quality,
+                  const StandingSet& behind, Shapes shapes, const Solids& solids);
+  void add_standing_solids(const Scene& scene, const Camera& camera, const Quality& quality);
 };
+
+const StandingSet& Tracer::Engine::standing_set(const Scene& scene, const Camera& camera,
+                                                const Quality& quality) {
+  std::vector<float> wanted = standing_key(scene, camera, quality);
+  if (wanted == key) return set;
+  key.clear();
+  set = empty_set(camera.width, camera.height);
+  const CameraFrame frame = frame_of(camera);
+  arena.execute([&] {
+    tbb::parallel_for(0, camera.height, [&](int y) { expose_open_row(scene, frame, y, set); });
+  });
+  if (!scene.standing.empty()) add_standing_solids(scene, camera, quality);
+  key = std::move(wanted);
+  return set;
+}
+
+// What stands is drawn like a figure in the open set, once.
+void Tracer::Engine::add_standing_solids(const Scene& scene, const Camera& camera,
+                                         const Quality& quality) {
+  Quality thorough = quality;
+  thorough.samples_per_pixel = quality.standing_samples;
+  thorough.background = Background::shown;
+  Exposure exposure{Film(camera.width, camera.height), {}};
+  Camera sharp = camera;
+  sharp.aperture_radius = 0.0f;
+  {
+    const Picture picture =
+        prepare(scene, sharp, thorough, set, shapes_of(scene.standing, scene), scene.standing);
+    for_all_tiles(arena, exposure.film, [&](const Tile& tile) { draw(picture, tile, exposure); });
+    for (int y = 0; y < camera.height; ++y)
+      for (int x = 0; x < camera.width; ++x)
+        set.solid[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width) +
+                  static_cast<std::size_t>(x)] = picture.film_mask.may_meet(x, y) ? 1 : 0;
+  }
+  set.radiance = std::move(exposure.film);
+  set.solids = std::make_unique<EmbreeScene>(device, shapes_of(scene.standing, scene));
+}
+
+Picture Tracer::Engine::prepare(const Scene& scene, const Camera& camera, const Quality& quality,
+                                const StandingSet& behind, Shapes shapes, const Solids& solids) {
+  std::vector<ShadowMask> shadow_masks;
+  for (const AreaLight& light : scene.lights) shadow_masks.emplace_back(light, shapes);
+  const BoundingSphere bounds = bounding_sphere(shapes);
+  FilmMask film_mask(camera, shapes, 0.5f * quality.filter_width);
+  return {.scene = scene,
+          .solids = solids,
+          .closing_solids = nullptr,
+          .quality = quality,
+          .camera = frame_of(camera),
+          .closing_camera = std::nullopt,
+          .filter = Filter(quality.filter_width),
+          .figure = EmbreeScene(device, std::move(shapes)),
+          .set = behind,
+          .bounds = bounds,
+          .film_mask = std::move(film_mask),
+          .shadow_masks = std::move(shadow_masks),
+          .opacities = opacities_of(scene)};
+}
 
 Tracer::Tracer(const TracerOptions& options) : engine_(std::make_unique<Engine>(options)) {}
 Tracer::~Tracer() = default;
@@ -25,18 +122,29 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 Film Tracer::trace(const Scene& scene, const Camera& camera, const Quality& quality) {
-  const Picture picture = prepare(engine_->device, scene, camera, quality);
-  Film film(camera.width, camera.height);
-  const auto tiles = [](int pixels) { return (pixels + tile_size - 1) / tile_size; };
-  const tbb::blocked_range2d<int> all(0, tiles(film.height), 1, 0, tiles(film.width), 4);
-  engine_->arena.execute([&] {
-    tbb::parallel_for(all, [&](const tbb::blocked_range2d<int>& part) {
-      for (int row = part.rows().begin(); row < part.rows().end(); ++row)
-        for (int column = part.cols().begin(); column < part.cols().end(); ++column)
-          draw(picture, tile_at(film, column, row), film);
-    });
-  });
-  return film;
+  Quality shown = quality;
+  shown.background = Background::shown;
+  return expose(scene, camera, shown).film;
+}
+
+Exposure Tracer::expose(const Scene& scene, const Camera& camera, const Quality& quality,
+                        const Scene* closing, const Camera* closing_camera) {
+  validate(scene);
+  check(quality);
+  if (closing != nullptr) validate(*closing);
+  const StandingSet& set = engine_->standing_set(scene, camera, quality);
+  Picture picture = engine_->prepare(
+      scene, camera, quality, set,
+      closing != nullptr ? shapes_between(scene, *closing) : shapes_of(scene.solids, scene),
+      scene.solids);
+  if (closing != nullptr) picture.closing_solids = &closing->solids;
+  if (closing_camera != nullptr) picture.closing_camera = frame_of(*closing_camera);
+  Exposure exposure{Film(camera.width, camera.height), {}};
+  if (quality.background != Background::shown)
+    exposure.alpha.resize(exposure.film.channels.size() / 3);
+  for_all_tiles(engine_->arena, exposure.film,
+                [&](const Tile& tile) { draw(picture, tile, exposure); });
+  return exposure;
 }
 
 std::string Tracer::description() const { return engine_->device.description(); }

@@ -35,6 +35,13 @@ class Tracer {
   /// Throws std::invalid_argument when the scene or camera is degenerate (validate, frame_of).
   Film trace(const Scene& scene, const Camera& camera, const Quality& quality);
 
+  /// As trace, with the alpha that the quality's background asks for, and as seen while a shutter
+  /// is open: with `closing`, solids go straight from where they are in `scene` to where they are
+  /// there, and likewise the camera; the set stays as it is in `scene`. Throws
+  /// std::invalid_argument also when `closing` holds other solids.
+  Exposure expose(const Scene& scene, const Camera& camera, const Quality& quality,
+                  const Scene* closing = nullptr, const Camera* closing_camera = nullptr);
+
   /// For the provenance: "Embree 3.13.5, avx2".
   std::string description() const;
 

@@ -1,0 +1,103 @@
+#include "render/standing_set.h"
+
+#include <algorithm>
+
+#include "render/floor.h"
+
+namespace mien::render {
+namespace {
+
+/// Appends numbers one after the other.
+class Key {
+ public:
+  void add(float value) { values_.push_back(value); }
+  void add(int value) {
+    // Exact for every count and index that fits into memory: two halves of 16 bits.
+    values_.push_back(static_cast<float>(value >> 16));
+    values_.push_back(static_cast<float>(value & 0xffff));
+  }
+  void add(bool value) { values_.push_back(value ? 1.0f : 0.0f); }
+  void add(const Vec3& v) { values_.insert(values_.end(), v.data(), v.data() + 3); }
+  void add(const Color& c) { values_.insert(values_.end(), c.data(), c.data() + 3); }
+  template <class First, class... Rest>
+  void add(const First& first, const Rest&... rest) {
+    add(first);
+    (add(rest), ...);
+  }
+  std::vector<float> take() { return std::move(values_); }
+
+ private:
+  std::vector<float> values_;
+};
+
+void add_camera(Key& key, const Camera& camera) {
+  key.add(camera.position, camera.target, camera.up, camera.vertical_field_of_view,
+          camera.parallel_height, camera.shift_x, camera.shift_y, camera.width, camera.height);
+}
+
+void add_open_set(Key& key, const Scene& scene) {
+  for (const AreaLight& light : scene.lights)
+    key.add(light.centre, light.half_u, light.half_v, light.radiance);
+  const Sky& sky = scene.sky;
+  key.add(sky.zenith, sky.horizon, sky.below, sky.backdrop_horizon, sky.backdrop_zenith,
+          scene.has_ground);
+  const Ground& ground = scene.ground;
+  key.add(ground.albedo, ground.line_albedo, ground.line_spacing, ground.line_width,
+          ground.major_every, ground.major_albedo, ground.offset_x, ground.offset_z,
+          ground.fade_start, ground.fade_end);
+}
+
+void add_solids(Key& key, const Solids& solids) {
+  for (const Sphere& sphere : solids.spheres)
+    key.add(sphere.centre, sphere.radius, sphere.material);
+  for (const Capsule& capsule : solids.capsules)
+    key.add(capsule.start, capsule.end, capsule.start_radius, capsule.end_radius, capsule.material);
+  for (const Mesh& mesh : solids.meshes) {
+    key.add(mesh.material, static_cast<int>(mesh.positions.size()),
+            static_cast<int>(mesh.triangles.size()), static_cast<int>(mesh.uv.size()));
+    for (const Vec3& position : mesh.positions) key.add(position);
+    for (const Vec3& normal : mesh.normals) key.add(normal);
+    for (const auto& [u, v] : mesh.uv) key.add(u, v);
+    for (const auto& [a, b, c] : mesh.triangles) key.add(a, b, c);
+  }
+}
+
+}  // namespace
+
+std::vector<float> standing_key(const Scene& scene, const Camera& camera, const Quality& quality) {
+  Key key;
+  add_camera(key, camera);
+  add_open_set(key, scene);
+  if (scene.standing.empty()) return key.take();
+  add_solids(key, scene.standing);
+  for (const Material& material : scene.materials)
+    key.add(material.albedo, material.sheen, material.roughness, material.emission,
+            material.texture);
+  key.add(quality.standing_samples, quality.sky_rays, quality.filter_width,
+          static_cast<int>(quality.seed), static_cast<int>(quality.seed >> 32));
+  return key.take();
+}
+
+StandingSet empty_set(int width, int height) {
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  StandingSet set;
+  set.radiance = Film(width, height);
+  set.floor_albedo = Film(width, height);
+  set.floor.assign(pixels, 0);
+  set.solid.assign(pixels, 0);
+  return set;
+}
+
+void expose_open_row(const Scene& scene, const CameraFrame& camera, int y, StandingSet& set) {
+  const int width = set.radiance.width;
+  for (int x = 0; x < width; ++x) {
+    const SetPixel pixel = set_pixel(
+        scene, camera, camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
+    std::copy_n(pixel.radiance.data(), 3, set.radiance.at(x, y));
+    std::copy_n(pixel.visible_albedo.data(), 3, set.floor_albedo.at(x, y));
+    set.floor[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+              static_cast<std::size_t>(x)] = pixel.shows_floor ? 1 : 0;
+  }
+}
+
+}  // namespace mien::render
