@@ -8,6 +8,7 @@
 #include "motion/nearest_word.h"
 #include "pipeline/fault_list.h"
 #include "pipeline/set_file.h"
+#include "scenes/character.h"
 #include "scenes/dot_display.h"
 #include "scenes/hex_colour.h"
 #include "scenes/trail_figure.h"
@@ -30,6 +31,18 @@ void check_scene(const Look& look, const std::string& path, FaultList& list,
     set_of(look);
   } catch (const Faults& wrong) {
     faults.insert(faults.end(), wrong.list().begin(), wrong.list().end());
+  } catch (const Error& wrong) {
+    list.add(path, wrong.what(), "name another file");
+  }
+}
+
+void check_character(const scenes::CharacterOptions& character, const std::string& path,
+                     FaultList& list) {
+  list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)");
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(character.file, unknown)) return;
+  try {
+    scenes::read_character(character.file);
   } catch (const Error& wrong) {
     list.add(path, wrong.what(), "name another file");
   }
@@ -63,8 +76,7 @@ void check_trail(const scenes::TrailOptions& trail, const std::string& path,
 void check_figure(const Look& look, const std::string& path, const std::vector<std::string>& joints,
                   FaultList& list) {
   if (const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure)) {
-    list.check_file(member_path(path, "character"), character->file,
-                    "a skinned character (.gltf, .glb, .vrm)");
+    check_character(*character, member_path(path, "character"), list);
   }
   if (const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure)) {
     check_dots(*dots, member_path(path, "point-light"), joints, list);

@@ -1,11 +1,16 @@
 #include "scenes/actor.h"
 
 #include <algorithm>
+#include <memory>
+#include <string>
 
+#include "motion/body.h"
 #include "motion/error.h"
+#include "scenes/character.h"
 #include "scenes/dot_display.h"
 #include "scenes/figure_height.h"
 #include "scenes/figure_scope.h"
+#include "scenes/mannequin.h"
 #include "scenes/stick_figure.h"
 #include "scenes/trail_figure.h"
 
@@ -13,10 +18,15 @@ namespace mien::scenes {
 
 namespace {
 
+void require_body(const motion::Clip& clip, const std::string& figure) {
+  if (motion::is_body(clip.body)) return;
+  throw Error({clip.name}, figure + " needs a human body, and this motion has none",
+              "draw it as a stick figure");
+}
+
 /// Gives an actor the way in which its kind of figure is drawn.
 struct Casting {
   Actor& actor;
-  const DotStage& stage;
 
   void operator()(const StickOptions&) const {
     actor.draw = [](render::Scene& scene, const Actor& self, int frame, const render::Camera&) {
@@ -25,16 +35,32 @@ struct Casting {
     };
   }
 
-  void operator()(const MannequinOptions&) const {
-    throw Error("the mannequin cannot be drawn yet", "choose stick");
+  void operator()(const MannequinOptions& options) const {
+    require_body(actor.clip, "a mannequin");
+    // Shared by the copies of the actor; nobody changes it.
+    const auto mannequin =
+        std::make_shared<const Mannequin>(make_mannequin(actor.clip.body, options, actor.colours));
+    actor.draw = [mannequin](render::Scene& scene, const Actor& self, int frame,
+                             const render::Camera&) {
+      add_mannequin(scene, *mannequin, self.clip.body, self.clip.poses[static_cast<size_t>(frame)]);
+    };
   }
 
-  void operator()(const CharacterOptions&) const {
-    throw Error("characters cannot be drawn yet", "choose stick");
+  void operator()(const CharacterOptions& options) const {
+    require_body(actor.clip, "a character");
+    const auto character =
+        std::make_shared<const Character>(fitted(read_character(options.file), actor.clip.body));
+    // It has a stature of its own, which the camera has to know.
+    actor.clip = worn_by(*character, actor.clip);
+    actor.height_m = figure_height(actor.clip);
+    actor.warnings = character->warnings;
+    actor.draw = [character](render::Scene& scene, const Actor& self, int frame,
+                             const render::Camera&) {
+      add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)]);
+    };
   }
 
   void operator()(const PointLightOptions& options) const {
-    actor.dots = point_light(actor.clip, options, stage);
     actor.draw = [options](render::Scene& scene, const Actor& self, int frame,
                            const render::Camera& camera) {
       add_dots(scene, self.dots, frame, options, camera);
@@ -49,12 +75,12 @@ struct Casting {
 
 }  // namespace
 
-Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage) {
+Actor cast(const motion::Clip& clip, const Figure& figure, Role role) {
   Actor actor;
   actor.clip = clip;
   actor.colours = colours_of(role);
   actor.height_m = figure_height(clip);
-  std::visit(Casting{actor, stage}, figure);
+  std::visit(Casting{actor}, figure);
   return actor;
 }
 

@@ -23,6 +23,7 @@ struct Actor {
   float opacity = 1.0f;               ///< 0 … 1
   std::vector<Dot> dots;              ///< of a point-light figure
   std::optional<TrailOptions> trail;  ///< shown in several poses
+  std::vector<std::string> warnings;  ///< what of the figure is not drawn; plain sentences
 
   /// Appends what the figure looks like, from that camera, at a frame of its clip: materials and
   /// solids. The same frame always gives the same; what takes long was prepared when it was cast.
@@ -31,8 +32,8 @@ struct Actor {
       draw;
 };
 
-/// Gives a clip its body. Throws Error when the figure cannot be made of it.
-Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage);
+/// Gives a clip its body; dots get their places when the stage is known (point_light). Throws Error when the figure cannot be made of it.
+Actor cast(const motion::Clip& clip, const Figure& figure, Role role);
 
 /// Appends an actor to a scene, as a figure of its own. One whose clip has ended stands still.
 void add_actor(render::Scene& scene, const Actor& actor, int frame, const render::Camera& camera);
