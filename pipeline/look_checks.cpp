@@ -36,18 +36,6 @@ void check_scene(const Look& look, const std::string& path, FaultList& list,
   }
 }
 
-void check_character(const scenes::CharacterOptions& character, const std::string& path,
-                     FaultList& list) {
-  list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)");
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(character.file, unknown)) return;
-  try {
-    scenes::read_character(character.file);
-  } catch (const Error& wrong) {
-    list.add(path, wrong.what(), "name another file");
-  }
-}
-
 void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
                 const std::vector<std::string>& joints, FaultList& list) {
   for (std::size_t i = 0; i < dots.joints.size(); ++i) {
@@ -70,6 +58,18 @@ void check_trail(const scenes::TrailOptions& trail, const std::string& path,
   if (!known.empty()) known.insert(known.end(), {"feet", "hands", "head", "pelvis"});
   for (std::size_t i = 0; i < trail.traces.size(); ++i) {
     list.check_word(element_path(member_path(path, "traces"), i), trail.traces[i], "joint", known);
+  }
+}
+
+void check_character(const scenes::CharacterOptions& character, const std::string& path,
+                     FaultList& list) {
+  list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)");
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(character.file, unknown)) return;
+  try {
+    scenes::read_character(character.file);
+  } catch (const Error& wrong) {
+    list.add(path, wrong.what(), "name another file");
   }
 }
 

@@ -1,13 +1,17 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 
 #include "render/libav.h"
 #include "render/video.h"
+#include "render/webp_probe.h"
 
 namespace mien::render {
 
 namespace {
+
+constexpr int decoder_threads = 2;  // no influence on the pictures
 
 Input open_input(const std::string& path) {
   av_log_set_level(AV_LOG_QUIET);
@@ -24,6 +28,7 @@ CodecContext open_decoder(const AVStream* stream, const std::string& path) {
   CodecContext codec(avcodec_alloc_context3(decoder));
   checked(avcodec_parameters_to_context(codec.get(), stream->codecpar), path);
   codec->err_recognition = AV_EF_EXPLODE;
+  codec->thread_count = decoder_threads;
   checked(avcodec_open2(codec.get(), decoder, nullptr), path + ": opening the decoder");
   return codec;
 }
@@ -45,32 +50,66 @@ bool has_index_at_front(const std::string& path) {
   }
 }
 
+double duration_of(const AVFrame& frame) {
+#if LIBAVUTIL_VERSION_MAJOR >= 58
+  return static_cast<double>(frame.duration);
+#else
+  return static_cast<double>(frame.pkt_duration);
+#endif
+}
+
+bool is_key(const AVFrame& frame) {
+#if LIBAVUTIL_VERSION_MAJOR >= 58
+  return (frame.flags & AV_FRAME_FLAG_KEY) != 0;
+#else
+  return frame.key_frame != 0;
+#endif
+}
+
+std::uint32_t big_endian(const unsigned char* bytes, int count) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < count; ++i) value = value << 8 | bytes[i];
+  return value;
+}
+
+/// The times of an animated PNG as the sums of the fractions that it has; FFmpeg adds up what it
+/// has rounded.
+void take_exact_times(const std::string& path, VideoSummary& summary) {
+  std::ifstream file(path, std::ios::binary);
+  unsigned char chunk[8 + 24];
+  double time = 0.0;
+  summary.times.clear();
+  for (std::streamoff at = 8;;) {
+    file.seekg(at);
+    if (!file.read(reinterpret_cast<char*>(chunk), 8)) break;
+    if (std::memcmp(chunk + 4, "fcTL", 4) == 0) {
+      if (!file.read(reinterpret_cast<char*>(chunk + 8), 24)) break;
+      summary.times.push_back(time);
+      const auto parts = static_cast<double>(big_endian(chunk + 30, 2));
+      time += static_cast<double>(big_endian(chunk + 28, 2)) / (parts == 0.0 ? 100.0 : parts);
+    }
+    at += 12 + static_cast<std::streamoff>(big_endian(chunk, 4));
+  }
+  summary.duration_seconds = time;
+}
+
 /// Decoded frames one by one: their order, times and pictures.
 struct Decoding {
   const std::string& path;
   const AVStream* stream;
-  const std::function<void(int, const Image8&)>& on_frame;
+  const std::function<void(const ShownPicture&)>& on_picture;
   VideoSummary& summary;
   Scaler scaler = nullptr;
 
   void take(const AVFrame& frame) {
     const int index = summary.frames++;
-    const double seconds =
-        static_cast<double>(frame.best_effort_timestamp) * av_q2d(stream->time_base);
-    const double start = stream->start_time == AV_NOPTS_VALUE
-                             ? 0.0
-                             : static_cast<double>(stream->start_time) * av_q2d(stream->time_base);
-    const double expected = index / summary.rate.per_second();
-    if (std::abs(seconds - start - expected) > 1e-6) summary.steady_timestamps = false;
-    if (index == 0) {
-#if LIBAVUTIL_VERSION_MAJOR >= 58
-      summary.starts_with_key_frame = (frame.flags & AV_FRAME_FLAG_KEY) != 0;
-#else
-      summary.starts_with_key_frame = frame.key_frame != 0;
-#endif
-      if (std::abs(start) > 1e-6) summary.steady_timestamps = false;
-    }
-    if (on_frame) on_frame(index, to_rgb(frame));
+    const double tick = av_q2d(stream->time_base);
+    const double seconds = static_cast<double>(frame.best_effort_timestamp) * tick;
+    const double duration = duration_of(frame) * tick;
+    if (index == 0) summary.starts_with_key_frame = is_key(frame);
+    summary.times.push_back(seconds);
+    summary.duration_seconds = seconds + duration;
+    if (on_picture) on_picture({index, seconds, duration, to_rgb(frame)});
   }
 
   Image8 to_rgb(const AVFrame& frame) {
@@ -96,49 +135,99 @@ void receive_all(AVCodecContext& codec, AVFrame& frame, Decoding& decoding) {
   }
 }
 
+/// A file opened for decoding.
+struct OpenVideo {
+  std::string name;
+  Input input;
+  const AVStream* stream;
+  CodecContext codec;
+
+  explicit OpenVideo(const std::filesystem::path& path)
+      : name(path.string()),
+        input(open_input(name)),
+        stream(input->streams[checked(
+            av_find_best_stream(input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0),
+            name + ": no video")]),
+        codec(open_decoder(stream, name)) {}
+
+  VideoSummary facts() const {
+    VideoSummary facts;
+    facts.container = named(input->iformat->name);
+    facts.codec = named(avcodec_get_name(stream->codecpar->codec_id));
+    facts.pixel_format = named(av_get_pix_fmt_name(codec->pix_fmt));
+    facts.width = stream->codecpar->width;
+    facts.height = stream->codecpar->height;
+    facts.rate = {stream->avg_frame_rate.num, std::max(1, stream->avg_frame_rate.den)};
+    facts.primaries = named(av_color_primaries_name(stream->codecpar->color_primaries));
+    facts.transfer = named(av_color_transfer_name(stream->codecpar->color_trc));
+    facts.matrix = named(av_color_space_name(stream->codecpar->color_space));
+    facts.range = named(av_color_range_name(stream->codecpar->color_range));
+    facts.tick_seconds = av_q2d(stream->time_base);
+    facts.index_at_front = has_index_at_front(name);
+    return facts;
+  }
+
+  /// Decodes the file, or no more than `most` packets of it.
+  void decode(Decoding& decoding, int most) {
+    const Packet packet(av_packet_alloc());
+    const Frame frame(av_frame_alloc());
+    while (most > 0) {
+      const int code = av_read_frame(input.get(), packet.get());
+      if (code == AVERROR_EOF) break;
+      checked(code, name + ": reading");
+      if (packet->stream_index == stream->index) {
+        checked(avcodec_send_packet(codec.get(), packet.get()), name + ": decoding");
+        receive_all(*codec, *frame, decoding);
+        --most;
+      }
+      av_packet_unref(packet.get());
+    }
+    checked(avcodec_send_packet(codec.get(), nullptr), name + ": decoding");
+    receive_all(*codec, *frame, decoding);
+  }
+};
+
+bool are_steady(const VideoSummary& video) {
+  for (std::size_t i = 0; i < video.times.size(); ++i) {
+    const double expected = static_cast<double>(i) / video.rate.per_second();
+    if (std::abs(video.times[i] - expected) > 0.501 * video.tick_seconds) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+VideoSummary probe_timed(const std::filesystem::path& path,
+                         const std::function<void(const ShownPicture&)>& on_picture) {
+  if (is_webp(path)) return probe_webp(path, on_picture);
+  OpenVideo video(path);
+  VideoSummary summary = video.facts();
+  Decoding decoding{video.name, video.stream, on_picture, summary};
+  video.decode(decoding, std::numeric_limits<int>::max());
+  if (summary.codec == "apng") take_exact_times(video.name, summary);
+  summary.steady_timestamps = are_steady(summary);
+  return summary;
+}
 
 VideoSummary probe(const std::filesystem::path& path,
                    const std::function<void(int, const Image8&)>& on_frame) {
-  const std::string name = path.string();
-  const Input input = open_input(name);
-  const int index =
-      checked(av_find_best_stream(input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0),
-              name + ": no video");
-  const AVStream* stream = input->streams[index];
-  const CodecContext codec = open_decoder(stream, name);
+  if (!on_frame) return probe_timed(path, {});
+  return probe_timed(path,
+                     [&](const ShownPicture& shown) { on_frame(shown.index, shown.picture); });
+}
 
+Image8 first_picture_alone(const std::filesystem::path& path) {
+  if (is_webp(path)) return first_webp_picture(path);
+  OpenVideo video(path);
   VideoSummary summary;
-  summary.container = named(input->iformat->name);
-  summary.codec = named(avcodec_get_name(stream->codecpar->codec_id));
-  summary.pixel_format = named(av_get_pix_fmt_name(codec->pix_fmt));
-  summary.width = stream->codecpar->width;
-  summary.height = stream->codecpar->height;
-  summary.rate = {stream->avg_frame_rate.num, std::max(1, stream->avg_frame_rate.den)};
-  summary.primaries = named(av_color_primaries_name(stream->codecpar->color_primaries));
-  summary.transfer = named(av_color_transfer_name(stream->codecpar->color_trc));
-  summary.matrix = named(av_color_space_name(stream->codecpar->color_space));
-  summary.range = named(av_color_range_name(stream->codecpar->color_range));
-  summary.index_at_front = has_index_at_front(name);
-  summary.steady_timestamps = true;
-
-  const Packet packet(av_packet_alloc());
-  const Frame frame(av_frame_alloc());
-  Decoding decoding{name, stream, on_frame, summary};
-  for (;;) {
-    const int code = av_read_frame(input.get(), packet.get());
-    if (code == AVERROR_EOF) break;
-    checked(code, name + ": reading");
-    if (packet->stream_index == index) {
-      checked(avcodec_send_packet(codec.get(), packet.get()), name + ": decoding");
-      receive_all(*codec, *frame, decoding);
-    }
-    av_packet_unref(packet.get());
-  }
-  checked(avcodec_send_packet(codec.get(), nullptr), name + ": decoding");
-  receive_all(*codec, *frame, decoding);
-  summary.duration_seconds = summary.frames / summary.rate.per_second();
-  return summary;
+  Image8 first;
+  const std::function<void(const ShownPicture&)> keep = [&](const ShownPicture& shown) {
+    if (shown.index == 0) first = shown.picture;
+  };
+  Decoding decoding{video.name, video.stream, keep, summary};
+  video.decode(decoding, 1);
+  if (summary.frames == 0) throw Error(video.name + ": the first frame does not decode alone");
+  return first;
 }
 
 std::string video_libraries() {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -69,6 +70,34 @@ TEST(Srgb16, RoundsToTheNearestCode) {
   for (float light = 0.0f; light < 0.8f; light += 0.00713f) {
     const double exact = 65535.0 * srgb_from_linear(static_cast<double>(light));
     EXPECT_NEAR(to_srgb16(film_of(light)).channels[0], exact, 0.51);
+  }
+}
+
+/// The code that the definition gives: as many codes as have their threshold at or below the light.
+int counted_code(float light, int top, double rounding) {
+  int code = 0;
+  while (code < top && light >= static_cast<float>(linear_from_srgb((code + rounding) / top))) {
+    ++code;
+  }
+  return code;
+}
+
+TEST(Srgb8, HasTheCodesOfItsThresholdsOnBothSidesOfEach) {
+  std::vector<float> lights = {0.0f, -1.0f, 1e-30f, 1.0f, 0.99999994f};
+  for (int code = 1; code <= 255; ++code) {
+    const auto threshold = static_cast<float>(linear_from_srgb((code - 0.5) / 255.0));
+    lights.push_back(threshold);
+    lights.push_back(std::nextafter(threshold, 0.0f));
+    lights.push_back(std::nextafter(threshold, 1.0f));
+  }
+  for (float light = 1e-5f; light < 1.0f; light *= 1.0007f) lights.push_back(light);
+  Film film(static_cast<int>(lights.size()), 1);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    std::fill_n(film.at(static_cast<int>(i), 0), 3, lights[i]);
+  }
+  const Image8 image = to_srgb8(film, {.shoulder = 1.0f});
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    EXPECT_EQ(image.at(static_cast<int>(i), 0)[1], counted_code(lights[i], 255, 0.5)) << lights[i];
   }
 }
 

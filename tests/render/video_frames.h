@@ -29,9 +29,10 @@ inline std::vector<Image8> smooth_frames(int width, int height, int count) {
 }
 
 inline void write_video(const std::filesystem::path& path, const std::vector<Image8>& frames,
-                        FrameRate rate = {30, 1}) {
-  VideoWriter video(path,
-                    {.width = frames.front().width, .height = frames.front().height, .rate = rate});
+                        FrameRate rate = {30, 1}, VideoKind kind = VideoKind::mp4) {
+  VideoWriter video(
+      path,
+      {.width = frames.front().width, .height = frames.front().height, .rate = rate, .kind = kind});
   for (const Image8& frame : frames) video.write(frame);
   video.finish();
 }

@@ -74,19 +74,68 @@ TEST_F(VideoWriterTest, KeepsASmoothPicture) {
 
 TEST_F(VideoWriterTest, WritesTheSameBytesForTheSameFrames) {
   const std::vector<Image8> frames = smooth_frames(160, 96, 30);
-  write_video(path, frames);
-  const std::vector<char> first = test::bytes_of(path);
-  write_video(path, frames);
-  EXPECT_EQ(test::bytes_of(path), first);
+  for (const VideoTraits& traits : video_kinds()) {
+    const auto file = temporary.path() / ("same" + std::string(traits.ending));
+    write_video(file, frames, {30, 1}, traits.kind);
+    const std::vector<char> first = test::bytes_of(file);
+    write_video(file, frames, {30, 1}, traits.kind);
+    EXPECT_TRUE(test::bytes_of(file) == first) << traits.name;
+  }
 }
 
 TEST_F(VideoWriterTest, RefusesAnOddOrEmptySize) {
   for (const auto& [width, height] : {std::pair{65, 48}, {64, 47}, {0, 48}, {64, -2}}) {
     EXPECT_NE(refusal_of([&] {
                 VideoWriter(path, {.width = width, .height = height});
-              }).find("video.mp4: H.264 needs an even width and height"),
+              }).find("video.mp4: "),
               std::string::npos);
   }
+  EXPECT_NE(refusal_of([&] {
+              VideoWriter(path, {.width = 65, .height = 48});
+            }).find("this kind of video needs an even width and height"),
+            std::string::npos);
+}
+
+TEST_F(VideoWriterTest, TakesOddSizesWhereColoursAreNotHalved) {
+  const std::vector<Image8> frames = smooth_frames(65, 47, 3);
+  for (const VideoTraits& traits : video_kinds()) {
+    if (traits.even_size) continue;
+    const auto file = temporary.path() / ("odd" + std::string(traits.ending));
+    write_video(file, frames, {30, 1}, traits.kind);
+    probe(file, [](int, const Image8& frame) {
+      EXPECT_EQ(frame.width, 65);
+      EXPECT_EQ(frame.height, 47);
+    });
+  }
+}
+
+TEST_F(VideoWriterTest, LeavesNothingBesideAGif) {
+  write_video(temporary.path() / "a.gif", smooth_frames(64, 48, 3), {30, 1}, VideoKind::gif);
+  for (const auto& entry : std::filesystem::directory_iterator(temporary.path())) {
+    EXPECT_EQ(entry.path().filename(), "a.gif");
+  }
+}
+
+TEST_F(VideoWriterTest, SaysHowOftenAnAnimatedPictureRepeats) {
+  const auto has = [&](const std::vector<char>& bytes, std::string_view text) {
+    return std::string_view(bytes.data(), bytes.size()).find(text) != std::string_view::npos;
+  };
+  const auto written = [&](const char* name, VideoKind kind, bool loops) {
+    const auto file = temporary.path() / name;
+    VideoWriter video(file, {.width = 64, .height = 48, .kind = kind, .loops = loops});
+    for (const Image8& frame : smooth_frames(64, 48, 3)) video.write(frame);
+    video.finish();
+    return test::bytes_of(file);
+  };
+  using namespace std::string_view_literals;
+  EXPECT_TRUE(has(written("a.gif", VideoKind::gif, true), "NETSCAPE2.0\x03\x01\0\0"sv));
+  EXPECT_FALSE(has(written("a.gif", VideoKind::gif, false), "NETSCAPE2.0"sv));
+  EXPECT_TRUE(has(written("a.apng", VideoKind::apng, true), "acTL\0\0\0\x03\0\0\0\0"sv));
+  EXPECT_TRUE(has(written("a.apng", VideoKind::apng, false), "acTL\0\0\0\x03\0\0\0\x01"sv));
+  EXPECT_TRUE(
+      has(written("a.webp", VideoKind::webp, true), "ANIM\x06\0\0\0\xff\xff\xff\xff\0\0"sv));
+  EXPECT_TRUE(
+      has(written("a.webp", VideoKind::webp, false), "ANIM\x06\0\0\0\xff\xff\xff\xff\x01\0"sv));
 }
 
 TEST_F(VideoWriterTest, RefusesAFrameOfAnotherSize) {

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace mien::render {
+
+/// Recursive ordered dither (Bayer 1973) of 8 × 8 pixels: 0 … 63.
+constexpr int bayer(int x, int y) {
+  int rank = 0;
+  for (int bit = 0; bit < 3; ++bit) {
+    const int across = ((x ^ y) >> bit) & 1;
+    const int down = (y >> bit) & 1;
+    rank = (rank << 2) | (across << 1) | down;
+  }
+  return rank;
+}
+
+}  // namespace mien::render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace mien::render {
+
+/// Containers and codecs that a film can be written as.
+enum class VideoKind { mp4, mp4_lossless, webm, webm_av1, mkv, webp, gif, apng };
+
+/// What is known of a kind. Measures of likeness are against the frames written, for the worst
+/// decoded frame.
+struct VideoTraits {
+  VideoKind kind;
+  std::string_view name;         ///< in manifests: "mp4-lossless"
+  std::string_view ending;       ///< of file names: ".lossless.mp4"; no two kinds share one
+  std::string_view description;  ///< "H.264, lossless RGB"
+  std::string_view codec;        ///< as FFmpeg names it: "h264"
+  bool even_size = false;        ///< width and height must be even
+  bool lossless = false;         ///< decodes to the very frames
+  bool picture = false;          ///< an animated picture: it has a number of repetitions
+  double most_fps = 240.0;       ///< frames a second that players show at their true speed
+  double least_psnr_db = 0.0;    ///< of the worst frame that passes the check; lossy kinds
+  double least_ssim = 0.0;       ///< likewise
+};
+
+/// All kinds, in the order of the enumeration.
+std::span<const VideoTraits> video_kinds();
+
+const VideoTraits& traits_of(VideoKind kind);
+
+/// The kind of that name ("webm-av1").
+std::optional<VideoKind> video_kind_named(std::string_view name);
+
+/// The kind of a file by the ending of its name, the longest that fits: "x.lossless.mp4" is
+/// mp4_lossless, "x.mp4" is mp4; "x.png" is none.
+std::optional<VideoKind> video_kind_of(const std::filesystem::path& file);
+
+/// A stem with the ending of a kind.
+std::filesystem::path with_ending(std::filesystem::path stem, VideoKind kind);
+
+}  // namespace mien::render
