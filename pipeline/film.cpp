@@ -7,8 +7,6 @@
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "pipeline/bounded_queue.h"
 #include "pipeline/film_frames.h"
 #include "pipeline/task_graph.h"
@@ -18,7 +16,6 @@
 #include "render/resize.h"
 #include "render/tone.h"
 #include "render/tracer.h"
-#include "render/video.h"
 
 namespace mien::pipeline {
 
@@ -35,6 +32,10 @@ render::Quality quality_of(const FilmSettings& settings) {
                                 : render::standard_quality();
   quality.seed = settings.seed;
   return quality;
+}
+
+render::Tone tone_of(const FilmSettings& settings) {
+  return {.exposure_stops = settings.exposure_stops};
 }
 
 /// A frame on its way: just traced, or read from the store.
@@ -80,14 +81,15 @@ class FrameTaker {
   render::Image8 developed(Exposure& exposure) {
     if (auto* stored = std::get_if<render::Image8>(&exposure.picture)) return std::move(*stored);
     const auto& film = std::get<render::Film>(exposure.picture);
-    if (store_ == nullptr) return render::to_srgb8(film);
+    const render::Tone tone = tone_of(settings_);
+    if (store_ == nullptr) return render::to_srgb8(film, tone);
     const FrameFormat format = settings_.output.frames;
     render::Image8 read_back;
     store_->put(
         frame_name(format, exposure.frame),
-        [&](const std::filesystem::path& file) { write_frame(file, film, format); },
+        [&](const std::filesystem::path& file) { write_frame(file, film, format, tone); },
         [&](const std::filesystem::path& file) {
-          read_back = read_frame(file, format, settings_.output.size);
+          read_back = read_frame(file, format, settings_.output.size, tone);
         });
     return read_back;
   }
@@ -101,13 +103,15 @@ class FrameTaker {
 };
 
 /// A frame that the store has, decoded. One that does not decode is thrown away.
-std::optional<render::Image8> stored_frame(FrameStore* store, int frame, const Output& output) {
+std::optional<render::Image8> stored_frame(FrameStore* store, int frame,
+                                           const FilmSettings& settings) {
+  const Output& output = settings.output;
   if (store == nullptr) return std::nullopt;
   const std::string name = frame_name(output.frames, frame);
   const auto file = store->find(name);
   if (!file) return std::nullopt;
   try {
-    return read_frame(*file, output.frames, output.size);
+    return read_frame(*file, output.frames, output.size, tone_of(settings));
   } catch (const render::Error&) {
     store->discard(name);
     return std::nullopt;
@@ -127,7 +131,7 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
     if (stop.stop_requested()) throw Interrupted{};
     Exposure exposure;
     exposure.frame = frame;
-    if (auto stored = stored_frame(store, frame, settings.output)) {
+    if (auto stored = stored_frame(store, frame, settings)) {
       exposure.picture = std::move(*stored);
     } else {
       const Stopwatch::Running tracing(settings.drawing);
@@ -137,31 +141,6 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
     progress(++done / static_cast<double>(frames.size()));
   }
   taker.finish();
-}
-
-void write_video(const std::filesystem::path& file, const FilmSettings& settings,
-                 const std::function<void(const FrameSink&)>& draw) {
-  const Output& output = settings.output;
-  render::VideoWriter writer(
-      file,
-      {.width = output.size[0], .height = output.size[1], .rate = render::frame_rate(output.fps)});
-  draw([&](int, const render::Image8& picture) {
-    const Stopwatch::Running encoding(settings.drawing);
-    writer.write(picture);
-  });
-  const Stopwatch::Running encoding(settings.drawing);
-  writer.finish();
-}
-
-void verify_video(const std::filesystem::path& file, const Output& output, int frame_count) {
-  const render::VideoSummary video = render::probe(file);
-  const bool right = video.frames == frame_count && video.width == output.size[0] &&
-                     video.height == output.size[1] && video.steady_timestamps &&
-                     video.rate == render::frame_rate(output.fps);
-  if (right) return;
-  throw render::Error(fmt::format("{}: {} frames of {} x {} instead of {} of {} x {}",
-                                  file.string(), video.frames, video.width, video.height,
-                                  frame_count, output.size[0], output.size[1]));
 }
 
 ContactSheetBuilder::ContactSheetBuilder(int frame_count)

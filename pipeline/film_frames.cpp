@@ -6,7 +6,6 @@
 
 #include "render/error.h"
 #include "render/image_io.h"
-#include "render/tone.h"
 
 namespace mien::pipeline {
 
@@ -19,10 +18,11 @@ render::Image8 rounded_to_8_bits(const render::Image16& image) {
   return result;
 }
 
-render::Image8 decoded(const std::filesystem::path& file, FrameFormat format) {
+render::Image8 decoded(const std::filesystem::path& file, FrameFormat format,
+                       const render::Tone& tone) {
   switch (format) {
     case FrameFormat::exr:
-      return render::to_srgb8(render::read_exr(file));
+      return render::to_srgb8(render::read_exr(file), tone);
     case FrameFormat::png16:
       return rounded_to_8_bits(render::read_png16(file));
     default:
@@ -36,20 +36,21 @@ std::string frame_name(FrameFormat format, int frame) {
   return fmt::format("{:05}.{}", frame, format == FrameFormat::exr ? "exr" : "png");
 }
 
-void write_frame(const std::filesystem::path& file, const render::Film& film, FrameFormat format) {
+void write_frame(const std::filesystem::path& file, const render::Film& film, FrameFormat format,
+                 const render::Tone& tone) {
   switch (format) {
     case FrameFormat::exr:
       return render::write_exr(file, film);
     case FrameFormat::png16:
-      return render::write_png(file, render::to_srgb16(film));
+      return render::write_png(file, render::to_srgb16(film, tone));
     default:
-      return render::write_png(file, render::to_srgb8(film));
+      return render::write_png(file, render::to_srgb8(film, tone));
   }
 }
 
 render::Image8 read_frame(const std::filesystem::path& file, FrameFormat format,
-                          const std::array<int, 2>& size) {
-  render::Image8 image = decoded(file, format);
+                          const std::array<int, 2>& size, const render::Tone& tone) {
+  render::Image8 image = decoded(file, format, tone);
   if (image.width != size[0] || image.height != size[1]) {
     throw render::Error(fmt::format("{}: has {} x {} pixels instead of {} x {}", file.string(),
                                     image.width, image.height, size[0], size[1]));
