@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -103,10 +104,15 @@ size_t components_of(const tinygltf::Accessor& accessor) {
   switch (accessor.type) {
     case TINYGLTF_TYPE_SCALAR:
       return 1;
+    case TINYGLTF_TYPE_VEC2:
+      return 2;
     case TINYGLTF_TYPE_VEC3:
       return 3;
     case TINYGLTF_TYPE_VEC4:
       return 4;
+    case TINYGLTF_TYPE_MAT4:
+      // Columns of shorter numbers would be padded; only floats are taken.
+      return accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT ? 16 : 0;
     default:
       return 0;
   }
@@ -121,7 +127,7 @@ size_t size_of_index(const GltfFile& file, int type, std::string_view use) {
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
       return 4;
     default:
-      refuse_use(file, use, "sparse indices of a type that glTF does not know");
+      refuse_use(file, use, "indices of a type that glTF does not know");
   }
 }
 
@@ -198,6 +204,35 @@ std::vector<double> accessor_numbers(const GltfFile& file, int index, size_t com
     refuse_use(file, use, "a number that is not finite");
   }
   return numbers;
+}
+
+std::vector<int> accessor_indices(const GltfFile& file, int index, size_t components,
+                                  std::string_view use) {
+  const tinygltf::Accessor& accessor = accessor_at(file, index, use);
+  const size_t size = size_of_index(file, accessor.componentType, use);
+  const bool is_plain = accessor.bufferView >= 0 && !accessor.sparse.isSparse;
+  if (!is_plain || components_of(accessor) != components) {
+    refuse_use(file, use, "an accessor of a type that is not meant for this");
+  }
+  const Bytes view = bytes_of_view(file, accessor.bufferView, use);
+  const auto stride = file.model.bufferViews[static_cast<size_t>(accessor.bufferView)].byteStride;
+  const Elements elements =
+      elements_of(file, view, accessor.byteOffset, size * components, stride, accessor.count, use);
+  std::vector<int> indices;
+  indices.reserve(accessor.count * components);
+  for (size_t i = 0; i < accessor.count; ++i) {
+    for (size_t c = 0; c < components; ++c) {
+      const size_t value = index_at(elements.at(i) + c * size, size);
+      if (value > std::numeric_limits<int>::max()) refuse_use(file, use, "an index is too large");
+      indices.push_back(static_cast<int>(value));
+    }
+  }
+  return indices;
+}
+
+std::span<const unsigned char> buffer_view_bytes(const GltfFile& file, int view,
+                                                 std::string_view use) {
+  return bytes_of_view(file, view, use);
 }
 
 }  // namespace mien::motion

@@ -124,25 +124,6 @@ std::string unescaped(const std::string& uri) {
   return path;
 }
 
-std::vector<unsigned char> bytes_of_uri(const std::string& uri, const std::string& name,
-                                        const std::optional<std::filesystem::path>& folder) {
-  std::vector<unsigned char> bytes;
-  if (tinygltf::IsDataURI(uri)) {
-    std::string mime_type;
-    if (!tinygltf::DecodeDataURI(&bytes, mime_type, uri, 0, false)) {
-      throw Error({name}, "a buffer inside the file cannot be decoded", get_it_again);
-    }
-    return bytes;
-  }
-  const std::filesystem::path path = unescaped(uri);
-  if (!folder || path.is_absolute() || uri.find(':') != std::string::npos ||
-      uri.find('\0') != std::string::npos) {
-    throw Error({name}, "its buffers are not in the file", "export it as .glb, all in one file");
-  }
-  const std::string contents = read_contents(*folder / path);
-  return {contents.begin(), contents.end()};
-}
-
 /// The buffers' bytes, taken out of the JSON.
 std::vector<tinygltf::Buffer> take_buffers(Json& json, std::optional<std::string_view> binary,
                                            const std::string& name,
@@ -158,7 +139,7 @@ std::vector<tinygltf::Buffer> take_buffers(Json& json, std::optional<std::string
     const Json uri = entry.value("uri", Json());
     tinygltf::Buffer buffer;
     if (uri.is_string()) {
-      buffer.data = bytes_of_uri(uri.get<std::string>(), name, folder);
+      buffer.data = bytes_of_gltf_uri(uri.get<std::string>(), name, folder, "buffer");
     } else if (binary && buffers.empty()) {
       buffer.data.assign(binary->begin(), binary->end());
     } else {
@@ -196,6 +177,32 @@ GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
   }
   file.model.buffers = std::move(buffers);
   return file;
+}
+
+std::string_view gltf_json_text(std::string_view bytes, const std::string& name) {
+  return take_container(bytes, name).json;
+}
+
+std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::string& name,
+                                             const std::optional<std::filesystem::path>& folder,
+                                             std::string_view use) {
+  const std::string thing(use);
+  if (tinygltf::IsDataURI(uri)) {
+    std::vector<unsigned char> bytes;
+    std::string mime_type;
+    if (!tinygltf::DecodeDataURI(&bytes, mime_type, uri, 0, false)) {
+      throw Error({name}, "a " + thing + " inside the file cannot be decoded", get_it_again);
+    }
+    return bytes;
+  }
+  const std::filesystem::path path = unescaped(uri);
+  if (!folder || path.is_absolute() || uri.find(':') != std::string::npos ||
+      uri.find('\0') != std::string::npos) {
+    throw Error({name}, "its " + thing + "s are not in the file",
+                "export it as .glb, all in one file");
+  }
+  const std::string contents = read_contents(*folder / path);
+  return {contents.begin(), contents.end()};
 }
 
 void refuse(const GltfFile& file, std::string_view wrong, std::string_view remedy) {

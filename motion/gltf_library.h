@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <tiny_gltf.h>
 
@@ -21,6 +22,15 @@ struct GltfFile {
 /// Throws mien::Error.
 GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
                          const std::optional<std::filesystem::path>& folder);
+
+/// The JSON text of a text or binary glTF file. Throws mien::Error when the file was cut short.
+std::string_view gltf_json_text(std::string_view bytes, const std::string& name);
+
+/// What a URI says: a data URI's bytes, else those of the file that it names in `folder`. `use`
+/// says what it is for: "buffer". Throws mien::Error.
+std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::string& name,
+                                             const std::optional<std::filesystem::path>& folder,
+                                             std::string_view use);
 
 /// Throws mien::Error naming the file.
 [[noreturn]] void refuse(const GltfFile& file, std::string_view wrong, std::string_view remedy);

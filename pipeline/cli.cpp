@@ -109,6 +109,7 @@ int run_command_line(int argc, const char* const* argv, const Console& console) 
   add_plan_command(app, chosen);
   add_render_command(app, chosen);
   add_motion_command(app, chosen);
+  add_sets_command(app, chosen);
   add_study_command(app, chosen);
   add_version_command(app, chosen);
   if (const int code = parse(app, words_of(argc, argv), console); code != exit_done || !chosen)

@@ -9,6 +9,7 @@
 #include "pipeline/checked_manifest.h"
 #include "pipeline/cli.h"
 #include "pipeline/scales.h"
+#include "pipeline/set_file.h"
 
 namespace mien::pipeline {
 
@@ -24,11 +25,15 @@ nlohmann::ordered_json as_json(const Fault& fault) {
           {"path", fault.path},       {"wrong", fault.wrong},     {"remedy", fault.remedy}};
 }
 
-/// A manifest's faults, or a scales file's: those are called <name>.scales.yaml.
+/// A manifest's faults, or those of a file of scales or of a set, which are called
+/// <name>.scales.yaml and <name>.set.yaml.
 std::vector<Fault> faults_in(const std::string& file) {
-  if (!file.ends_with("scales.yaml")) return check_manifest(file, process_environment()).faults;
+  const bool is_set = file.ends_with("set.yaml");
+  if (!is_set && !file.ends_with("scales.yaml")) {
+    return check_manifest(file, process_environment()).faults;
+  }
   try {
-    read_scales(file);
+    is_set ? static_cast<void>(read_set(file, file)) : static_cast<void>(read_scales(file));
     return {};
   } catch (const Faults& faults) {
     return faults.list();
@@ -62,9 +67,9 @@ int check(const CheckOptions& options, const Console& console) {
 
 void add_check_command(CLI::App& app, Command& chosen) {
   CLI::App* command =
-      app.add_subcommand("check", "Find everything wrong with a manifest or a scales file");
+      app.add_subcommand("check", "Find everything wrong with a manifest, a scales file or a set");
   const auto options = std::make_shared<CheckOptions>();
-  command->add_option("manifest", options->manifests, "Manifests or scales files (YAML)")
+  command->add_option("manifest", options->manifests, "Manifests, scales files or sets (YAML)")
       ->required();
   command->add_flag("--json", options->json, "Faults as JSON on standard output");
   command->footer(

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numeric>
@@ -16,12 +18,13 @@
 #include "pipeline/cli.h"
 #include "pipeline/files.h"
 #include "pipeline/film.h"
+#include "pipeline/film_dots.h"
 #include "pipeline/film_recorder.h"
+#include "pipeline/look_checks.h"
+#include "pipeline/look_options.h"
 #include "pipeline/progress.h"
 #include "pipeline/recording_clip.h"
 #include "render/image_io.h"
-#include "scenes/camera_rig.h"
-#include "scenes/sets.h"
 #include "scenes/shot.h"
 
 namespace mien::pipeline {
@@ -35,11 +38,17 @@ struct RenderOptions {
   std::string out;
   std::string size = "960x540";
   std::string quality = "standard";
-  Look look;
+  LookOptions look;
+  std::string dots;
+  std::optional<double> still;  ///< seconds; negative: wherever the figure shows best
+  std::uint64_t seed = 0;
   double fps = 30.0;
   int jobs = 0;
   bool repeat = false;
+  bool in_place = false;
 };
+
+constexpr double small_figure = 0.25;  // of the picture's height
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
@@ -176,18 +185,67 @@ std::string make_contact_sheet(const scenes::Shot& shot, const FilmSettings& set
   return fmt::format("{} on a sheet", sheet.frames().size());
 }
 
+/// The frame of a still: a trail is whole at the end, other figures are in mid-motion in the
+/// middle.
+int still_frame(const scenes::Shot& shot, const RenderOptions& options) {
+  const int last = shot.frame_count() - 1;
+  const double seconds = options.still.value_or(-1.0);
+  if (seconds < 0.0) return shot.actors.front().trail ? last : last / 2;
+  return std::min(static_cast<int>(std::lround(seconds * options.fps)), last);
+}
+
+void make_still(const scenes::Shot& shot, int frame, const FilmSettings& settings,
+                const fs::path& file, const std::stop_token& stop,
+                const std::function<void(double)>& progress) {
+  const FrameSink write = [&](int, const render::Image8& picture) {
+    render::write_png(file, picture);
+  };
+  draw_frames(shot, {frame}, settings, nullptr, write, stop, progress);
+}
+
+/// How large the figure comes out, where that is worth a word.
+void tell_size(const scenes::Shot& shot, const Look& look, const Console& console) {
+  const render::Camera& camera = camera_at(shot, 0);
+  const double height = shot.actors.front().height_m;
+  const double pixels = scenes::figure_pixels(camera, shot.place.centre, height);
+  if (look.camera.screen) {
+    console.out << fmt::format("  standing figure: {:.1f} degrees of visual angle, {:.0f} pixels\n",
+                               scenes::visual_degrees(camera, shot.place.centre, height), pixels);
+  } else if (shot.cameras.cameras.size() == 1 && pixels < small_figure * camera.height) {
+    console.err << fmt::format(
+        "note: the figure is {:.0f} of {} pixels tall because its way has to "
+        "be in the picture; --camera follow or --in-place show it larger\n",
+        pixels, camera.height);
+  }
+}
+
 int render_file(const RenderOptions& options, const Console& console) {
   FilmSettings settings = settings_of(options);
   const fs::path out = output_of(options);
   settings.output.video.clear();
   if (!is_contact_sheet(out)) settings.output.video = {*render::video_kind_of(out)};
   check_size(out, settings.output);
+  const Look look = look_of(options.look);
   const motion::Clip clip =
       motion::resampled(clip_of(motion::read_motion(options.file)), options.fps);
-  const scenes::Shot shot = scenes::stage(clip, {.set = options.look.scene,
-                                                 .figure = options.look.figure,
-                                                 .camera = options.look.camera,
-                                                 .size = settings.output.size});
+  const scenes::Shot shot = scenes::stage(clip, {.set = set_of(look),
+                                                 .figure = look.figure,
+                                                 .camera = look.camera,
+                                                 .size = settings.output.size,
+                                                 .in_place = options.in_place,
+                                                 .seed = options.seed});
+  for (const scenes::Actor& actor : shot.actors)
+    for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
+  const bool is_still = options.still || (shot.actors.front().trail && out.extension() == ".png");
+  if (options.still && out.extension() != ".png") {
+    throw Error("--still: a still is a picture", "end --output in .png");
+  }
+  if (!options.dots.empty()) {
+    if (shot.actors.front().dots.empty()) {
+      throw Error("--dots: only a point-light figure has dots", "add --figure point-light");
+    }
+    write_file(options.dots, dots_csv(shot));
+  }
   const TaskGraph graph = one_task(out.string());
   const Draft draft(out);
   std::string found;
@@ -196,12 +254,18 @@ int render_file(const RenderOptions& options, const Console& console) {
                  steady_seconds);
     const RunObserver observer = bar.observer();
     const auto progress = [&](double share) { observer.progressed(graph.tasks[0], share); };
-    found = (is_contact_sheet(out) ? make_contact_sheet : make_video)(shot, settings, draft.file(),
-                                                                      console.stop, progress);
+    if (is_still) {
+      make_still(shot, still_frame(shot, options), settings, draft.file(), console.stop, progress);
+      found = fmt::format("frame {}", still_frame(shot, options));
+    } else {
+      found = (is_contact_sheet(out) ? make_contact_sheet : make_video)(
+          shot, settings, draft.file(), console.stop, progress);
+    }
   }
   draft.publish();
   console.out << out.string() << ": " << shot.frame_count() << " frames, "
               << fmt::format("{:.2f} s, {}\n", shot.frame_count() / options.fps, found);
+  tell_size(shot, look, console);
   return exit_done;
 }
 
@@ -220,14 +284,28 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command->add_option("--fps", options->fps, "Frames per second")
       ->check(CLI::Range(1.0, 240.0))
       ->capture_default_str();
-  command->add_option("--camera", options->look.camera, "Camera")
-      ->check(CLI::IsMember(scenes::camera_names()))
+  command
+      ->add_option("--camera", options->look.camera,
+                   "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
       ->capture_default_str();
-  command->add_option("--figure", options->look.figure, "Figure")
-      ->check(CLI::IsMember(scenes::figure_names()))
+  command
+      ->add_option("--figure", options->look.figure,
+                   "stick, mannequin, point-light or trail, options (\"point-light: {scrambled: "
+                   "true}\"), or a character's file (.glb, .gltf, .vrm)")
       ->capture_default_str();
-  command->add_option("--scene", options->look.scene, "Scene")
-      ->check(CLI::IsMember(scenes::set_names()))
+  command->add_option("--scene", options->look.scene,
+                      "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see "
+                      "mien sets); studio, or void for point lights, without it");
+  command->add_flag("--in-place", options->in_place, "Walk on the spot instead of travelling");
+  command
+      ->add_option(
+          "--still", options->still,
+          "One picture (.png) instead of a contact sheet: of that moment in seconds, or of "
+          "the middle (a trail's end) without a number")
+      ->expected(0, 1)
+      ->default_str("-1");
+  command->add_option("--dots", options->dots, "Also write where the point lights are (CSV)");
+  command->add_option("--seed", options->seed, "Of what is random about point lights")
       ->capture_default_str();
   command->add_option("--quality", options->quality, "Samples per pixel")
       ->check(CLI::IsMember({"draft", "standard", "final"}))
@@ -237,6 +315,8 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command->footer(
       "\nUnits, up axis, ground and camera are found by themselves.\n\nExamples:\n"
       "  mien render walk.bvh\n  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080\n"
+      "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
+      "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
       "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"
       "Endings: .mp4 is H.264, .lossless.mp4 H.264 in lossless RGB, .webm VP9, .av1.webm AV1, "
       ".mkv\n"

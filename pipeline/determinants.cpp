@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <variant>
 
 #include "pipeline/code_identity.h"
 #include "pipeline/repertoire.h"
+#include "pipeline/set_file.h"
 
 namespace mien::pipeline {
 
@@ -101,6 +103,20 @@ std::vector<std::filesystem::path> parts_of(const std::filesystem::path& file) {
   return parts;
 }
 
+/// The character that a figure or a trail's figure is.
+const scenes::CharacterOptions* character_in(const scenes::Figure& figure) {
+  if (const auto* trail = std::get_if<scenes::TrailOptions>(&figure)) {
+    return std::get_if<scenes::CharacterOptions>(&trail->figure);
+  }
+  return std::get_if<scenes::CharacterOptions>(&figure);
+}
+
+void add_look(KeyBuilder& key, const Look& look) {
+  key.add("look", look.written).add("set", hash_of(builtin_set_text(scene_of(look))));
+  if (!look.scene_file.empty()) add_file(key, look.scene_file);
+  if (const auto* character = character_in(look.figure)) add_file(key, character->file);
+}
+
 Hash libraries_key() {
   KeyBuilder key;
   for (const auto& [name, version] : library_versions()) key.add(name, version);
@@ -159,9 +175,7 @@ void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
 }
 
 void add_film(KeyBuilder& key, const Stimulus& stimulus) {
-  key.add("scene", stimulus.look.scene)
-      .add("figure", stimulus.look.figure)
-      .add("camera", stimulus.look.camera);
+  add_look(key, stimulus.look);
   add_choice(key, "role", stimulus.role);
   key.add("width", std::int64_t{stimulus.output.size[0]})
       .add("height", std::int64_t{stimulus.output.size[1]})

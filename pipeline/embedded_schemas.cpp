@@ -5,16 +5,18 @@
 #include "embedded/manifest_schema.h"
 #include "embedded/recipes_schema.h"
 #include "embedded/scales_schema.h"
+#include "embedded/set_schema.h"
 
 namespace mien::pipeline {
 
 std::string_view manifest_schema_text() { return embedded_manifest_schema; }
 std::string_view scales_schema_text() { return embedded_scales_schema; }
-
 std::string_view recipes_schema_text() { return embedded_recipes_schema; }
+std::string_view set_schema_text() { return embedded_set_schema; }
 
 nlohmann::json manifest_schema() { return nlohmann::json::parse(manifest_schema_text()); }
 nlohmann::json scales_schema() { return nlohmann::json::parse(scales_schema_text()); }
+nlohmann::json set_schema() { return nlohmann::json::parse(set_schema_text()); }
 
 nlohmann::json recipes_schema() {
   const std::string elsewhere = "mien.schema.json#";

@@ -34,10 +34,6 @@ render::Quality quality_of(const FilmSettings& settings) {
   return quality;
 }
 
-render::Tone tone_of(const FilmSettings& settings) {
-  return {.exposure_stops = settings.exposure_stops};
-}
-
 /// A frame on its way: just traced, or read from the store.
 struct Exposure {
   int frame = 0;
@@ -47,8 +43,9 @@ struct Exposure {
 /// The second half of the work, in a thread of its own.
 class FrameTaker {
  public:
-  FrameTaker(const FilmSettings& settings, FrameStore* store, const FrameSink& sink)
-      : settings_(settings), store_(store), sink_(sink), queue_(waiting_frames) {
+  FrameTaker(const FilmSettings& settings, const render::Tone& tone, FrameStore* store,
+             const FrameSink& sink)
+      : settings_(settings), tone_(tone), store_(store), sink_(sink), queue_(waiting_frames) {
     thread_ = std::thread([this] { take_all(); });
   }
 
@@ -81,20 +78,20 @@ class FrameTaker {
   render::Image8 developed(Exposure& exposure) {
     if (auto* stored = std::get_if<render::Image8>(&exposure.picture)) return std::move(*stored);
     const auto& film = std::get<render::Film>(exposure.picture);
-    const render::Tone tone = tone_of(settings_);
-    if (store_ == nullptr) return render::to_srgb8(film, tone);
+    if (store_ == nullptr) return render::to_srgb8(film, tone_);
     const FrameFormat format = settings_.output.frames;
     render::Image8 read_back;
     store_->put(
         frame_name(format, exposure.frame),
-        [&](const std::filesystem::path& file) { write_frame(file, film, format, tone); },
+        [&](const std::filesystem::path& file) { write_frame(file, film, format, tone_); },
         [&](const std::filesystem::path& file) {
-          read_back = read_frame(file, format, settings_.output.size, tone);
+          read_back = read_frame(file, format, settings_.output.size, tone_);
         });
     return read_back;
   }
 
   const FilmSettings& settings_;
+  const render::Tone& tone_;
   FrameStore* store_;
   const FrameSink& sink_;
   BoundedQueue<Exposure> queue_;
@@ -103,19 +100,37 @@ class FrameTaker {
 };
 
 /// A frame that the store has, decoded. One that does not decode is thrown away.
-std::optional<render::Image8> stored_frame(FrameStore* store, int frame,
-                                           const FilmSettings& settings) {
-  const Output& output = settings.output;
+std::optional<render::Image8> stored_frame(FrameStore* store, int frame, const Output& output,
+                                           const render::Tone& tone) {
   if (store == nullptr) return std::nullopt;
   const std::string name = frame_name(output.frames, frame);
   const auto file = store->find(name);
   if (!file) return std::nullopt;
   try {
-    return read_frame(*file, output.frames, output.size, tone_of(settings));
+    return read_frame(*file, output.frames, output.size, tone);
   } catch (const render::Error&) {
     store->discard(name);
     return std::nullopt;
   }
+}
+
+/// Two pictures of the same height as one.
+render::Film beside(const render::Film& left, const render::Film& right) {
+  render::Film both(left.width + right.width, left.height);
+  for (int y = 0; y < both.height; ++y) {
+    std::copy_n(left.at(0, y), 3 * left.width, both.at(0, y));
+    std::copy_n(right.at(0, y), 3 * right.width, both.at(left.width, y));
+  }
+  return both;
+}
+
+render::Film exposed(render::Tracer& tracer, const scenes::Shot& shot, int frame,
+                     const render::Quality& quality) {
+  const render::Scene scene = scene_at(shot, frame);
+  const std::vector<render::Camera> cameras = cameras_at(shot, frame);
+  render::Film film = tracer.trace(scene, cameras.front(), quality);
+  if (cameras.size() == 1) return film;
+  return beside(film, tracer.trace(scene, cameras.back(), quality));
 }
 
 }  // namespace
@@ -125,17 +140,17 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const std::stop_token& stop, const std::function<void(double)>& progress) {
   render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
   const render::Quality quality = quality_of(settings);
-  FrameTaker taker(settings, store, sink);
+  FrameTaker taker(settings, shot.tone, store, sink);
   double done = 0.0;
   for (const int frame : frames) {
     if (stop.stop_requested()) throw Interrupted{};
     Exposure exposure;
     exposure.frame = frame;
-    if (auto stored = stored_frame(store, frame, settings)) {
+    if (auto stored = stored_frame(store, frame, settings.output, shot.tone)) {
       exposure.picture = std::move(*stored);
     } else {
       const Stopwatch::Running tracing(settings.drawing);
-      exposure.picture = tracer.trace(scene_at(shot, frame), camera_at(shot, frame), quality);
+      exposure.picture = exposed(tracer, shot, frame, quality);
     }
     if (!taker.push(std::move(exposure))) break;
     progress(++done / static_cast<double>(frames.size()));

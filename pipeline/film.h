@@ -21,7 +21,7 @@ struct FilmSettings {
   int threads = 1;               ///< no influence on the pictures
   Stopwatch* drawing = nullptr;  ///< if any, runs while a frame is traced or encoded
   bool loops = false;            ///< animated pictures repeat for ever
-  float exposure_stops = 0.0f;   ///< light is multiplied by 2^stops; not that of EXR files
+  float exposure_stops = 0.0f;   ///< added to the shot's; EXR files keep the light as it is
 };
 
 /// Takes the frames, in order, as a display shows them.

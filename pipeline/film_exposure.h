@@ -10,6 +10,7 @@
 #include "pipeline/motions.h"
 #include "pipeline/task_graph.h"
 #include "render/film.h"
+#include "render/tone.h"
 
 namespace mien::pipeline {
 
@@ -19,9 +20,9 @@ namespace mien::pipeline {
 /// shows it, tone curve and all, rises with the exposure, so for each film there is one exposure at
 /// which it is the geometric mean of all films' means.
 
-/// The stops of light, −8 … 8, that bring the mean over films of `mean_luminance` to `wanted`; the
-/// nearest end where none does.
-float stops_for(const std::vector<render::Film>& films, double wanted);
+/// The stops, −8 … 8, that added to the tone's bring the mean over films of `mean_luminance` to
+/// `wanted`; the nearest end where none does.
+float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted);
 
 /// The task "exposure": metrics/exposure.csv, a row a stimulus: stimulus, mean_luminance (of the
 /// few frames, as they would be), wanted_luminance, exposure_stops. It reads all motions.

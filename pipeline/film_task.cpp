@@ -13,8 +13,8 @@
 #include "pipeline/film_frames.h"
 #include "pipeline/film_record.h"
 #include "pipeline/film_recorder.h"
+#include "pipeline/film_shot.h"
 #include "pipeline/film_tables.h"
-#include "pipeline/synthesis.h"
 #include "render/image_io.h"
 #include "render/luminance.h"
 #include "render/quality.h"
@@ -23,15 +23,10 @@ namespace mien::pipeline {
 
 namespace {
 
-scenes::Role role_of(Role role) {
-  switch (role) {
-    case Role::target:
-      return scenes::Role::target;
-    case Role::reference:
-      return scenes::Role::reference;
-    default:
-      return scenes::Role::created;
-  }
+/// The shot with the stops that make the study's films equally light.
+scenes::Shot exposed(scenes::Shot shot, const FilmSettings& settings) {
+  shot.tone.exposure_stops += settings.exposure_stops;
+  return shot;
 }
 
 /// Animated pictures repeat where the motion does.
@@ -79,7 +74,7 @@ class FilmMaker {
         output_(stimulus.output),
         settings_(settings_for(settings, stimulus, motions)),
         run_(run),
-        shot_(shot_of(stimulus, motions)),
+        shot_(exposed(shot_of(stimulus, motions, settings.seed), settings)),
         contact_(shot_.frame_count()),
         recorder_(settings_, shot_.frame_count()) {}
 
@@ -165,15 +160,6 @@ class FilmMaker {
 };
 
 }  // namespace
-
-scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions) {
-  const motion::Clip clip = motions.shown(stimulus);
-  return scenes::stage(clip, {.set = stimulus.look.scene,
-                              .figure = stimulus.look.figure,
-                              .camera = stimulus.look.camera,
-                              .role = role_of(stimulus.role),
-                              .size = stimulus.output.size});
-}
 
 Task film_task(const Stimulus& stimulus, const FilmSettings& settings,
                const SharedDeterminants& shared, Motions& motions, const Equalize& equalize) {

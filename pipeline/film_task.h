@@ -15,7 +15,4 @@ namespace mien::pipeline {
 Task film_task(const Stimulus& stimulus, const FilmSettings& settings,
                const SharedDeterminants& shared, Motions& motions, const Equalize& equalize);
 
-/// A stimulus's motion, staged as its look and output say.
-scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions);
-
 }  // namespace mien::pipeline

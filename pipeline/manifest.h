@@ -12,6 +12,7 @@
 #include "motion/interpolation_options.h"
 #include "motion/time_warp.h"
 #include "pipeline/expectation.h"
+#include "pipeline/look.h"
 #include "pipeline/modification.h"
 #include "pipeline/places.h"
 #include "render/video_kind.h"
@@ -57,15 +58,6 @@ struct ScalesSource {
 struct RecipesSource {
   std::string name = "builtin";  ///< or "fig29", or what was written
   std::filesystem::path file;    ///< resolved; empty for what comes with the program
-};
-
-/// How a clip becomes a picture. The names are presets of `scenes`.
-struct Look {
-  std::string scene = "studio";
-  std::string figure = "stick";
-  std::string camera = "three-quarter";
-
-  friend bool operator==(const Look&, const Look&) = default;
 };
 
 enum class Quality { draft, standard, final };

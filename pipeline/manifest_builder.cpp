@@ -40,7 +40,7 @@ class Builder {
     assign(member(document, "seed"), manifest_.seed);
     manifest_.interpolation.weights.nearest.seed = manifest_.seed;
     if (const json* examples = member(document, "examples")) read_examples(*examples);
-    if (const json* look = member(document, "look")) overlay(*look, manifest_.look);
+    if (const json* look = member(document, "look")) overlay_look(*look, manifest_.look);
     if (const json* output = member(document, "output")) overlay(*output, manifest_.output);
     if (const json* how = member(document, "interpolation")) {
       overlay(*how, manifest_.interpolation);
@@ -158,10 +158,8 @@ class Builder {
     }
   }
 
-  static void overlay(const json& given, Look& look) {
-    assign(member(given, "scene"), look.scene);
-    assign(member(given, "figure"), look.figure);
-    assign(member(given, "camera"), look.camera);
+  void overlay_look(const json& given, Look& look) const {
+    pipeline::overlay(given, look, [this](const std::string& path) { return resolved(path); });
   }
 
   static void overlay(const json& given, Presentation& presentation) {
@@ -262,7 +260,7 @@ class Builder {
     stimulus.look = manifest_.look;
     stimulus.output = manifest_.output;
     stimulus.interpolation = manifest_.interpolation;
-    if (const json* look = member(given, "look")) overlay(*look, stimulus.look);
+    if (const json* look = member(given, "look")) overlay_look(*look, stimulus.look);
     if (const json* output = member(given, "output")) overlay(*output, stimulus.output);
     if (const json* how = member(given, "interpolation")) overlay(*how, stimulus.interpolation);
     if (const json* modify = member(given, "modify")) read_modify(*modify, stimulus);

@@ -7,12 +7,15 @@
 #include <system_error>
 #include <utility>
 
+#include "motion/body.h"
+#include "pipeline/look_checks.h"
 #include "pipeline/manifest_builder.h"
 #include "pipeline/manifest_checks.h"
 #include "pipeline/recipes.h"
 #include "pipeline/schema.h"
 #include "pipeline/yaml_json.h"
 #include "pipeline/yaml_tree.h"
+#include "scenes/dot_joints.h"
 
 namespace mien::pipeline {
 
@@ -25,6 +28,20 @@ void add_at_new_paths(std::vector<Fault>& faults, std::vector<Fault> more) {
   for (Fault& fault : more) {
     if (fault.path.empty() || !taken.contains(fault.path)) faults.push_back(std::move(fault));
   }
+}
+
+/// The manifest's look, and those of stimuli that say something of their own.
+std::vector<Fault> check_looks(const Manifest& manifest) {
+  const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
+  std::vector<Fault> faults = check_look(manifest.look, "look", manifest.places, joints);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const std::string path = member_path(stimulus.path, "look");
+    if (!manifest.places.values.contains(path)) continue;
+    for (Fault& fault : check_look(stimulus.look, path, manifest.places, joints)) {
+      faults.push_back(std::move(fault));
+    }
+  }
+  return faults;
 }
 
 }  // namespace
@@ -43,6 +60,7 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   reading.manifest = build_manifest(json.document, std::move(json.places), file);
   add_at_new_paths(reading.faults, resolve_modifications(reading.manifest));
   add_at_new_paths(reading.faults, check_meaning(reading.manifest));
+  add_at_new_paths(reading.faults, check_looks(reading.manifest));
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
 }

@@ -6,6 +6,7 @@
 
 #include "motion/nearest_word.h"
 #include "pipeline/determinants.h"
+#include "pipeline/film_dots.h"
 #include "pipeline/film_exposure.h"
 #include "pipeline/film_tables.h"
 #include "pipeline/film_task.h"
@@ -59,6 +60,7 @@ Production::Production(Manifest manifest, ProductionOptions options)
       if (manifest_.equalize.duration) depend_on_motions(clip);
       graph_.add(std::move(clip));
     }
+    if (has_dots(stimulus)) graph_.add(dots_task(stimulus, manifest_.seed, shared, motions_));
     const FilmSettings settings{.output = stimulus.output,
                                 .seed = manifest_.seed,
                                 .threads = threads,

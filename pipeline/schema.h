@@ -11,14 +11,17 @@
 
 namespace mien::pipeline {
 
-/// manifests/mien.schema.json, scales.schema.json and recipes.schema.json, as they were when this
-/// program was built. What the schema of recipes refers to in the manifest's is part of it here.
+/// manifests/mien.schema.json, scales.schema.json and recipes.schema.json, and
+/// scenes/set.schema.json, as they were when this program was built. What the schema of recipes
+/// refers to in the manifest's is part of it here.
 std::string_view manifest_schema_text();
 std::string_view scales_schema_text();
 std::string_view recipes_schema_text();
+std::string_view set_schema_text();
 nlohmann::json manifest_schema();
 nlohmann::json scales_schema();
 nlohmann::json recipes_schema();
+nlohmann::json set_schema();
 
 /// A node of a schema with the schema it belongs to, whose definitions it may refer to.
 struct SchemaNode {

@@ -44,6 +44,24 @@ CameraFrame frame_of(const Camera& camera) {
   return frame;
 }
 
+std::array<HalfSpace, 4> view_of(const CameraFrame& frame, int width, int height, float margin) {
+  const float left = -margin, top = -margin;
+  const float right = static_cast<float>(width) + margin;
+  const float bottom = static_cast<float>(height) + margin;
+  // Each side contains the rays through both ends of an edge of the film, in this order round it.
+  const float corners[5][2] = {
+      {left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}};
+  std::array<HalfSpace, 4> view;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const EyeRay from = frame.ray(corners[i][0], corners[i][1]);
+    const EyeRay to = frame.ray(corners[i + 1][0], corners[i + 1][1]);
+    const Vec3 along = frame.parallel ? Vec3(to.origin - from.origin) : to.direction;
+    const Vec3 normal = along.cross(from.direction).normalized();
+    view[i] = {normal, normal.dot(from.origin)};
+  }
+  return view;
+}
+
 EyeRay CameraFrame::ray(float x, float y, float lens_x, float lens_y) const {
   const EyeRay sharp = ray(x, y);
   const Vec3 focus =

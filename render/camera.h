@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <Eigen/Core>
@@ -55,6 +56,16 @@ struct CameraFrame {
   /// What lies at the focus distance stays where `ray` sees it.
   EyeRay ray(float x, float y, float lens_x, float lens_y) const;
 };
+
+/// The points p with normal · p ≥ offset.
+struct HalfSpace {
+  Vec3 normal;  ///< unit
+  float offset;
+};
+
+/// What a camera sees, `margin` pixels beyond its film on each side: the points in all four. Of a
+/// camera with an aperture it is what the middle of that sees.
+std::array<HalfSpace, 4> view_of(const CameraFrame& frame, int width, int height, float margin);
 
 /// Throws std::invalid_argument when the camera is degenerate (no size, target at the position, up
 /// along the axis, field of view outside 0 … π).

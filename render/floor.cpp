@@ -69,11 +69,6 @@ float line_cover(float x, float width, float spacing, float line_width) {
   return std::clamp(cover / breadth, 0.0f, 1.0f);
 }
 
-std::optional<float> distance_to_floor(const Vec3& origin, const Vec3& direction) {
-  if (!(origin.y() > 0.0f && direction.y() < 0.0f)) return std::nullopt;
-  return -origin.y() / direction.y();
-}
-
 Color unshadowed_floor(const Scene& scene, const Vec3& point) {
   return scene.ground.albedo * inverse_pi * irradiance_on_floor(scene, point);
 }

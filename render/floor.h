@@ -22,7 +22,10 @@ struct SetPixel {
 SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, const EyeRay& ray);
 
 /// Distance along a unit direction at which a ray meets the floor from above.
-std::optional<float> distance_to_floor(const Vec3& origin, const Vec3& direction);
+inline std::optional<float> distance_to_floor(const Vec3& origin, const Vec3& direction) {
+  if (!(origin.y() > 0.0f && direction.y() < 0.0f)) return std::nullopt;
+  return -origin.y() / direction.y();
+}
 
 /// Share of the interval [x − width/2, x + width/2] that lines of `line_width` centred on every
 /// multiple of `spacing` cover. All metres.

@@ -6,6 +6,7 @@
 #include "render/camera.h"
 #include "render/embree_scene.h"
 #include "render/filter.h"
+#include "render/hidden_sky.h"
 #include "render/quality.h"
 #include "render/reach.h"
 #include "render/scene.h"
@@ -22,12 +23,13 @@ struct Picture {
   Quality quality;
   CameraFrame camera;
   std::optional<CameraFrame> closing_camera;  ///< none: the camera stands
-  Filter filter;
+  const Filter& filter;
   EmbreeScene figure;
   const StandingSet& set;
   BoundingSphere bounds;                 ///< of the figure
   FilmMask film_mask;                    ///< where primary rays may meet the figure
   std::vector<ShadowMask> shadow_masks;  ///< where it may hide each light from the floor
+  FloorSky floor_sky;                    ///< what it hides of the sky from the floor
   std::vector<float> opacities;          ///< of the figures
 
   /// Every sample is drawn by itself, set and all: nothing about the set is the same for all rays

@@ -16,7 +16,17 @@ struct Quality {
   int samples_per_pixel = 16;  ///< primary rays a pixel, each with one shadow ray a light
   int sky_rays = 2;            ///< rays towards the sky for each primary ray that meets the figure
   int standing_samples = 64;   ///< samples a pixel of what stands still, done once a camera
-  float filter_width = 2.0f;   ///< whole width of the Blackman–Harris filter, pixels
+
+  /// The sky that a figure hides from the floor is known at points, each from so many rays that its
+  /// noise is about `floor_sky_noise` of the sky's light, and interpolated where a safe estimate of
+  /// the error is below `floor_sky_tolerance` (what was measured is a tenth of it and less). Where
+  /// points would have to be closer than `floor_sky_cell`, and everywhere with a tolerance of 0,
+  /// each pixel looks for itself.
+  float floor_sky_noise = 0.004f;
+  float floor_sky_tolerance = 0.008f;
+  float floor_sky_cell = 0.015f;  ///< metres
+
+  float filter_width = 2.0f;  ///< whole width of the Blackman–Harris filter, pixels
   Background background = Background::shown;
   std::uint64_t seed = 0;  ///< another seed, another noise pattern
 

@@ -187,6 +187,33 @@ BoundingSphere bounding_sphere(const Shapes& shapes) {
   return sphere;
 }
 
+std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes) {
+  // A piece of a round cone is as thick as it is long; of triangles, which come in the order of the
+  // surface, so many at a time make a patch.
+  constexpr std::size_t patch = 64;
+  std::vector<BoundingSphere> spheres;
+  Eigen::Array3f low = Eigen::Array3f::Constant(infinity), high = -low;
+  std::size_t gathered = 0;
+  const auto close = [&] {
+    if (gathered == 0) return;
+    spheres.push_back({(0.5f * (low + high)).matrix(), 0.5f * (high - low).matrix().norm()});
+    low.setConstant(infinity);
+    high.setConstant(-infinity);
+    gathered = 0;
+  };
+  visit_pieces(shapes, [&](const auto& balls) {
+    const bool of_triangle = balls[0].radius == 0.0f;
+    if (!of_triangle) close();
+    for (const Ball& ball : balls) {
+      low = low.min(ball.centre.array() - ball.radius);
+      high = high.max(ball.centre.array() + ball.radius);
+    }
+    if (++gathered == patch || !of_triangle) close();
+  });
+  close();
+  return spheres;
+}
+
 FilmMask::FilmMask(const Camera& camera, const Shapes& shapes, float filter_half_width)
     : width_(camera.width),
       touched_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)) {
@@ -215,6 +242,11 @@ FilmMask::FilmMask(const Camera& camera, const Shapes& shapes, float filter_half
       std::fill_n(touched_.begin() + std::ptrdiff_t{y} * camera.width + x_begin, x_end - x_begin,
                   std::uint8_t{1});
   });
+}
+
+bool FilmMask::may_meet_row(int x_begin, int x_end, int y) const {
+  const auto row = touched_.begin() + std::ptrdiff_t{y} * width_;
+  return std::find(row + x_begin, row + x_end, std::uint8_t{1}) != row + x_end;
 }
 
 ShadowMask::ShadowMask(const AreaLight& light, const Shapes& shapes) {

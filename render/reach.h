@@ -19,6 +19,9 @@ struct BoundingSphere {
 };
 BoundingSphere bounding_sphere(const Shapes& shapes);
 
+/// Spheres that together hold all shapes, about as many as tell where they are.
+std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes);
+
 /// The pixels whose primary rays, anywhere under a filter of that half width, may meet a
 /// shape.
 class FilmMask {
@@ -29,6 +32,9 @@ class FilmMask {
     return touched_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                     static_cast<std::size_t>(x)] != 0;
   }
+
+  /// Any of the pixels [x_begin, x_end) of a row.
+  bool may_meet_row(int x_begin, int x_end, int y) const;
 
  private:
   int width_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace mien::render {
 
@@ -74,6 +75,7 @@ enum class Dimension : std::uint32_t {
   FigureSky,
   FloorSky,
   FloorSkyChoice,
+  CornerSky,
   Lens,
   Time,                   ///< the first number alone
   FirstLight,             ///< one a light
@@ -90,24 +92,31 @@ class PixelSampler {
                   static_cast<std::uint32_t>(x)),
             static_cast<std::uint32_t>(y))) {}
 
-  Point2 point(Dimension dimension, int index) const {
-    return sample_point(static_cast<std::uint32_t>(index),
-                        mixed(seed_, static_cast<std::uint32_t>(dimension)));
+  /// Of a pair of numbers, for sample_point; `which` counts lights or figures.
+  std::uint32_t seed(Dimension dimension, int which = 0) const {
+    return mixed(seed_, static_cast<std::uint32_t>(dimension) + static_cast<std::uint32_t>(which));
   }
-  /// Of the `which`-th light or figure.
-  Point2 point(Dimension first, int which, int index) const {
-    return sample_point(
-        static_cast<std::uint32_t>(index),
-        mixed(seed_, static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(which)));
-  }
-  Point2 light_point(int light, int index) const {
-    return sample_point(static_cast<std::uint32_t>(index),
-                        mixed(seed_, static_cast<std::uint32_t>(Dimension::FirstLight) +
-                                         static_cast<std::uint32_t>(light)));
+
+  Point2 point(Dimension dimension, int index) const { return point(dimension, 0, index); }
+  Point2 point(Dimension dimension, int which, int index) const {
+    return sample_point(static_cast<std::uint32_t>(index), seed(dimension, which));
   }
 
  private:
   std::uint32_t seed_ = 0;
 };
+
+/// Which of the figures of those opacities are there for a sample: a bit each.
+inline std::uint32_t present_figures(const PixelSampler& sampler, std::span<const float> opacities,
+                                     int index) {
+  std::uint32_t present = ~0u;
+  for (std::size_t f = 0; f < opacities.size(); ++f) {
+    const bool there =
+        opacities[f] >= 1.0f ||
+        sampler.point(Dimension::FirstFigure, static_cast<int>(f), index).u < opacities[f];
+    if (!there) present &= ~(1u << f);
+  }
+  return present;
+}
 
 }  // namespace mien::render

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/directions.h"
+
 namespace mien::render {
 namespace {
 
@@ -157,6 +159,18 @@ AreaLight softbox(const Vec3& centre, const Vec3& target, float width, float hei
 Color sky_radiance(const Sky& sky, const Vec3& towards) {
   if (towards.y() < 0.0f) return sky.below;
   return sky.horizon + elevation_sine(towards) * (sky.zenith - sky.horizon);
+}
+
+Color open_sky_light(const Sky& sky, const Vec3& normal) {
+  // With the angle β between the normal and the zenith,
+  // ∫ max(ω·up, 0) max(ω·n, 0) dω = ⅔ (sin β + (π − β) cos β), over the sphere.
+  constexpr float pi = std::numbers::pi_v<float>;
+  const float cosine = std::clamp(normal.y(), -1.0f, 1.0f);
+  const float sine = std::sqrt(1.0f - cosine * cosine);
+  const float angle = 0.5f * pi - std::copysign(arc_sine(std::abs(cosine)), cosine);
+  const float above = 0.5f + 0.5f * cosine;
+  const float rising = (2.0f / (3.0f * pi)) * (sine + (pi - angle) * cosine);
+  return above * sky.horizon + rising * (sky.zenith - sky.horizon) + (1.0f - above) * sky.below;
 }
 
 Color backdrop_radiance(const Sky& sky, const Vec3& towards) {

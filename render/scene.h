@@ -144,6 +144,9 @@ struct Scene {
 /// Radiance of the sky's light that arrives from the unit direction `towards`.
 Color sky_radiance(const Sky& sky, const Vec3& towards);
 
+/// Irradiance over π on a surface of that unit normal under the whole sky, nothing in the way.
+Color open_sky_light(const Sky& sky, const Vec3& normal);
+
 /// What the camera sees in the unit direction `towards` where there is nothing.
 Color backdrop_radiance(const Sky& sky, const Vec3& towards);
 

@@ -84,6 +84,8 @@ StandingSet empty_set(int width, int height) {
   set.radiance = Film(width, height);
   set.floor_albedo = Film(width, height);
   set.floor.assign(pixels, 0);
+  set.floor_x.assign(pixels, 0.0f);
+  set.floor_z.assign(pixels, 0.0f);
   set.solid.assign(pixels, 0);
   return set;
 }
@@ -95,8 +97,11 @@ void expose_open_row(const Scene& scene, const CameraFrame& camera, int y, Stand
         scene, camera, camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
     std::copy_n(pixel.radiance.data(), 3, set.radiance.at(x, y));
     std::copy_n(pixel.visible_albedo.data(), 3, set.floor_albedo.at(x, y));
-    set.floor[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-              static_cast<std::size_t>(x)] = pixel.shows_floor ? 1 : 0;
+    const std::size_t place =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    set.floor[place] = pixel.shows_floor ? 1 : 0;
+    set.floor_x[place] = pixel.point.x();
+    set.floor_z[place] = pixel.point.z();
   }
 }
 

@@ -16,8 +16,10 @@ namespace mien::render {
 /// to know of it. It is worked out once and serves all pictures of that set and camera.
 struct StandingSet {
   Film radiance;
-  Film floor_albedo;                    ///< of the floor, times how little of it has faded
-  std::vector<std::uint8_t> floor;      ///< 1 where a pixel's centre shows the floor
+  Film floor_albedo;                ///< of the floor, times how little of it has faded
+  std::vector<std::uint8_t> floor;  ///< 1 where a pixel's centre shows the floor
+  std::vector<float> floor_x;       ///< where on the floor, metres
+  std::vector<float> floor_z;
   std::vector<std::uint8_t> solid;      ///< 1 where a pixel may show a standing solid
   std::unique_ptr<EmbreeScene> solids;  ///< null without standing solids
 };

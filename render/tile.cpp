@@ -1,82 +1,36 @@
 #include "render/tile.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
+#include <vector>
 
 #include "render/directions.h"
 #include "render/floor.h"
 #include "render/floor_sky.h"
-#include "render/light.h"
-#include "render/sampler.h"
-#include "render/shading.h"
+#include "render/lighting.h"
+#include "render/pixel.h"
 
 namespace mien::render {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float pi = std::numbers::pi_v<float>;
 
-/// How a pixel is drawn.
-enum class Kind {
-  untouched,  // the set, and what the figure hides of the sky from its floor
-  floor,      // likewise, and what it hides of the lights
-  wall,       // a standing solid may show, and no figure
-  figure,     // the figure may show, and no standing solid
-  piecemeal   // every sample by itself: figure and standing solids may both show
+struct FilmArea {
+  float x_min;
+  float x_max;
+  float y_min;
+  float y_max;
 };
 
-struct Pixel {
-  int x = 0;
-  int y = 0;
-  Kind kind = Kind::untouched;
-  PixelSampler sampler;
-  Color radiance = Color::Zero();  // of the set
-  Color floor_albedo = Color::Zero();
-  bool shows_floor = false;
-  int floor_sky_rays = 0;           // so many of the samples look from the floor at the sky
-  float floor_sky_samples = 0.0f;   // that each of those stands for
-  std::uint32_t shadow_lights = 0;  // bit i: the figure may hide light i from here
-  int set_samples = 0;              // samples that show the set as it is known
-  int covered = 0;                  // samples that show the figure
-  Color figure = Color::Zero();     // sums over the samples: light from the figure,
-  Color set = Color::Zero();        // from the set, sample by sample,
-  Color taken = Color::Zero();      // and what the figure takes away from it
-};
-
-// One primary ray of a pixel.
-struct Sample {
-  Pixel* pixel = nullptr;
-  int index = 0;
-  float time = 0.0f;
-  std::uint32_t present = ~0u;
-};
-
-// What becomes of the light that a query stands for.
-enum class Effect {
-  arrives_unless_blocked,    // at a surface, from a light or the sky
-  taken_when_figure_blocks,  // from what the set shows with nobody in it
-  taken_when_blocked         // from what the open set shows, without its solids
-};
-
-struct Query {
-  Pixel* pixel = nullptr;
-  Color light = Color::Zero();
-  Effect effect = Effect::arrives_unless_blocked;
-  bool from_figure = true;  // the surface that it lights
-};
-
-// Box around the floor that the filter of a pixel covers; nothing when that goes on to the horizon.
-std::optional<FloorArea> floor_under(const CameraFrame& camera, float x, float y,
-                                     float half_width) {
+// Box around the floor that a part of the film shows; nothing when that goes on to the horizon.
+std::optional<FloorArea> floor_under(const CameraFrame& camera, const FilmArea& film) {
   FloorArea area{infinity, -infinity, infinity, -infinity};
-  for (const float dx : {-half_width, half_width}) {
-    for (const float dy : {-half_width, half_width}) {
-      const EyeRay ray = camera.ray(x + dx, y + dy);
+  for (const float x : {film.x_min, film.x_max}) {
+    for (const float y : {film.y_min, film.y_max}) {
+      const EyeRay ray = camera.ray(x, y);
       const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
       if (!distance) return std::nullopt;
       const Vec3 point = ray.origin + *distance * ray.direction;
@@ -104,74 +58,117 @@ CameraFrame between(const CameraFrame& from, const CameraFrame& to, float time) 
   return frame;
 }
 
+float luminance(const Color& color) {
+  return 0.2126f * color.x() + 0.7152f * color.y() + 0.0722f * color.z();
+}
+
 class TilePainter {
  public:
-  explicit TilePainter(const Picture& picture) : picture_(picture) {}
+  explicit TilePainter(const Picture& picture)
+      : picture_(picture), cell_(&picture.floor_sky.cell_at(0.0f, 0.0f)), queries_(picture) {}
   void draw(const Tile& tile, Exposure& exposure);
 
  private:
-  void plan(Pixel& pixel, int x, int y) const;
-  void plan_floor(Pixel& pixel) const;
+  bool is_alone(const Tile& tile) const;
+  std::size_t place_of(int x, int y) const;
+  Color set_at(std::size_t place);
+  void plan(Pixel& pixel, int x, int y, const Color& set_color);
+  void plan_floor(Pixel& pixel, const Vec3& point);
   void plan_floor_sky(Pixel& pixel, const Vec3& point) const;
   int samples_of(const Pixel& pixel) const;
   Sample sample_of(Pixel& pixel, int index) const;
-  EyeRay eye_ray(const Sample& sample) const;
   CameraFrame camera_of(const Sample& sample) const;
-  void trace(const Sample& sample, const EyeRay& ray);
-  void trace_primaries();
+  void aim(const Samples& samples, LaneVectors& origins, LaneVectors& directions) const;
+  void show_floor(Samples& samples);
+  void trace(Samples& samples);
   void take_primary(const Sample& sample, int lane, const Hits& figure, const Hits& standing);
   Surface surface(int lane, const Hits& hits, bool of_figure, float time) const;
-  void light_surface(const Sample& sample, const Surface& surface, bool of_figure);
-  void darken_wall(const Sample& sample, const Surface& surface);
-  void show_open_set(const Sample& sample, const EyeRay& ray);
-  void shade_floor(const Sample& sample, const EyeRay& ray);
-  void hide_light(const Sample& sample, const Vec3& point, std::size_t light, const Color& albedo,
-                  Effect effect);
-  void hide_sky(const Sample& sample, const Vec3& point);
-  void ask(const Sample& sample, const Vec3& origin, const Vec3& direction, float distance,
-           const Query& query);
-  void trace_queries();
+  void take_samples(Pixel& pixel, int first, int last);
+  void push_floor(const Sample& sample, const EyeRay& ray);
+  void light_floor();
+  void finish();
+  float missing(const Color& left, int x, int y) const;
+  void show_set(const Color& set, int x, int y, Exposure& exposure) const;
   void develop(const Pixel& pixel, Exposure& exposure) const;
 
   const Picture& picture_;
-  std::array<Pixel, tile_size * tile_size> pixels_;
+  const FloorSky::Cell* cell_;  // of the floor, that was looked at last
+  std::vector<Pixel> pixels_;   // those that are traced; they stay where they are
+  Samples floor_;               // samples that show no solid, not yet aimed
+  Samples traced_;              // samples that may, not yet aimed
   RayPacket primaries_;
-  std::array<Sample, packet_size> samples_;
-  RayPacket rays_;
-  std::array<Query, packet_size> queries_;
+  SurfaceSamples figure_surfaces_;
+  SurfaceSamples set_surfaces_;
+  FloorSamples floor_points_;
+  LightQueries queries_;
 };
 
 void TilePainter::draw(const Tile& tile, Exposure& exposure) {
-  std::size_t count = 0;
+  const bool alone = is_alone(tile);
+  pixels_.clear();
   for (int y = tile.y_begin; y < tile.y_end; ++y) {
     for (int x = tile.x_begin; x < tile.x_end; ++x) {
-      Pixel& pixel = pixels_[count++];
-      plan(pixel, x, y);
-      const int needed = samples_of(pixel);
-      for (int i = 0; i < needed; ++i) {
-        const Sample sample = sample_of(pixel, i);
-        const EyeRay ray = eye_ray(sample);
-        if (pixel.kind == Kind::untouched || pixel.kind == Kind::floor)
-          shade_floor(sample, ray);
-        else
-          trace(sample, ray);
+      const std::size_t place = place_of(x, y);
+      const Color set = set_at(place);
+      if (alone && (cell_->known || picture_.set.floor[place] == 0)) {
+        show_set(set, x, y, exposure);
+        continue;
       }
+      if (pixels_.capacity() == 0) pixels_.reserve(tile_size * tile_size);
+      Pixel& pixel = pixels_.emplace_back();
+      plan(pixel, x, y, set);
+      const int needed = samples_of(pixel);
+      if (needed == 0) {
+        show_set(set, x, y, exposure);
+        pixels_.pop_back();
+        continue;
+      }
+      for (int first = 0; first < needed; first += static_cast<int>(lanes))
+        take_samples(pixel, first, std::min(first + static_cast<int>(lanes), needed));
     }
   }
-  trace_primaries();
-  trace_queries();
-  for (std::size_t i = 0; i < count; ++i) develop(pixels_[i], exposure);
+  finish();
+  for (const Pixel& pixel : pixels_) develop(pixel, exposure);
 }
 
-void TilePainter::plan(Pixel& pixel, int x, int y) const {
+// Whether a tile shows no figure and none of its shadow.
+bool TilePainter::is_alone(const Tile& tile) const {
+  if (picture_.quality.exhaustive || picture_.piecemeal() || picture_.set.solids) return false;
+  for (int y = tile.y_begin; y < tile.y_end; ++y)
+    if (picture_.film_mask.may_meet_row(tile.x_begin, tile.x_end, y)) return false;
+  const float margin = picture_.filter.half_width();
+  const std::optional<FloorArea> area = floor_under(
+      picture_.camera,
+      {static_cast<float>(tile.x_begin) - margin, static_cast<float>(tile.x_end) + margin,
+       static_cast<float>(tile.y_begin) - margin, static_cast<float>(tile.y_end) + margin});
+  for (const ShadowMask& mask : picture_.shadow_masks)
+    if (!area || mask.may_shade(*area)) return false;
+  return true;
+}
+
+std::size_t TilePainter::place_of(int x, int y) const {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.set.radiance.width) +
+         static_cast<std::size_t>(x);
+}
+
+// The set, less what the figure hides of the sky where that is known.
+Color TilePainter::set_at(std::size_t place) {
   const StandingSet& set = picture_.set;
-  const std::size_t place =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(set.radiance.width) +
-      static_cast<std::size_t>(x);
-  pixel = Pixel{};
+  const Color radiance = Eigen::Map<const Color>(set.radiance.channels.data() + 3 * place);
+  if (set.floor[place] == 0) return radiance;
+  const float x = set.floor_x[place], z = set.floor_z[place];
+  if (!cell_->holds(x, z)) cell_ = &picture_.floor_sky.cell_at(x, z);
+  if (!cell_->known || cell_->inverse_side == 0.0f) return radiance;
+  return radiance - Eigen::Map<const Color>(set.floor_albedo.channels.data() + 3 * place) *
+                        cell_->hidden(x, z);
+}
+
+void TilePainter::plan(Pixel& pixel, int x, int y, const Color& set_color) {
+  const StandingSet& set = picture_.set;
+  const std::size_t place = place_of(x, y);
   pixel.x = x;
   pixel.y = y;
-  pixel.radiance = Eigen::Map<const Color>(set.radiance.at(x, y));
+  pixel.radiance = set_color;
   pixel.floor_albedo = Eigen::Map<const Color>(set.floor_albedo.at(x, y));
   pixel.shows_floor = set.floor[place] != 0;
   pixel.sampler = PixelSampler(picture_.quality.seed, x, y);
@@ -179,26 +176,26 @@ void TilePainter::plan(Pixel& pixel, int x, int y) const {
   const bool solid = set.solid[place] != 0;
   const bool figure = picture_.quality.exhaustive || picture_.film_mask.may_meet(x, y);
   if (picture_.piecemeal() || (figure && solid)) {
-    pixel.kind = Kind::piecemeal;
+    pixel.kind = PixelKind::piecemeal;
   } else if (figure) {
-    pixel.kind = Kind::figure;
+    pixel.kind = PixelKind::figure;
   } else if (solid && somebody) {
-    pixel.kind = Kind::wall;
+    pixel.kind = PixelKind::wall;
   }
-  if (pixel.shows_floor && somebody && pixel.kind != Kind::piecemeal) plan_floor(pixel);
-  if (pixel.kind == Kind::untouched && pixel.shadow_lights != 0) pixel.kind = Kind::floor;
-  if (pixel.kind == Kind::untouched || pixel.kind == Kind::floor)
+  if (pixel.shows_floor && somebody && pixel.kind != PixelKind::piecemeal)
+    plan_floor(pixel, {set.floor_x[place], 0.0f, set.floor_z[place]});
+  if (pixel.kind == PixelKind::untouched && pixel.shadow_lights != 0) pixel.kind = PixelKind::floor;
+  if (pixel.kind == PixelKind::untouched || pixel.kind == PixelKind::floor)
     pixel.set_samples = picture_.quality.samples_per_pixel;
 }
 
-void TilePainter::plan_floor(Pixel& pixel) const {
+void TilePainter::plan_floor(Pixel& pixel, const Vec3& point) {
+  if (!cell_->known) plan_floor_sky(pixel, point);
+  if (picture_.shadow_masks.empty()) return;
+  const float reach = picture_.filter.half_width();
   const auto x = static_cast<float>(pixel.x) + 0.5f, y = static_cast<float>(pixel.y) + 0.5f;
-  const EyeRay ray = picture_.camera.ray(x, y);
-  const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
-  if (!distance) return;
-  plan_floor_sky(pixel, floor_point(ray, *distance));
   const std::optional<FloorArea> area =
-      floor_under(picture_.camera, x, y, picture_.filter.half_width());
+      floor_under(picture_.camera, {x - reach, x + reach, y - reach, y + reach});
   for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
     if (picture_.quality.exhaustive || !area || picture_.shadow_masks[i].may_shade(*area))
       pixel.shadow_lights |= 1u << i;
@@ -221,20 +218,16 @@ void TilePainter::plan_floor_sky(Pixel& pixel, const Vec3& point) const {
 }
 
 int TilePainter::samples_of(const Pixel& pixel) const {
-  return pixel.kind == Kind::untouched ? pixel.floor_sky_rays : picture_.quality.samples_per_pixel;
+  return pixel.kind == PixelKind::untouched ? pixel.floor_sky_rays
+                                            : picture_.quality.samples_per_pixel;
 }
 
 Sample TilePainter::sample_of(Pixel& pixel, int index) const {
   Sample sample{&pixel, index};
   if (picture_.closing_solids != nullptr || picture_.closing_camera)
     sample.time = pixel.sampler.point(Dimension::Time, index).u;
-  if (picture_.figure.shapes().all_present) return sample;
-  for (std::size_t f = 0; f < picture_.opacities.size(); ++f) {
-    const float opacity = picture_.opacities[f];
-    if (opacity < 1.0f &&
-        !(pixel.sampler.point(Dimension::FirstFigure, static_cast<int>(f), index).u < opacity))
-      sample.present &= ~(1u << f);
-  }
+  if (!picture_.figure.shapes().all_present)
+    sample.present = present_figures(pixel.sampler, picture_.opacities, index);
   return sample;
 }
 
@@ -243,35 +236,75 @@ CameraFrame TilePainter::camera_of(const Sample& sample) const {
                                  : picture_.camera;
 }
 
-EyeRay TilePainter::eye_ray(const Sample& sample) const {
-  const Pixel& pixel = *sample.pixel;
-  const Point2 u = pixel.sampler.point(Dimension::FilmPosition, sample.index);
-  const float x = static_cast<float>(pixel.x) + 0.5f + picture_.filter.offset(u.u);
-  const float y = static_cast<float>(pixel.y) + 0.5f + picture_.filter.offset(u.v);
-  if (!picture_.piecemeal()) return picture_.camera.ray(x, y);
-  const CameraFrame camera = camera_of(sample);
-  const DiscPoint lens = disc_point(pixel.sampler.point(Dimension::Lens, sample.index));
-  return camera.ray(x, y, lens.x, lens.y);
+void TilePainter::aim(const Samples& samples, LaneVectors& origins, LaneVectors& directions) const {
+  const LanePoints u = points_for(samples, Dimension::FilmPosition);
+  LaneFloats x, y;
+  for (int i = 0; i < samples.count; ++i) {
+    const Pixel& pixel = *samples[i].pixel;
+    x[i] = static_cast<float>(pixel.x) + 0.5f + picture_.filter.offset(u.u[i]);
+    y[i] = static_cast<float>(pixel.y) + 0.5f + picture_.filter.offset(u.v[i]);
+  }
+  if (!picture_.piecemeal()) return eye_rays(picture_.camera, x, y, origins, directions);
+  for (int i = 0; i < samples.count; ++i) {
+    const DiscPoint lens =
+        disc_point(samples[i].pixel->sampler.point(Dimension::Lens, samples[i].index));
+    const EyeRay ray = camera_of(samples[i]).ray(x[i], y[i], lens.x, lens.y);
+    origins.set(i, ray.origin);
+    directions.set(i, ray.direction);
+  }
 }
 
-void TilePainter::trace(const Sample& sample, const EyeRay& ray) {
-  const std::optional<float> floor =
-      picture_.scene.has_ground ? distance_to_floor(ray.origin, ray.direction) : std::nullopt;
-  samples_[static_cast<std::size_t>(primaries_.count)] = sample;
-  primaries_.push(ray.origin, ray.direction, floor.value_or(infinity), sample.time, sample.present);
-  if (primaries_.count == packet_size) trace_primaries();
+void TilePainter::show_floor(Samples& samples) {
+  LaneVectors origins, directions;
+  aim(samples, origins, directions);
+  for (int i = 0; i < samples.count; ++i) push_floor(samples[i], {origins.at(i), directions.at(i)});
+  samples.count = 0;
+  light_floor();
 }
 
-void TilePainter::trace_primaries() {
-  if (primaries_.count == 0) return;
+// Samples of a pixel that are aimed and lit together stay together, whatever else is drawn: so its
+// light is always added up in the same order.
+void TilePainter::take_samples(Pixel& pixel, int first, int last) {
+  const bool open = pixel.kind == PixelKind::untouched || pixel.kind == PixelKind::floor;
+  Samples& waiting = open ? floor_ : traced_;
+  if (waiting.count + last - first > static_cast<int>(lanes))
+    open ? show_floor(floor_) : trace(traced_);
+  for (int i = first; i < last; ++i) waiting.push(sample_of(pixel, i));
+}
+
+void TilePainter::push_floor(const Sample& sample, const EyeRay& ray) {
+  if (!sample.pixel->shows_floor) return;
+  const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
+  if (distance) floor_points_.push(sample, floor_point(ray, *distance));
+}
+
+void TilePainter::light_floor() {
+  darken_floor(picture_, floor_points_, queries_);
+  floor_points_.samples.count = 0;
+}
+
+void TilePainter::trace(Samples& samples) {
+  if (samples.count == 0) return;
+  LaneVectors origins, directions;
+  aim(samples, origins, directions);
+  primaries_.count = 0;
+  for (int i = 0; i < samples.count; ++i) {
+    const Vec3 origin = origins.at(i), direction = directions.at(i);
+    const std::optional<float> floor =
+        picture_.scene.has_ground ? distance_to_floor(origin, direction) : std::nullopt;
+    primaries_.push(origin, direction, floor.value_or(infinity), samples[i].time,
+                    samples[i].present);
+  }
   const Hits figure = picture_.figure.intersect(primaries_);
   Hits standing;
   std::fill_n(standing.shape, packet_size, -1);
   if (picture_.set.solids) standing = picture_.set.solids->intersect(primaries_);
-  const int count = primaries_.count;
-  for (int i = 0; i < count; ++i)
-    take_primary(samples_[static_cast<std::size_t>(i)], i, figure, standing);
-  primaries_.count = 0;
+  for (int i = 0; i < samples.count; ++i) take_primary(samples[i], i, figure, standing);
+  samples.count = 0;
+  light_surfaces(picture_, figure_surfaces_, true, queries_);
+  light_surfaces(picture_, set_surfaces_, false, queries_);
+  figure_surfaces_.samples.count = set_surfaces_.samples.count = 0;
+  light_floor();
 }
 
 void TilePainter::take_primary(const Sample& sample, int lane, const Hits& figure,
@@ -280,16 +313,16 @@ void TilePainter::take_primary(const Sample& sample, int lane, const Hits& figur
   const bool wall = standing.shape[lane] >= 0;
   if (figure.shape[lane] >= 0 && (!wall || figure.distance[lane] <= standing.distance[lane])) {
     ++pixel.covered;
-    return light_surface(sample, surface(lane, figure, true, sample.time), true);
+    return figure_surfaces_.push(sample, surface(lane, figure, true, sample.time));
   }
   const EyeRay ray{primaries_.origin(lane), primaries_.direction(lane)};
-  if (pixel.kind == Kind::piecemeal) {
-    if (wall) return light_surface(sample, surface(lane, standing, false, 0.0f), false);
-    return show_open_set(sample, ray);
+  if (pixel.kind == PixelKind::piecemeal) {
+    if (wall) return set_surfaces_.push(sample, surface(lane, standing, false, 0.0f));
+    return show_open_set(picture_, sample, camera_of(sample), ray, queries_);
   }
   ++pixel.set_samples;
-  if (wall) return darken_wall(sample, surface(lane, standing, false, 0.0f));
-  shade_floor(sample, ray);
+  if (wall) return darken_wall(picture_, sample, surface(lane, standing, false, 0.0f), queries_);
+  push_floor(sample, ray);
 }
 
 Surface TilePainter::surface(int lane, const Hits& hits, bool of_figure, float time) const {
@@ -302,180 +335,44 @@ Surface TilePainter::surface(int lane, const Hits& hits, bool of_figure, float t
                     hits.shape[lane], point, direction, time);
 }
 
-// All the light that a surface sends to the eye.
-void TilePainter::light_surface(const Sample& sample, const Surface& surface, bool of_figure) {
-  const Scene& scene = picture_.scene;
-  Pixel& pixel = *sample.pixel;
-  (of_figure ? pixel.figure : pixel.set) += surface.material->emission;
-  if ((surface.albedo == 0.0f).all() && surface.material->sheen == 0.0f) return;
-  const auto arrives = [&](const Color& light) {
-    return Query{&pixel, light, Effect::arrives_unless_blocked, of_figure};
-  };
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const Point2 u = pixel.sampler.light_point(static_cast<int>(i), sample.index);
-    const LightSample light = render::sample(scene.lights[i], surface.origin, u);
-    const float cosine = surface.normal.dot(light.towards);
-    if (cosine <= 0.0f) continue;
-    ask(sample, surface.origin, light.towards, light.distance,
-        arrives(cosine * light.perpendicular * reflectance(surface, light.towards)));
-  }
-
-  const int rays = picture_.quality.sky_rays;
-  const Color share = surface.albedo / static_cast<float>(rays);
-  for (int i = 0; i < rays; ++i) {
-    const Point2 u = pixel.sampler.point(Dimension::FigureSky, rays * sample.index + i);
-    const Vec3 towards = cosine_direction(surface.normal, u);
-    const std::optional<float> floor =
-        scene.has_ground ? distance_to_floor(surface.origin, towards) : std::nullopt;
-    ask(sample, surface.origin, towards, floor.value_or(infinity),
-        arrives(share * sky_radiance(scene.sky, towards)));
-  }
+// All that waits for a full packet.
+void TilePainter::finish() {
+  show_floor(floor_);
+  trace(traced_);
+  queries_.trace();
 }
 
-// What the figure hides from a standing solid.
-void TilePainter::darken_wall(const Sample& sample, const Surface& surface) {
-  const Scene& scene = picture_.scene;
-  const auto taken = [&](const Color& light) {
-    return Query{sample.pixel, -light, Effect::taken_when_figure_blocks, false};
-  };
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const Point2 u = sample.pixel->sampler.light_point(static_cast<int>(i), sample.index);
-    const LightSample light = render::sample(scene.lights[i], surface.origin, u);
-    const float cosine = surface.normal.dot(light.towards);
-    if (cosine <= 0.0f) continue;
-    ask(sample, surface.origin, light.towards, light.distance,
-        taken(cosine * light.perpendicular * reflectance(surface, light.towards)));
-  }
-
-  const Point2 u = sample.pixel->sampler.point(Dimension::FloorSky, sample.index);
-  const std::optional<Cone> cone = cone_of(picture_.bounds, surface.origin);
-  const Vec3 towards =
-      cone ? cone_direction(cone->axis, cone->cosine, u) : cosine_direction(surface.normal, u);
-  const float cosine = towards.dot(surface.normal);
-  if (cosine <= 0.0f) return;
-  const float share = cone ? cone->solid_angle() / pi * cosine : 1.0f;
-  const std::optional<float> floor =
-      scene.has_ground ? distance_to_floor(surface.origin, towards) : std::nullopt;
-  ask(sample, surface.origin, towards, floor.value_or(infinity),
-      taken(share * surface.albedo * sky_radiance(scene.sky, towards)));
+// A pixel without figure or shadow.
+void TilePainter::show_set(const Color& set, int x, int y, Exposure& exposure) const {
+  if (picture_.quality.background == Background::shown)
+    std::copy_n(set.data(), 3, exposure.film.at(x, y));
+  else if (picture_.quality.background == Background::shadow)
+    exposure.alpha[place_of(x, y)] = missing(set, x, y);
 }
 
-// The backdrop or floor at the end of a ray, with the shadows of everything.
-void TilePainter::show_open_set(const Sample& sample, const EyeRay& ray) {
-  Pixel& pixel = *sample.pixel;
-  // Where all rays of a pixel start at one point, the set is what its centre shows.
-  const EyeRay seen = picture_.piecemeal()
-                          ? ray
-                          : picture_.camera.ray(static_cast<float>(pixel.x) + 0.5f,
-                                                static_cast<float>(pixel.y) + 0.5f);
-  const SetPixel set = set_pixel(picture_.scene, camera_of(sample), seen);
-  pixel.set += set.radiance;
-  const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
-  if (!set.shows_floor || !distance) return;
-  const Vec3 point = floor_point(ray, *distance);
-  for (std::size_t i = 0; i < picture_.scene.lights.size(); ++i)
-    hide_light(sample, point, i, set.visible_albedo, Effect::taken_when_blocked);
-  const Vec3 towards =
-      cosine_direction(Vec3::UnitY(), pixel.sampler.point(Dimension::FloorSky, sample.index));
-  if (towards.y() <= 0.0f) return;
-  ask(sample, point, towards, infinity,
-      {&pixel, -set.visible_albedo * sky_radiance(picture_.scene.sky, towards),
-       Effect::taken_when_blocked, false});
-}
-
-// What the figure hides from a point of the floor.
-void TilePainter::shade_floor(const Sample& sample, const EyeRay& ray) {
-  const Pixel& pixel = *sample.pixel;
-  if (!pixel.shows_floor) return;
-  const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
-  if (!distance) return;
-  const Vec3 point = floor_point(ray, *distance);
-  for (std::uint32_t lights = pixel.shadow_lights; lights != 0; lights &= lights - 1)
-    hide_light(sample, point, static_cast<std::size_t>(std::countr_zero(lights)),
-               pixel.floor_albedo, Effect::taken_when_figure_blocks);
-  if (sample.index < pixel.floor_sky_rays) hide_sky(sample, point);
-}
-
-void TilePainter::hide_light(const Sample& sample, const Vec3& point, std::size_t light,
-                             const Color& albedo, Effect effect) {
-  const LightSample chosen =
-      render::sample(picture_.scene.lights[light], point,
-                     sample.pixel->sampler.light_point(static_cast<int>(light), sample.index));
-  const float cosine = chosen.towards.y();
-  if (cosine <= 0.0f) return;
-  ask(sample, point, chosen.towards, chosen.distance,
-      {sample.pixel, -cosine / pi * chosen.perpendicular * albedo, effect, false});
-}
-
-void TilePainter::hide_sky(const Sample& sample, const Vec3& point) {
-  const Pixel& pixel = *sample.pixel;
-  const Point2 u = pixel.sampler.point(Dimension::FloorSky, sample.index);
-  const std::optional<Cone> cone = cone_of(picture_.bounds, point);
-  const Vec3 towards =
-      cone ? cone_direction(cone->axis, cone->cosine, u) : cosine_direction(Vec3::UnitY(), u);
-  if (towards.y() <= 0.0f) return;
-  const float share = cone ? cone->solid_angle() / pi * towards.y() : 1.0f;
-  ask(sample, point, towards, infinity,
-      {sample.pixel,
-       -share * pixel.floor_sky_samples * pixel.floor_albedo *
-           sky_radiance(picture_.scene.sky, towards),
-       Effect::taken_when_figure_blocks, false});
-}
-
-void TilePainter::ask(const Sample& sample, const Vec3& origin, const Vec3& direction,
-                      float distance, const Query& query) {
-  if ((query.light == 0.0f).all()) return;
-  queries_[static_cast<std::size_t>(rays_.count)] = query;
-  rays_.push(origin, direction, distance, sample.time, sample.present);
-  if (rays_.count == packet_size) trace_queries();
-}
-
-void TilePainter::trace_queries() {
-  if (rays_.count == 0) return;
-  const std::uint32_t by_figure = picture_.figure.occluded(rays_);
-  const std::uint32_t by_set = picture_.set.solids ? picture_.set.solids->occluded(rays_) : 0;
-  for (int i = 0; i < rays_.count; ++i) {
-    const Query& query = queries_[static_cast<std::size_t>(i)];
-    const bool figure = (by_figure >> i) & 1u, set = (by_set >> i) & 1u;
-    switch (query.effect) {
-      case Effect::arrives_unless_blocked:
-        if (!figure && !set)
-          (query.from_figure ? query.pixel->figure : query.pixel->set) += query.light;
-        break;
-      case Effect::taken_when_figure_blocks:
-        if (figure && !set) query.pixel->taken += query.light;
-        break;
-      case Effect::taken_when_blocked:
-        if (figure || set) query.pixel->taken += query.light;
-        break;
-    }
-  }
-  rays_.count = 0;
-}
-
-float luminance(const Color& color) {
-  return 0.2126f * color.x() + 0.7152f * color.y() + 0.0722f * color.z();
+// How much of the set's light a pixel lacks.
+float TilePainter::missing(const Color& left, int x, int y) const {
+  const float whole = luminance(Eigen::Map<const Color>(picture_.set.radiance.at(x, y)));
+  return whole > 0.0f ? std::clamp(1.0f - luminance(left) / whole, 0.0f, 1.0f) : 0.0f;
 }
 
 void TilePainter::develop(const Pixel& pixel, Exposure& exposure) const {
   const float share = 1.0f / static_cast<float>(picture_.quality.samples_per_pixel);
-  const Color set =
-      (share * static_cast<float>(pixel.set_samples)) * pixel.radiance + share * pixel.set;
-  const Color figure = share * pixel.figure;
+  const Color set = (share * static_cast<float>(pixel.set_samples)) * pixel.radiance +
+                    share * (pixel.known_set + pixel.set);
+  const Color figure = share * (pixel.known_figure + pixel.figure);
   const Color taken = share * pixel.taken;
   if (picture_.quality.background == Background::shown) {
     const Color color = set + (figure + taken);
     std::copy_n(color.data(), 3, exposure.film.at(pixel.x, pixel.y));
     return;
   }
-  float alpha = share * static_cast<float>(pixel.covered);
-  if (picture_.quality.background == Background::shadow) {
-    const float open = luminance(pixel.radiance);
-    if (open > 0.0f) alpha += std::clamp(-luminance(taken) / open, 0.0f, 1.0f - alpha);
-  }
+  const float covered = share * static_cast<float>(pixel.covered);
   std::copy_n(figure.data(), 3, exposure.film.at(pixel.x, pixel.y));
-  exposure.alpha[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(exposure.film.width) +
-                 static_cast<std::size_t>(pixel.x)] = alpha;
+  exposure.alpha[place_of(pixel.x, pixel.y)] =
+      picture_.quality.background == Background::transparent
+          ? covered
+          : std::max(covered, missing(set + taken, pixel.x, pixel.y));
 }
 
 }  // namespace

@@ -51,12 +51,29 @@ struct Tracer::Engine {
   tbb::task_arena arena;
   std::vector<float> key;  // of the set
   StandingSet set;
+  float filter_width = 0.0f;
+  std::optional<Filter> filter;
 
+  const Filter& filter_of(float width) {
+    if (!filter || width != filter_width) filter.emplace(width);
+    filter_width = width;
+    return *filter;
+  }
   const StandingSet& standing_set(const Scene& scene, const Camera& camera, const Quality& quality);
   Picture prepare(const Scene& scene, const Camera& camera, const Quality& quality,
                   const StandingSet& behind, Shapes shapes, const Solids& solids);
   void add_standing_solids(const Scene& scene, const Camera& camera, const Quality& quality);
+  void look_at_sky(Picture& picture);
 };
+
+void Tracer::Engine::look_at_sky(Picture& picture) {
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, picture.floor_sky.corner_count(), [&](std::size_t corner) {
+      picture.floor_sky.look(corner, picture.figure, picture.opacities);
+    });
+  });
+  picture.floor_sky.settle(picture.scene.sky);
+}
 
 const StandingSet& Tracer::Engine::standing_set(const Scene& scene, const Camera& camera,
                                                 const Quality& quality) {
@@ -101,18 +118,24 @@ Picture Tracer::Engine::prepare(const Scene& scene, const Camera& camera, const 
   for (const AreaLight& light : scene.lights) shadow_masks.emplace_back(light, shapes);
   const BoundingSphere bounds = bounding_sphere(shapes);
   FilmMask film_mask(camera, shapes, 0.5f * quality.filter_width);
+  // Behind standing solids the sky changes too fast for interpolation.
+  Quality floor_quality = quality;
+  if (behind.solids) floor_quality.floor_sky_tolerance = 0.0f;
+  FloorSky floor_sky(shapes, bounds, floor_quality,
+                     view_of(frame_of(camera), camera.width, camera.height, 1.0f));
   return {.scene = scene,
           .solids = solids,
           .closing_solids = nullptr,
           .quality = quality,
           .camera = frame_of(camera),
           .closing_camera = std::nullopt,
-          .filter = Filter(quality.filter_width),
+          .filter = filter_of(quality.filter_width),
           .figure = EmbreeScene(device, std::move(shapes)),
           .set = behind,
           .bounds = bounds,
           .film_mask = std::move(film_mask),
           .shadow_masks = std::move(shadow_masks),
+          .floor_sky = std::move(floor_sky),
           .opacities = opacities_of(scene)};
 }
 
@@ -137,6 +160,7 @@ Exposure Tracer::expose(const Scene& scene, const Camera& camera, const Quality&
       scene, camera, quality, set,
       closing != nullptr ? shapes_between(scene, *closing) : shapes_of(scene.solids, scene),
       scene.solids);
+  engine_->look_at_sky(picture);
   if (closing != nullptr) picture.closing_solids = &closing->solids;
   if (closing_camera != nullptr) picture.closing_camera = frame_of(*closing_camera);
   Exposure exposure{Film(camera.width, camera.height), {}};

@@ -6,6 +6,10 @@
 
 #include "motion/error.h"
 #include "motion/rotation.h"
+#include "scenes/camera_path.h"
+#include "scenes/figure_height.h"
+#include "scenes/framing.h"
+#include "scenes/set_plan.h"
 
 namespace mien::scenes {
 
@@ -13,9 +17,8 @@ namespace {
 
 using motion::Vec3;
 
-constexpr double vertical_field_of_view = 26.0 * motion::radians_per_degree;
-constexpr double filled_share = 0.88;  // of the picture, the rest is air
 constexpr double travels_m = 0.5;
+constexpr int smoothing = 15;  // frames on either side
 
 /// Where a camera stands as seen from the action: azimuth from the figure's front towards its
 /// right, and elevation; radians.
@@ -36,41 +39,6 @@ Vec3 towards_camera(const Viewpoint& view, const Vec3& forward) {
   const Vec3 right = forward.cross(Vec3::UnitY());
   const Vec3 level = std::cos(view.azimuth) * forward + std::sin(view.azimuth) * right;
   return std::cos(view.elevation) * level + std::sin(view.elevation) * Vec3::UnitY();
-}
-
-/// The camera in that direction from which all points, as spheres of `margin`, fill the picture.
-/// Each side plane of the view pyramid touches the outermost sphere, so distance and shift follow
-/// from the four extremes without a search.
-render::Camera framing(const std::vector<Vec3>& points, double margin, const Vec3& towards,
-                       std::array<int, 2> size) {
-  const Vec3 right = Vec3::UnitY().cross(towards).normalized();
-  const Vec3 up = towards.cross(right);
-  const double tan_up = filled_share * std::tan(0.5 * vertical_field_of_view);
-  const double tan_right = tan_up * size[0] / size[1];
-  const double infinity = std::numeric_limits<double>::infinity();
-  double most_right = -infinity, most_left = -infinity, most_up = -infinity, most_down = -infinity;
-  for (const Vec3& point : points) {
-    const double x = point.dot(right);
-    const double y = point.dot(up);
-    const double z = point.dot(towards);
-    const double reach_right = tan_right * z + margin * std::hypot(1.0, tan_right);
-    const double reach_up = tan_up * z + margin * std::hypot(1.0, tan_up);
-    most_right = std::max(most_right, x + reach_right);
-    most_left = std::max(most_left, -x + reach_right);
-    most_up = std::max(most_up, y + reach_up);
-    most_down = std::max(most_down, -y + reach_up);
-  }
-  const double along = std::max((most_right + most_left) / (2.0 * tan_right),
-                                (most_up + most_down) / (2.0 * tan_up));
-  const Vec3 position =
-      0.5 * (most_right - most_left) * right + 0.5 * (most_up - most_down) * up + along * towards;
-  render::Camera camera;
-  camera.position = position.cast<float>();
-  camera.target = (position - towards).cast<float>();
-  camera.vertical_field_of_view = static_cast<float>(vertical_field_of_view);
-  camera.width = size[0];
-  camera.height = size[1];
-  return camera;
 }
 
 std::vector<Vec3> all_points(const Action& action) {
@@ -101,8 +69,8 @@ std::vector<Vec3> smooth_path(const Action& action, int half_width) {
   return path;
 }
 
-CameraRig follow(const Action& action, const Vec3& towards, std::array<int, 2> size) {
-  const std::vector<Vec3> path = smooth_path(action, 15);
+CameraRig follow(const Action& action, const Vec3& towards, const Lens& lens) {
+  const std::vector<Vec3> path = smooth_path(action, smoothing);
   std::vector<Vec3> beside;
   for (size_t f = 0; f < action.points.size(); ++f) {
     for (const Vec3& point : action.points[f]) {
@@ -110,7 +78,7 @@ CameraRig follow(const Action& action, const Vec3& towards, std::array<int, 2> s
       beside.emplace_back(point.x() - path[f].x(), 0.0, point.z() - path[f].z());
     }
   }
-  const render::Camera still = framing(beside, action.margin_m, towards, size);
+  const render::Camera still = framing(beside, action.margin_m, towards, lens);
   CameraRig rig;
   for (const Vec3& shift : path) {
     rig.cameras.push_back(still);
@@ -120,7 +88,7 @@ CameraRig follow(const Action& action, const Vec3& towards, std::array<int, 2> s
   return rig;
 }
 
-CameraRig orbit(const Action& action, std::array<int, 2> size) {
+CameraRig orbit(const Action& action, const Lens& lens) {
   // The action as a cylinder: its framing is the same from all sides, so the figure keeps its size.
   double radius = 0.0;
   double height = 0.0;
@@ -140,7 +108,7 @@ CameraRig orbit(const Action& action, std::array<int, 2> size) {
   }
   const Viewpoint start = viewpoint_of("three-quarter");
   const render::Camera still =
-      framing(rim, action.margin_m, towards_camera({0.0, start.elevation}, Vec3::UnitZ()), size);
+      framing(rim, action.margin_m, towards_camera({0.0, start.elevation}, Vec3::UnitZ()), lens);
   CameraRig rig;
   const int count = static_cast<int>(action.points.size());
   for (int f = 0; f < count; ++f) {
@@ -157,6 +125,71 @@ CameraRig orbit(const Action& action, std::array<int, 2> size) {
   return rig;
 }
 
+Lens lens_of(const CameraSettings& settings, std::array<int, 2> size) {
+  Lens lens;
+  lens.size = size;
+  lens.orthographic = settings.orthographic;
+  if (settings.fov_degrees) lens.fov_radians = *settings.fov_degrees * motion::radians_per_degree;
+  if (settings.screen) {
+    const double height_cm = settings.screen->width_cm * size[1] / size[0];
+    lens.fov_radians = 2.0 * std::atan(0.5 * height_cm / settings.screen->distance_cm);
+  }
+  return lens;
+}
+
+/// A point of CameraSettings in world space.
+Vec3 at(const Action& action, const Vec3& point) {
+  return Place{action.centre, action.forward}.at(point);
+}
+
+CameraRig standing(const Vec3& position, const Vec3& target, const Lens& lens) {
+  return {{camera_between(position, target, lens)}};
+}
+
+CameraRig on_path(const CameraSettings& settings, const Action& action, const Lens& lens) {
+  CameraRig rig;
+  for (std::size_t f = 0; f < action.points.size(); ++f) {
+    const double seconds = static_cast<double>(f) / action.frames_per_second;
+    const CameraKey key = camera_on_path(settings.path, seconds);
+    rig.cameras.push_back(camera_between(at(action, key.position), at(action, key.target), lens));
+  }
+  return rig;
+}
+
+CameraRig viewed(const std::string& view, const Action& action, const Lens& lens) {
+  const std::vector<std::string> names = camera_names();
+  if (std::find(names.begin(), names.end(), view) == names.end()) {
+    throw Error("there is no camera \"" + view + "\"",
+                "choose front, side, three-quarter, follow or orbit");
+  }
+  if (view == "orbit") return orbit(action, lens);
+  const Vec3 towards = towards_camera(viewpoint_of(view), action.forward);
+  if (view == "follow") return follow(action, towards, lens);
+  return {{framing(all_points(action), action.margin_m, towards, lens)}};
+}
+
+/// Moves cameras along their axes so that each is `distance` metres from the middle of the figure:
+/// where it is at the moment when they follow it, and else where it is on the whole.
+void step_to(CameraRig& rig, const std::string& view, const Action& action, double distance) {
+  const Vec3 middle = 0.5 * action.height_m * Vec3::UnitY();
+  const std::vector<Vec3> path =
+      view == "follow" ? smooth_path(action, smoothing) : std::vector<Vec3>{action.centre};
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    render::Camera& camera = rig.cameras[i];
+    const Vec3 focus = middle + path[std::min(i, path.size() - 1)];
+    const Vec3 ahead = (camera.target - camera.position).cast<double>().normalized();
+    camera.position = (focus - distance * ahead).cast<float>();
+    camera.target = focus.cast<float>();
+  }
+}
+
+/// How far before the camera the middle of a figure is.
+double depth_of(const render::Camera& camera, const Vec3& centre, double height_m) {
+  const Vec3 eye = camera.position.cast<double>();
+  const Vec3 ahead = (camera.target.cast<double>() - eye).normalized();
+  return (centre + 0.5 * height_m * Vec3::UnitY() - eye).dot(ahead);
+}
+
 }  // namespace
 
 std::vector<std::string> camera_names() {
@@ -165,6 +198,8 @@ std::vector<std::string> camera_names() {
 
 Action action_of(const motion::Clip& clip) {
   Action action;
+  action.frames_per_second = clip.frames_per_second;
+  action.height_m = figure_height(clip);
   Vec3 facing = Vec3::Zero();
   Vec3 least = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 most = -least;
@@ -193,16 +228,40 @@ Action action_of(const motion::Clip& clip) {
   return action;
 }
 
-CameraRig make_camera_rig(std::string_view name, const Action& action, std::array<int, 2> size) {
-  const std::vector<std::string> names = camera_names();
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
-    throw Error("there is no camera \"" + std::string(name) + "\"",
-                "choose front, side, three-quarter, follow or orbit");
+CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
+                          std::array<int, 2> size) {
+  if (settings.stereo_separation_m) size[0] /= 2;
+  const Lens lens = lens_of(settings, size);
+  CameraRig rig = !settings.path.empty() ? on_path(settings, action, lens)
+                  : settings.position && settings.target
+                      ? standing(at(action, *settings.position), at(action, *settings.target), lens)
+                      : viewed(settings.view, action, lens);
+  if (settings.screen && settings.path.empty() && !settings.position) {
+    step_to(rig, settings.view, action, eye_distance_m(*settings.screen, action.height_m));
   }
-  if (name == "orbit") return orbit(action, size);
-  const Vec3 towards = towards_camera(viewpoint_of(name), action.forward);
-  if (name == "follow") return follow(action, towards, size);
-  return {{framing(all_points(action), action.margin_m, towards, size)}};
+  if (settings.stereo_separation_m) {
+    rig.stereo_separation_m = *settings.stereo_separation_m;
+    rig.convergence_m =
+        std::max(depth_of(rig.cameras.front(), action.centre, action.height_m), 0.1);
+  }
+  return rig;
+}
+
+double figure_pixels(const render::Camera& camera, const Vec3& centre, double height_m) {
+  const double metres_a_pixel = static_cast<double>(render::frame_of(camera).step_down.norm());
+  if (camera.parallel_height > 0.0f) return height_m / metres_a_pixel;
+  const double depth = depth_of(camera, centre, height_m);
+  return depth > 0.0 ? height_m / (depth * metres_a_pixel) : 0.0;
+}
+
+double visual_degrees(const render::Camera& camera, const Vec3& centre, double height_m) {
+  const double depth = depth_of(camera, centre, height_m);
+  return depth > 0.0 ? 2.0 * std::atan(0.5 * height_m / depth) / motion::radians_per_degree : 0.0;
+}
+
+double eye_distance_m(const ScreenSettings& screen, double height_m) {
+  if (!screen.degrees) return 0.01 * screen.distance_cm;
+  return 0.5 * height_m / std::tan(0.5 * *screen.degrees * motion::radians_per_degree);
 }
 
 }  // namespace mien::scenes

@@ -7,6 +7,7 @@
 
 #include "motion/clip.h"
 #include "render/camera.h"
+#include "scenes/camera_settings.h"
 
 namespace mien::scenes {
 
@@ -16,6 +17,8 @@ std::vector<std::string> camera_names();
 /// One camera a frame of a clip.
 struct CameraRig {
   std::vector<render::Camera> cameras;  ///< a single one for a standing camera
+  double stereo_separation_m = 0.0;     ///< 0: one picture; else a left and a right one
+  double convergence_m = 5.0;           ///< at this distance both show the same place alike
 
   const render::Camera& at(int frame) const {
     return cameras.size() == 1 ? cameras.front() : cameras[static_cast<size_t>(frame)];
@@ -28,6 +31,8 @@ struct Action {
   motion::Vec3 forward = motion::Vec3::UnitZ();   ///< unit, horizontal
   motion::Vec3 centre = motion::Vec3::Zero();     ///< of all that happens, on the floor
   double margin_m = 0.1;                          ///< flesh round the points
+  double height_m = 1.75;                         ///< of the standing figure
+  double frames_per_second = 30.0;
 };
 
 /// Forward is the way the figure travels when it travels further than half a metre, and otherwise
@@ -39,7 +44,18 @@ Action action_of(const motion::Clip& clip);
 ///
 /// `front` looks the figure in the face, `side` sees it walk from left to right, `three-quarter`
 /// stands between them; `follow` is the three-quarter camera going with the figure, `orbit` circles
-/// once round the action. Throws Error for an unknown name.
-CameraRig make_camera_rig(std::string_view name, const Action& action, std::array<int, 2> size);
+/// once round the action. Position and target, or a path, take the view's place; a screen decides
+/// angle of view and distance instead of what has to be in the picture. Cameras of a stereo pair
+/// are half as wide. Throws Error for an unknown view.
+CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
+                          std::array<int, 2> size);
+
+/// How tall a figure that stands at `centre` is in the picture, pixels, and under which visual
+/// angle an eye sees it that sees the picture as the camera does, degrees. 0 where it is behind.
+double figure_pixels(const render::Camera& camera, const motion::Vec3& centre, double height_m);
+double visual_degrees(const render::Camera& camera, const motion::Vec3& centre, double height_m);
+
+/// How far from the eye a figure of that height has to be to be seen on the screen as asked.
+double eye_distance_m(const ScreenSettings& screen, double height_m);
 
 }  // namespace mien::scenes

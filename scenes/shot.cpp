@@ -1,50 +1,156 @@
 #include "scenes/shot.h"
 
 #include <algorithm>
+#include <variant>
 
-#include "motion/error.h"
-#include "scenes/sets.h"
-#include "scenes/stick_figure.h"
+#include "motion/rotation.h"
+#include "scenes/stereo.h"
+#include "scenes/travel.h"
 
 namespace mien::scenes {
 
 namespace {
 
-/// How tall the figure is drawn: the body's stature, or the extent of whatever skeleton it is.
-double height_of(const motion::Clip& clip, const Action& action) {
-  if (motion::is_body(clip.body)) return motion::standing_height(clip.body);
-  double height = 0.0;
-  for (const motion::Vec3& point : action.points.front()) {
-    height = std::max(height, (point - action.points.front().front()).norm());
+using motion::Vec3;
+
+constexpr double lane_m = 1.1;
+
+/// The clip turned about the vertical through `from` and put down at `to`.
+motion::Clip moved(motion::Clip clip, const motion::Quat& turn, const Vec3& from, const Vec3& to) {
+  for (motion::Pose& pose : clip.poses) {
+    const double height = pose.root_position.y();
+    pose.root_position = to + turn * (pose.root_position - from);
+    pose.root_position.y() = height;
+    pose.rotations.front() = turn * pose.rotations.front();
   }
-  return std::max(height, 0.2);
+  return clip;
+}
+
+Vec3 on_floor(const Vec3& point) { return {point.x(), 0.0, point.z()}; }
+
+/// The clips where the layout wants them: all begin where the first one does.
+std::vector<Performance> laid_out(std::vector<Performance> performances, Layout layout) {
+  const Vec3 forward = action_of(performances.front().clip).forward;
+  const Vec3 start = on_floor(performances.front().clip.poses.front().root_position);
+  const Vec3 right = forward.cross(Vec3::UnitY());
+  const auto count = static_cast<double>(performances.size());
+  for (std::size_t i = 1; i < performances.size(); ++i) {
+    motion::Clip& clip = performances[i].clip;
+    const motion::Quat turn =
+        motion::heading(forward) * motion::heading(action_of(clip).forward).conjugate();
+    clip = moved(clip, turn, on_floor(clip.poses.front().root_position), start);
+  }
+  if (layout == Layout::superimposed) return performances;
+  for (std::size_t i = 0; i < performances.size(); ++i) {
+    // The figures face the camera: what is at their right is at the left of the picture.
+    const double lane = 0.5 * (count - 1.0) - static_cast<double>(i);
+    for (motion::Pose& pose : performances[i].clip.poses) {
+      pose.root_position += lane * lane_m * right;
+    }
+  }
+  return performances;
+}
+
+/// What has to be in the picture of all clips together.
+Action shared_action(const std::vector<Performance>& performances) {
+  Action action = action_of(performances.front().clip);
+  for (std::size_t i = 1; i < performances.size(); ++i) {
+    const Action more = action_of(performances[i].clip);
+    const std::size_t count = std::max(action.points.size(), more.points.size());
+    for (std::size_t f = 0; f < count; ++f) {
+      const auto& points = more.points[std::min(f, more.points.size() - 1)];
+      if (f >= action.points.size()) action.points.push_back(action.points.back());
+      action.points[f].insert(action.points[f].end(), points.begin(), points.end());
+    }
+    action.height_m = std::max(action.height_m, more.height_m);
+  }
+  Vec3 least = action.points.front().front();
+  Vec3 most = least;
+  for (const auto& frame : action.points) {
+    for (const Vec3& point : frame) {
+      least = least.cwiseMin(point);
+      most = most.cwiseMax(point);
+    }
+  }
+  action.centre = on_floor(0.5 * (least + most));
+  return action;
+}
+
+/// The belt has to be in the picture too.
+void include(const Belt& belt, const Place& place, Action& action) {
+  constexpr double frame_m = 0.12;  // round the belt
+  const Vec3 corner(0.5 * belt.width_m + frame_m, 0.0, 0.5 * belt.length_m + frame_m);
+  for (const double x : {-1.0, 1.0}) {
+    for (const double z : {-1.0, 1.0}) {
+      action.points.front().push_back(place.at({x * corner.x(), 0.0, z * corner.z()}));
+    }
+  }
+}
+
+DotStage dot_stage(const Shot& shot, const motion::Clip& clip, std::uint64_t seed) {
+  const render::CameraFrame frame = render::frame_of(shot.cameras.at(0));
+  DotStage stage;
+  stage.centre = shot.place.centre;
+  stage.across = on_floor(frame.step_right.cast<double>()).normalized();
+  stage.step = mean_step(clip);
+  stage.seed = seed;
+  return stage;
 }
 
 }  // namespace
 
-std::vector<std::string> figure_names() { return {"stick"}; }
+int Shot::frame_count() const {
+  int most = 0;
+  for (const Actor& actor : actors) most = std::max(most, actor.clip.frame_count());
+  return most;
+}
 
 Shot stage(const motion::Clip& clip, const Look& look) {
-  if (look.figure != "stick") {
-    throw Error("there is no figure \"" + look.figure + "\"", "choose stick");
-  }
-  const Action action = action_of(clip);
+  return stage(std::vector<Performance>{{.clip = clip, .role = look.role}}, look);
+}
+
+Shot stage(const std::vector<Performance>& performances, const Look& look) {
   Shot shot;
-  shot.clip = clip;
-  shot.set = make_set(look.set, action.centre, action.forward);
+  shot.set = look.set;
+  shot.size = look.size;
+  std::vector<Performance> shown = laid_out(performances, look.layout);
+  shot.place.forward = action_of(shown.front().clip).forward;
+  if (look.in_place || look.set.in_place) {
+    shot.step = mean_step(shown.front().clip);
+    for (Performance& one : shown) one.clip = on_the_spot(one.clip, mean_step(one.clip));
+  }
+  Action action = shared_action(shown);
+  action.forward = shot.place.forward;
+  shot.place.centre = action.centre;
+  if (shot.set.belt) include(*shot.set.belt, shot.place, action);
+  shot.standing = standing_set(shot.set, shot.place);
   shot.cameras = make_camera_rig(look.camera, action, look.size);
-  shot.colours = colours_of(look.role);
-  shot.height_m = height_of(clip, action);
+  for (const Performance& one : shown) {
+    const DotStage stage = dot_stage(shot, one.clip, look.seed);
+    shot.actors.push_back(cast(one.clip, look.figure, one.role, stage));
+    shot.actors.back().name = one.name;
+    shot.actors.back().opacity = one.opacity;
+  }
+  if (std::holds_alternative<PointLightOptions>(look.figure)) shot.tone.shoulder = 1.0f;
   return shot;
 }
 
 render::Scene scene_at(const Shot& shot, int frame) {
-  render::Scene scene = shot.set;
-  add_stick_figure(scene, shot.clip.body, shot.clip.poses[static_cast<size_t>(frame)], shot.colours,
-                   shot.height_m);
+  render::Scene scene = shot.standing;
+  const render::Camera& camera = shot.cameras.at(frame);
+  add_walls(scene, shot.set, shot.place, camera.position.cast<double>());
+  if (shot.set.in_place) add_moving_ground(scene, shot.set, shot.place, -frame * shot.step);
+  for (const Actor& actor : shot.actors) add_actor(scene, actor, frame, camera);
   return scene;
 }
 
-render::Camera camera_at(const Shot& shot, int frame) { return shot.cameras.at(frame); }
+std::vector<render::Camera> cameras_at(const Shot& shot, int frame) {
+  const CameraRig& rig = shot.cameras;
+  if (rig.stereo_separation_m <= 0.0) return {rig.at(frame)};
+  const auto [left, right] = stereo_pair(rig.at(frame), rig.stereo_separation_m, rig.convergence_m);
+  return {left, right};
+}
+
+const render::Camera& camera_at(const Shot& shot, int frame) { return shot.cameras.at(frame); }
 
 }  // namespace mien::scenes

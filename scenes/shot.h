@@ -1,44 +1,77 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "motion/clip.h"
 #include "render/camera.h"
 #include "render/scene.h"
+#include "render/tone.h"
+#include "scenes/actor.h"
 #include "scenes/camera_rig.h"
+#include "scenes/figure.h"
 #include "scenes/figure_colour.h"
+#include "scenes/set_plan.h"
 
 namespace mien::scenes {
 
-/// How a clip is shown. Names are those of `set_names` and `camera_names`; the figure is "stick".
+/// How clips of several actors stand on one stage.
+enum class Layout { superimposed, side_by_side };
+
+/// How clips are shown.
 struct Look {
-  std::string set = "studio";
-  std::string figure = "stick";
-  std::string camera = "three-quarter";
+  SetPlan set;
+  Figure figure;
+  CameraSettings camera;
   Role role = Role::neutral;
   std::array<int, 2> size{960, 540};  ///< pixels
+  bool in_place = false;              ///< on the spot, whatever the set
+  Layout layout = Layout::superimposed;
+  std::uint64_t seed = 0;  ///< of what is random about a figure
 };
 
-/// A clip staged: everything that is needed to draw any of its frames, in any order.
+/// A clip, and what it stands for.
+struct Performance {
+  std::string name = "figure";
+  motion::Clip clip;  ///< at the video's frame rate; does not loop
+  Role role = Role::neutral;
+  float opacity = 1.0f;
+};
+
+/// Clips staged: everything that is needed to draw any frame, in any order.
 struct Shot {
-  motion::Clip clip;  ///< at the video's frame rate; metres
-  render::Scene set;  ///< what stands still
+  std::vector<Actor> actors;  ///< at least one
+  SetPlan set;
+  Place place;                               ///< where the set stands
+  render::Scene standing;                    ///< what stands still of it
+  motion::Vec3 step = motion::Vec3::Zero();  ///< that a figure in place would go a frame, metres
   CameraRig cameras;
-  FigureColours colours;
-  double height_m = 1.75;
+  std::array<int, 2> size{960, 540};  ///< pixels of a whole picture
 
-  int frame_count() const { return clip.frame_count(); }
+  /// Of the tone curve: point lights have exactly the colours that were asked for.
+  render::Tone tone;
+
+  /// Of the longest clip; an actor whose own has ended stands still.
+  int frame_count() const;
 };
 
-/// Names that `look: {figure: …}` takes.
-std::vector<std::string> figure_names();
-
-/// Stages a clip that does not loop (`repeated` makes one of a loop). Throws Error for unknown
-/// names.
+/// Stages a clip that does not loop (`repeated` makes one of a loop). Throws Error when a figure or
+/// camera cannot be had.
 Shot stage(const motion::Clip& clip, const Look& look);
 
+/// Stages several clips together, by `layout` and with the roles that they have. Superimposed ones
+/// begin in the same place, facing the same way; those side by side have a lane each, the first at
+/// the left of the picture. The set and the cameras go by all of them.
+Shot stage(const std::vector<Performance>& performances, const Look& look);
+
+/// What is seen at a frame, and from where. A stereo pair has two cameras, the left eye's first,
+/// each for half of the picture.
 render::Scene scene_at(const Shot& shot, int frame);
-render::Camera camera_at(const Shot& shot, int frame);
+std::vector<render::Camera> cameras_at(const Shot& shot, int frame);
+
+/// The middle of the eyes.
+const render::Camera& camera_at(const Shot& shot, int frame);
 
 }  // namespace mien::scenes

@@ -56,11 +56,12 @@ Thickness thickness_of(BodyJoint joint) {
   }
 }
 
-/// Material indices of the three shades, appended to the scene.
+/// Material indices of the shades, appended to the scene.
 struct Shades {
   int middle;
   int left;
   int right;
+  int visor;
 
   int of(BodyJoint joint) const {
     if (motion::is_left(joint)) return left;
@@ -76,7 +77,8 @@ Shades add_materials(render::Scene& scene, const FigureColours& colours) {
   const int middle = add(colours.middle);
   const int left = add(colours.left);
   const int right = add(colours.right);
-  return {middle, left, right};
+  const int visor = add(0.2f * colours.middle);
+  return {middle, left, right, visor};
 }
 
 render::Vec3 to_render(const motion::Vec3& point) { return point.cast<float>(); }
@@ -90,6 +92,15 @@ void add_capsule(render::Scene& scene, const motion::Vec3& start, const motion::
 
 void add_sphere(render::Scene& scene, const motion::Vec3& centre, double radius, int material) {
   scene.solids.spheres.push_back({to_render(centre), static_cast<float>(radius), material});
+}
+
+/// A dark band before the eyes, which says where the head looks.
+void add_visor(render::Scene& scene, const motion::Vec3& eyes, const motion::Quat& head,
+               double head_radius_m, int shade) {
+  const motion::Vec3 front = eyes + head * motion::Vec3(0.0, 0.0, 0.86 * head_radius_m);
+  const motion::Vec3 aside = head * motion::Vec3(0.40 * head_radius_m, 0.0, 0.0);
+  add_capsule(scene, front + aside, front - aside, 0.21 * head_radius_m, 0.21 * head_radius_m,
+              shade);
 }
 
 void add_body(render::Scene& scene, const motion::Skeleton& body,
@@ -118,6 +129,7 @@ void add_body(render::Scene& scene, const motion::Skeleton& body,
       const motion::Vec3 up = (end - world.positions[j]).normalized();
       add_capsule(scene, world.positions[j] + up * (0.4 * radius), end - up * radius, 0.82 * radius,
                   radius, shade);
+      add_visor(scene, end - up * (1.05 * radius), world.rotations[j], radius, shades.visor);
     } else {
       add_capsule(scene, world.positions[j], end, own.joint * scale, own.far * scale, shade);
     }

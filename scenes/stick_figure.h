@@ -9,7 +9,7 @@
 namespace mien::scenes {
 
 /// Appends a stick figure to a scene: a round cone a bone and a sphere a joint, as thick as the
-/// limbs are long, for a body of `height_m` metres.
+/// limbs are long, for a body of `height_m` metres; a visor says where the head looks.
 ///
 /// `skeleton` is usually the canonical body, whose left and right limbs get their own shades; any
 /// other skeleton, in metres, is drawn in one shade with even thickness.

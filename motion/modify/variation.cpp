@@ -7,6 +7,7 @@
 #include "motion/modify/joint_curve.h"
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/path_length.h"
+#include "motion/random_number.h"
 
 namespace mien::motion {
 
@@ -29,20 +30,6 @@ std::string_view name_of(Limb limb) {
       return "right foot";
   }
   return "";
-}
-
-/// In [−1, 1], of seed, name and index alone: FNV-1a, then the mixer of SplitMix64 (Steele et al.
-/// 2014).
-double random_number(std::uint64_t seed, std::string_view name, std::uint64_t index) {
-  std::uint64_t bits = 14695981039346656037u ^ seed;
-  for (const char letter : name) {
-    bits = (bits ^ static_cast<unsigned char>(letter)) * 1099511628211u;
-  }
-  bits += 0x9e3779b97f4a7c15u * (index + 1);
-  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
-  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
-  bits ^= bits >> 31;
-  return static_cast<double>(bits >> 11) * 0x1.0p-52 - 1.0;
 }
 
 /// What of a joint's directions is quicker than 1 Hz, that is what other gains than 1 would add.

@@ -21,7 +21,7 @@ TEST(FilmExposure, BringsFilmsToTheLuminanceWanted) {
   for (const float most : {0.05f, 0.4f, 3.0f}) {
     const std::vector<render::Film> films = {ramp(most), ramp(0.5f * most)};
     for (const double wanted : {0.05, 0.2, 0.45}) {
-      const render::Tone tone{.exposure_stops = stops_for(films, wanted)};
+      const render::Tone tone{.exposure_stops = stops_for(films, {}, wanted)};
       const double mean = 0.5 * (render::luminance_of(render::to_srgb8(films[0], tone)).mean +
                                  render::luminance_of(render::to_srgb8(films[1], tone)).mean);
       EXPECT_NEAR(mean, wanted, 0.002 * wanted + 1e-4) << most;
@@ -31,9 +31,9 @@ TEST(FilmExposure, BringsFilmsToTheLuminanceWanted) {
 
 TEST(FilmExposure, LeavesAloneWhatIsRightAndStopsAtTheEnds) {
   const std::vector<render::Film> films = {ramp(0.6f)};
-  EXPECT_NEAR(stops_for(films, render::mean_luminance(films[0], {})), 0.0, 1e-4);
-  EXPECT_NEAR(stops_for(films, 1.0), 8.0, 1e-3);
-  EXPECT_NEAR(stops_for({ramp(0.0f)}, 0.2), 8.0, 1e-3);
+  EXPECT_NEAR(stops_for(films, {}, render::mean_luminance(films[0], {})), 0.0, 1e-4);
+  EXPECT_NEAR(stops_for(films, {}, 1.0), 8.0, 1e-3);
+  EXPECT_NEAR(stops_for({ramp(0.0f)}, {}, 0.2), 8.0, 1e-3);
 }
 
 TEST(FilmExposure, IsFoundInItsTable) {

@@ -81,7 +81,7 @@ TEST_F(Film, StoresWhatItDeliversAndDeliversItAgain) {
     const Pictures first = draw(settings(format), store.frames(path, "k").get());
     // Another shot under the same key: what comes out can only be what was stored.
     const scenes::Shot kept = shot;
-    shot.colours = scenes::colours_of(scenes::Role::reference);
+    shot.actors[0].colours = scenes::colours_of(scenes::Role::reference);
     const auto frames = store.frames(path, "k");
     EXPECT_EQ(first, draw(settings(format), frames.get()));
     shot = kept;

@@ -107,10 +107,10 @@ stimuli:
                                 .manifest;
   EXPECT_EQ(manifest.stimuli[0].output.fps, 50.0);
   EXPECT_EQ(manifest.stimuli[0].output.cycles, 5);
-  EXPECT_EQ(manifest.stimuli[0].look.camera, "side");
+  EXPECT_EQ(manifest.stimuli[0].look.camera.view, "side");
   EXPECT_EQ(manifest.stimuli[1].output.fps, 25.0);
-  EXPECT_EQ(manifest.stimuli[1].look.camera, "orbit");
-  EXPECT_EQ(manifest.stimuli[1].look.scene, "studio");
+  EXPECT_EQ(manifest.stimuli[1].look.camera.view, "orbit");
+  EXPECT_EQ(manifest.stimuli[1].look.figure, scenes::Figure());
 }
 
 TEST_F(ManifestReaderTest, ReadsEveryOptionOfInterpolation) {
@@ -190,8 +190,8 @@ TEST_F(ManifestReaderTest, TakesAnchorsAndMergeKeys) {
   - {id: c, clip: walk.bvh, look: {<<: *far, scene: studio}}
 )");
   EXPECT_EQ(told(reading.faults), "");
-  EXPECT_EQ(reading.manifest.stimuli[1].look.camera, "side");
-  EXPECT_EQ(reading.manifest.stimuli[2].look.camera, "side");
+  EXPECT_EQ(reading.manifest.stimuli[1].look.camera.view, "side");
+  EXPECT_EQ(reading.manifest.stimuli[2].look.camera.view, "side");
 }
 
 struct Case {

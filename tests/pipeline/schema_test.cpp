@@ -76,9 +76,9 @@ TEST(Schema, ItsDefaultsAreThoseOfTheProgram) {
     return definitions[of]["properties"][key]["default"];
   };
   const Look look;
-  EXPECT_EQ(value("look", "scene"), look.scene);
-  EXPECT_EQ(value("look", "figure"), look.figure);
-  EXPECT_EQ(value("look", "camera"), look.camera);
+  EXPECT_EQ(value("look", "scene"), scene_of(look));
+  EXPECT_EQ(value("look", "figure"), scenes::name_of(look.figure));
+  EXPECT_EQ(value("look", "camera"), look.camera.view);
   const Output output;
   EXPECT_EQ(value("output", "size"), output.size);
   EXPECT_EQ(value("output", "fps"), output.fps);

@@ -32,6 +32,21 @@ inline SampleMean radiance_at(const Scene& scene, const Camera& camera, Quality 
   return estimates;
 }
 
+/// Likewise, but one estimate a seed, the mean of all pixels: for what neighbours share.
+inline SampleMean mean_radiance_at(const Scene& scene, const Camera& camera, Quality quality,
+                                   std::uint64_t seeds) {
+  Tracer tracer({.threads = 1});
+  SampleMean estimates;
+  for (quality.seed = 0; quality.seed < seeds; ++quality.seed) {
+    const Film film = tracer.trace(scene, camera, quality);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < film.channels.size(); i += 3)
+      sum += static_cast<double>(film.channels[i]);
+    estimates.add(3.0 * sum / static_cast<double>(film.channels.size()));
+  }
+  return estimates;
+}
+
 inline Sky even_sky(const Color& radiance) {
   return {radiance, radiance, radiance, radiance, radiance};
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -15,6 +16,7 @@ namespace {
 
 using test::camera_on;
 using test::expect_mean;
+using test::mean_radiance_at;
 using test::radiance_at;
 
 const Vec3 aside{4.0f, 3.0f, 0.0f};
@@ -36,9 +38,16 @@ TEST(FloorSky, BesideASphereLacksTheSpheresFormFactor) {
     const double distance = std::hypot(static_cast<double>(x), 0.6);
     const double hidden = std::pow(0.6 / distance, 3);
     const test::SampleMean found =
-        radiance_at(scene, camera_on({x, 0.0f, 0.0f}, aside), {.samples_per_pixel = 4}, 8);
+        radiance_at(scene, camera_on({x, 0.0f, 0.0f}, aside),
+                    {.samples_per_pixel = 4, .floor_sky_tolerance = 0.0f}, 8);
     SCOPED_TRACE(x);
     expect_mean(found, 0.5 * (1.0 - hidden), 0.02 * hidden, 0.002 * hidden);
+    // And where it is known at the corners of cells, interpolated in between.
+    Camera few = camera_on({x, 0.0f, 0.0f}, aside);
+    few.width = few.height = 12;
+    const test::SampleMean interpolated =
+        mean_radiance_at(scene, few, {.samples_per_pixel = 1}, 400);
+    expect_mean(interpolated, 0.5 * (1.0 - hidden), 0.0015, 0.0003);
   }
 }
 
@@ -83,10 +92,30 @@ TEST(FloorSky, IsUnbiasedHoweverFewRaysItIsWorth) {
     const Vec3 point{x, 0.0f, 0.3f};
     const double hidden = hidden_sky(scene.solids.spheres, point, 0.5, 1.5);
     const double whole = 0.5 + 1.5 * 2.0 / 3.0;
-    const test::SampleMean found =
-        radiance_at(scene, camera_on(point, aside), {.samples_per_pixel = 16}, 40);
+    const test::SampleMean found = radiance_at(
+        scene, camera_on(point, aside), {.samples_per_pixel = 16, .floor_sky_tolerance = 0.0f}, 40);
     SCOPED_TRACE(x);
     expect_mean(found, 0.8 * (whole - hidden), 0.8 * 0.05 * hidden, 0.8 * 0.01 * hidden);
+  }
+}
+
+// All over the floor near a figure, in cells of every size: interpolation is off by less than a
+// thousandth of the sky's light.
+TEST(FloorSky, IsInterpolatedWithoutVisibleError) {
+  Scene scene = bare_floor(0.8f);
+  scene.solids.spheres = sparse_figure();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> place(-2.5f, 2.5f);
+  for (int trial = 0; trial < 40; ++trial) {
+    const Vec3 point{place(random), 0.0f, place(random)};
+    const double hidden = hidden_sky(scene.solids.spheres, point, 1.0, 0.0);
+    Camera few = camera_on(point, aside);
+    few.width = few.height = 6;
+    Quality quality{.samples_per_pixel = 16};
+    quality.floor_sky_noise = 0.001f;
+    const test::SampleMean found = mean_radiance_at(scene, few, quality, 100);
+    SCOPED_TRACE(point.transpose());
+    expect_mean(found, 0.8 * (1.0 - hidden), 0.0015, 0.0006);
   }
 }
 

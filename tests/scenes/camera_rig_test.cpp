@@ -35,7 +35,7 @@ TEST_P(EveryCamera, KeepsTheWholeActionInThePicture) {
     for (const motion::Vec3& direction :
          {motion::Vec3(0, 0, 1), motion::Vec3(-0.6, 0, 0.8), motion::Vec3(0, 0, -1)}) {
       const Action action = action_of(walk(direction, 80));
-      const CameraRig rig = make_camera_rig(GetParam(), action, size);
+      const CameraRig rig = make_camera_rig({GetParam()}, action, size);
       for (size_t f = 0; f < action.points.size(); ++f) {
         for (const motion::Vec3& point : action.points[f]) {
           const auto seen = render::project(rig.at(static_cast<int>(f)), point.cast<float>());
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(CameraRig, EveryCamera, testing::ValuesIn(camera_names(
 TEST(CameraRig, SeenFromTheSideTheFigureWalksFromLeftToRight) {
   for (const motion::Vec3& direction : {motion::Vec3(0, 0, 1), motion::Vec3(0.8, 0, -0.6)}) {
     const Action action = action_of(walk(direction, 60));
-    const CameraRig rig = make_camera_rig("side", action, {960, 540});
+    const CameraRig rig = make_camera_rig({"side"}, action, {960, 540});
     const auto start = render::project(rig.at(0), action.points.front()[0].cast<float>());
     const auto end = render::project(rig.at(0), action.points.back()[0].cast<float>());
     EXPECT_GT(end->x() - start->x(), 300.0f);
@@ -70,7 +70,7 @@ TEST(CameraRig, SeenFromTheSideTheFigureWalksFromLeftToRight) {
 
 TEST(CameraRig, TheFrontCameraSeesTheFaceAndTheFigureComesNearer) {
   const Action action = action_of(walk(motion::Vec3::UnitZ(), 60));
-  const CameraRig rig = make_camera_rig("front", action, {960, 540});
+  const CameraRig rig = make_camera_rig({"front"}, action, {960, 540});
   EXPECT_GT(rig.at(0).position.z(), action.points.back()[0].z());
   const auto left = render::project(rig.at(0), action.points[0][motion::LeftHip].cast<float>());
   const auto right = render::project(rig.at(0), action.points[0][motion::RightHip].cast<float>());
@@ -79,7 +79,7 @@ TEST(CameraRig, TheFrontCameraSeesTheFaceAndTheFigureComesNearer) {
 
 TEST(CameraRig, TheFollowingCameraKeepsTheFigureInItsPlace) {
   const Action action = action_of(walk(motion::Vec3::UnitZ(), 90));
-  const CameraRig rig = make_camera_rig("follow", action, {960, 540});
+  const CameraRig rig = make_camera_rig({"follow"}, action, {960, 540});
   const auto first = render::project(rig.at(20), action.points[20][0].cast<float>());
   const auto last = render::project(rig.at(70), action.points[70][0].cast<float>());
   EXPECT_LT((*first - *last).norm(), 2.0f);
@@ -87,7 +87,7 @@ TEST(CameraRig, TheFollowingCameraKeepsTheFigureInItsPlace) {
 
 TEST(CameraRig, RefusesAnUnknownCamera) {
   const Action action = action_of(walk(motion::Vec3::UnitZ(), 10));
-  EXPECT_THROW(make_camera_rig("above", action, {960, 540}), Error);
+  EXPECT_THROW(make_camera_rig({"above"}, action, {960, 540}), Error);
 }
 
 }  // namespace

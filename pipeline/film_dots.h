@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pipeline/determinants.h"
+#include "pipeline/manifest.h"
+#include "pipeline/motions.h"
+#include "pipeline/task_graph.h"
+#include "scenes/shot.h"
+
+namespace mien::pipeline {
+
+/// Where the dots of a shot's point-light figures are, a row a frame and dot: frame, time_s, dot,
+/// kind (the joint's name, limb, noise or mask), x_px and y_px (of the dot's centre, from the left
+/// and upper edge of the picture; of a stereo pair, as the middle of both eyes sees it; empty
+/// behind the camera), x_m, y_m, z_m, visible (1 within the picture, else 0).
+std::string dots_csv(const scenes::Shot& shot);
+
+/// Whether a stimulus is shown as dots.
+bool has_dots(const Stimulus& stimulus);
+
+/// The task "dots:<id>", whose product is clips/<id>.dots.csv.
+Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const SharedDeterminants& shared,
+               Motions& motions);
+
+}  // namespace mien::pipeline

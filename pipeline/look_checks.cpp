@@ -1,0 +1,149 @@
+#include "pipeline/look_checks.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "motion/nearest_word.h"
+#include "pipeline/fault_list.h"
+#include "pipeline/set_file.h"
+#include "scenes/character.h"
+#include "scenes/dot_display.h"
+#include "scenes/hex_colour.h"
+#include "scenes/trail_figure.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+void check_scene(const Look& look, const std::string& path, FaultList& list,
+                 std::vector<Fault>& faults) {
+  std::error_code unknown;
+  const bool is_there =
+      look.scene_file.empty() || std::filesystem::is_regular_file(look.scene_file, unknown);
+  if (!is_there) {
+    const std::string names = motion::did_you_mean(look.scene, set_names());
+    list.add(path, "\"" + look.scene + "\" is neither a set nor a file", names);
+    return;
+  }
+  try {
+    set_of(look);
+  } catch (const Faults& wrong) {
+    faults.insert(faults.end(), wrong.list().begin(), wrong.list().end());
+  } catch (const Error& wrong) {
+    list.add(path, wrong.what(), "name another file");
+  }
+}
+
+void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
+                const std::vector<std::string>& joints, FaultList& list) {
+  for (std::size_t i = 0; i < dots.joints.size(); ++i) {
+    list.check_word(element_path(member_path(path, "joints"), i), dots.joints[i], "joint", joints);
+  }
+  if (dots.scrambled && dots.lifetime > 0) {
+    list.add(member_path(path, "lifetime"),
+             "scrambled dots have no limbs to spend a limited lifetime on",
+             "leave scrambled or lifetime out");
+  }
+}
+
+void check_trail(const scenes::TrailOptions& trail, const std::string& path,
+                 const std::vector<std::string>& joints, FaultList& list) {
+  constexpr int most_poses = 29;  // figures of a picture, less the present pose and the traces
+  if (scenes::most_ghosts(trail) > most_poses) {
+    list.add(path, "too many poses for one picture", "show at most 29 besides the present one");
+  }
+  std::vector<std::string> known = joints;
+  if (!known.empty()) known.insert(known.end(), {"feet", "hands", "head", "pelvis"});
+  for (std::size_t i = 0; i < trail.traces.size(); ++i) {
+    list.check_word(element_path(member_path(path, "traces"), i), trail.traces[i], "joint", known);
+  }
+}
+
+void check_character(const scenes::CharacterOptions& character, const std::string& path,
+                     FaultList& list) {
+  list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)");
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(character.file, unknown)) return;
+  try {
+    scenes::read_character(character.file);
+  } catch (const Error& wrong) {
+    list.add(path, wrong.what(), "name another file");
+  }
+}
+
+void check_figure(const Look& look, const std::string& path, const std::vector<std::string>& joints,
+                  FaultList& list) {
+  if (const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure)) {
+    check_character(*character, member_path(path, "character"), list);
+  }
+  if (const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure)) {
+    check_dots(*dots, member_path(path, "point-light"), joints, list);
+  }
+  if (const auto* trail = std::get_if<scenes::TrailOptions>(&look.figure)) {
+    check_trail(*trail, member_path(path, "trail"), joints, list);
+  }
+}
+
+void check_camera(const Look& look, const std::string& path, FaultList& list) {
+  const scenes::CameraSettings& camera = look.camera;
+  if (camera.position.has_value() != camera.target.has_value()) {
+    const std::string missing = camera.position ? "target" : "position";
+    list.add(path, missing + " is missing", "give position and target");
+  }
+  if (camera.position && camera.target && *camera.position == *camera.target) {
+    list.add(member_path(path, "target"), "the camera would look at itself",
+             "name another point than position");
+  }
+  if (!camera.path.empty() && (camera.position || list.was_given(member_path(path, "view")))) {
+    list.add(member_path(path, "path"), "a path says already where the camera is",
+             "leave view, position and target out");
+  }
+  for (std::size_t i = 1; i < camera.path.size(); ++i) {
+    if (camera.path[i].seconds > camera.path[i - 1].seconds) continue;
+    list.add(member_path(element_path(member_path(path, "path"), i), "at"),
+             "the times of a path do not ascend", "write seconds in the order in which they come");
+  }
+  if (camera.orthographic && (camera.fov_degrees || camera.stereo_separation_m)) {
+    list.add(path, "an orthographic camera has neither an angle of view nor two eyes",
+             "leave orthographic, or fov and stereo, out");
+  }
+  if (camera.screen && camera.orthographic) {
+    list.add(member_path(path, "screen"), "an orthographic camera has no place before a screen",
+             "leave orthographic or screen out");
+  }
+  if (camera.screen && camera.fov_degrees) {
+    list.add(member_path(path, "fov"), "the screen says already how wide the camera sees",
+             "leave fov or screen out");
+  }
+}
+
+}  // namespace
+
+scenes::SetPlan set_of(const Look& look) {
+  scenes::SetPlan plan = read_set(scene_of(look), look.scene_file);
+  const auto show = [&](const render::Color& colour) {
+    plan.sky.backdrop_horizon = plan.sky.backdrop_zenith = colour;
+  };
+  const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure);
+  if (dots != nullptr && (look.scene.empty() || !dots->background.empty())) {
+    show(scenes::dot_colours(*dots).background);
+  } else if (scenes::is_hex_colour(look.background)) {
+    show(scenes::colour_from_hex(look.background));
+  }
+  return plan;
+}
+
+std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places,
+                              const std::vector<std::string>& joints) {
+  FaultList list(places);
+  std::vector<Fault> faults;
+  check_scene(look, member_path(path, "scene"), list, faults);
+  check_figure(look, member_path(path, "figure"), joints, list);
+  check_camera(look, member_path(path, "camera"), list);
+  for (Fault& fault : list.take()) faults.push_back(std::move(fault));
+  return faults;
+}
+
+}  // namespace mien::pipeline

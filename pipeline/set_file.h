@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/set_plan.h"
+
+namespace mien::pipeline {
+
+/// Sets that come with the program: studio, void, treadmill, corridor, lab-grid.
+std::vector<std::string> set_names();
+
+/// The text of such a set's file; empty for another name.
+std::string_view builtin_set_text(std::string_view name);
+
+/// The set of that name, or the one that a file holds. Throws Faults that list everything wrong
+/// with the file:
+///
+///     background: "#808080"
+///     ground: {colour: "#dadada", lines: {every: 0.5, colour: "#bfc0c1"}}
+///     lights: [{azimuth: -28, elevation: 52, strength: 0.6}]
+scenes::SetPlan read_set(const std::string& name, const std::filesystem::path& file);
+scenes::SetPlan parse_set(std::string_view yaml, const std::filesystem::path& file);
+
+}  // namespace mien::pipeline

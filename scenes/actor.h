@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/clip.h"
+#include "render/camera.h"
+#include "render/scene.h"
+#include "scenes/figure.h"
+#include "scenes/figure_colour.h"
+#include "scenes/point_light.h"
+
+namespace mien::scenes {
+
+/// One figure on the stage.
+struct Actor {
+  std::string name = "figure";  ///< in the layers of a picture
+  motion::Clip clip;            ///< at the video's frame rate, not looping; metres
+  FigureColours colours;
+  double height_m = 1.75;
+  float opacity = 1.0f;               ///< 0 … 1
+  std::vector<Dot> dots;              ///< of a point-light figure
+  std::optional<TrailOptions> trail;  ///< shown in several poses
+  std::vector<std::string> warnings;  ///< what of the figure is not drawn; plain sentences
+
+  /// Appends what the figure looks like, from that camera, at a frame of its clip: materials and
+  /// solids. The same frame always gives the same; what takes long was prepared when it was cast.
+  std::function<void(render::Scene& scene, const Actor& actor, int frame,
+                     const render::Camera& camera)>
+      draw;
+};
+
+/// Gives a clip its body. Throws Error when the figure cannot be made of it.
+Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage);
+
+/// Appends an actor to a scene, as a figure of its own. One whose clip has ended stands still.
+void add_actor(render::Scene& scene, const Actor& actor, int frame, const render::Camera& camera);
+
+}  // namespace mien::scenes

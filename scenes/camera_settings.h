@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/geometry.h"
+
+namespace mien::scenes {
+
+/// Where a camera on a path is at a moment. Points as in CameraSettings.
+struct CameraKey {
+  double seconds = 0.0;
+  motion::Vec3 position = motion::Vec3::Zero();
+  motion::Vec3 target = motion::Vec3::Zero();
+
+  friend bool operator==(const CameraKey&, const CameraKey&) = default;
+};
+
+/// The display on which the video will be watched, filled by the picture from side to side.
+struct ScreenSettings {
+  double distance_cm = 60.0;      ///< from the eye
+  double width_cm = 52.0;         ///< of the picture
+  std::optional<double> degrees;  ///< visual angle of the standing figure; life-size without it
+
+  friend bool operator==(const ScreenSettings&, const ScreenSettings&) = default;
+};
+
+/// How the action is looked at. Points are in metres from the middle of the action on the floor: x
+/// to the figure's left, y up, z to its front.
+struct CameraSettings {
+  std::string view = "three-quarter";    ///< one of `camera_names`
+  bool orthographic = false;             ///< parallel rays: no nearer part is larger
+  std::optional<double> fov_degrees;     ///< from the top to the bottom edge; 26 unless given
+  std::optional<motion::Vec3> position;  ///< with `target`: fixed by numbers, whatever the view
+  std::optional<motion::Vec3> target;
+  std::vector<CameraKey> path;                ///< at least two, in time; instead of a view
+  std::optional<double> stereo_separation_m;  ///< two pictures side by side, left eye left
+  std::optional<ScreenSettings> screen;
+
+  friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
+};
+
+}  // namespace mien::scenes

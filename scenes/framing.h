@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "motion/geometry.h"
+#include "render/camera.h"
+
+namespace mien::scenes {
+
+/// What a camera that frames something is like.
+struct Lens {
+  double fov_radians = 26.0 * motion::radians_per_degree;  ///< from the top to the bottom edge
+  bool orthographic = false;
+  std::array<int, 2> size{960, 540};  ///< pixels
+};
+
+/// A camera that looks from `position` at `target`. An orthographic one sees as much of what is at
+/// the target's distance as one with that angle of view would.
+render::Camera camera_between(const motion::Vec3& position, const motion::Vec3& target,
+                              const Lens& lens);
+
+/// The camera in the direction `towards` (unit) from which all points, as spheres of `margin`
+/// metres, fill the picture but for 12 % of air. Each side plane of the view pyramid touches the
+/// outermost sphere, so distance and shift follow from the extremes without a search.
+render::Camera framing(const std::vector<motion::Vec3>& points, double margin,
+                       const motion::Vec3& towards, const Lens& lens);
+
+}  // namespace mien::scenes

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <array>
+
+#include "render/camera.h"
+
+namespace mien::scenes {
+
+/// The left and the right eye of a camera: parallel axes, `separation_m` metres apart, and pictures
+/// shifted (off-axis projection) so that what is `convergence_m` before the camera is at the same
+/// place in both.
+std::array<render::Camera, 2> stereo_pair(const render::Camera& camera, double separation_m,
+                                          double convergence_m);
+
+}  // namespace mien::scenes

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "motion/body.h"
+#include "motion/pose.h"
+
+namespace mien::test {
+
+/// A skinned glTF figure for tests: a box round each bone of the canonical body, which follows its
+/// joint alone. Change `json` to break it.
+struct SkinnedGltf {
+  nlohmann::json json;
+  std::vector<unsigned char> buffer;
+  motion::JointTransforms bind;  ///< of the body's joints, metres, +Y up
+
+  /// The file, buffer and all.
+  std::string text() const;
+};
+
+struct SkinnedGltfOptions {
+  motion::Pose bind;               ///< of the body; empty: a T-pose
+  std::vector<std::string> names;  ///< of the nodes; empty: none
+  double unit = 1.0;               ///< the file's lengths are metres times this
+  bool z_up = false;
+  bool posed_nodes = true;  ///< nodes stand in the bind pose; else arms and legs are turned somehow
+};
+
+SkinnedGltf skinned_gltf(const motion::Skeleton& body, const SkinnedGltfOptions& options);
+
+std::vector<std::string> mixamo_names();
+std::vector<std::string> vrm_names();
+
+/// A picture of 2 × 1 pixels, red and green, as a data URI.
+std::string two_pixels();
+
+}  // namespace mien::test
