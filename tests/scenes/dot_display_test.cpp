@@ -52,12 +52,12 @@ double diameter_in(const render::Film& film) {
 
 TEST(DotDisplay, DotsHaveTheStatedDiameterNearFarAndAtTheEdge) {
   PointLightOptions options;
-  for (const double size : {5.0, 8.0, 13.5}) {
-    options.size_px = size;
+  for (const double diameter : {5.0, 8.0, 13.5}) {
+    options.size_px = diameter;
     for (const motion::Vec3& place :
          {motion::Vec3(0, 1, 0), motion::Vec3(0.3, 1.2, 3), motion::Vec3(-1.9, 0.2, -0.5)}) {
       const render::Film film = picture(dots_at({place}), options, camera());
-      EXPECT_NEAR(diameter_in(film), size, 0.1) << place.transpose();
+      EXPECT_NEAR(diameter_in(film), diameter, 0.1) << place.transpose();
     }
   }
 }

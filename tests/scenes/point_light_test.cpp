@@ -105,7 +105,7 @@ TEST_F(PointLight, WithScrambledPhasesEachDotGoesThroughTheSamePlaces) {
     }
     shifted += (places[0] - taken[0]).norm() > 1e-3 ? 1 : 0;
   }
-  EXPECT_GT(shifted, 8);
+  EXPECT_EQ(shifted, 4);  // knees and ankles; nothing else moves on the spot
 }
 
 TEST_F(PointLight, MirroredTwiceInvertedTwiceAndReversedTwiceAreTheSameDisplay) {

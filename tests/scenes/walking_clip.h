@@ -7,7 +7,8 @@
 
 namespace mien::scenes::test {
 
-/// A body that goes along a direction, arms and knees swinging once a second; 30 frames a second.
+/// A body that goes along a direction, legs swinging once a second, arms held out and still; 30
+/// frames a second.
 inline motion::Clip walking_clip(int frames, const motion::Vec3& direction, double metres_a_frame) {
   motion::Clip clip;
   clip.body = motion::standard_body();
@@ -20,13 +21,10 @@ inline motion::Clip walking_clip(int frames, const motion::Vec3& direction, doub
     const auto turn = [&](motion::BodyJoint joint, double angle) {
       pose.rotations[joint] = motion::Quat(Eigen::AngleAxisd(angle, motion::Vec3::UnitX()));
     };
-    turn(motion::LeftShoulder, swing);
-    turn(motion::RightShoulder, -swing);
     turn(motion::LeftHip, -swing);
     turn(motion::RightHip, swing);
     turn(motion::LeftKnee, 0.4 + 0.4 * swing);
     turn(motion::RightKnee, 0.4 - 0.4 * swing);
-    turn(motion::LeftElbow, 0.3 * swing);
     pose.root_position = motion::Vec3(0.4, 0.95, -0.7) + f * metres_a_frame * direction;
     clip.poses.push_back(pose);
   }
