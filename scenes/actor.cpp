@@ -23,6 +23,11 @@ void require_body(const motion::Clip& clip, const std::string& figure) {
               "draw it as a stick figure");
 }
 
+Character character_for(const motion::Clip& clip, const CharacterOptions& options) {
+  require_body(clip, "a character");
+  return fitted(read_character(options.file), clip.body);
+}
+
 /// Gives an actor the way in which its kind of figure is drawn.
 struct Casting {
   Actor& actor;
@@ -47,9 +52,7 @@ struct Casting {
   }
 
   void operator()(const CharacterOptions& options) const {
-    require_body(actor.clip, "a character");
-    const auto character =
-        std::make_shared<const Character>(fitted(read_character(options.file), actor.clip.body));
+    const auto character = std::make_shared<const Character>(character_for(actor.clip, options));
     // It has a stature of its own, which the camera has to know.
     actor.clip = worn_by(*character, actor.clip);
     actor.height_m = figure_height(actor.clip);
@@ -74,7 +77,20 @@ struct Casting {
   }
 };
 
+/// The character that a figure, or a trail's figure, is.
+const CharacterOptions* character_in(const Figure& figure) {
+  if (const auto* trail = std::get_if<TrailOptions>(&figure)) {
+    return std::get_if<CharacterOptions>(&trail->figure);
+  }
+  return std::get_if<CharacterOptions>(&figure);
+}
+
 }  // namespace
+
+motion::Clip worn_by(const Figure& figure, const motion::Clip& clip) {
+  const CharacterOptions* character = character_in(figure);
+  return character ? worn_by(character_for(clip, *character), clip) : clip;
+}
 
 Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage) {
   Actor actor;

@@ -32,6 +32,10 @@ struct Actor {
       draw;
 };
 
+/// The clip on the bones that the figure has: a character's own, else the clip's as they are.
+/// Throws Error when the figure cannot be made of it.
+motion::Clip worn_by(const Figure& figure, const motion::Clip& clip);
+
 /// Gives a clip its body. Throws Error when the figure cannot be made of it.
 Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage);
 

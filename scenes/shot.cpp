@@ -76,6 +76,12 @@ Action shared_action(const std::vector<Performance>& performances) {
   return action;
 }
 
+/// As the camera has to see them: a character has a stature of its own.
+std::vector<Performance> as_worn(std::vector<Performance> performances, const Figure& figure) {
+  for (Performance& one : performances) one.clip = worn_by(figure, one.clip);
+  return performances;
+}
+
 /// The belt has to be in the picture too.
 void include(const Belt& belt, const Place& place, Action& action) {
   constexpr double frame_m = 0.12;  // round the belt
@@ -119,7 +125,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& look) {
     shot.step = mean_step(shown.front().clip);
     for (Performance& one : shown) one.clip = on_the_spot(one.clip, mean_step(one.clip));
   }
-  Action action = shared_action(shown);
+  Action action = shared_action(as_worn(shown, look.figure));
   action.forward = shot.place.forward;
   shot.place.centre = action.centre;
   if (shot.set.belt) include(*shot.set.belt, shot.place, action);
