@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include "pipeline/files.h"
 #include "pipeline/film.h"
 #include "pipeline/film_dots.h"
+#include "pipeline/film_recorder.h"
 #include "pipeline/look_checks.h"
 #include "pipeline/look_options.h"
 #include "pipeline/progress.h"
@@ -33,8 +35,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RenderOptions {
-  std::string file;
+  std::vector<std::string> files;
   std::string out;
+  std::string layout = "superimposed";
   std::string size = "960x540";
   std::string quality = "standard";
   LookOptions look;
@@ -43,9 +46,11 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   double fps = 30.0;
   int jobs = 0;
+  bool repeat = false;
   bool in_place = false;
 };
 
+constexpr float superimposed_opacity = 0.75f;
 constexpr double small_figure = 0.25;  // of the picture's height
 
 std::optional<int> whole_number(std::string_view text) {
@@ -61,10 +66,10 @@ std::array<int, 2> parse_size(const std::string& text) {
   const auto height = times == std::string::npos
                           ? std::nullopt
                           : whole_number(std::string_view(text).substr(times + 1));
-  const auto fits = [](std::optional<int> n) { return n && *n >= 16 && *n <= 8192 && *n % 2 == 0; };
+  const auto fits = [](std::optional<int> n) { return n && *n >= 16 && *n <= 8192; };
   if (fits(width) && fits(height)) return {*width, *height};
   throw Error("--size: \"" + text + "\" is no size of a video",
-              "write <width>x<height>, both even, from 16 to 8192, for example 960x540");
+              "write <width>x<height>, each from 16 to 8192, for example 960x540");
 }
 
 FilmSettings settings_of(const RenderOptions& options) {
@@ -72,6 +77,7 @@ FilmSettings settings_of(const RenderOptions& options) {
   settings.output.size = parse_size(options.size);
   settings.output.fps = options.fps;
   settings.output.frames = FrameFormat::none;
+  settings.loops = options.repeat;
   settings.output.quality = options.quality == "draft"   ? Quality::draft
                             : options.quality == "final" ? Quality::final
                                                          : Quality::standard;
@@ -81,12 +87,38 @@ FilmSettings settings_of(const RenderOptions& options) {
   return settings;
 }
 
+bool is_contact_sheet(const fs::path& out) { return out.extension() == ".png"; }
+
+std::string video_endings() {
+  std::string endings;
+  for (const render::VideoTraits& traits : render::video_kinds()) {
+    endings += (endings.empty() ? "" : ", ") + std::string(traits.ending);
+  }
+  return endings;
+}
+
 fs::path output_of(const RenderOptions& options) {
-  if (options.out.empty()) return fs::path(options.file).stem().concat(".mp4");
-  const fs::path ending = fs::path(options.out).extension();
-  if (ending == ".mp4" || ending == ".png") return options.out;
+  if (options.out.empty()) return fs::path(options.files.front()).stem().concat(".mp4");
+  if (is_contact_sheet(options.out) || render::video_kind_of(options.out)) return options.out;
   throw Error("--output: \"" + options.out + "\" is neither a video nor a picture",
-              "end it in .mp4 (video) or .png (contact sheet)");
+              "end it in " + video_endings() + " (video) or .png (contact sheet)");
+}
+
+/// Sizes that the file asked for can have.
+void check_size(const fs::path& out, const Output& output) {
+  const auto [width, height] = output.size;
+  for (const render::VideoKind kind : output.video) {
+    const render::VideoTraits& traits = render::traits_of(kind);
+    if (traits.even_size && (width % 2 != 0 || height % 2 != 0)) {
+      throw Error(fmt::format("--size: {} needs an even width and height", traits.name),
+                  fmt::format("use {}x{}", width + width % 2, height + height % 2));
+    }
+    if (output.fps > traits.most_fps) {
+      throw Error(fmt::format("--fps: {} shows at most {} frames a second at their true speed",
+                              out.filename().string(), traits.most_fps),
+                  "use fewer, or webp or apng");
+    }
+  }
 }
 
 /// A file beside the one wanted, removed unless it takes its place.
@@ -131,25 +163,51 @@ TaskGraph one_task(const std::string& name) {
   return graph;
 }
 
-void make_video(const scenes::Shot& shot, const FilmSettings& settings, const fs::path& file,
-                const std::stop_token& stop, const std::function<void(double)>& progress) {
+/// Returns what the check of the file found.
+std::string make_video(const scenes::Shot& shot, const FilmSettings& settings, const fs::path& file,
+                       const std::stop_token& stop, const std::function<void(double)>& progress) {
   std::vector<int> frames(static_cast<std::size_t>(shot.frame_count()));
   std::iota(frames.begin(), frames.end(), 0);
-  write_video(file, settings, [&](const FrameSink& encode) {
-    draw_frames(shot, frames, settings, nullptr, encode, stop, progress);
-  });
-  verify_video(file, settings.output, shot.frame_count());
+  FilmRecorder recorder(settings, shot.frame_count());
+  recorder.open(file, settings.output.video.front());
+  const FrameSink take = [&](int, const render::Image8& picture) { recorder.take(picture); };
+  draw_frames(shot, frames, settings, nullptr, take, stop, progress);
+  recorder.close();
+  return render::likeness_text(recorder.check(file, settings.output.video.front()));
 }
 
-void make_contact_sheet(const scenes::Shot& shot, const FilmSettings& settings,
-                        const fs::path& file, const std::stop_token& stop,
-                        const std::function<void(double)>& progress) {
+std::string make_contact_sheet(const scenes::Shot& shot, const FilmSettings& settings,
+                               const fs::path& file, const std::stop_token& stop,
+                               const std::function<void(double)>& progress) {
   ContactSheetBuilder sheet(shot.frame_count());
   const FrameSink add = [&](int frame, const render::Image8& picture) {
     sheet.add(frame, picture);
   };
   draw_frames(shot, sheet.frames(), settings, nullptr, add, stop, progress);
   render::write_png(file, sheet.build());
+  return fmt::format("{} on a sheet", sheet.frames().size());
+}
+
+scenes::Layout layout_of(const RenderOptions& options) {
+  return options.layout == "side-by-side" ? scenes::Layout::side_by_side
+                                          : scenes::Layout::superimposed;
+}
+
+/// One motion in neutral colours, or a target, what was created after it, and a reference.
+std::vector<scenes::Performance> performances_of(const RenderOptions& options) {
+  constexpr std::array roles = {scenes::Role::target, scenes::Role::created,
+                                scenes::Role::reference};
+  const bool is_alone = options.files.size() == 1;
+  const bool is_clear = is_alone || layout_of(options) == scenes::Layout::side_by_side;
+  std::vector<scenes::Performance> performances;
+  for (std::size_t i = 0; i < options.files.size(); ++i) {
+    performances.push_back(
+        {.name = fs::path(options.files[i]).stem().string(),
+         .clip = motion::resampled(clip_of(motion::read_motion(options.files[i])), options.fps),
+         .role = is_alone ? scenes::Role::neutral : roles[i],
+         .opacity = is_clear ? 1.0f : superimposed_opacity});
+  }
+  return performances;
 }
 
 /// The frame of a still: a trail is whole at the end, other figures are in mid-motion in the
@@ -187,19 +245,19 @@ void tell_size(const scenes::Shot& shot, const Look& look, const Console& consol
 }
 
 int render_file(const RenderOptions& options, const Console& console) {
-  const FilmSettings settings = settings_of(options);
+  FilmSettings settings = settings_of(options);
   const fs::path out = output_of(options);
+  settings.output.video.clear();
+  if (!is_contact_sheet(out)) settings.output.video = {*render::video_kind_of(out)};
+  check_size(out, settings.output);
   const Look look = look_of(options.look);
-  const motion::Clip clip =
-      motion::resampled(clip_of(motion::read_motion(options.file)), options.fps);
-  const scenes::Shot shot = scenes::stage(clip, {.set = set_of(look),
-                                                 .figure = look.figure,
-                                                 .camera = look.camera,
-                                                 .size = settings.output.size,
-                                                 .in_place = options.in_place,
-                                                 .seed = options.seed});
-  for (const scenes::Actor& actor : shot.actors)
-    for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
+  const scenes::Shot shot = scenes::stage(performances_of(options), {.set = set_of(look),
+                                                                     .figure = look.figure,
+                                                                     .camera = look.camera,
+                                                                     .size = settings.output.size,
+                                                                     .in_place = options.in_place,
+                                                                     .layout = layout_of(options),
+                                                                     .seed = options.seed});
   const bool is_still = options.still || (shot.actors.front().trail && out.extension() == ".png");
   if (options.still && out.extension() != ".png") {
     throw Error("--still: a still is a picture", "end --output in .png");
@@ -210,8 +268,12 @@ int render_file(const RenderOptions& options, const Console& console) {
     }
     write_file(options.dots, dots_csv(shot));
   }
+  for (const scenes::Actor& actor : shot.actors) {
+    for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
+  }
   const TaskGraph graph = one_task(out.string());
   const Draft draft(out);
+  std::string found;
   {
     Progress bar(console.err, console.err_is_terminal, graph, std::vector<TaskOutcome>(1),
                  steady_seconds);
@@ -219,16 +281,15 @@ int render_file(const RenderOptions& options, const Console& console) {
     const auto progress = [&](double share) { observer.progressed(graph.tasks[0], share); };
     if (is_still) {
       make_still(shot, still_frame(shot, options), settings, draft.file(), console.stop, progress);
+      found = fmt::format("frame {}", still_frame(shot, options));
     } else {
-      (out.extension() == ".mp4" ? make_video : make_contact_sheet)(shot, settings, draft.file(),
-                                                                    console.stop, progress);
+      found = (is_contact_sheet(out) ? make_contact_sheet : make_video)(
+          shot, settings, draft.file(), console.stop, progress);
     }
   }
   draft.publish();
-  console.out << out.string() << ": "
-              << (is_still ? fmt::format("frame {} of", still_frame(shot, options)) : "")
-              << (is_still ? " " : "") << shot.frame_count() << " frames, "
-              << fmt::format("{:.2f} s\n", shot.frame_count() / options.fps);
+  console.out << out.string() << ": " << shot.frame_count() << " frames, "
+              << fmt::format("{:.2f} s, {}\n", shot.frame_count() / options.fps, found);
   tell_size(shot, look, console);
   return exit_done;
 }
@@ -238,9 +299,21 @@ int render_file(const RenderOptions& options, const Console& console) {
 void add_render_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("render", "Make a video of a motion file");
   const auto options = std::make_shared<RenderOptions>();
-  command->add_option("file", options->file, "Motion file: BVH, AMC, glTF, GLB")->required();
+  command
+      ->add_option(
+          "files", options->files,
+          "Motion file: BVH, AMC, glTF, GLB; or two or three in one scene: target (green), "
+          "created (blue), reference (red)")
+      ->required()
+      ->expected(1, 3);
+  command->add_option("--layout", options->layout, "Of several motions")
+      ->check(CLI::IsMember({"superimposed", "side-by-side"}))
+      ->capture_default_str();
   command->add_option("-o,--output", options->out,
-                      "Video (.mp4) or contact sheet (.png); <file>.mp4 in this folder without it");
+                      "Video (" + video_endings() +
+                          ") or contact sheet (.png); <file>.mp4 in this folder without it");
+  command->add_flag("--repeat", options->repeat,
+                    "Animated pictures (webp, gif, apng): repeat for ever instead of playing once");
   command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
   command->add_option("--fps", options->fps, "Frames per second")
       ->check(CLI::Range(1.0, 240.0))
@@ -277,7 +350,13 @@ void add_render_command(CLI::App& app, Command& chosen) {
       "\nUnits, up axis, ground and camera are found by themselves.\n\nExamples:\n"
       "  mien render walk.bvh\n  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080\n"
       "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
-      "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv");
+      "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
+      "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"
+      "Endings: .mp4 is H.264, .lossless.mp4 H.264 in lossless RGB, .webm VP9, .av1.webm AV1, "
+      ".mkv\n"
+      "FFV1 (lossless); .webp, .gif and .apng are animated pictures. Each file is decoded again "
+      "and\n"
+      "held against the frames.");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return render_file(*options, console); };
   });

@@ -190,4 +190,17 @@ void add_film(KeyBuilder& key, const Stimulus& stimulus) {
   add_choice(key, "quality", stimulus.output.quality);
 }
 
+void add_presentation(KeyBuilder& key, const Presentation& presentation) {
+  if (!presentation.card.empty()) {
+    key.add("card", presentation.card).add("seconds", presentation.card_seconds);
+  }
+  key.add("fixation", presentation.fixation_seconds)
+      .add("size", std::int64_t{presentation.fixation_size})
+      .add("before", presentation.blank_before)
+      .add("after", presentation.blank_after)
+      .add("in", presentation.fade_in)
+      .add("out", presentation.fade_out)
+      .add("background", presentation.background);
+}
+
 }  // namespace mien::pipeline

@@ -26,4 +26,7 @@ void add_motion(KeyBuilder& key, const Stimulus& stimulus);
 /// How a shot is staged and drawn, without the motion.
 void add_film(KeyBuilder& key, const Stimulus& stimulus);
 
+/// What a video shows beside the film.
+void add_presentation(KeyBuilder& key, const Presentation& presentation);
+
 }  // namespace mien::pipeline

@@ -3,6 +3,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 
@@ -288,6 +290,29 @@ std::string Canvas::finish() {
   if (surface_->svg) name_page(bytes);
   surface_.reset();
   return bytes;
+}
+
+render::Image8 Canvas::finish_picture() {
+  assert(surface_ && surface_->pixels);
+  cairo_surface_t* page = surface_->surface.get();
+  require(cairo_status(surface_->context.get()));
+  cairo_surface_flush(page);
+  render::Image8 picture(cairo_image_surface_get_width(page), cairo_image_surface_get_height(page));
+  const int stride = cairo_image_surface_get_stride(page);
+  for (int y = 0; y < picture.height; ++y) {
+    const unsigned char* row =
+        cairo_image_surface_get_data(page) + static_cast<std::ptrdiff_t>(y) * stride;
+    for (int x = 0; x < picture.width; ++x) {
+      std::uint32_t pixel = 0;  // 0x00RRGGBB in the machine's order
+      std::memcpy(&pixel, row + 4 * x, 4);
+      std::uint8_t* channels = picture.at(x, y);
+      channels[0] = static_cast<std::uint8_t>(pixel >> 16);
+      channels[1] = static_cast<std::uint8_t>(pixel >> 8);
+      channels[2] = static_cast<std::uint8_t>(pixel);
+    }
+  }
+  surface_.reset();
+  return picture;
 }
 
 }  // namespace mien::pipeline

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/palette.h"
+#include "render/image.h"
 
 namespace mien::pipeline {
 
@@ -89,6 +90,9 @@ class Canvas {
 
   /// Ends the page and returns the file's bytes. The canvas is used up.
   std::string finish();
+
+  /// Ends a page of pixels and returns them instead. The canvas is used up.
+  render::Image8 finish_picture();
 
  private:
   struct Surface;

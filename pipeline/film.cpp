@@ -7,8 +7,6 @@
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "pipeline/bounded_queue.h"
 #include "pipeline/film_frames.h"
 #include "pipeline/task_graph.h"
@@ -18,7 +16,6 @@
 #include "render/resize.h"
 #include "render/tone.h"
 #include "render/tracer.h"
-#include "render/video.h"
 
 namespace mien::pipeline {
 
@@ -159,31 +156,6 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
     progress(++done / static_cast<double>(frames.size()));
   }
   taker.finish();
-}
-
-void write_video(const std::filesystem::path& file, const FilmSettings& settings,
-                 const std::function<void(const FrameSink&)>& draw) {
-  const Output& output = settings.output;
-  render::VideoWriter writer(
-      file,
-      {.width = output.size[0], .height = output.size[1], .rate = render::frame_rate(output.fps)});
-  draw([&](int, const render::Image8& picture) {
-    const Stopwatch::Running encoding(settings.drawing);
-    writer.write(picture);
-  });
-  const Stopwatch::Running encoding(settings.drawing);
-  writer.finish();
-}
-
-void verify_video(const std::filesystem::path& file, const Output& output, int frame_count) {
-  const render::VideoSummary video = render::probe(file);
-  const bool right = video.frames == frame_count && video.width == output.size[0] &&
-                     video.height == output.size[1] && video.steady_timestamps &&
-                     video.rate == render::frame_rate(output.fps);
-  if (right) return;
-  throw render::Error(fmt::format("{}: {} frames of {} x {} instead of {} of {} x {}",
-                                  file.string(), video.frames, video.width, video.height,
-                                  frame_count, output.size[0], output.size[1]));
 }
 
 ContactSheetBuilder::ContactSheetBuilder(int frame_count)

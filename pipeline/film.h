@@ -20,6 +20,8 @@ struct FilmSettings {
   std::uint64_t seed = 0;        ///< of the renderer's noise
   int threads = 1;               ///< no influence on the pictures
   Stopwatch* drawing = nullptr;  ///< if any, runs while a frame is traced or encoded
+  bool loops = false;            ///< animated pictures repeat for ever
+  float exposure_stops = 0.0f;   ///< added to the shot's; EXR files keep the light as it is
 };
 
 /// Takes the frames, in order, as a display shows them.
@@ -34,13 +36,6 @@ using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress);
-
-/// Encodes frames 0 … n−1 of a film that `draw` delivers, as MP4.
-void write_video(const std::filesystem::path& file, const FilmSettings& settings,
-                 const std::function<void(const FrameSink&)>& draw);
-
-/// Decodes a video and throws render::Error unless it is what was asked for.
-void verify_video(const std::filesystem::path& file, const Output& output, int frame_count);
 
 /// Collects evenly spread frames, at a size that fits a page, into one picture.
 class ContactSheetBuilder {

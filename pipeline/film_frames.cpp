@@ -6,7 +6,6 @@
 
 #include "render/error.h"
 #include "render/image_io.h"
-#include "render/tone.h"
 
 namespace mien::pipeline {
 

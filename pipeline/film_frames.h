@@ -13,7 +13,7 @@ namespace mien::pipeline {
 /// "00012.png", "00012.exr"
 std::string frame_name(FrameFormat format, int frame);
 
-/// Writes one frame. `format` is not none.
+/// Writes one frame. `format` is not none. EXR keeps the light as it is, without the tone.
 void write_frame(const std::filesystem::path& file, const render::Film& film, FrameFormat format,
                  const render::Tone& tone = {});
 

@@ -22,15 +22,15 @@ scenes::Role role_of(Role role) {
 
 scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed) {
   const scenes::SetPlan set = set_of(stimulus.look);
-  Output shown = stimulus.output;
+  Stimulus shown = stimulus;
   // A set that goes under the figure needs to know how fast it goes.
-  if (set.in_place) shown.in_place = false;
-  return scenes::stage(shown_clip(motions.of(stimulus.id), shown), {.set = set,
-                                                                    .figure = stimulus.look.figure,
-                                                                    .camera = stimulus.look.camera,
-                                                                    .role = role_of(stimulus.role),
-                                                                    .size = stimulus.output.size,
-                                                                    .seed = seed});
+  if (set.in_place) shown.output.in_place = false;
+  return scenes::stage(motions.shown(shown), {.set = set,
+                                              .figure = stimulus.look.figure,
+                                              .camera = stimulus.look.camera,
+                                              .role = role_of(stimulus.role),
+                                              .size = stimulus.output.size,
+                                              .seed = seed});
 }
 
 }  // namespace mien::pipeline

@@ -7,15 +7,33 @@
 
 #include "pipeline/code_identity.h"
 #include "pipeline/determinants.h"
+#include "pipeline/files.h"
 #include "pipeline/film.h"
+#include "pipeline/film_exposure.h"
 #include "pipeline/film_frames.h"
+#include "pipeline/film_record.h"
+#include "pipeline/film_recorder.h"
 #include "pipeline/film_shot.h"
+#include "pipeline/film_tables.h"
 #include "render/image_io.h"
+#include "render/luminance.h"
 #include "render/quality.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+/// The shot with the stops that make the study's films equally light.
+scenes::Shot exposed(scenes::Shot shot, const FilmSettings& settings) {
+  shot.tone.exposure_stops += settings.exposure_stops;
+  return shot;
+}
+
+/// Animated pictures repeat where the motion does.
+FilmSettings settings_for(FilmSettings settings, const Stimulus& stimulus, Motions& motions) {
+  settings.loops = motions.of(stimulus.id).motion.clip.loops;
+  return settings;
+}
 
 int samples_of(Quality quality) {
   return (quality == Quality::draft   ? render::draft_quality()
@@ -30,6 +48,10 @@ double cost_of(const Output& output) {
   const double frames = 1.1 * output.cycles * output.fps;
   const double pixels = static_cast<double>(output.size[0]) * output.size[1];
   return frames * pixels * (9e-8 * samples_of(output.quality) + 4e-7);
+}
+
+std::string video_path(const std::string& stimulus, render::VideoKind kind) {
+  return "videos/" + render::with_ending(stimulus, kind).string();
 }
 
 std::vector<int> all_frames(int count) {
@@ -48,24 +70,28 @@ std::vector<std::string> names_of(const std::vector<int>& frames, FrameFormat fo
 class FilmMaker {
  public:
   FilmMaker(const Stimulus& stimulus, Motions& motions, const FilmSettings& settings, TaskRun& run)
-      : output_(stimulus.output),
-        settings_(settings),
+      : id_(stimulus.id),
+        output_(stimulus.output),
+        settings_(settings_for(settings, stimulus, motions)),
         run_(run),
-        shot_(shot_of(stimulus, motions, settings.seed)),
-        contact_(shot_.frame_count()) {}
+        shot_(exposed(shot_of(stimulus, motions, settings.seed), settings)),
+        contact_(shot_.frame_count()),
+        recorder_(settings_, shot_.frame_count()) {}
 
   void make() {
     std::size_t next = 0;
     std::unique_ptr<FrameStore> frames;
     if (output_.frames != FrameFormat::none) frames = open_frames(next++);
-    if (output_.video) {
-      make_video(next++, frames.get());
-    } else {
+    if (output_.video.empty()) {
       draw(frames.get(), output_.frames == FrameFormat::none ? contact_.frames() : every_frame(),
            {});
+    } else {
+      make_videos(0, next, frames.get());
+      next += output_.video.size();
     }
     if (frames) frames->publish(names_of(every_frame(), output_.frames));
-    put_contact_sheet(next);
+    put_contact_sheet(next++);
+    put_record(next);
   }
 
  private:
@@ -79,21 +105,41 @@ class FilmMaker {
   void draw(FrameStore* store, const std::vector<int>& frames, const FrameSink& sink) {
     const FrameSink both = [&](int frame, const render::Image8& picture) {
       contact_.add(frame, picture);
+      record_.luminance.add(render::luminance_of(picture));
       if (sink) sink(frame, picture);
     };
     draw_frames(shot_, frames, settings_, store, both, run_.stop, run_.progress);
   }
 
-  void make_video(std::size_t product, FrameStore* store) {
+  /// Opens this video and the ones after it; then the film is drawn once, for all of them.
+  void make_videos(std::size_t video, std::size_t product, FrameStore* store) {
+    if (video == output_.video.size()) {
+      draw(store, every_frame(),
+           [&](int, const render::Image8& picture) { recorder_.take(picture); });
+      return recorder_.close();
+    }
+    const render::VideoKind kind = output_.video[video];
     run_.store.put(
         run_.task.products[product].path, run_.keys[product],
         [&](const std::filesystem::path& file) {
-          write_video(file, settings_,
-                      [&](const FrameSink& encode) { draw(store, every_frame(), encode); });
+          recorder_.open(file, kind);
+          make_videos(video + 1, product + 1, store);
         },
-        [&](const std::filesystem::path& file) {
-          verify_video(file, output_, shot_.frame_count());
-        });
+        [&](const std::filesystem::path& file) { recorder_.check(file, kind); });
+  }
+
+  void put_record(std::size_t product) {
+    record_.exposure_stops = static_cast<double>(settings_.exposure_stops);
+    record_.film_frames = recorder_.frames().film;
+    record_.first_film_frame = recorder_.frames().before();
+    for (const auto& [kind, check] : recorder_.checks()) {
+      record_.videos.push_back(video_record(video_path(id_, kind), kind, output_.fps, check));
+    }
+    const std::string text = film_record_text(record_);
+    run_.store.put(
+        run_.task.products[product].path, run_.keys[product],
+        [&](const std::filesystem::path& file) { write_file(file, text); },
+        [](const std::filesystem::path& file) { parse_film_record(read_file(file)); });
   }
 
   void put_contact_sheet(std::size_t product) {
@@ -103,17 +149,20 @@ class FilmMaker {
         [](const std::filesystem::path& file) { render::read_png8(file); });
   }
 
+  const std::string& id_;
   const Output& output_;
-  const FilmSettings& settings_;
+  FilmSettings settings_;
   TaskRun& run_;
   scenes::Shot shot_;
   ContactSheetBuilder contact_;
+  FilmRecorder recorder_;
+  FilmRecord record_;
 };
 
 }  // namespace
 
 Task film_task(const Stimulus& stimulus, const FilmSettings& settings,
-               const SharedDeterminants& shared, Motions& motions) {
+               const SharedDeterminants& shared, Motions& motions, const Equalize& equalize) {
   const Output& output = stimulus.output;
   Task task;
   task.id = "film:" + stimulus.id;
@@ -127,11 +176,25 @@ Task film_task(const Stimulus& stimulus, const FilmSettings& settings,
   stored.add("frames", static_cast<std::int64_t>(output.frames));
   if (output.frames != FrameFormat::none)
     task.products.push_back({"frames/" + stimulus.id, stored});
-  if (output.video) task.products.push_back({"videos/" + stimulus.id + ".mp4", stored});
+  KeyBuilder shown = stored;
+  KeyBuilder shown_kinds = stored;
+  add_presentation(shown_kinds, output.presentation);
+  add_presentation(shown, output.presentation);
+  for (const render::VideoKind kind : output.video) {
+    task.products.push_back({video_path(stimulus.id, kind), shown});
+    shown_kinds.add("video", render::traits_of(kind).name);
+  }
   task.products.push_back({"sheets/contact/" + stimulus.id + ".png", stored});
+  task.products.push_back({film_record_path(stimulus.id), shown_kinds});
   task.cost_seconds = cost_of(output);
-  task.make = [&stimulus, &motions, settings](TaskRun& run) {
-    FilmMaker(stimulus, motions, settings, run).make();
+  task.determinants.add("duration", std::int64_t{equalize.duration});
+  if (equalize.luminance) task.inputs.push_back("exposure");
+  task.make = [&stimulus, &motions, settings, equalize](TaskRun& run) {
+    FilmSettings own = settings;
+    if (equalize.luminance) {
+      own.exposure_stops = exposure_stops_of(run.store.folder(), stimulus.id);
+    }
+    FilmMaker(stimulus, motions, own, run).make();
   };
   return task;
 }

@@ -15,6 +15,7 @@
 #include "pipeline/look.h"
 #include "pipeline/modification.h"
 #include "pipeline/places.h"
+#include "render/video_kind.h"
 
 namespace mien::pipeline {
 
@@ -62,6 +63,22 @@ struct RecipesSource {
 enum class Quality { draft, standard, final };
 enum class FrameFormat { none, png, png16, exr };
 
+/// What a video shows before and after the film, in this order: card, fixation cross, blank, film,
+/// blank; each as many whole frames as come nearest to its seconds. Frame files are the film alone.
+struct Presentation {
+  std::string card;               ///< a text, lines parted by \n; empty for none
+  double card_seconds = 2.0;      ///< when there is a text
+  double fixation_seconds = 0.0;  ///< a cross in the middle
+  int fixation_size = 32;         ///< pixels from end to end
+  double blank_before = 0.0;      ///< seconds
+  double blank_after = 0.0;       ///< seconds
+  double fade_in = 0.0;           ///< seconds of the film that rise from the background
+  double fade_out = 0.0;          ///< seconds of the film that sink into it
+  double background = 0.5;        ///< grey, sRGB: 0 black … 1 white
+
+  friend bool operator==(const Presentation&, const Presentation&) = default;
+};
+
 /// What is written for a stimulus, and how large.
 struct Output {
   std::array<int, 2> size{960, 540};  ///< pixels
@@ -70,9 +87,10 @@ struct Output {
   bool in_place = false;  ///< walk on the spot instead of travelling
   Quality quality = Quality::standard;
   FrameFormat frames = FrameFormat::png;
-  bool video = true;  ///< MP4; `video: []` turns it off
-  bool bvh = true;    ///< clips/<id>.bvh
-  bool glb = false;   ///< clips/<id>.glb
+  std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< each once
+  Presentation presentation;
+  bool bvh = true;   ///< clips/<id>.bvh
+  bool glb = false;  ///< clips/<id>.glb
 
   friend bool operator==(const Output&, const Output&) = default;
 };
@@ -135,6 +153,14 @@ struct MotionPair {
 /// A comparison's one; a gallery's first motion with each other.
 std::vector<MotionPair> pairs_on(const Sheet& sheet);
 
+/// What all stimuli of a study are made alike in.
+struct Equalize {
+  bool luminance = false;  ///< mean luminance of the films, by the exposure
+  bool duration = false;   ///< number of frames: that of the shortest
+
+  friend bool operator==(const Equalize&, const Equalize&) = default;
+};
+
 /// A production as its author wrote it, defaults filled in and overrides merged.
 struct Manifest {
   std::filesystem::path file;
@@ -148,6 +174,7 @@ struct Manifest {
   Interpolation interpolation;
   RecipesSource recipes;
   OnFault on_fault = OnFault::warn;
+  Equalize equalize;
   std::vector<Stimulus> stimuli;
   std::vector<Sheet> sheets;
   Places places;

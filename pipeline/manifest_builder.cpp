@@ -50,6 +50,10 @@ class Builder {
       manifest_.recipes.file = resolved(manifest_.recipes.name);
     }
     assign(member(document, "on_fault"), manifest_.on_fault, fault_words);
+    if (const json* alike = member(document, "equalize"); alike && alike->is_array()) {
+      manifest_.equalize.luminance = contains(*alike, "luminance");
+      manifest_.equalize.duration = contains(*alike, "duration");
+    }
     if (const json* stimuli = member(document, "stimuli"); stimuli && stimuli->is_array()) {
       for (const json& stimulus : *stimuli) read_stimulus(stimulus);
     }
@@ -158,6 +162,24 @@ class Builder {
     pipeline::overlay(given, look, [this](const std::string& path) { return resolved(path); });
   }
 
+  static void overlay(const json& given, Presentation& presentation) {
+    if (const json* card = member(given, "card")) {
+      assign(card, presentation.card);
+      assign(member(*card, "text"), presentation.card);
+      assign(member(*card, "seconds"), presentation.card_seconds);
+    }
+    if (const json* fixation = member(given, "fixation")) {
+      assign(fixation, presentation.fixation_seconds);
+      assign(member(*fixation, "seconds"), presentation.fixation_seconds);
+      assign(member(*fixation, "size"), presentation.fixation_size);
+    }
+    assign(member(given, "blank_before"), presentation.blank_before);
+    assign(member(given, "blank_after"), presentation.blank_after);
+    assign(member(given, "fade_in"), presentation.fade_in);
+    assign(member(given, "fade_out"), presentation.fade_out);
+    assign(member(given, "background"), presentation.background);
+  }
+
   static void overlay(const json& given, Output& output) {
     assign(member(given, "size"), output.size);
     assign(member(given, "fps"), output.fps);
@@ -171,8 +193,12 @@ class Builder {
             {"png16", FrameFormat::png16},
             {"exr", FrameFormat::exr}});
     if (const json* video = member(given, "video"); video && video->is_array()) {
-      output.video = contains(*video, "mp4");
+      output.video.clear();
+      for (const render::VideoTraits& traits : render::video_kinds()) {
+        if (contains(*video, traits.name.data())) output.video.push_back(traits.kind);
+      }
     }
+    if (const json* shown = member(given, "presentation")) overlay(*shown, output.presentation);
     if (const json* clips = member(given, "clips"); clips && clips->is_array()) {
       output.bvh = contains(*clips, "bvh");
       output.glb = contains(*clips, "glb");

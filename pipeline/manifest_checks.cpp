@@ -67,6 +67,7 @@ class Checker : FaultList {
       check_unique(stimulus.id, stimulus.path, ids);
       check_stimulus(stimulus);
     }
+    check_video_names();
     std::map<std::string, std::string> sheet_ids;
     for (const Sheet& sheet : manifest_.sheets) check_sheet(sheet, sheet_ids);
   }
@@ -162,17 +163,48 @@ class Checker : FaultList {
   }
 
   void check_output(const std::string& path, const Output& output) {
-    if (!was_given(member_path(path, "size")) && !was_given(member_path(path, "video"))) return;
+    const auto given = [&](const char* key) { return was_given(member_path(path, key)); };
+    if (!given("size") && !given("video") && !given("fps")) return;
     const auto [width, height] = output.size;
-    if (!output.video || width <= 0 || height <= 0) return;
+    if (width <= 0 || height <= 0) return;
     const std::string size = member_path(path, "size");
-    if (width % 2 != 0 || height % 2 != 0) {
-      add(size, "a video needs an even width and height",
+    bool told = false;
+    for (const render::VideoKind kind : output.video) {
+      const render::VideoTraits& traits = render::traits_of(kind);
+      const std::string name(traits.name);
+      if (output.fps > traits.most_fps) {
+        add(member_path(path, given("fps") ? "fps" : "video"),
+            name + " shows at most " + std::to_string(static_cast<int>(traits.most_fps)) +
+                " frames a second at their true speed",
+            "use fewer, or webp or apng");
+      }
+      if (std::exchange(told, true)) continue;  // the size's faults once
+      if (std::int64_t{width} * height > most_video_pixels) {
+        add(size, "too large for a video", "use at most 35 million pixels, or video: []");
+      }
+    }
+    const auto odd =
+        std::find_if(output.video.begin(), output.video.end(),
+                     [](render::VideoKind kind) { return render::traits_of(kind).even_size; });
+    if (odd != output.video.end() && (width % 2 != 0 || height % 2 != 0)) {
+      add(size, std::string(render::traits_of(*odd).name) + " needs an even width and height",
           "use [" + std::to_string(width + width % 2) + ", " + std::to_string(height + height % 2) +
               "], or video: []");
     }
-    if (std::int64_t{width} * height > most_video_pixels) {
-      add(size, "too large for a video", "use at most 35 million pixels, or video: []");
+  }
+
+  /// A file may be named alike for two stimuli: "a.lossless" as mp4 and "a" as mp4-lossless.
+  void check_video_names() {
+    std::map<std::string, std::string> taken;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      for (const render::VideoKind kind : stimulus.output.video) {
+        const std::string file = render::with_ending(stimulus.id, kind).string();
+        const auto [first, is_new] = taken.emplace(file, stimulus.id);
+        if (is_new || first->second == stimulus.id) continue;
+        add(member_path(stimulus.path, "id"),
+            "its video " + file + " would be that of \"" + first->second + "\"",
+            "give it another id");
+      }
     }
   }
 

@@ -63,8 +63,7 @@ Task clip_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motio
   if (stimulus.output.glb) task.products.push_back({path + ".glb", {}});
   task.cost_seconds = clip_cost_seconds;
   task.make = [&stimulus, &motions](TaskRun& run) {
-    const motion::Recording recording =
-        motion::to_recording(shown_clip(motions.of(stimulus.id), stimulus.output));
+    const motion::Recording recording = motion::to_recording(motions.shown(stimulus));
     for (std::size_t i = 0; i < run.keys.size(); ++i) {
       run.store.put(
           run.task.products[i].path, run.keys[i],

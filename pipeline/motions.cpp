@@ -1,6 +1,8 @@
 #include "pipeline/motions.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace mien::pipeline {
 
@@ -22,6 +24,22 @@ const Synthesis& Motions::of(const std::string& name) {
   Entry& found = entry(name);
   std::call_once(found.once, [&] { found.synthesis = make(name); });
   return *found.synthesis;
+}
+
+motion::Clip Motions::shown(const Stimulus& stimulus) {
+  motion::Clip clip = shown_clip(of(stimulus.id), stimulus.output);
+  if (!manifest_.equalize.duration) return clip;
+  std::call_once(shortest_once_, [this] {
+    shortest_s_ = std::numeric_limits<double>::infinity();
+    for (const Stimulus& other : manifest_.stimuli) {
+      const motion::Clip shown = shown_clip(of(other.id), other.output);
+      shortest_s_ = std::min(shortest_s_, shown.frame_count() / shown.frames_per_second);
+    }
+  });
+  const auto frames =
+      static_cast<std::size_t>(std::max(1.0, std::round(shortest_s_ * clip.frames_per_second)));
+  if (clip.poses.size() > frames) clip.poses.resize(frames);
+  return clip;
 }
 
 Motions::Entry& Motions::entry(const std::string& name) {

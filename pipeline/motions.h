@@ -28,6 +28,10 @@ class Motions {
   /// The motion of a stimulus or, if no stimulus is called so, of an example. Throws Error.
   const Synthesis& of(const std::string& name);
 
+  /// The clip that is shown of a stimulus (shown_clip); where the study has durations equalized,
+  /// only its beginning, as long as the shortest of all stimuli. Throws Error.
+  motion::Clip shown(const Stimulus& stimulus);
+
  private:
   struct Entry;
   Entry& entry(const std::string& name);
@@ -38,6 +42,8 @@ class Motions {
   std::optional<Repertoire> repertoire_;
   std::mutex mutex_;  ///< of the map; entries stay where they are
   std::map<std::string, std::unique_ptr<Entry>> entries_;
+  std::once_flag shortest_once_;
+  double shortest_s_ = 0.0;  ///< of the clips shown
 };
 
 /// Whether a modification of the stimulus takes something from an example.

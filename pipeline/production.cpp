@@ -7,6 +7,8 @@
 #include "motion/nearest_word.h"
 #include "pipeline/determinants.h"
 #include "pipeline/film_dots.h"
+#include "pipeline/film_exposure.h"
+#include "pipeline/film_tables.h"
 #include "pipeline/film_task.h"
 #include "pipeline/motion_task.h"
 #include "pipeline/sheet_task.h"
@@ -46,20 +48,44 @@ Production::Production(Manifest manifest, ProductionOptions options)
   const int threads = std::min(options_.jobs, processors);
   for (const Stimulus& stimulus : manifest_.stimuli) {
     graph_.add(motion_task(stimulus, shared, motions_));
+  }
+  if (manifest_.equalize.luminance) {
+    const FilmSettings settings{.seed = manifest_.seed, .threads = threads};
+    graph_.add(exposure_task(manifest_, shared, settings, motions_));
+  }
+  for (const Stimulus& stimulus : manifest_.stimuli) {
     if (!is_wanted(stimulus.id)) continue;
     if (stimulus.output.bvh || stimulus.output.glb) {
-      graph_.add(clip_task(stimulus, shared, motions_));
+      Task clip = clip_task(stimulus, shared, motions_);
+      if (manifest_.equalize.duration) depend_on_motions(clip);
+      graph_.add(std::move(clip));
     }
     if (has_dots(stimulus)) graph_.add(dots_task(stimulus, manifest_.seed, shared, motions_));
-    const FilmSettings settings{stimulus.output, manifest_.seed, threads, options_.drawing};
-    graph_.add(film_task(stimulus, settings, shared, motions_));
+    const FilmSettings settings{.output = stimulus.output,
+                                .seed = manifest_.seed,
+                                .threads = threads,
+                                .drawing = options_.drawing};
+    Task film = film_task(stimulus, settings, shared, motions_, manifest_.equalize);
+    if (manifest_.equalize.duration) depend_on_motions(film);
+    graph_.add(std::move(film));
   }
   for (const Sheet& sheet : manifest_.sheets) {
     if (is_wanted(sheet)) graph_.add(sheet_task(sheet, manifest_, shared, motions_));
   }
   if (!is_whole()) return;
   graph_.add(tables_task(manifest_, motions_, shared));
+  graph_.add(films_task(manifest_, shared));
   graph_.add(report_task(manifest_, motions_, shared, graph_));
+}
+
+/// Where all stimuli last as long as the shortest, each depends on all motions.
+void Production::depend_on_motions(Task& task) const {
+  for (const Stimulus& stimulus : manifest_.stimuli) {
+    const std::string motion = "motion:" + stimulus.id;
+    if (std::find(task.inputs.begin(), task.inputs.end(), motion) == task.inputs.end()) {
+      task.inputs.push_back(motion);
+    }
+  }
 }
 
 bool Production::is_wanted(const std::string& id) const {

@@ -26,7 +26,9 @@ struct ProductionOptions {
 ///   film    motion → shot → frames, video   frames/<id>/, videos/<id>.mp4,
 ///                                           sheets/contact/<id>.png
 ///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
+///                                           metrics/films/<id>.json
 ///   tables  motions → numbers               metrics/*.csv
+///   films   films → numbers                 metrics/luminance.csv, videos.csv
 ///   report  all of it → page                report.html
 ///
 /// With `only`, nothing is made that covers the whole study (tables, report, provenance).
@@ -43,6 +45,7 @@ class Production {
   bool is_whole() const { return options_.only.empty(); }
 
  private:
+  void depend_on_motions(Task& task) const;
   bool is_wanted(const std::string& id) const;
   bool is_wanted(const Sheet& sheet) const;
 

@@ -137,18 +137,50 @@ std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
          fmt::format(", planted feet move {:.1f} mm at most", 1000.0 * made.planted_drift_m);
 }
 
+/// Kinds that browsers play in a <video>, the best known first.
+constexpr render::VideoKind playable[] = {render::VideoKind::mp4, render::VideoKind::webm,
+                                          render::VideoKind::webm_av1};
+
+/// The video that a browser can show, if any, and links to all when there are several.
+std::string video_of(const Stimulus& stimulus) {
+  const std::vector<render::VideoKind>& kinds = stimulus.output.video;
+  const auto [width, height] = stimulus.output.size;
+  const auto link = [&](render::VideoKind kind) {
+    return "videos/" + html_escaped(render::with_ending(stimulus.id, kind).string());
+  };
+  const auto is_made = [&](render::VideoKind kind) {
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  };
+  std::string html;
+  const auto plays = std::find_if(std::begin(playable), std::end(playable), is_made);
+  const auto moves = std::find_if(kinds.begin(), kinds.end(), [](render::VideoKind kind) {
+    return render::traits_of(kind).picture;
+  });
+  if (plays != std::end(playable)) {
+    html = fmt::format(
+        "<video controls loop muted playsinline preload=\"metadata\" width=\"{}\" height=\"{}\" "
+        "src=\"{}\"></video>\n",
+        width, height, link(*plays));
+  } else if (moves != kinds.end()) {
+    html = fmt::format("<img loading=\"lazy\" width=\"{}\" height=\"{}\" src=\"{}\" alt=\"{}\">\n",
+                       width, height, link(*moves), html_escaped(stimulus.id));
+  }
+  if (kinds.size() < 2 && !html.empty()) return html;
+  std::string links;
+  for (const render::VideoKind kind : kinds) {
+    links += fmt::format("{}<a href=\"{}\">{}</a>", links.empty() ? "" : ", ", link(kind),
+                         render::traits_of(kind).name);
+  }
+  return links.empty() ? html : html + "<p>" + links + "</p>\n";
+}
+
 std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
   const Synthesis& made = motions.of(stimulus.id);
   const std::string id = html_escaped(stimulus.id);
   std::string card =
       fmt::format("<article class=\"{}\" id=\"{}\">\n<h3>{} <small>{}</small></h3>\n",
                   role_name(stimulus.role), id, id, role_name(stimulus.role));
-  if (stimulus.output.video) {
-    card += fmt::format(
-        "<video controls loop muted playsinline preload=\"metadata\" width=\"{}\" height=\"{}\" "
-        "src=\"videos/{}.mp4\"></video>\n",
-        stimulus.output.size[0], stimulus.output.size[1], id);
-  }
+  card += video_of(stimulus);
   card += fmt::format(
       "<a href=\"sheets/contact/{}.png\"><img loading=\"lazy\" src=\"sheets/contact/{}.png\" "
       "alt=\"Twelve frames of {}\"></a>\n<p>{}.</p>\n",

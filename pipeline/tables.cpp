@@ -142,7 +142,7 @@ std::string clips_csv(const Manifest& manifest, Motions& motions) {
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
     const motion::Clip& clip = made.motion.clip;
-    const int frames = shown_clip(made, stimulus.output).frame_count();
+    const int frames = motions.shown(stimulus).frame_count();
     const double duration = clip.duration_seconds();
     table.row({stimulus.id, name_of(stimulus.role), ratings_of(&stimulus, motions),
                source_of(stimulus), std::to_string(frames),

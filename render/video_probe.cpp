@@ -6,6 +6,7 @@
 #include "render/libav.h"
 #include "render/video.h"
 #include "render/webp_probe.h"
+#include "render/yuv.h"
 
 namespace mien::render {
 
@@ -113,6 +114,12 @@ struct Decoding {
   }
 
   Image8 to_rgb(const AVFrame& frame) {
+    if (frame.format == AV_PIX_FMT_YUV420P && frame.width % 2 == 0 && frame.height % 2 == 0) {
+      return rgb_from_yuv({frame.width,
+                           frame.height,
+                           {frame.data[0], frame.data[1], frame.data[2]},
+                           {frame.linesize[0], frame.linesize[1], frame.linesize[2]}});
+    }
     if (!scaler) {
       scaler = make_scaler(frame.width, frame.height, static_cast<AVPixelFormat>(frame.format),
                            AV_PIX_FMT_RGB24, false);

@@ -11,6 +11,7 @@ namespace mien::render {
 namespace {
 
 constexpr int most_tiles = 768;
+constexpr int least_part = 64;  ///< pixels of a tile at the edge that is looked at by itself
 
 int edge_for(int width, int height) {
   int edge = 16;
@@ -154,7 +155,8 @@ FrameSketch FrameSketcher::sketch(const Image8& frame) const {
 }
 
 Likeness FrameSketcher::likeness(const FrameSketch& a, const FrameSketch& b) const {
-  if (a.hash == b.hash) return {true, std::numeric_limits<double>::infinity(), 1.0};
+  if (a.hash == b.hash) return {true, std::numeric_limits<double>::infinity(), 1.0, 0.0};
+  double worst_part = 0.0;
   double square = 0.0;
   double ssim = 0.0;
   for (int i = 0; i < tile_count(); ++i) {
@@ -164,12 +166,17 @@ Likeness FrameSketcher::likeness(const FrameSketch& a, const FrameSketch& b) con
                       static_cast<double>(tb.color_projection));
     const int columns = std::min(edge_, width_ - i % across_ * edge_);
     const int rows = std::min(edge_, height_ - i / across_ * edge_);
+    if (columns * rows >= least_part) {
+      worst_part = std::max(worst_part,
+                            std::abs(static_cast<double>(ta.mean) - static_cast<double>(tb.mean)));
+    }
     ssim += columns * rows * ssim_of(ta, tb, columns * rows);
   }
   const double pixels = static_cast<double>(width_) * height_;
   // Not identical, so there is at least one difference of one.
   const double mean_square = std::max(square, 1.0) / (3.0 * pixels);
-  return {false, 10.0 * std::log10(255.0 * 255.0 / mean_square), std::min(1.0, ssim / pixels)};
+  return {false, 10.0 * std::log10(255.0 * 255.0 / mean_square), std::min(1.0, ssim / pixels),
+          worst_part};
 }
 
 }  // namespace mien::render

@@ -26,17 +26,18 @@ struct FrameSketch {
 
 /// How like two frames are.
 struct Likeness {
-  bool identical = false;  ///< by hash
-  double psnr_db = 0.0;    ///< over the three channels of 8 bits; infinite when identical
-  double ssim = 0.0;       ///< of luma (Wang et al. 2004), uniform windows without overlap
+  bool identical = false;   ///< by hash
+  double psnr_db = 0.0;     ///< over the three channels of 8 bits; infinite when identical
+  double ssim = 0.0;        ///< of luma (Wang et al. 2004), uniform windows without overlap
+  double worst_part = 0.0;  ///< largest difference of a tile's mean luma, 0 … 255; exact
 };
 
 /// Makes and compares sketches of frames of one size.
 ///
 /// `identical` is exact but for a chance of 2⁻⁶⁴. PSNR and SSIM are estimates without bias in which
 /// every pixel counts: with n tiles the relative standard error of the mean squared error is at
-/// most √(2/n) where errors are spread evenly, 0.3 dB for the 500 to 768 tiles of usual frames. An
-/// error in one tile alone is found too, more roughly.
+/// most √(2/n) where errors are spread evenly, 0.3 dB for the 500 to 768 tiles of usual frames.
+/// What is wrong in one part alone shows in `worst_part`.
 class FrameSketcher {
  public:
   FrameSketcher(int width, int height);

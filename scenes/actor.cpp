@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "motion/body.h"
 #include "motion/error.h"
 #include "scenes/character.h"
 #include "scenes/dot_display.h"
@@ -23,15 +24,9 @@ void require_body(const motion::Clip& clip, const std::string& figure) {
               "draw it as a stick figure");
 }
 
-Character character_for(const motion::Clip& clip, const CharacterOptions& options) {
-  require_body(clip, "a character");
-  return fitted(read_character(options.file), clip.body);
-}
-
 /// Gives an actor the way in which its kind of figure is drawn.
 struct Casting {
   Actor& actor;
-  const DotStage& stage;
 
   void operator()(const StickOptions&) const {
     actor.draw = [](render::Scene& scene, const Actor& self, int frame, const render::Camera&) {
@@ -52,7 +47,9 @@ struct Casting {
   }
 
   void operator()(const CharacterOptions& options) const {
-    const auto character = std::make_shared<const Character>(character_for(actor.clip, options));
+    require_body(actor.clip, "a character");
+    const auto character =
+        std::make_shared<const Character>(fitted(read_character(options.file), actor.clip.body));
     // It has a stature of its own, which the camera has to know.
     actor.clip = worn_by(*character, actor.clip);
     actor.height_m = figure_height(actor.clip);
@@ -64,7 +61,6 @@ struct Casting {
   }
 
   void operator()(const PointLightOptions& options) const {
-    actor.dots = point_light(actor.clip, options, stage);
     actor.draw = [options](render::Scene& scene, const Actor& self, int frame,
                            const render::Camera& camera) {
       add_dots(scene, self.dots, frame, options, camera);
@@ -77,27 +73,14 @@ struct Casting {
   }
 };
 
-/// The character that a figure, or a trail's figure, is.
-const CharacterOptions* character_in(const Figure& figure) {
-  if (const auto* trail = std::get_if<TrailOptions>(&figure)) {
-    return std::get_if<CharacterOptions>(&trail->figure);
-  }
-  return std::get_if<CharacterOptions>(&figure);
-}
-
 }  // namespace
 
-motion::Clip worn_by(const Figure& figure, const motion::Clip& clip) {
-  const CharacterOptions* character = character_in(figure);
-  return character ? worn_by(character_for(clip, *character), clip) : clip;
-}
-
-Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage) {
+Actor cast(const motion::Clip& clip, const Figure& figure, Role role) {
   Actor actor;
   actor.clip = clip;
   actor.colours = colours_of(role);
   actor.height_m = figure_height(clip);
-  std::visit(Casting{actor, stage}, figure);
+  std::visit(Casting{actor}, figure);
   return actor;
 }
 

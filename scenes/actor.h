@@ -32,12 +32,9 @@ struct Actor {
       draw;
 };
 
-/// The clip on the bones that the figure has: a character's own, else the clip's as they are.
-/// Throws Error when the figure cannot be made of it.
-motion::Clip worn_by(const Figure& figure, const motion::Clip& clip);
-
-/// Gives a clip its body. Throws Error when the figure cannot be made of it.
-Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage);
+/// Gives a clip its body; dots get their places when the stage is known (point_light). Throws Error
+/// when the figure cannot be made of it.
+Actor cast(const motion::Clip& clip, const Figure& figure, Role role);
 
 /// Appends an actor to a scene, as a figure of its own. One whose clip has ended stands still.
 void add_actor(render::Scene& scene, const Actor& actor, int frame, const render::Camera& camera);

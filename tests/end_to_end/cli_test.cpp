@@ -354,7 +354,14 @@ TEST(CommandLine, RendersAMotionFileByItself) {
   ASSERT_EQ(ended.code, 0) << ended.errors;
   EXPECT_GT(fs::file_size(video), 500u);
   EXPECT_EQ(run_mien({"render", walk, "-o", video.string(), "--size", "64x47"}).code, 2);
-  EXPECT_EQ(run_mien({"render", walk, "-o", "walk.gif"}).code, 2);
+  const fs::path gif = scratch.path() / "walk.gif";
+  EXPECT_EQ(run_mien({"render", walk, "-o", gif.string(), "--size", "65x47", "--fps", "10",
+                      "--quality", "draft", "--repeat"})
+                .code,
+            0);
+  fs::remove(gif);
+  EXPECT_EQ(run_mien({"render", walk, "-o", gif.string(), "--fps", "60"}).code, 2);
+  EXPECT_EQ(run_mien({"render", walk, "-o", "walk.avi"}).code, 2);
   EXPECT_EQ(run_mien({"render", walk, "--camera", "top"}).code, 2);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 2);
 }

@@ -83,7 +83,7 @@ sheets:
   EXPECT_EQ(manifest.ratings.raters, 20);
   EXPECT_EQ(manifest.output.size, (std::array<int, 2>{640, 360}));
   EXPECT_TRUE(manifest.output.in_place);
-  EXPECT_FALSE(manifest.output.video);
+  EXPECT_TRUE(manifest.output.video.empty());
   EXPECT_EQ(manifest.output.frames, FrameFormat::exr);
   EXPECT_TRUE(manifest.output.glb);
   EXPECT_FALSE(manifest.output.bvh);
@@ -222,15 +222,21 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"seed: seven\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:7: seed: must be a whole number but is the text \"seven\"; for example 7\n"},
         Case{"output: {size: [961, 540]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:16: output.size: a video needs an even width and height; use [962, 540], or "
+             "m.yaml:4:16: output.size: mp4 needs an even width and height; use [962, 540], or "
              "video: []\n"},
         Case{"output: {size: [8192, 8192]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:16: output.size: too large for a video; use at most 35 million pixels, or "
              "video: []\n"},
+        Case{"output: {size: [961, 541], video: [gif, mkv]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             ""},
+        Case{"output: {fps: 60, video: [gif]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:15: output.fps: gif shows at most 50 frames a second at their true speed; "
+             "use "
+             "fewer, or webp or apng\n"},
         Case{"output: {size: [961, 541], video: []}\nstimuli: [{id: a, clip: walk.bvh}]\n", ""},
         Case{"output: {size: [961, 541], video: []}\n"
              "stimuli: [{id: a, clip: walk.bvh, output: {video: [mp4]}}]\n",
-             "m.yaml:5:43: stimuli[0].output.size: a video needs an even width and height; use "
+             "m.yaml:5:43: stimuli[0].output.size: mp4 needs an even width and height; use "
              "[962, 542], or video: []\n"},
         Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {method: hsu, neutral: normal, "
              "styled: sad, harmonics: 5}}]\n",

@@ -90,7 +90,7 @@ TEST(Report, LinksOnlyWhatIsBesideIt) {
 
 TEST(Report, ShowsNoVideoThatIsNotMade) {
   Manifest manifest = study_called("plain");
-  for (Stimulus& stimulus : manifest.stimuli) stimulus.output.video = false;
+  for (Stimulus& stimulus : manifest.stimuli) stimulus.output.video.clear();
   EXPECT_EQ(report_of(manifest).find("<video"), std::string::npos);
 }
 

@@ -41,7 +41,7 @@ TEST(Schema, IsTheFileOfTheSourceTree) {
 }
 
 TEST(Schema, TellsEditorsWhatEveryPropertyMeans) {
-  for (const json& schema : {manifest_schema(), scales_schema()}) {
+  for (const json& schema : {manifest_schema(), scales_schema(), set_schema()}) {
     int count = 0;
     for_each_property(schema, "", [&](const std::string& path, const json& property) {
       ++count;
@@ -86,7 +86,19 @@ TEST(Schema, ItsDefaultsAreThoseOfTheProgram) {
   EXPECT_EQ(value("output", "in_place"), output.in_place);
   EXPECT_EQ(value("output", "quality") == "standard", output.quality == Quality::standard);
   EXPECT_EQ(value("output", "frames") == "png", output.frames == FrameFormat::png);
-  EXPECT_EQ(value("output", "video") == json({"mp4"}), output.video);
+  EXPECT_EQ(value("output", "video") == json({"mp4"}),
+            output.video == std::vector{render::VideoKind::mp4});
+  const json& around = definitions["output"]["properties"]["presentation"]["properties"];
+  const Presentation presentation;
+  EXPECT_EQ(around["blank_before"]["default"], presentation.blank_before);
+  EXPECT_EQ(around["blank_after"]["default"], presentation.blank_after);
+  EXPECT_EQ(around["fade_in"]["default"], presentation.fade_in);
+  EXPECT_EQ(around["fade_out"]["default"], presentation.fade_out);
+  EXPECT_EQ(around["background"]["default"], presentation.background);
+  EXPECT_EQ(around["card"]["oneOf"][1]["properties"]["seconds"]["default"],
+            presentation.card_seconds);
+  EXPECT_EQ(around["fixation"]["oneOf"][1]["properties"]["size"]["default"],
+            presentation.fixation_size);
   EXPECT_EQ(value("output", "clips") == json({"bvh"}), output.bvh && !output.glb);
   const Interpolation how;
   EXPECT_EQ(value("interpolation", "foot_lock"), how.foot_lock);

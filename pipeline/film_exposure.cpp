@@ -1,0 +1,130 @@
+#include "pipeline/film_exposure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/code_identity.h"
+#include "pipeline/csv.h"
+#include "pipeline/files.h"
+#include "pipeline/film_shot.h"
+#include "render/contact_sheet.h"
+#include "render/luminance.h"
+#include "render/tracer.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* table_path = "metrics/exposure.csv";
+constexpr int sampled_frames = 8;
+constexpr int most_width = 320;
+constexpr float most_stops = 8.0f;
+constexpr int halvings = 24;  // to a millionth of a stop
+constexpr double cost_seconds = 0.5;
+
+double mean_of(const std::vector<render::Film>& films, render::Tone tone, float stops) {
+  tone.exposure_stops += stops;
+  double sum = 0.0;
+  for (const render::Film& film : films) sum += render::mean_luminance(film, tone);
+  return sum / static_cast<double>(films.size());
+}
+
+/// Small frames, spread over the film, and how they are shown.
+struct Samples {
+  std::vector<render::Film> films;
+  render::Tone tone;
+};
+
+Samples samples_of(const Stimulus& stimulus, const FilmSettings& settings, Motions& motions,
+                   const std::stop_token& stop) {
+  Stimulus small = stimulus;
+  auto& [width, height] = small.output.size;
+  const double scale = std::min(1.0, static_cast<double>(most_width) / width);
+  width = std::max(16, static_cast<int>(std::lround(scale * width)));
+  height = std::max(16, static_cast<int>(std::lround(scale * height)));
+  const scenes::Shot shot = shot_of(small, motions, settings.seed);
+  render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
+  render::Quality quality = render::draft_quality();
+  quality.seed = settings.seed;
+  Samples samples{.tone = shot.tone};
+  for (const int frame : render::evenly_spread(shot.frame_count(), sampled_frames)) {
+    if (stop.stop_requested()) throw Interrupted{};
+    samples.films.push_back(tracer.trace(scene_at(shot, frame), camera_at(shot, frame), quality));
+  }
+  return samples;
+}
+
+std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
+                         TaskRun& run) {
+  std::vector<Samples> samples;
+  std::vector<double> means;
+  double logarithms = 0.0;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    samples.push_back(samples_of(stimulus, settings, motions, run.stop));
+    means.push_back(mean_of(samples.back().films, samples.back().tone, 0.0f));
+    logarithms += std::log(std::max(means.back(), 1e-6));
+    run.progress(static_cast<double>(means.size()) / static_cast<double>(manifest.stimuli.size()));
+  }
+  const double wanted = std::exp(logarithms / static_cast<double>(means.size()));
+  CsvWriter table({"stimulus", "mean_luminance", "wanted_luminance", "exposure_stops"});
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    // Steps of 1/4096 stop: no machine's logarithm shows.
+    const double stops = std::round(
+        4096.0 * static_cast<double>(stops_for(samples[i].films, samples[i].tone, wanted)));
+    table.row({manifest.stimuli[i].id, shortest(std::round(1e6 * means[i]) / 1e6),
+               shortest(std::round(1e6 * wanted) / 1e6), shortest(stops / 4096.0)});
+  }
+  return table.text();
+}
+
+}  // namespace
+
+float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted) {
+  float low = -most_stops;
+  float high = most_stops;
+  for (int i = 0; i < halvings; ++i) {
+    const float middle = 0.5f * (low + high);
+    (mean_of(films, tone, middle) < wanted ? low : high) = middle;
+  }
+  return 0.5f * (low + high);
+}
+
+Task exposure_task(const Manifest& manifest, const SharedDeterminants& shared,
+                   const FilmSettings& settings, Motions& motions) {
+  Task task;
+  task.id = "exposure";
+  task.kind = "exposure";
+  task.determinants.add("libraries", shared.libraries).add("code", film_code());
+  task.determinants.add("seed", static_cast<std::int64_t>(settings.seed))
+      .add("duration", std::int64_t{manifest.equalize.duration});
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    task.inputs.push_back("motion:" + stimulus.id);
+    task.determinants.add("stimulus", stimulus.id);
+    add_film(task.determinants, stimulus);
+  }
+  task.products.push_back({table_path, {}});
+  task.cost_seconds = cost_seconds * static_cast<double>(manifest.stimuli.size());
+  task.make = [&manifest, &motions, settings](TaskRun& run) {
+    const std::string text = exposure_csv(manifest, settings, motions, run);
+    run.store.put(
+        run.task.products[0].path, run.keys[0],
+        [&](const fs::path& file) { write_file(file, text); },
+        [](const fs::path& file) { read_csv(file); });
+  };
+  return task;
+}
+
+float exposure_stops_of(const fs::path& folder, const std::string& stimulus) {
+  const CsvTable table = read_csv(folder / table_path);
+  const auto name = static_cast<std::size_t>(require_column(table, "stimulus"));
+  const auto stops = static_cast<std::size_t>(require_column(table, "exposure_stops"));
+  for (const auto& row : table.rows) {
+    if (row[name].text == stimulus) return static_cast<float>(number_in(table, row[stops]));
+  }
+  throw Error(table.file + ": no exposure of \"" + stimulus + "\"",
+              "delete the file and run again");
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/determinants.h"
+#include "pipeline/film.h"
+#include "pipeline/motions.h"
+#include "pipeline/task_graph.h"
+#include "render/film.h"
+#include "render/tone.h"
+
+namespace mien::pipeline {
+
+/// Brings the films of a study to one mean luminance.
+///
+/// A few small frames of each film are drawn in draft quality. Their mean luminance as a display
+/// shows it, tone curve and all, rises with the exposure, so for each film there is one exposure at
+/// which it is the geometric mean of all films' means.
+
+/// The stops, −8 … 8, that added to the tone's bring the mean over films of `mean_luminance` to
+/// `wanted`; the nearest end where none does.
+float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted);
+
+/// The task "exposure": metrics/exposure.csv, a row a stimulus: stimulus, mean_luminance (of the
+/// few frames, as they would be), wanted_luminance, exposure_stops. It reads all motions.
+/// `manifest` and `motions` outlive it.
+Task exposure_task(const Manifest& manifest, const SharedDeterminants& shared,
+                   const FilmSettings& settings, Motions& motions);
+
+/// What the task found for a stimulus, in the store's folder. Throws Error.
+float exposure_stops_of(const std::filesystem::path& folder, const std::string& stimulus);
+
+}  // namespace mien::pipeline

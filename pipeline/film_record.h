@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/luminance.h"
+#include "render/video_check.h"
+
+namespace mien::pipeline {
+
+/// One video of a film and what its check found.
+struct VideoRecord {
+  std::string file;    ///< "videos/walk.webm"
+  std::string format;  ///< "webm"
+  int frames = 0;      ///< of the whole video
+  double fps = 0.0;
+  double duration_s = 0.0;
+  bool identical = false;  ///< every frame is the frame drawn; then the rest says nothing
+  double worst_psnr_db = 0.0;
+  int worst_psnr_frame = 0;
+  double worst_ssim = 0.0;
+  int worst_ssim_frame = 0;
+
+  friend bool operator==(const VideoRecord&, const VideoRecord&) = default;
+};
+
+/// What is known of a film when it has been drawn.
+struct FilmRecord {
+  render::ClipLuminance luminance;  ///< of the film's frames, without what is shown around them
+  double exposure_stops = 0.0;      ///< that were added
+  int film_frames = 0;
+  int first_film_frame = 0;  ///< in the videos
+  std::vector<VideoRecord> videos;
+};
+
+VideoRecord video_record(const std::string& file, render::VideoKind kind, double fps,
+                         const render::VideoCheck& check);
+
+std::string film_record_text(const FilmRecord& record);
+
+/// Throws std::runtime_error when the text is no such record.
+FilmRecord parse_film_record(const std::string& json);
+
+}  // namespace mien::pipeline
