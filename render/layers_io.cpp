@@ -16,7 +16,7 @@ using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
 /// One part of the file.
-struct Part {
+struct FilePart {
   ImageSpec spec;
   const float* values = nullptr;
   std::vector<float> own;  // what `values` points to, if nothing else holds it
@@ -57,11 +57,11 @@ std::string manifest_of(const CoverageLayer& layer) {
   return text.empty() ? "{}" : text + "}";
 }
 
-Part cryptomatte(const Layers& layers, const std::string& name, const CoverageLayer& layer) {
+FilePart cryptomatte(const Layers& layers, const std::string& name, const CoverageLayer& layer) {
   std::vector<std::string> channels;
   for (const char* level : {"00", "01", "02"})
     for (const char* channel : {".R", ".G", ".B", ".A"}) channels.push_back(name + level + channel);
-  Part part;
+  FilePart part;
   part.spec = spec_of(layers, name, std::move(channels));
   const std::string key = "cryptomatte/" + hex(layer_id(name)).substr(0, 7) + "/";
   part.spec.attribute(key + "name", name);
@@ -76,8 +76,8 @@ Part cryptomatte(const Layers& layers, const std::string& name, const CoverageLa
   return part;
 }
 
-std::vector<Part> parts_of(const Layers& layers) {
-  std::vector<Part> parts;
+std::vector<FilePart> parts_of(const Layers& layers) {
+  std::vector<FilePart> parts;
   const auto add = [&](const char* name, std::vector<std::string> channels,
                        const std::vector<float>& values) {
     parts.push_back({spec_of(layers, name, std::move(channels)), values.data(), {}});
@@ -92,7 +92,7 @@ std::vector<Part> parts_of(const Layers& layers) {
   add("variance", {"variance.Y"}, layers.variance);
   parts.push_back(cryptomatte(layers, "crypto_figure", layers.figures));
   parts.push_back(cryptomatte(layers, "crypto_part", layers.parts));
-  for (Part& part : parts)
+  for (FilePart& part : parts)
     if (!part.own.empty()) part.values = part.own.data();
   return parts;
 }
@@ -103,9 +103,9 @@ void write_layers(const std::filesystem::path& path, const Layers& layers) {
   const auto fail = [&](const std::string& why) {
     throw Error(path.string() + ": cannot be written: " + why);
   };
-  const std::vector<Part> parts = parts_of(layers);
+  const std::vector<FilePart> parts = parts_of(layers);
   std::vector<ImageSpec> specs;
-  for (const Part& part : parts) specs.push_back(part.spec);
+  for (const FilePart& part : parts) specs.push_back(part.spec);
   const auto output = ImageOutput::create(path.string());
   if (!output) fail(OIIO::geterror());
   if (!output->open(path.string(), static_cast<int>(specs.size()), specs.data()))
