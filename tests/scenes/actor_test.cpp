@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "scenes/shot.h"
 
 #include "skinned_gltf.h"
 
@@ -42,7 +43,7 @@ struct CharacterFileOnDisk {
 TEST(AnActor, ThatIsAMannequinOrACharacterMakesASoundScene) {
   const CharacterFileOnDisk file;
   for (const Figure& figure : {Figure(MannequinOptions{}), Figure(CharacterOptions{file.path})}) {
-    const Actor actor = cast(standing(motion::standard_body()), figure, Role::target, {});
+    const Actor actor = cast(standing(motion::standard_body()), figure, Role::target);
     const render::Scene scene = drawn(actor);
     EXPECT_NO_THROW(render::validate(scene));
     ASSERT_EQ(scene.solids.meshes.size(), 1u);
@@ -61,17 +62,40 @@ TEST(AnActor, ThatIsAMannequinOrACharacterMakesASoundScene) {
 TEST(AnActor, ThatIsACharacterHasItsOwnStature) {
   const CharacterFileOnDisk file;
   const motion::Skeleton body = motion::standard_body();
-  const Actor actor = cast(standing(body), CharacterOptions{file.path}, Role::target, {});
+  const Actor actor = cast(standing(body), CharacterOptions{file.path}, Role::target);
   EXPECT_NEAR(motion::leg_length(actor.clip.body), motion::leg_length(body), 1e-6);
   EXPECT_NEAR(actor.height_m, motion::standing_height(actor.clip.body), 1e-9);
+}
+
+TEST(AnActor, ThatIsATallCharacterIsInThePictureAsAWhole) {
+  // A child's legs under an adult's trunk: with the motion's legs it is far taller than its body.
+  motion::Skeleton stumpy = motion::standard_body();
+  for (const motion::BodyJoint joint :
+       {motion::LeftKnee, motion::RightKnee, motion::LeftAnkle, motion::RightAnkle}) {
+    stumpy.joints[joint].offset *= 0.5;
+  }
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "stumpy.gltf";
+  std::ofstream(path) << test::skinned_gltf(stumpy, {{}, test::mixamo_names()}).text();
+  const Shot shot = stage(standing(motion::standard_body()),
+                          {.figure = CharacterOptions{path}, .size = {90, 160}});
+  std::filesystem::remove(path);
+  EXPECT_GT(shot.actors[0].height_m, 2.2);
+  const render::Camera camera = camera_at(shot, 0);
+  const render::Scene scene = scene_at(shot, 0);
+  for (const render::Vec3& position : scene.solids.meshes.front().positions) {
+    const auto pixel = render::project(camera, position);
+    ASSERT_TRUE(pixel);
+    EXPECT_GT(pixel->y(), 0.0f);
+    EXPECT_LT(pixel->y(), 160.0f);
+  }
 }
 
 TEST(AnActor, WithoutAHumanBodyIsRefusedAsAMannequin) {
   motion::Skeleton lamp;
   lamp.joints = {{"foot", -1, {}, {}}, {"arm", 0, {0, 1, 0}, {}}};
-  EXPECT_NO_THROW(cast(standing(lamp), StickOptions{}, Role::target, {}));
-  EXPECT_THROW(cast(standing(lamp), MannequinOptions{}, Role::target, {}), Error);
-  EXPECT_THROW(cast(standing(lamp), CharacterOptions{"no.glb"}, Role::target, {}), Error);
+  EXPECT_NO_THROW(cast(standing(lamp), StickOptions{}, Role::target));
+  EXPECT_THROW(cast(standing(lamp), MannequinOptions{}, Role::target), Error);
+  EXPECT_THROW(cast(standing(lamp), CharacterOptions{"no.glb"}, Role::target), Error);
 }
 
 }  // namespace
