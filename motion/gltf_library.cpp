@@ -108,22 +108,6 @@ void require_readable(const Json& json, const std::string& name) {
   }
 }
 
-/// A relative URI as a path: "a%20walk.bin" names the file "a walk.bin".
-std::string unescaped(const std::string& uri) {
-  std::string path;
-  for (size_t i = 0; i < uri.size(); ++i) {
-    const bool escape = uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(uri[i + 1] & 0xFF) &&
-                        std::isxdigit(uri[i + 2] & 0xFF);
-    if (escape) {
-      path += static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16));
-      i += 2;
-    } else {
-      path += uri[i];
-    }
-  }
-  return path;
-}
-
 /// The buffers' bytes, taken out of the JSON.
 std::vector<tinygltf::Buffer> take_buffers(Json& json, std::optional<std::string_view> binary,
                                            const std::string& name,
@@ -183,6 +167,21 @@ std::string_view gltf_json_text(std::string_view bytes, const std::string& name)
   return take_container(bytes, name).json;
 }
 
+std::string path_of_gltf_uri(const std::string& uri) {
+  std::string path;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    const bool escape = uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(uri[i + 1] & 0xFF) &&
+                        std::isxdigit(uri[i + 2] & 0xFF);
+    if (escape) {
+      path += static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else {
+      path += uri[i];
+    }
+  }
+  return path;
+}
+
 std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::string& name,
                                              const std::optional<std::filesystem::path>& folder,
                                              std::string_view use) {
@@ -195,7 +194,7 @@ std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::
     }
     return bytes;
   }
-  const std::filesystem::path path = unescaped(uri);
+  const std::filesystem::path path = path_of_gltf_uri(uri);
   if (!folder || path.is_absolute() || uri.find(':') != std::string::npos ||
       uri.find('\0') != std::string::npos) {
     throw Error({name}, "its " + thing + "s are not in the file",

@@ -26,6 +26,9 @@ GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
 /// The JSON text of a text or binary glTF file. Throws mien::Error when the file was cut short.
 std::string_view gltf_json_text(std::string_view bytes, const std::string& name);
 
+/// A relative URI as a path: "a%20walk.bin" names the file "a walk.bin".
+std::string path_of_gltf_uri(const std::string& uri);
+
 /// What a URI says: a data URI's bytes, else those of the file that it names in `folder`. `use`
 /// says what it is for: "buffer". Throws mien::Error.
 std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::string& name,

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -34,8 +35,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RenderOptions {
-  std::string file;
+  std::vector<std::string> files;
   std::string out;
+  std::string layout = "superimposed";
   std::string size = "960x540";
   std::string quality = "standard";
   LookOptions look;
@@ -48,6 +50,7 @@ struct RenderOptions {
   bool in_place = false;
 };
 
+constexpr float superimposed_opacity = 0.75f;
 constexpr double small_figure = 0.25;  // of the picture's height
 
 std::optional<int> whole_number(std::string_view text) {
@@ -95,7 +98,7 @@ std::string video_endings() {
 }
 
 fs::path output_of(const RenderOptions& options) {
-  if (options.out.empty()) return fs::path(options.file).stem().concat(".mp4");
+  if (options.out.empty()) return fs::path(options.files.front()).stem().concat(".mp4");
   if (is_contact_sheet(options.out) || render::video_kind_of(options.out)) return options.out;
   throw Error("--output: \"" + options.out + "\" is neither a video nor a picture",
               "end it in " + video_endings() + " (video) or .png (contact sheet)");
@@ -185,6 +188,28 @@ std::string make_contact_sheet(const scenes::Shot& shot, const FilmSettings& set
   return fmt::format("{} on a sheet", sheet.frames().size());
 }
 
+scenes::Layout layout_of(const RenderOptions& options) {
+  return options.layout == "side-by-side" ? scenes::Layout::side_by_side
+                                          : scenes::Layout::superimposed;
+}
+
+/// One motion in neutral colours, or a target, what was created after it, and a reference.
+std::vector<scenes::Performance> performances_of(const RenderOptions& options) {
+  constexpr std::array roles = {scenes::Role::target, scenes::Role::created,
+                                scenes::Role::reference};
+  const bool is_alone = options.files.size() == 1;
+  const bool is_clear = is_alone || layout_of(options) == scenes::Layout::side_by_side;
+  std::vector<scenes::Performance> performances;
+  for (std::size_t i = 0; i < options.files.size(); ++i) {
+    performances.push_back(
+        {.name = fs::path(options.files[i]).stem().string(),
+         .clip = motion::resampled(clip_of(motion::read_motion(options.files[i])), options.fps),
+         .role = is_alone ? scenes::Role::neutral : roles[i],
+         .opacity = is_clear ? 1.0f : superimposed_opacity});
+  }
+  return performances;
+}
+
 /// The frame of a still: a trail is whole at the end, other figures are in mid-motion in the
 /// middle.
 int still_frame(const scenes::Shot& shot, const RenderOptions& options) {
@@ -226,16 +251,13 @@ int render_file(const RenderOptions& options, const Console& console) {
   if (!is_contact_sheet(out)) settings.output.video = {*render::video_kind_of(out)};
   check_size(out, settings.output);
   const Look look = look_of(options.look);
-  const motion::Clip clip =
-      motion::resampled(clip_of(motion::read_motion(options.file)), options.fps);
-  const scenes::Shot shot = scenes::stage(clip, {.set = set_of(look),
-                                                 .figure = look.figure,
-                                                 .camera = look.camera,
-                                                 .size = settings.output.size,
-                                                 .in_place = options.in_place,
-                                                 .seed = options.seed});
-  for (const scenes::Actor& actor : shot.actors)
-    for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
+  const scenes::Shot shot = scenes::stage(performances_of(options), {.set = set_of(look),
+                                                                     .figure = look.figure,
+                                                                     .camera = look.camera,
+                                                                     .size = settings.output.size,
+                                                                     .in_place = options.in_place,
+                                                                     .layout = layout_of(options),
+                                                                     .seed = options.seed});
   const bool is_still = options.still || (shot.actors.front().trail && out.extension() == ".png");
   if (options.still && out.extension() != ".png") {
     throw Error("--still: a still is a picture", "end --output in .png");
@@ -245,6 +267,9 @@ int render_file(const RenderOptions& options, const Console& console) {
       throw Error("--dots: only a point-light figure has dots", "add --figure point-light");
     }
     write_file(options.dots, dots_csv(shot));
+  }
+  for (const scenes::Actor& actor : shot.actors) {
+    for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
   }
   const TaskGraph graph = one_task(out.string());
   const Draft draft(out);
@@ -274,7 +299,16 @@ int render_file(const RenderOptions& options, const Console& console) {
 void add_render_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("render", "Make a video of a motion file");
   const auto options = std::make_shared<RenderOptions>();
-  command->add_option("file", options->file, "Motion file: BVH, AMC, glTF, GLB")->required();
+  command
+      ->add_option(
+          "files", options->files,
+          "Motion file: BVH, AMC, glTF, GLB; or two or three in one scene: target (green), "
+          "created (blue), reference (red)")
+      ->required()
+      ->expected(1, 3);
+  command->add_option("--layout", options->layout, "Of several motions")
+      ->check(CLI::IsMember({"superimposed", "side-by-side"}))
+      ->capture_default_str();
   command->add_option("-o,--output", options->out,
                       "Video (" + video_endings() +
                           ") or contact sheet (.png); <file>.mp4 in this folder without it");

@@ -7,6 +7,7 @@
 #include "pipeline/code_identity.h"
 #include "pipeline/repertoire.h"
 #include "pipeline/set_file.h"
+#include "scenes/character.h"
 
 namespace mien::pipeline {
 
@@ -111,10 +112,16 @@ const scenes::CharacterOptions* character_in(const scenes::Figure& figure) {
   return std::get_if<scenes::CharacterOptions>(&figure);
 }
 
+/// With the buffers and pictures that its file refers to.
+void add_character(KeyBuilder& key, const std::filesystem::path& file) {
+  add_file(key, file);
+  for (const std::filesystem::path& part : scenes::parts_of_character(file)) add_file(key, part);
+}
+
 void add_look(KeyBuilder& key, const Look& look) {
   key.add("look", look.written).add("set", hash_of(builtin_set_text(scene_of(look))));
   if (!look.scene_file.empty()) add_file(key, look.scene_file);
-  if (const auto* character = character_in(look.figure)) add_file(key, character->file);
+  if (const auto* character = character_in(look.figure)) add_character(key, character->file);
 }
 
 Hash libraries_key() {

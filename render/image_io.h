@@ -5,6 +5,7 @@
 
 #include "render/film.h"
 #include "render/image.h"
+#include "render/layers.h"
 
 namespace mien::render {
 
@@ -19,6 +20,12 @@ enum class ExrDepth { Half, Float };
 /// in ".exr". Throws Error.
 void write_exr(const std::filesystem::path& path, const Film& film,
                ExrDepth depth = ExrDepth::Half);
+
+/// All layers as the parts of one OpenEXR: "beauty" (R, G, B), "albedo" (R, G, B), "normal" (X, Y,
+/// Z), "position" (X, Y, Z), "depth" (Z), "motion" (X, Y), "samples" (Y), "variance" (Y), and
+/// "crypto_figure" and "crypto_part" as Cryptomatte has them (three levels of two ranks; manifest
+/// in the header). 32-bit floats, for ids and places are no colours. Throws Error.
+void write_layers(const std::filesystem::path& path, const Layers& layers);
 
 /// Every pixel of a file that the functions above wrote. Throws Error when it is not such a file,
 /// is cut short or does not decode.

@@ -31,6 +31,7 @@ struct Picture {
   std::vector<ShadowMask> shadow_masks;  ///< where it may hide each light from the floor
   FloorSky floor_sky;                    ///< what it hides of the sky from the floor
   std::vector<float> opacities;          ///< of the figures
+  const Shapes* next_shapes = nullptr;   ///< the figure's in the next picture, for motion
 
   /// Every sample is drawn by itself, set and all: nothing about the set is the same for all rays
   /// of a pixel.

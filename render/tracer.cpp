@@ -8,6 +8,7 @@
 #include <tbb/task_arena.h>
 
 #include "render/embree_scene.h"
+#include "render/layer_pass.h"
 #include "render/picture.h"
 #include "render/tile.h"
 
@@ -169,6 +170,59 @@ Exposure Tracer::expose(const Scene& scene, const Camera& camera, const Quality&
   for_all_tiles(engine_->arena, exposure.film,
                 [&](const Tile& tile) { draw(picture, tile, exposure); });
   return exposure;
+}
+
+Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& quality,
+                      const Scene* next, const Camera* next_camera) {
+  validate(scene);
+  check(quality);
+  if (next != nullptr) validate(*next);
+  Camera sharp = camera;
+  sharp.aperture_radius = 0.0f;
+  Layers layers = empty_layers(scene, camera.width, camera.height);
+  layers.beauty = trace(scene, sharp, quality);
+  const StandingSet& set = engine_->standing_set(scene, sharp, quality);
+  Picture picture =
+      engine_->prepare(scene, sharp, quality, set, shapes_of(scene.solids, scene), scene.solids);
+  const Shapes later = next != nullptr ? shapes_of(next->solids, *next) : Shapes{};
+  if (next != nullptr) {
+    shapes_between(scene, *next);  // throws when they do not match
+    picture.next_shapes = &later;
+  }
+  const NextPicture following{next, next_camera != nullptr ? *next_camera : sharp};
+  const bool moves = next != nullptr || next_camera != nullptr;
+  for_all_tiles(engine_->arena, layers.albedo, [&](const Tile& tile) {
+    draw_layers(picture, moves ? &following : nullptr, tile, layers);
+  });
+  add_variance(scene, sharp, quality, layers);
+  return layers;
+}
+
+void Tracer::add_variance(const Scene& scene, const Camera& camera, Quality quality,
+                          Layers& layers) {
+  constexpr int pictures = 8;
+  std::vector<double> sum(layers.variance.size()), squares(layers.variance.size());
+  const std::uint64_t seed = quality.seed;
+  for (int k = 0; k < pictures; ++k) {
+    quality.seed = seed ^ (0x9e3779b97f4a7c15u * static_cast<std::uint64_t>(k + 1));
+    const Film film = trace(scene, camera, quality);
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      const float* pixel = film.channels.data() + 3 * i;
+      const double light = 0.2126 * static_cast<double>(pixel[0]) +
+                           0.7152 * static_cast<double>(pixel[1]) +
+                           0.0722 * static_cast<double>(pixel[2]);
+      sum[i] += light;
+      squares[i] += light * light;
+    }
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    const double mean = sum[i] / pictures;
+    const double spread = squares[i] / pictures - mean * mean;
+    // Below what rounding leaves of such a difference there is no noise.
+    layers.variance[i] = spread > 1e-12 * mean * mean
+                             ? static_cast<float>(spread * pictures / (pictures - 1))
+                             : 0.0f;
+  }
 }
 
 std::string Tracer::description() const { return engine_->device.description(); }

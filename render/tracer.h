@@ -5,6 +5,7 @@
 
 #include "render/camera.h"
 #include "render/film.h"
+#include "render/layers.h"
 #include "render/quality.h"
 #include "render/scene.h"
 
@@ -42,12 +43,20 @@ class Tracer {
   Exposure expose(const Scene& scene, const Camera& camera, const Quality& quality,
                   const Scene* closing = nullptr, const Camera* closing_camera = nullptr);
 
+  /// A picture with all its layers: as `trace`, without blur by lens or shutter. With `next`,
+  /// motion tells where each point is in that scene, which holds the same solids, through
+  /// `next_camera`. The variance comes from eight pictures with noise patterns of their own.
+  Layers layers(const Scene& scene, const Camera& camera, const Quality& quality,
+                const Scene* next = nullptr, const Camera* next_camera = nullptr);
+
   /// For the provenance: "Embree 3.13.5, avx2".
   std::string description() const;
 
   int threads() const;
 
  private:
+  void add_variance(const Scene& scene, const Camera& camera, Quality quality, Layers& layers);
+
   struct Engine;
   std::unique_ptr<Engine> engine_;
 };

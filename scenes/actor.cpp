@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "motion/body.h"
 #include "motion/error.h"
 #include "scenes/character.h"
 #include "scenes/dot_display.h"
@@ -26,7 +27,6 @@ void require_body(const motion::Clip& clip, const std::string& figure) {
 /// Gives an actor the way in which its kind of figure is drawn.
 struct Casting {
   Actor& actor;
-  const DotStage& stage;
 
   void operator()(const StickOptions&) const {
     actor.draw = [](render::Scene& scene, const Actor& self, int frame, const render::Camera&) {
@@ -61,7 +61,6 @@ struct Casting {
   }
 
   void operator()(const PointLightOptions& options) const {
-    actor.dots = point_light(actor.clip, options, stage);
     actor.draw = [options](render::Scene& scene, const Actor& self, int frame,
                            const render::Camera& camera) {
       add_dots(scene, self.dots, frame, options, camera);
@@ -76,12 +75,12 @@ struct Casting {
 
 }  // namespace
 
-Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage) {
+Actor cast(const motion::Clip& clip, const Figure& figure, Role role) {
   Actor actor;
   actor.clip = clip;
   actor.colours = colours_of(role);
   actor.height_m = figure_height(clip);
-  std::visit(Casting{actor, stage}, figure);
+  std::visit(Casting{actor}, figure);
   return actor;
 }
 

@@ -32,8 +32,8 @@ struct Actor {
       draw;
 };
 
-/// Gives a clip its body. Throws Error when the figure cannot be made of it.
-Actor cast(const motion::Clip& clip, const Figure& figure, Role role, const DotStage& stage);
+/// Gives a clip its body; dots get their places when the stage is known (point_light). Throws Error when the figure cannot be made of it.
+Actor cast(const motion::Clip& clip, const Figure& figure, Role role);
 
 /// Appends an actor to a scene, as a figure of its own. One whose clip has ended stands still.
 void add_actor(render::Scene& scene, const Actor& actor, int frame, const render::Camera& camera);

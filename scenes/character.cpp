@@ -1,7 +1,7 @@
 #include "scenes/character.h"
 
 #include <algorithm>
-#include <limits>
+#include <stdexcept>
 
 #include "motion/error.h"
 #include "motion/file_contents.h"
@@ -136,6 +136,16 @@ void measure_stature(Character& character) {
   character.sole_depth = sole - box.min().y();
 }
 
+/// Numbers that were finite in the file may be so no more in the bind pose.
+void check_meshes(const CharacterFile& file, const Character& character) {
+  try {
+    for (const SkinnedMesh& mesh : character.meshes) validate(mesh, character.rig.size());
+  } catch (const std::invalid_argument& wrong) {
+    motion::refuse(file.gltf, std::string("its meshes are faulty: ") + wrong.what(),
+                   "export or download the file again");
+  }
+}
+
 Character character_of(const CharacterFile& file) {
   Character character;
   character.name = std::filesystem::path(file.gltf.name).stem().string();
@@ -159,10 +169,15 @@ Character character_of(const CharacterFile& file) {
   character.body = mapping.body;
   character.bind_rotations = bind_rotations_of(recording, mapping);
   transform(character, mapping.to_y_up, mapping.metres_per_unit * assumed_extent / extent);
-  for (const SkinnedMesh& mesh : character.meshes) validate(mesh, character.rig.size());
+  check_meshes(file, character);
   name_parts(character);
   measure_stature(character);
   return character;
+}
+
+CharacterFile read_file(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  return parse_character_file(motion::read_contents(path), path.string(), folder);
 }
 
 }  // namespace
@@ -172,8 +187,22 @@ Character parse_character(std::string_view bytes, const std::string& file_name) 
 }
 
 Character read_character(const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  return character_of(parse_character_file(motion::read_contents(path), path.string(), folder));
+  return character_of(read_file(path));
+}
+
+std::vector<std::filesystem::path> parts_of_character(const std::filesystem::path& path) {
+  const CharacterFile file = read_file(path);
+  std::vector<std::filesystem::path> parts;
+  for (const char* list : {"buffers", "images"}) {
+    for (const nlohmann::json& entry : list_in(file.json, list)) {
+      const auto uri = entry.is_object() ? entry.find("uri") : entry.end();
+      if (!entry.is_object() || uri == entry.end() || !uri->is_string()) continue;
+      const auto text = uri->get<std::string>();
+      if (!text.starts_with("data:"))
+        parts.push_back(*file.folder / motion::path_of_gltf_uri(text));
+    }
+  }
+  return parts;
 }
 
 Character fitted(Character character, const motion::Skeleton& body) {

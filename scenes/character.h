@@ -52,6 +52,10 @@ Character read_character(const std::filesystem::path& path);
 /// As above, of a file in memory that holds all of its buffers and pictures.
 Character parse_character(std::string_view bytes, const std::string& file_name);
 
+/// The files that a glTF file refers to, buffers and pictures, in its order, whether they are there
+/// or not. Throws mien::Error when it cannot be read.
+std::vector<std::filesystem::path> parts_of_character(const std::filesystem::path& path);
+
 /// The character scaled as a whole so that its legs are as long as those of `body`: the motion's
 /// steps are then its own.
 Character fitted(Character character, const motion::Skeleton& body);

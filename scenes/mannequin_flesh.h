@@ -31,9 +31,8 @@ double signed_distance(const Flesh& flesh, const motion::Vec3& point);
 /// nor raised arms are far away. The pelvis stands where the soles touch y = 0.
 motion::Pose modelling_pose(const motion::Skeleton& body);
 
-/// Flesh for a body in that pose: breadths and bulges of an adult (after the anthropometric tables
-/// of NASA-STD-3000 and by eye) at the body's own stature, on its own bones. The soles lie where
-/// motion/sole.h has them.
+/// Flesh for a body in that pose: breadths and bulges of an adult, modelled by eye, at the body's
+/// own stature and on its own bones. The soles lie where motion/sole.h has them.
 Flesh flesh_of(const motion::Skeleton& body, const motion::JointTransforms& pose,
                const MannequinOptions& options);
 

@@ -1,6 +1,7 @@
 #include "scenes/shot.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "motion/rotation.h"
@@ -51,11 +52,11 @@ std::vector<Performance> laid_out(std::vector<Performance> performances, Layout 
   return performances;
 }
 
-/// What has to be in the picture of all clips together.
-Action shared_action(const std::vector<Performance>& performances) {
-  Action action = action_of(performances.front().clip);
-  for (std::size_t i = 1; i < performances.size(); ++i) {
-    const Action more = action_of(performances[i].clip);
+/// What has to be in the picture of all actors together.
+Action shared_action(const std::vector<Actor>& actors) {
+  Action action = action_of(actors.front().clip);
+  for (std::size_t i = 1; i < actors.size(); ++i) {
+    const Action more = action_of(actors[i].clip);
     const std::size_t count = std::max(action.points.size(), more.points.size());
     for (std::size_t f = 0; f < count; ++f) {
       const auto& points = more.points[std::min(f, more.points.size() - 1)];
@@ -113,25 +114,31 @@ Shot stage(const std::vector<Performance>& performances, const Look& look) {
   Shot shot;
   shot.set = look.set;
   shot.size = look.size;
-  std::vector<Performance> shown = laid_out(performances, look.layout);
-  shot.place.forward = action_of(shown.front().clip).forward;
-  if (look.in_place || look.set.in_place) {
-    shot.step = mean_step(shown.front().clip);
-    for (Performance& one : shown) one.clip = on_the_spot(one.clip, mean_step(one.clip));
+  for (const Performance& one : laid_out(performances, look.layout)) {
+    shot.actors.push_back(cast(one.clip, look.figure, one.role));
+    shot.actors.back().name = one.name;
+    shot.actors.back().opacity = one.opacity;
   }
-  Action action = shared_action(shown);
+  shot.place.forward = action_of(shot.actors.front().clip).forward;
+  if (look.in_place || look.set.in_place) {
+    shot.step = mean_step(shot.actors.front().clip);
+    for (Actor& actor : shot.actors) {
+      const Vec3 step = mean_step(actor.clip);
+      actor.clip = on_the_spot(std::move(actor.clip), step);
+    }
+  }
+  Action action = shared_action(shot.actors);
   action.forward = shot.place.forward;
   shot.place.centre = action.centre;
   if (shot.set.belt) include(*shot.set.belt, shot.place, action);
   shot.standing = standing_set(shot.set, shot.place);
   shot.cameras = make_camera_rig(look.camera, action, look.size);
-  for (const Performance& one : shown) {
-    const DotStage stage = dot_stage(shot, one.clip, look.seed);
-    shot.actors.push_back(cast(one.clip, look.figure, one.role, stage));
-    shot.actors.back().name = one.name;
-    shot.actors.back().opacity = one.opacity;
+  if (const auto* dots = std::get_if<PointLightOptions>(&look.figure)) {
+    shot.tone.shoulder = 1.0f;
+    for (Actor& actor : shot.actors) {
+      actor.dots = point_light(actor.clip, *dots, dot_stage(shot, actor.clip, look.seed));
+    }
   }
-  if (std::holds_alternative<PointLightOptions>(look.figure)) shot.tone.shoulder = 1.0f;
   return shot;
 }
 

@@ -97,9 +97,9 @@ void add_sphere(render::Scene& scene, const motion::Vec3& centre, double radius,
 /// A dark band before the eyes, which says where the head looks.
 void add_visor(render::Scene& scene, const motion::Vec3& eyes, const motion::Quat& head,
                double head_radius_m, int shade) {
-  const motion::Vec3 front = eyes + head * motion::Vec3(0.0, 0.0, 0.86 * head_radius_m);
-  const motion::Vec3 aside = head * motion::Vec3(0.40 * head_radius_m, 0.0, 0.0);
-  add_capsule(scene, front + aside, front - aside, 0.21 * head_radius_m, 0.21 * head_radius_m,
+  const motion::Vec3 front = eyes + head * motion::Vec3(0.0, 0.0, 0.84 * head_radius_m);
+  const motion::Vec3 aside = head * motion::Vec3(0.44 * head_radius_m, 0.0, 0.0);
+  add_capsule(scene, front + aside, front - aside, 0.24 * head_radius_m, 0.24 * head_radius_m,
               shade);
 }
 

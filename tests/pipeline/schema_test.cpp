@@ -41,7 +41,7 @@ TEST(Schema, IsTheFileOfTheSourceTree) {
 }
 
 TEST(Schema, TellsEditorsWhatEveryPropertyMeans) {
-  for (const json& schema : {manifest_schema(), scales_schema()}) {
+  for (const json& schema : {manifest_schema(), scales_schema(), set_schema()}) {
     int count = 0;
     for_each_property(schema, "", [&](const std::string& path, const json& property) {
       ++count;

@@ -271,6 +271,8 @@ TEST(AFaultyCharacter, WithAPictureFileThatIsNotThereNamesIt) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("skin.png"), std::string::npos) << error.what();
   }
+  const std::vector<std::filesystem::path> parts = {path.parent_path() / "skin.png"};
+  EXPECT_EQ(parts_of_character(path), parts);
   std::filesystem::remove(path);
 }
 
@@ -279,6 +281,33 @@ TEST(ACharacter, CutShortAnywhereIsRefused) {
   for (size_t length = 0; length < text.size(); length += text.size() / 60 + 1) {
     EXPECT_THROW(parse_character(text.substr(0, length), "cut.gltf"), Error) << length;
   }
+}
+
+TEST(ACharacter, DamagedAnyhowIsTakenOrRefused) {
+  std::mt19937_64 random(29);
+  const auto below = [&](size_t n) { return static_cast<size_t>(random() % n); };
+  int refused = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    SkinnedGltf file = test::skinned_gltf(body, {{}, test::mixamo_names()});
+    for (size_t k = below(4); k > 0; --k) {
+      file.buffer[below(file.buffer.size())] = static_cast<unsigned char>(random());
+    }
+    std::string text = file.text();
+    const size_t payload = text.find("base64");  // of the buffer, which comes first
+    const size_t rest = text.find('"', payload);
+    for (size_t k = below(3) + 1; k > 0; --k) {
+      const size_t at = rest + below(text.size() - rest);
+      constexpr std::string_view likely = "0123456789[]{},:\"-en.";
+      text[at] = likely[below(likely.size())];
+    }
+    try {
+      const Character character = parse_character(text, "damaged.gltf");
+      EXPECT_FALSE(character.meshes.empty());
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100);
 }
 
 }  // namespace

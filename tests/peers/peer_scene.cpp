@@ -1,0 +1,173 @@
+// The scene that mien and its peers draw: 21 spheres and 20 cylinders in the poses of the built-in
+// walk, on a floor under one area light and an even sky.
+//
+//   peer_scene write SCENE.json            for the peers
+//   peer_scene measure FRAMES REFERENCE    draws it with both cores at several numbers of samples,
+//                                          and prints JSON: seconds a frame and the RMS error of
+//                                          linear RGB against REFERENCE samples, for a camera that
+//                                          stands and one that goes round the figure
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "motion/builtin_sets.h"
+#include "motion/pose.h"
+#include "render/tracer.h"
+
+namespace {
+
+using namespace mien;
+using nlohmann::json;
+using render::Color;
+
+constexpr int frames_in_all = 30;
+constexpr float joint_radius = 0.055f;
+constexpr float bone_radius = 0.035f;
+constexpr float orbit_step = 0.02f;  // radians a frame
+
+struct Joints {
+  std::vector<render::Vec3> places;
+  std::vector<int> parents;
+};
+
+Joints joints_at(const motion::Clip& clip, int frame) {
+  Joints joints;
+  motion::Pose pose = clip.poses[static_cast<std::size_t>(frame)];
+  const motion::JointTransforms world = motion::world_transforms(clip.body, pose);
+  const motion::Vec3 root = world.positions[0];
+  for (std::size_t j = 0; j < world.positions.size(); ++j) {
+    const motion::Vec3 place = world.positions[j] - motion::Vec3(root.x(), 0.0, root.z());
+    joints.places.push_back(place.cast<float>());
+    joints.parents.push_back(clip.body.joints[j].parent);
+  }
+  return joints;
+}
+
+render::Scene scene_of(const Joints& joints) {
+  render::Scene scene;
+  scene.materials = {{.albedo = {0.2f, 0.35f, 0.6f}}};
+  for (std::size_t j = 0; j < joints.places.size(); ++j) {
+    scene.solids.spheres.push_back({joints.places[j], joint_radius});
+    if (joints.parents[j] < 0) continue;
+    scene.solids.capsules.push_back({joints.places[static_cast<std::size_t>(joints.parents[j])],
+                                     joints.places[j], bone_radius, bone_radius});
+  }
+  scene.ground.albedo = Color::Constant(0.5f);
+  scene.ground.line_spacing = 0.0f;
+  scene.ground.fade_start = 4000.0f;
+  scene.ground.fade_end = 5000.0f;
+  const Color sky = Color::Constant(0.6f);
+  scene.sky = {sky, sky, Color::Zero(), sky, sky};
+  scene.lights = {
+      render::softbox({2.0f, 4.0f, 2.0f}, {0.0f, 1.0f, 0.0f}, 1.5f, 1.5f, Color::Constant(8.0f))};
+  return scene;
+}
+
+render::Camera camera_at(int frame, bool moving) {
+  const float angle = moving ? orbit_step * static_cast<float>(frame) : 0.0f;
+  render::Camera camera{
+      .position = {4.2f * std::sin(0.25f + angle), 1.4f, 4.2f * std::cos(0.25f + angle)},
+      .target = {0.0f, 0.9f, 0.0f}};
+  camera.width = 1280;
+  camera.height = 720;
+  return camera;
+}
+
+json numbers(const render::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+void write_scene(const motion::Clip& clip, const std::string& file) {
+  json out;
+  const render::Scene scene = scene_of(joints_at(clip, 0));
+  const render::AreaLight& light = scene.lights[0];
+  out["joint_radius"] = joint_radius;
+  out["bone_radius"] = bone_radius;
+  out["albedo"] = {0.2, 0.35, 0.6};
+  out["floor_albedo"] = 0.5;
+  out["sky"] = 0.6;
+  out["light"] = {{"centre", numbers(light.centre)},
+                  {"half_u", numbers(light.half_u)},
+                  {"half_v", numbers(light.half_v)},
+                  {"radiance", light.radiance.x()}};
+  out["vertical_field_of_view"] = camera_at(0, false).vertical_field_of_view;
+  out["parents"] = joints_at(clip, 0).parents;
+  for (int f = 0; f < frames_in_all; ++f) {
+    json frame;
+    for (const render::Vec3& place : joints_at(clip, f).places)
+      frame["joints"].push_back(numbers(place));
+    frame["standing"] = {{"position", numbers(camera_at(f, false).position)},
+                         {"target", numbers(camera_at(f, false).target)}};
+    frame["moving"] = {{"position", numbers(camera_at(f, true).position)},
+                       {"target", numbers(camera_at(f, true).target)}};
+    out["frames"].push_back(frame);
+  }
+  std::ofstream(file) << out;
+}
+
+double rms(const render::Film& film, const render::Film& reference) {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < film.channels.size(); ++i) {
+    const double off = static_cast<double>(film.channels[i] - reference.channels[i]);
+    squares += off * off;
+  }
+  return std::sqrt(squares / static_cast<double>(film.channels.size()));
+}
+
+render::Quality quality_of(int samples) {
+  render::Quality quality = samples <= 4    ? render::draft_quality()
+                            : samples >= 64 ? render::final_quality()
+                                            : render::standard_quality();
+  quality.samples_per_pixel = samples;
+  return quality;
+}
+
+json measure(const motion::Clip& clip, bool moving, int frames, int reference_samples) {
+  render::Tracer tracer;
+  // Against plain sampling: every ray of its own, nothing interpolated.
+  render::Quality thorough = quality_of(reference_samples);
+  thorough.floor_sky_tolerance = 0.0f;
+  thorough.seed = 1234567;
+  const int last = frames - 1;
+  const render::Scene shown = scene_of(joints_at(clip, last));
+  const render::Film reference = tracer.trace(shown, camera_at(last, moving), thorough);
+  json rows;
+  for (const int samples : {1, 2, 4, 8, 16, 32, 64}) {
+    render::Tracer fresh;
+    render::Film film;
+    const auto start = std::chrono::steady_clock::now();
+    for (int f = 0; f < frames; ++f)
+      film = fresh.trace(scene_of(joints_at(clip, f)), camera_at(f, moving), quality_of(samples));
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    rows.push_back({{"samples", samples},
+                    {"seconds", taken.count() / frames},
+                    {"error", rms(film, reference)}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const motion::ExampleSet walks = motion::builtin_examples("builtin:walks-10");
+  const motion::Clip clip = motion::repeated(walks.examples.front().clip, 3);
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (what == "write" && argc == 3) {
+    write_scene(clip, argv[2]);
+    return 0;
+  }
+  if (what == "measure" && argc == 4) {
+    const int frames = std::atoi(argv[2]), reference = std::atoi(argv[3]);
+    if (frames < 1 || frames > frames_in_all || reference < 1) return 2;
+    std::cout << json{{"standing", measure(clip, false, frames, reference)},
+                      {"moving", measure(clip, true, frames, reference)}}
+              << '\n';
+    return 0;
+  }
+  std::cerr << "peer_scene write SCENE.json | peer_scene measure FRAMES REFERENCE\n";
+  return 2;
+}
