@@ -31,7 +31,7 @@ Manifest study() {
   manifest.examples.builtin = "walks-10";
   manifest.ratings.source = Ratings::Source::builtin;
   manifest.stimuli = {stimulus("short", "normal", 1), stimulus("long", "normal", 3)};
-  manifest.stimuli[1].look.camera = "front";
+  manifest.stimuli[1].look.camera.view = "front";
   manifest.equalize = {.luminance = true, .duration = true};
   return manifest;
 }
