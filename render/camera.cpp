@@ -56,7 +56,7 @@ std::array<HalfSpace, 4> view_of(const CameraFrame& frame, int width, int height
     const EyeRay from = frame.ray(corners[i][0], corners[i][1]);
     const EyeRay to = frame.ray(corners[i + 1][0], corners[i + 1][1]);
     const Vec3 along = frame.parallel ? Vec3(to.origin - from.origin) : to.direction;
-    const Vec3 normal = along.cross(from.direction).normalized();
+    const Vec3 normal = from.direction.cross(along).normalized();
     view[i] = {normal, normal.dot(from.origin)};
   }
   return view;

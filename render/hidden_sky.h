@@ -37,7 +37,7 @@ class FloorSky {
 
     bool holds(float px, float pz) const {
       const float u = (px - x) * inverse_side, v = (pz - z) * inverse_side;
-      return u >= 0.0f && u < 1.0f && v >= 0.0f && v < 1.0f;
+      return inverse_side > 0.0f && u >= 0.0f && u < 1.0f && v >= 0.0f && v < 1.0f;
     }
 
     /// Hidden light (irradiance over π) at a point of the cell, if it is known.

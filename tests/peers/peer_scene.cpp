@@ -153,7 +153,7 @@ json measure(const motion::Clip& clip, bool moving, int frames, int reference_sa
 }  // namespace
 
 int main(int argc, char** argv) {
-  const motion::ExampleSet walks = motion::builtin_examples("builtin:walks-10");
+  const motion::ExampleSet walks = motion::builtin_examples("walks-10");
   const motion::Clip clip = motion::repeated(walks.examples.front().clip, 3);
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "write" && argc == 3) {

@@ -59,5 +59,32 @@ TEST(Camera, IsRefusedWhenItsAxesAreUndefined) {
   EXPECT_THROW(frame_of({.position = {NAN, 1.0f, 5.0f}}), std::invalid_argument);
 }
 
+TEST(View, HoldsWhatFallsOnTheFilmAndNothingElse) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> uniform(-6.0f, 6.0f);
+  for (const float parallel : {0.0f, 3.0f}) {
+    const Camera camera{.position = {1.0f, 2.0f, 4.0f},
+                        .target = {0.2f, 1.0f, 0.1f},
+                        .vertical_field_of_view = 0.8f,
+                        .parallel_height = parallel,
+                        .shift_x = 40.0f};
+    const auto view = view_of(frame_of(camera), camera.width, camera.height, 0.0f);
+    int inside = 0;
+    for (int trial = 0; trial < 5000; ++trial) {
+      const Vec3 point{uniform(random), uniform(random), uniform(random)};
+      const auto film = project(camera, point);
+      if (!film) continue;
+      const auto margin = [](float x, float size) { return std::min(x, size - x); };
+      const float within = std::min(margin(film->x(), 960.0f), margin(film->y(), 540.0f));
+      if (std::abs(within) < 0.01f) continue;
+      bool holds = true;
+      for (const HalfSpace& half : view) holds = holds && half.normal.dot(point) >= half.offset;
+      EXPECT_EQ(holds, within > 0.0f);
+      inside += holds ? 1 : 0;
+    }
+    EXPECT_GT(inside, 100);
+  }
+}
+
 }  // namespace
 }  // namespace mien::render
