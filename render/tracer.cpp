@@ -103,8 +103,9 @@ void Tracer::Engine::add_standing_solids(const Scene& scene, const Camera& camer
   Camera sharp = camera;
   sharp.aperture_radius = 0.0f;
   {
-    const Picture picture =
+    Picture picture =
         prepare(scene, sharp, thorough, set, shapes_of(scene.standing, scene), scene.standing);
+    look_at_sky(picture);
     for_all_tiles(arena, exposure.film, [&](const Tile& tile) { draw(picture, tile, exposure); });
     for (int y = 0; y < camera.height; ++y)
       for (int x = 0; x < camera.width; ++x)
