@@ -26,6 +26,7 @@
 #include "pipeline/progress.h"
 #include "pipeline/recording_clip.h"
 #include "render/image_io.h"
+#include "render/tracer.h"
 #include "scenes/shot.h"
 
 namespace mien::pipeline {
@@ -40,6 +41,8 @@ struct RenderOptions {
   std::string layout = "superimposed";
   std::string size = "960x540";
   std::string quality = "standard";
+  std::string background = "shown";
+  double shutter = 0.0;
   LookOptions look;
   std::string dots;
   std::optional<double> still;  ///< seconds; negative: wherever the figure shows best
@@ -77,6 +80,7 @@ FilmSettings settings_of(const RenderOptions& options) {
   settings.output.size = parse_size(options.size);
   settings.output.fps = options.fps;
   settings.output.frames = FrameFormat::none;
+  settings.output.shutter = options.shutter;
   settings.loops = options.repeat;
   settings.output.quality = options.quality == "draft"   ? Quality::draft
                             : options.quality == "final" ? Quality::final
@@ -87,7 +91,12 @@ FilmSettings settings_of(const RenderOptions& options) {
   return settings;
 }
 
-bool is_contact_sheet(const fs::path& out) { return out.extension() == ".png"; }
+bool is_picture(const fs::path& out) {
+  return out.extension() == ".png" || out.extension() == ".exr";
+}
+
+/// Unless a still is asked for.
+bool is_contact_sheet(const fs::path& out) { return is_picture(out); }
 
 std::string video_endings() {
   std::string endings;
@@ -99,7 +108,10 @@ std::string video_endings() {
 
 fs::path output_of(const RenderOptions& options) {
   if (options.out.empty()) return fs::path(options.files.front()).stem().concat(".mp4");
-  if (is_contact_sheet(options.out) || render::video_kind_of(options.out)) return options.out;
+  if (fs::path(options.out).extension() == ".exr" && !options.still) {
+    throw Error("--output: only a still has layers", "add --still, or end it in .png");
+  }
+  if (is_picture(options.out) || render::video_kind_of(options.out)) return options.out;
   throw Error("--output: \"" + options.out + "\" is neither a video nor a picture",
               "end it in " + video_endings() + " (video) or .png (contact sheet)");
 }
@@ -219,6 +231,23 @@ int still_frame(const scenes::Shot& shot, const RenderOptions& options) {
   return std::min(static_cast<int>(std::lround(seconds * options.fps)), last);
 }
 
+/// The figure alone, or with its shadow, to be laid over something else.
+void make_cut_out(const scenes::Shot& shot, int frame, const FilmSettings& settings,
+                  const std::string& background, const fs::path& file) {
+  render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
+  render::Quality quality = quality_of(settings);
+  quality.background =
+      background == "shadow" ? render::Background::shadow : render::Background::transparent;
+  render::write_png(file, tracer.expose(scene_at(shot, frame), camera_at(shot, frame), quality),
+                    shot.tone);
+}
+
+void make_layers(const scenes::Shot& shot, int frame, const FilmSettings& settings,
+                 const fs::path& file) {
+  render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
+  render::write_layers(file, layers_of(tracer, shot, frame, quality_of(settings)));
+}
+
 void make_still(const scenes::Shot& shot, int frame, const FilmSettings& settings,
                 const fs::path& file, const std::stop_token& stop,
                 const std::function<void(double)>& progress) {
@@ -258,9 +287,13 @@ int render_file(const RenderOptions& options, const Console& console) {
                                                                      .in_place = options.in_place,
                                                                      .layout = layout_of(options),
                                                                      .seed = options.seed});
-  const bool is_still = options.still || (shot.actors.front().trail && out.extension() == ".png");
-  if (options.still && out.extension() != ".png") {
-    throw Error("--still: a still is a picture", "end --output in .png");
+  const bool is_still =
+      options.still.has_value() || (shot.actors.front().trail && out.extension() == ".png");
+  if (options.still && !is_picture(out)) {
+    throw Error("--still: a still is a picture", "end --output in .png, or in .exr for its layers");
+  }
+  if (options.background != "shown" && (!is_still || out.extension() != ".png")) {
+    throw Error("--background: only a still can be cut out", "add --still, and --output in .png");
   }
   if (!options.dots.empty()) {
     if (shot.actors.front().dots.empty()) {
@@ -280,7 +313,13 @@ int render_file(const RenderOptions& options, const Console& console) {
     const RunObserver observer = bar.observer();
     const auto progress = [&](double share) { observer.progressed(graph.tasks[0], share); };
     if (is_still) {
-      make_still(shot, still_frame(shot, options), settings, draft.file(), console.stop, progress);
+      const int frame = still_frame(shot, options);
+      if (out.extension() == ".exr")
+        make_layers(shot, frame, settings, draft.file());
+      else if (options.background != "shown")
+        make_cut_out(shot, frame, settings, options.background, draft.file());
+      else
+        make_still(shot, frame, settings, draft.file(), console.stop, progress);
       found = fmt::format("frame {}", still_frame(shot, options));
     } else {
       found = (is_contact_sheet(out) ? make_contact_sheet : make_video)(
@@ -340,6 +379,16 @@ void add_render_command(CLI::App& app, Command& chosen) {
       ->default_str("-1");
   command->add_option("--dots", options->dots, "Also write where the point lights are (CSV)");
   command->add_option("--seed", options->seed, "Of what is random about point lights")
+      ->capture_default_str();
+  command
+      ->add_option("--shutter", options->shutter,
+                   "Motion blur: degrees of 360 for which the shutter is open")
+      ->check(CLI::Range(0.0, 360.0))
+      ->capture_default_str();
+  command
+      ->add_option("--background", options->background,
+                   "Of a still: shown, transparent, or shadow (the figure and its shadow alone)")
+      ->check(CLI::IsMember({"shown", "transparent", "shadow"}))
       ->capture_default_str();
   command->add_option("--quality", options->quality, "Samples per pixel")
       ->check(CLI::IsMember({"draft", "standard", "final"}))

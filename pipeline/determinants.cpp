@@ -188,6 +188,7 @@ void add_film(KeyBuilder& key, const Stimulus& stimulus) {
       .add("height", std::int64_t{stimulus.output.size[1]})
       .add("fps", stimulus.output.fps);
   add_choice(key, "quality", stimulus.output.quality);
+  if (stimulus.output.shutter > 0.0) key.add("shutter", stimulus.output.shutter);
 }
 
 void add_presentation(KeyBuilder& key, const Presentation& presentation) {

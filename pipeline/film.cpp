@@ -25,19 +25,10 @@ constexpr std::size_t waiting_frames = 4;
 constexpr int contact_frames = 12;
 constexpr int contact_width = 480;
 
-render::Quality quality_of(const FilmSettings& settings) {
-  render::Quality quality = settings.output.quality == Quality::draft ? render::draft_quality()
-                            : settings.output.quality == Quality::final
-                                ? render::final_quality()
-                                : render::standard_quality();
-  quality.seed = settings.seed;
-  return quality;
-}
-
 /// A frame on its way: just traced, or read from the store.
 struct Exposure {
   int frame = 0;
-  std::variant<render::Film, render::Image8> picture;
+  std::variant<render::Film, render::Layers, render::Image8> picture;
 };
 
 /// The second half of the work, in a thread of its own.
@@ -77,13 +68,18 @@ class FrameTaker {
 
   render::Image8 developed(Exposure& exposure) {
     if (auto* stored = std::get_if<render::Image8>(&exposure.picture)) return std::move(*stored);
-    const auto& film = std::get<render::Film>(exposure.picture);
+    const auto* layers = std::get_if<render::Layers>(&exposure.picture);
+    const render::Film& film =
+        layers != nullptr ? layers->beauty : std::get<render::Film>(exposure.picture);
     if (store_ == nullptr) return render::to_srgb8(film, tone_);
     const FrameFormat format = settings_.output.frames;
     render::Image8 read_back;
     store_->put(
         frame_name(format, exposure.frame),
-        [&](const std::filesystem::path& file) { write_frame(file, film, format, tone_); },
+        [&](const std::filesystem::path& file) {
+          layers != nullptr ? render::write_layers(file, *layers)
+                            : write_frame(file, film, format, tone_);
+        },
         [&](const std::filesystem::path& file) {
           read_back = read_frame(file, format, settings_.output.size, tone_);
         });
@@ -124,16 +120,50 @@ render::Film beside(const render::Film& left, const render::Film& right) {
   return both;
 }
 
+/// The frame towards which a shutter opens: the next one, and from the last back to the one before.
+int frame_after(const scenes::Shot& shot, int frame) {
+  return frame + 1 < shot.frame_count() ? frame + 1 : std::max(frame - 1, 0);
+}
+
 render::Film exposed(render::Tracer& tracer, const scenes::Shot& shot, int frame,
                      const render::Quality& quality) {
   const render::Scene scene = scene_at(shot, frame);
   const std::vector<render::Camera> cameras = cameras_at(shot, frame);
-  render::Film film = tracer.trace(scene, cameras.front(), quality);
-  if (cameras.size() == 1) return film;
-  return beside(film, tracer.trace(scene, cameras.back(), quality));
+  const bool blurs = quality.shutter > 0.0f;
+  const int after = frame_after(shot, frame);
+  const render::Scene closing = blurs ? scene_at(shot, after) : render::Scene{};
+  const std::vector<render::Camera> there = cameras_at(shot, after);
+  const bool camera_moves = shot.cameras.cameras.size() > 1;
+  const auto seen_by = [&](std::size_t eye) {
+    if (!blurs) return tracer.trace(scene, cameras[eye], quality);
+    return tracer
+        .expose(scene, cameras[eye], quality, &closing, camera_moves ? &there[eye] : nullptr)
+        .film;
+  };
+  if (cameras.size() == 1) return seen_by(0);
+  return beside(seen_by(0), seen_by(cameras.size() - 1));
 }
 
 }  // namespace
+
+render::Quality quality_of(const FilmSettings& settings) {
+  render::Quality quality = settings.output.quality == Quality::draft ? render::draft_quality()
+                            : settings.output.quality == Quality::final
+                                ? render::final_quality()
+                                : render::standard_quality();
+  quality.seed = settings.seed;
+  quality.shutter = static_cast<float>(settings.output.shutter / 360.0);
+  return quality;
+}
+
+render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int frame,
+                         const render::Quality& quality) {
+  if (frame + 1 >= shot.frame_count())
+    return tracer.layers(scene_at(shot, frame), camera_at(shot, frame), quality);
+  const render::Scene next = scene_at(shot, frame + 1);
+  return tracer.layers(scene_at(shot, frame), camera_at(shot, frame), quality, &next,
+                       &camera_at(shot, frame + 1));
+}
 
 void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
@@ -150,7 +180,10 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
       exposure.picture = std::move(*stored);
     } else {
       const Stopwatch::Running tracing(settings.drawing);
-      exposure.picture = exposed(tracer, shot, frame, quality);
+      if (settings.output.frames == FrameFormat::layers)
+        exposure.picture = layers_of(tracer, shot, frame, quality);
+      else
+        exposure.picture = exposed(tracer, shot, frame, quality);
     }
     if (!taker.push(std::move(exposure))) break;
     progress(++done / static_cast<double>(frames.size()));

@@ -10,6 +10,9 @@
 #include "pipeline/stopwatch.h"
 #include "pipeline/store.h"
 #include "render/image.h"
+#include "render/layers.h"
+#include "render/quality.h"
+#include "render/tracer.h"
 #include "scenes/shot.h"
 
 namespace mien::pipeline {
@@ -23,6 +26,13 @@ struct FilmSettings {
   bool loops = false;            ///< animated pictures repeat for ever
   float exposure_stops = 0.0f;   ///< added to the shot's; EXR files keep the light as it is
 };
+
+/// The renderer's settings for them.
+render::Quality quality_of(const FilmSettings& settings);
+
+/// A frame with its layers, and motion to the next one.
+render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int frame,
+                         const render::Quality& quality);
 
 /// Takes the frames, in order, as a display shows them.
 using FrameSink = std::function<void(int frame, const render::Image8& picture)>;

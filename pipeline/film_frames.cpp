@@ -22,6 +22,7 @@ render::Image8 decoded(const std::filesystem::path& file, FrameFormat format,
                        const render::Tone& tone) {
   switch (format) {
     case FrameFormat::exr:
+    case FrameFormat::layers:
       return render::to_srgb8(render::read_exr(file), tone);
     case FrameFormat::png16:
       return rounded_to_8_bits(render::read_png16(file));
@@ -33,7 +34,8 @@ render::Image8 decoded(const std::filesystem::path& file, FrameFormat format,
 }  // namespace
 
 std::string frame_name(FrameFormat format, int frame) {
-  return fmt::format("{:05}.{}", frame, format == FrameFormat::exr ? "exr" : "png");
+  return fmt::format("{:05}.{}", frame,
+                     format == FrameFormat::exr || format == FrameFormat::layers ? "exr" : "png");
 }
 
 void write_frame(const std::filesystem::path& file, const render::Film& film, FrameFormat format,

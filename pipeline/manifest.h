@@ -61,7 +61,7 @@ struct RecipesSource {
 };
 
 enum class Quality { draft, standard, final };
-enum class FrameFormat { none, png, png16, exr };
+enum class FrameFormat { none, png, png16, exr, layers };
 
 /// What a video shows before and after the film, in this order: card, fixation cross, blank, film,
 /// blank; each as many whole frames as come nearest to its seconds. Frame files are the film alone.
@@ -87,6 +87,7 @@ struct Output {
   bool in_place = false;  ///< walk on the spot instead of travelling
   Quality quality = Quality::standard;
   FrameFormat frames = FrameFormat::png;
+  double shutter = 0.0;  ///< degrees of 360 for which the shutter is open: motion blur
   std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< each once
   Presentation presentation;
   bool bvh = true;   ///< clips/<id>.bvh

@@ -191,7 +191,9 @@ class Builder {
            {{"none", FrameFormat::none},
             {"png", FrameFormat::png},
             {"png16", FrameFormat::png16},
-            {"exr", FrameFormat::exr}});
+            {"exr", FrameFormat::exr},
+            {"layers", FrameFormat::layers}});
+    assign(member(given, "shutter"), output.shutter);
     if (const json* video = member(given, "video"); video && video->is_array()) {
       output.video.clear();
       for (const render::VideoTraits& traits : render::video_kinds()) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "motion/interpolation_options.h"
 #include "motion/motion_file.h"
@@ -167,6 +168,18 @@ class Checker : FaultList {
     }
   }
 
+  void check_shutter(const Stimulus& stimulus) {
+    if (stimulus.output.shutter == 0.0) return;
+    const std::string own = member_path(member_path(stimulus.path, "output"), "shutter");
+    const std::string path = was_given(own) ? own : "output.shutter";
+    if (std::holds_alternative<scenes::PointLightOptions>(stimulus.look.figure)) {
+      add(path, "point lights have no motion blur", "leave shutter out, or set it to 0");
+    } else if (stimulus.output.frames == FrameFormat::layers) {
+      add(path, "layers tell what stands still: they have no motion blur",
+          "leave shutter out, or choose frames: exr");
+    }
+  }
+
   void check_output(const std::string& path, const Output& output) {
     const auto given = [&](const char* key) { return was_given(member_path(path, key)); };
     if (!given("size") && !given("video") && !given("fps")) return;
@@ -242,6 +255,7 @@ class Checker : FaultList {
     check_interpolation(stimulus);
     if (stimulus.clip) check_clip(stimulus.path, *stimulus.clip);
     check_output(member_path(stimulus.path, "output"), stimulus.output);
+    check_shutter(stimulus);
   }
 
   /// Options of the whole study, of which each must be for some stimulus.

@@ -147,7 +147,8 @@ void FloorSky::look(std::size_t number, const EmbreeScene& figure,
     RayPacket packet;
     for (int i = 0; i < static_cast<int>(lanes); ++i) {
       if (towards.y[i] <= 0.0f) continue;
-      const float time = moves ? sampler.point(Dimension::Time, first + i).u : 0.0f;
+      const float time =
+          moves ? quality_.shutter * sampler.point(Dimension::Time, first + i).u : 0.0f;
       packet.push(point, towards.at(i), std::numeric_limits<float>::infinity(), time,
                   all_present ? ~0u : present_figures(sampler, opacities, first + i));
     }

@@ -1,7 +1,9 @@
 #include "render/image_io.h"
 
+#include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <OpenImageIO/imageio.h>
 
@@ -79,6 +81,27 @@ void write_png(const std::filesystem::path& path, const Image8& image) {
 
 void write_png(const std::filesystem::path& path, const Image16& image) {
   write_png_of(path, image, TypeDesc::UINT16);
+}
+
+void write_png(const std::filesystem::path& path, const Exposure& exposure, const Tone& tone) {
+  Film straight = exposure.film;
+  for (std::size_t i = 0; i < exposure.alpha.size(); ++i) {
+    const float scale = exposure.alpha[i] > 0.0f ? 1.0f / exposure.alpha[i] : 0.0f;
+    for (std::size_t c = 0; c < 3; ++c) straight.channels[3 * i + c] *= scale;
+  }
+  const Image8 colours = to_srgb8(straight, tone);
+  std::vector<std::uint8_t> channels;
+  channels.reserve(4 * exposure.alpha.size());
+  for (std::size_t i = 0; i < exposure.alpha.size(); ++i) {
+    channels.insert(channels.end(), {colours.channels[3 * i], colours.channels[3 * i + 1],
+                                     colours.channels[3 * i + 2],
+                                     static_cast<std::uint8_t>(255.0f * exposure.alpha[i] + 0.5f)});
+  }
+  ImageSpec spec(colours.width, colours.height, 4, TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  // Light is given as PNG keeps it.
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  write(path, spec, TypeDesc::UINT8, channels.data());
 }
 
 void write_exr(const std::filesystem::path& path, const Film& film, ExrDepth depth) {

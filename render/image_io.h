@@ -6,6 +6,7 @@
 #include "render/film.h"
 #include "render/image.h"
 #include "render/layers.h"
+#include "render/tone.h"
 
 namespace mien::render {
 
@@ -13,6 +14,10 @@ namespace mien::render {
 /// no software name is written. The file's name must end in ".png". Throws Error.
 void write_png(const std::filesystem::path& path, const Image8& image);
 void write_png(const std::filesystem::path& path, const Image16& image);
+
+/// PNG with alpha, 8 bits a channel, from light multiplied by alpha: colours are divided by it, as
+/// PNG has them. `exposure.alpha` is not empty.
+void write_png(const std::filesystem::path& path, const Exposure& exposure, const Tone& tone);
 
 enum class ExrDepth { Half, Float };
 

@@ -28,6 +28,7 @@ struct Quality {
 
   float filter_width = 2.0f;  ///< whole width of the Blackman–Harris filter, pixels
   Background background = Background::shown;
+  float shutter = 1.0f;    ///< share of the way to the closing scene for which the shutter is open
   std::uint64_t seed = 0;  ///< another seed, another noise pattern
 
   /// Trace the rays that are known to meet nothing too. Same picture, bit for bit, only slower: it

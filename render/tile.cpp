@@ -225,7 +225,7 @@ int TilePainter::samples_of(const Pixel& pixel) const {
 Sample TilePainter::sample_of(Pixel& pixel, int index) const {
   Sample sample{&pixel, index};
   if (picture_.closing_solids != nullptr || picture_.closing_camera)
-    sample.time = pixel.sampler.point(Dimension::Time, index).u;
+    sample.time = picture_.quality.shutter * pixel.sampler.point(Dimension::Time, index).u;
   if (!picture_.figure.shapes().all_present)
     sample.present = present_figures(pixel.sampler, picture_.opacities, index);
   return sample;

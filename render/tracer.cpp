@@ -39,6 +39,8 @@ void check(const Quality& quality) {
   if (quality.samples_per_pixel < 1 || quality.sky_rays < 1 || quality.standing_samples < 1 ||
       !(quality.filter_width > 0.0f))
     throw std::invalid_argument("quality: samples, sky rays and filter width must be positive");
+  if (!(quality.shutter >= 0.0f && quality.shutter <= 1.0f))
+    throw std::invalid_argument("quality: the shutter is not open for a share of 0 to 1");
 }
 
 }  // namespace

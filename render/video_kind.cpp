@@ -8,8 +8,8 @@ namespace mien::render {
 namespace {
 
 // The thresholds lie well below what rendered frames reach (about 42 dB and 0.98) and well above
-// what wrong colours, frames of another moment or broken blocks leave. A GIF has 255 colours for a whole film,
-// and its dither counts as noise.
+// what wrong colours, frames of another moment or broken blocks leave. A GIF has 255 colours for a
+// whole film, and its dither counts as noise.
 constexpr VideoTraits kinds[] = {{.kind = VideoKind::mp4,
                                   .name = "mp4",
                                   .ending = ".mp4",

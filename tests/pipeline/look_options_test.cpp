@@ -74,8 +74,8 @@ TEST(LookOptions, FaultsOfASetAreToldAtTheirPlaceInItsFile) {
   write_file(file, "background: \"#808080\"\nsky: 3\n");
   EXPECT_EQ(faults_of({.scene = file}),
             file +
-                ":2:6: sky: must be a map of keys and values but is 3; for example below: "
-                "#8b8b8a, horizon: #a2a3a4, zenith: #b4b6b8");
+                ":2:6: sky: must be a map of keys and values but is 3; for example {below: "
+                "#8b8b8a, horizon: #a2a3a4, zenith: #b4b6b8}");
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(SetFile, TellsEveryFaultWithItsPlace) {
   EXPECT_EQ(faults_of("name: x\n"),
             "my.set.yaml:1:1: background: missing; add it, for example background: #808080");
   EXPECT_EQ(faults_of("background: \"#808080\"\nground: {colour: \"#808080\", fade: [30, 6]}\n"),
-            "my.set.yaml:2:36: ground.fade: the floor is gone before it begins to fade; write the "
+            "my.set.yaml:2:35: ground.fade: the floor is gone before it begins to fade; write the "
             "smaller first");
   EXPECT_EQ(faults_of("background: \"#808080\"\nbelt: {colour: \"#808080\"}\n"),
             "my.set.yaml:2:1: belt: a belt needs a figure in place; add in_place: true");

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "render/image_io.h"
 #include "render/tracer.h"
@@ -105,8 +107,8 @@ TEST(Layers, KnowWhereNoiseIs) {
 
 TEST(Layers, AreWrittenAsOneFileThatStartsWithTheBeauty) {
   const Layers layers = Tracer().layers(two_balls(), camera, {.samples_per_pixel = 4});
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "mien-layers-test.exr";
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
+                                     (std::to_string(::getpid()) + "-" + "mien-layers-test.exr");
   write_layers(file, layers);
   EXPECT_EQ(read_exr(file), layers.beauty);
   std::filesystem::remove(file);

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "motion/error.h"
 #include "scenes/shot.h"
@@ -31,7 +33,8 @@ render::Scene drawn(const Actor& actor) {
 
 /// A file that is there as long as this lives.
 struct CharacterFileOnDisk {
-  std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "actor_test.gltf";
+  std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
+                               (std::to_string(::getpid()) + "-" + "actor_test.gltf");
 
   CharacterFileOnDisk() {
     const auto file = test::skinned_gltf(motion::standard_body(1.3), {{}, test::mixamo_names()});
@@ -74,7 +77,8 @@ TEST(AnActor, ThatIsATallCharacterIsInThePictureAsAWhole) {
        {motion::LeftKnee, motion::RightKnee, motion::LeftAnkle, motion::RightAnkle}) {
     stumpy.joints[joint].offset *= 0.5;
   }
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "stumpy.gltf";
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
+                                     (std::to_string(::getpid()) + "-" + "stumpy.gltf");
   std::ofstream(path) << test::skinned_gltf(stumpy, {{}, test::mixamo_names()}).text();
   const Shot shot = stage(standing(motion::standard_body()),
                           {.figure = CharacterOptions{path}, .size = {90, 160}});

@@ -6,8 +6,10 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "motion/error.h"
 #include "motion/rotation.h"
@@ -263,7 +265,8 @@ TEST(AFaultyCharacter, WithAPictureFileThatIsNotThereNamesIt) {
   SkinnedGltf broken = file;
   broken.json["images"][0]["uri"] = "skin.png";
   const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / "character_without_picture.gltf";
+      std::filesystem::path(testing::TempDir()) /
+      (std::to_string(::getpid()) + "-" + "character_without_picture.gltf");
   std::ofstream(path) << broken.text();
   try {
     read_character(path);

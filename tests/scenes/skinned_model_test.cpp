@@ -119,7 +119,10 @@ TEST_P(Skinning, MovesAVertexOfOneJointWithThatJoint) {
             1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(BothWays, Skinning, testing::Values(skinned_linearly, skinned_rigidly));
+INSTANTIATE_TEST_SUITE_P(BothWays, Skinning, testing::Values(skinned_linearly, skinned_rigidly),
+                         [](const auto& way) {
+                           return way.param == skinned_linearly ? "Linear" : "DualQuaternion";
+                         });
 
 TEST(DualQuaternionSkinning, KeepsATwistedLimbAsThickAsItIs) {
   EXPECT_NEAR(least_radius(skinned_rigidly(tube(), twisted(170.0))), 0.1, 1e-6);
