@@ -341,7 +341,8 @@ INSTANTIATE_TEST_SUITE_P(
              "m.yaml:5:28: sheets[0].columns: only stills stand in columns; remove it, or make the "
              "sheet of stills\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets: [{stills: [a], columns: 13}]\n",
-             "m.yaml:5:33: sheets[0].columns: 13 is out of range; use a number from 1 to 12\n"},
+             "m.yaml:5:33: sheets[0].columns: 13 is out of range; use a whole number from 1 to "
+             "12\n"},
         Case{"stimuli: [{id: \"${ID}\", clip: walk.bvh}]\n",
              "m.yaml:4:16: stimuli[0].id: the environment variable ID is not set; set it, or write "
              "${ID:-default}\n"}));
