@@ -245,6 +245,35 @@ void Canvas::ring(Point centre, double radius, const LineStyle& style) {
   surface_->stroke(style);
 }
 
+void Canvas::picture(const Box& box, const render::Image8& image) {
+  const SurfacePointer source(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
+  require(cairo_surface_status(source.get()));
+  const int stride = cairo_image_surface_get_stride(source.get());
+  for (int y = 0; y < image.height; ++y) {
+    unsigned char* row =
+        cairo_image_surface_get_data(source.get()) + static_cast<std::ptrdiff_t>(y) * stride;
+    for (int x = 0; x < image.width; ++x) {
+      const std::uint8_t* channels = image.at(x, y);
+      const std::uint32_t pixel = std::uint32_t{channels[0]} << 16 |
+                                  std::uint32_t{channels[1]} << 8 | std::uint32_t{channels[2]};
+      std::memcpy(row + 4 * x, &pixel, 4);
+    }
+  }
+  cairo_surface_mark_dirty(source.get());
+  cairo_t* c = surface_->context.get();
+  cairo_save(c);
+  cairo_translate(c, box.x, box.y);
+  cairo_scale(c, box.width / image.width, box.height / image.height);
+  cairo_set_source_surface(c, source.get(), 0, 0);
+  // The edge fades into nothing otherwise where the picture is scaled.
+  cairo_pattern_set_extend(cairo_get_source(c), CAIRO_EXTEND_PAD);
+  cairo_new_path(c);
+  cairo_rectangle(c, 0, 0, image.width, image.height);
+  cairo_fill(c);
+  cairo_restore(c);
+}
+
 Box Canvas::text(Point baseline, std::string_view utf8, const TextStyle& style) {
   surface_->set(utf8, style);
   PangoLayout* layout = surface_->layout.get();

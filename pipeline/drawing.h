@@ -79,6 +79,9 @@ class Canvas {
   void disc(Point centre, double radius, const Colour& colour);
   void ring(Point centre, double radius, const LineStyle& style);
 
+  /// A picture that fills the box. Pixels stay pixels where one falls on one.
+  void picture(const Box& box, const render::Image8& image);
+
   /// Sets text with its baseline at `baseline` and returns the box of its ink.
   Box text(Point baseline, std::string_view utf8, const TextStyle& style);
 

@@ -130,16 +130,18 @@ struct Stimulus {
   OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
 };
 
-/// A sheet about two motions, or a gallery of several.
+/// A sheet about two motions, a gallery of several, or pictures of several stimuli.
 struct Sheet {
   std::string path;       ///< in the manifest: "sheets[0]"
-  std::string id;         ///< file name; "<target>_<created>" unless given
+  std::string id;         ///< file name; "<target>_<created>", "gallery" or "stills" unless given
   std::string target;     ///< stimulus or example
   std::string created;    ///< stimulus or example
   std::string reference;  ///< stimulus or example; empty for none
   /// Stimuli or examples, one a row, the first being what the others are measured against; then
-  /// there is no target. Empty for a comparison.
+  /// there is no target. Empty for others.
   std::vector<std::string> gallery;
+  std::vector<std::string> stills;  ///< stimuli, a picture each; empty for others
+  int columns = 6;                  ///< of pictures
 };
 
 /// All motions on a sheet.
@@ -151,7 +153,7 @@ struct MotionPair {
   std::string created;
 };
 
-/// A comparison's one; a gallery's first motion with each other.
+/// A comparison's one; a gallery's first motion with each other; none of pictures.
 std::vector<MotionPair> pairs_on(const Sheet& sheet);
 
 /// What all stimuli of a study are made alike in.

@@ -304,6 +304,15 @@ class Builder {
     return clip;
   }
 
+  static std::vector<std::string> names_in(const json* list) {
+    std::vector<std::string> names;
+    if (list == nullptr || !list->is_array()) return names;
+    for (const json& name : *list) {
+      if (name.is_string()) names.push_back(name.get<std::string>());
+    }
+    return names;
+  }
+
   void read_sheet(const json& given) {
     Sheet sheet;
     sheet.path = element_path("sheets", manifest_.sheets.size());
@@ -312,12 +321,12 @@ class Builder {
       assign(member(*compare, "created"), sheet.created);
       assign(member(*compare, "reference"), sheet.reference);
     }
-    if (const json* gallery = member(given, "gallery"); gallery && gallery->is_array()) {
-      for (const json& name : *gallery) {
-        if (name.is_string()) sheet.gallery.push_back(name.get<std::string>());
-      }
-    }
-    sheet.id = sheet.gallery.empty() ? sheet.target + "_" + sheet.created : "gallery";
+    sheet.gallery = names_in(member(given, "gallery"));
+    sheet.stills = names_in(member(given, "stills"));
+    assign(member(given, "columns"), sheet.columns);
+    sheet.id = !sheet.stills.empty()    ? "stills"
+               : !sheet.gallery.empty() ? "gallery"
+                                        : sheet.target + "_" + sheet.created;
     assign(member(given, "id"), sheet.id);
     manifest_.sheets.push_back(std::move(sheet));
   }

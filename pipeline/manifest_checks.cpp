@@ -74,7 +74,7 @@ class Checker : FaultList {
   }
 
   void names(const Vocabulary& vocabulary) {
-    std::vector<std::string> motions;
+    std::vector<std::string> stimuli;
     for (const Stimulus& stimulus : manifest_.stimuli) {
       const std::string adjectives = member_path(stimulus.path, "adjectives");
       for (const auto& [name, value] : stimulus.adjectives) {
@@ -88,8 +88,9 @@ class Checker : FaultList {
       for (const auto& [name, value] : stimulus.weights) {
         check_key(weights, name, "example", vocabulary.examples);
       }
-      if (!stimulus.id.empty()) motions.push_back(stimulus.id);
+      if (!stimulus.id.empty()) stimuli.push_back(stimulus.id);
     }
+    std::vector<std::string> motions = stimuli;
     motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
     check_expectations(vocabulary);
     for (const Sheet& sheet : manifest_.sheets) {
@@ -100,6 +101,10 @@ class Checker : FaultList {
       const std::string gallery = member_path(sheet.path, "gallery");
       for (std::size_t i = 0; i < sheet.gallery.size(); ++i) {
         check_motion(element_path(gallery, i), sheet.gallery[i], motions);
+      }
+      const std::string stills = member_path(sheet.path, "stills");
+      for (std::size_t i = 0; i < sheet.stills.size(); ++i) {
+        check_pictured(element_path(stills, i), sheet.stills[i], stimuli);
       }
     }
   }
@@ -338,7 +343,13 @@ class Checker : FaultList {
   }
 
   void check_sheet(const Sheet& sheet, std::map<std::string, std::string>& ids) {
-    if (!sheet.gallery.empty()) check_unique(sheet.id, sheet.path, ids);
+    if (!sheet.gallery.empty() || !sheet.stills.empty()) {
+      check_unique(sheet.id, sheet.path, ids);
+    }
+    if (sheet.stills.empty() && was_given(member_path(sheet.path, "columns"))) {
+      add_at_key(member_path(sheet.path, "columns"), "only stills stand in columns",
+                 "remove it, or make the sheet of stills");
+    }
     if (sheet.target.empty() || sheet.created.empty()) return;
     const std::string compare = member_path(sheet.path, "compare");
     if (sheet.target == sheet.created) {
@@ -361,6 +372,13 @@ class Checker : FaultList {
     if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
     add(path, "\"" + name + "\" is neither a stimulus nor an example",
         motion::did_you_mean(name, known));
+  }
+
+  /// Of an example there is no film to take a picture from.
+  void check_pictured(const std::string& path, const std::string& name,
+                      const std::vector<std::string>& stimuli) {
+    if (name.empty() || std::find(stimuli.begin(), stimuli.end(), name) != stimuli.end()) return;
+    add(path, "\"" + name + "\" is no stimulus", motion::did_you_mean(name, stimuli));
   }
 
   const Manifest& manifest_;

@@ -12,6 +12,7 @@
 #include "pipeline/film_task.h"
 #include "pipeline/motion_task.h"
 #include "pipeline/sheet_task.h"
+#include "pipeline/stills_task.h"
 #include "pipeline/study_tasks.h"
 
 namespace mien::pipeline {
@@ -70,7 +71,16 @@ Production::Production(Manifest manifest, ProductionOptions options)
     graph_.add(std::move(film));
   }
   for (const Sheet& sheet : manifest_.sheets) {
-    if (is_wanted(sheet)) graph_.add(sheet_task(sheet, manifest_, shared, motions_));
+    if (!is_wanted(sheet)) continue;
+    if (sheet.stills.empty()) {
+      graph_.add(sheet_task(sheet, manifest_, shared, motions_));
+      continue;
+    }
+    const FilmSettings settings{
+        .seed = manifest_.seed, .threads = threads, .drawing = options_.drawing};
+    Task stills = stills_task(sheet, manifest_, settings, shared, motions_);
+    if (manifest_.equalize.duration) depend_on_motions(stills);
+    graph_.add(std::move(stills));
   }
   if (!is_whole()) return;
   graph_.add(tables_task(manifest_, motions_, shared));

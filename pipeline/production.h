@@ -25,8 +25,9 @@ struct ProductionOptions {
 ///   clip    motion → file                   clips/<id>.bvh, .glb
 ///   film    motion → shot → frames, video   frames/<id>/, videos/<id>.mp4,
 ///                                           sheets/contact/<id>.png
-///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
 ///                                           metrics/films/<id>.json
+///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
+///           motions → shots → stills → page
 ///   tables  motions → numbers               metrics/*.csv
 ///   films   films → numbers                 metrics/luminance.csv, videos.csv
 ///   report  all of it → page                report.html

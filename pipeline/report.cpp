@@ -197,8 +197,11 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
 std::string sheet_card(const Sheet& sheet, Motions& motions) {
   const std::string id = html_escaped(sheet.id);
   std::string alternative = fmt::format("{} motions side by side", sheet.gallery.size());
+  if (!sheet.stills.empty()) {
+    alternative = fmt::format("{}: a picture of each of {} stimuli", id, sheet.stills.size());
+  }
   std::string caption = alternative;
-  if (sheet.gallery.empty()) {
+  if (sheet.gallery.empty() && sheet.stills.empty()) {
     alternative = fmt::format("Comparison sheet of {} and {}", html_escaped(sheet.target),
                               html_escaped(sheet.created));
     caption = html_escaped(verdict(
@@ -307,11 +310,15 @@ std::string report(const Manifest& manifest, Motions& motions) {
   page += "<section><h2>Stimuli</h2>\n<div class=\"cards\">\n";
   for (const Stimulus& stimulus : manifest.stimuli) page += stimulus_card(stimulus, motions);
   page += "</div></section>\n";
-  if (!manifest.sheets.empty()) {
-    page += "<section><h2>Comparisons</h2>\n" + distance_table(manifest, motions);
-    page += feature_agreement(manifest, motions);
-    for (const Sheet& sheet : manifest.sheets) page += sheet_card(sheet, motions);
-    page += "</section>\n";
+  std::string stills;
+  std::string comparisons;
+  for (const Sheet& sheet : manifest.sheets) {
+    (sheet.stills.empty() ? comparisons : stills) += sheet_card(sheet, motions);
+  }
+  if (!stills.empty()) page += "<section><h2>Pictures</h2>\n" + stills + "</section>\n";
+  if (!comparisons.empty()) {
+    page += "<section><h2>Comparisons</h2>\n" + distance_table(manifest, motions) +
+            feature_agreement(manifest, motions) + comparisons + "</section>\n";
   }
   if (blends_examples(manifest)) page += ratings_section(manifest, motions.repertoire());
   return page + "</main>\n" + footer(manifest) + "</body>\n</html>\n";

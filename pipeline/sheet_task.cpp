@@ -25,6 +25,12 @@ void verify_pdf(const fs::path& file) {
   throw std::runtime_error(file.string() + " is no complete PDF");
 }
 
+}  // namespace
+
+std::vector<Product> sheet_products(const Sheet& sheet) {
+  return {{"sheets/" + sheet.id + ".pdf", {}}, {"sheets/" + sheet.id + ".png", {}}};
+}
+
 void put_sheet(TaskRun& run, const std::string& pdf, const std::string& png) {
   run.store.put(
       run.task.products[0].path, run.keys[0], [&](const fs::path& file) { write_file(file, pdf); },
@@ -33,8 +39,6 @@ void put_sheet(TaskRun& run, const std::string& pdf, const std::string& png) {
       run.task.products[1].path, run.keys[1], [&](const fs::path& file) { write_file(file, png); },
       [](const fs::path& file) { render::check_image(file); });
 }
-
-}  // namespace
 
 Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
                 Motions& motions) {
@@ -52,7 +56,7 @@ Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterm
     uses_examples = uses_examples || stimulus == nullptr || !stimulus->clip;
   }
   if (uses_examples) task.determinants.add("repertoire", shared.repertoire);
-  task.products = {{"sheets/" + sheet.id + ".pdf", {}}, {"sheets/" + sheet.id + ".png", {}}};
+  task.products = sheet_products(sheet);
   task.cost_seconds = sheet_cost_seconds;
   task.make = [&sheet, &manifest, &motions](TaskRun& run) {
     if (sheet.gallery.empty()) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "pipeline/determinants.h"
 #include "pipeline/manifest.h"
 #include "pipeline/motions.h"
@@ -11,5 +14,11 @@ namespace mien::pipeline {
 /// manifest and motions outlive it.
 Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
                 Motions& motions);
+
+/// What every task of a sheet makes: sheets/<id>.pdf and sheets/<id>.png, in this order.
+std::vector<Product> sheet_products(const Sheet& sheet);
+
+/// Stores the bytes of both, once they have been read back.
+void put_sheet(TaskRun& run, const std::string& pdf, const std::string& png);
 
 }  // namespace mien::pipeline

@@ -40,6 +40,24 @@ TEST(Drawing, IsTheSameBytesEachTime) {
   EXPECT_EQ(drawn(Canvas::png(200, 120, 400)).finish(), drawn(Canvas::png(200, 120, 400)).finish());
 }
 
+TEST(Drawing, PicturesKeepTheirPixels) {
+  render::Image8 picture(5, 3);
+  for (std::size_t i = 0; i < picture.channels.size(); ++i) {
+    picture.channels[i] = static_cast<std::uint8_t>(5 * i + 7);
+  }
+  Canvas canvas = Canvas::png(20, 10, 40);
+  canvas.picture({4, 3, 2.5, 1.5}, picture);
+  const render::Image8 page = canvas.finish_picture();
+  for (int y = 0; y < page.height; ++y) {
+    for (int x = 0; x < page.width; ++x) {
+      const bool inside = x >= 8 && x < 13 && y >= 6 && y < 9;
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_EQ(page.at(x, y)[c], inside ? picture.at(x - 8, y - 6)[c] : 255) << x << " " << y;
+      }
+    }
+  }
+}
+
 TEST(Drawing, TextKeepsToItsAlignmentAndBaseline) {
   Canvas canvas = Canvas::pdf(200, 120, "t");
   const double advance = canvas.text_width("HHHH", {.size = 10.0});

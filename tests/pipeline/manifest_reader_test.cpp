@@ -333,6 +333,16 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets:\n  - compare: {target: a}\n",
              "m.yaml:6:14: sheets[0].compare.created: missing; add it, for example created: "
              "guess-1\n"},
+        Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets: [{stills: [a]}, {stills: [a]}]\n",
+             "m.yaml:5:25: sheets[1].id: \"stills\" is already the id of sheets[0]; give each its "
+             "own\n"},
+        Case{"stimuli: [{id: a, clip: walk.bvh}, {id: b, clip: walk.bvh}]\n"
+             "sheets: [{gallery: [a, b], columns: 3}]\n",
+             "m.yaml:5:28: sheets[0].columns: only stills stand in columns; remove it, or make the "
+             "sheet of stills\n"},
+        Case{"stimuli: [{id: a, clip: walk.bvh}]\nsheets: [{stills: [a], columns: 13}]\n",
+             "m.yaml:5:33: sheets[0].columns: 13 is out of range; use a whole number from 1 to "
+             "12\n"},
         Case{"stimuli: [{id: \"${ID}\", clip: walk.bvh}]\n",
              "m.yaml:4:16: stimuli[0].id: the environment variable ID is not set; set it, or write "
              "${ID:-default}\n"}));
@@ -408,6 +418,30 @@ sheets:
             "\"sigma-head-lr\"?\n"
             "m.yaml:9:23: sheets[0].compare.target: \"target-2\" is neither a stimulus nor an "
             "example; did you mean \"target-1\"?\n");
+}
+
+TEST_F(ManifestReaderTest, ReadsAndChecksSheetsOfStills) {
+  const ManifestReading reading = parse(head + R"(stimuli:
+  - {id: stick, weights: {normal: 1}}
+  - {id: dots, weights: {normal: 1}}
+sheets:
+  - {id: looks, stills: [stick, dots, stick], columns: 2}
+  - stills: [stik, normal]
+)");
+  EXPECT_EQ(told(reading.faults), "");
+  ASSERT_EQ(reading.manifest.sheets.size(), 2u);
+  const Sheet& looks = reading.manifest.sheets[0];
+  EXPECT_EQ(looks.id, "looks");
+  EXPECT_EQ(looks.stills, (std::vector<std::string>{"stick", "dots", "stick"}));
+  EXPECT_EQ(looks.columns, 2);
+  EXPECT_EQ(motions_on(looks), looks.stills);
+  EXPECT_TRUE(pairs_on(looks).empty());
+  EXPECT_EQ(reading.manifest.sheets[1].id, "stills");
+  EXPECT_EQ(reading.manifest.sheets[1].columns, 6);
+  EXPECT_EQ(told(check_names(reading.manifest, {{}, {}, {"normal"}})),
+            "m.yaml:9:14: sheets[1].stills[0]: \"stik\" is no stimulus; did you mean \"stick\"?\n"
+            "m.yaml:9:20: sheets[1].stills[1]: \"normal\" is no stimulus; use one of \"stick\", "
+            "\"dots\"\n");
 }
 
 TEST_F(ManifestReaderTest, ChecksTheNamesInExpectations) {

@@ -88,6 +88,22 @@ TEST(Report, LinksOnlyWhatIsBesideIt) {
   EXPECT_EQ(links, expected);
 }
 
+TEST(Report, ShowsSheetsOfStillsApartFromComparisons) {
+  Manifest manifest = study_called("plain");
+  Sheet looks;
+  looks.id = "looks";
+  looks.stills = {"target", "mix"};
+  manifest.sheets.push_back(looks);
+  const std::string both = report_of(manifest);
+  EXPECT_NE(both.find("src=\"sheets/looks.png\""), std::string::npos);
+  EXPECT_NE(both.find("<h2>Comparisons</h2>"), std::string::npos);
+  EXPECT_EQ(unbalanced_tag(both), "");
+  manifest.sheets = {looks};
+  const std::string page = report_of(manifest);
+  EXPECT_NE(page.find("a picture of each of 2 stimuli"), std::string::npos);
+  EXPECT_EQ(page.find("<h2>Comparisons</h2>"), std::string::npos);
+}
+
 TEST(Report, ShowsNoVideoThatIsNotMade) {
   Manifest manifest = study_called("plain");
   for (Stimulus& stimulus : manifest.stimuli) stimulus.output.video.clear();
