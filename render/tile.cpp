@@ -70,6 +70,7 @@ class TilePainter {
 
  private:
   bool is_alone(const Tile& tile) const;
+  bool show_alone(const Tile& tile, Exposure& exposure);
   std::size_t place_of(int x, int y) const;
   Color set_at(std::size_t place);
   void plan(Pixel& pixel, int x, int y, const Color& set_color);
@@ -105,6 +106,8 @@ class TilePainter {
 
 void TilePainter::draw(const Tile& tile, Exposure& exposure) {
   const bool alone = is_alone(tile);
+  if (alone && picture_.quality.background == Background::shown && show_alone(tile, exposure))
+    return;
   pixels_.clear();
   for (int y = tile.y_begin; y < tile.y_end; ++y) {
     for (int x = tile.x_begin; x < tile.x_end; ++x) {
@@ -129,6 +132,37 @@ void TilePainter::draw(const Tile& tile, Exposure& exposure) {
   }
   finish();
   for (const Pixel& pixel : pixels_) develop(pixel, exposure);
+}
+
+// A tile that shows neither the figure nor its shadow, less what the figure hides of the sky. False
+// when that is not known everywhere: then nothing is final yet.
+bool TilePainter::show_alone(const Tile& tile, Exposure& exposure) {
+  const StandingSet& set = picture_.set;
+  for (int y = tile.y_begin; y < tile.y_end; ++y) {
+    const std::size_t row = place_of(tile.x_begin, y);
+    const float* radiance = set.radiance.channels.data() + 3 * row;
+    const float* albedo = set.floor_albedo.channels.data() + 3 * row;
+    float* out = exposure.film.channels.data() + 3 * row;
+    const int width = tile.x_end - tile.x_begin;
+    for (int i = 0; i < width; ++i, radiance += 3, albedo += 3, out += 3) {
+      const std::size_t place = row + static_cast<std::size_t>(i);
+      const float x = set.floor_x[place], z = set.floor_z[place];
+      if (set.floor[place] != 0 && !cell_->holds(x, z)) cell_ = &picture_.floor_sky.cell_at(x, z);
+      if (set.floor[place] == 0 || (cell_->known && cell_->inverse_side == 0.0f)) {
+        std::copy_n(radiance, 3, out);
+        continue;
+      }
+      if (!cell_->known) return false;
+      const FloorSky::Cell& cell = *cell_;
+      const float u = (x - cell.x) * cell.inverse_side, v = (z - cell.z) * cell.inverse_side;
+      for (int c = 0; c < 3; ++c) {
+        const float hidden = cell.at_corner[c] + u * cell.along_x[c] +
+                             v * (cell.along_z[c] + u * cell.along_both[c]);
+        out[c] = radiance[c] - albedo[c] * hidden;
+      }
+    }
+  }
+  return true;
 }
 
 // Whether a tile shows no figure and none of its shadow.
