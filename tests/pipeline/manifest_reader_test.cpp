@@ -386,7 +386,7 @@ TEST_F(ManifestReaderTest, ListsManyFaultsAtOnceInReadingOrder) {
       "m.yaml:5:5: stimuli[1]: must be a map of keys and values but is the text \"walk.bvh\"\n"
       "m.yaml:6:15: output.fps: 0 is out of range; use a number from 1 to 240\n"
       "m.yaml:6:26: output.frames: \"jpg\" is not one of the choices; use one of none, png, "
-      "png16, exr\n");
+      "png16, exr, layers\n");
 }
 
 TEST_F(ManifestReaderTest, TellsTextThatIsNoManifestAtAll) {
