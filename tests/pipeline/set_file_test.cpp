@@ -47,10 +47,10 @@ TEST(SetFile, TheStudioIsWhatItAlwaysWas) {
 TEST(SetFile, TellsEveryFaultWithItsPlace) {
   EXPECT_EQ(faults_of("background: \"#808080\"\ngruond: {colour: \"#808080\"}\n"),
             "my.set.yaml:2:1: gruond: unknown key; did you mean \"ground\"?");
-  EXPECT_EQ(
-      faults_of("background: grey\n"),
-      "my.set.yaml:1:13: background: \"grey\" is no colour: # and six hexadecimal digits; for "
-      "example #808080");
+  EXPECT_EQ(faults_of("background: grey\n"),
+            "my.set.yaml:1:13: background: \"grey\" is no colour; write # and six hexadecimal "
+            "digits, for "
+            "example #808080");
   EXPECT_EQ(faults_of("name: x\n"),
             "my.set.yaml:1:1: background: missing; add it, for example background: #808080");
   EXPECT_EQ(faults_of("background: \"#808080\"\nground: {colour: \"#808080\", fade: [30, 6]}\n"),
