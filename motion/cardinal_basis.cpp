@@ -5,7 +5,8 @@
 #include <limits>
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
+
+#include "motion/singular_values.h"
 
 namespace mien::motion {
 
@@ -28,9 +29,8 @@ Eigen::MatrixXd fit_linear(const Eigen::MatrixXd& centred) {
   Eigen::MatrixXd linear(count, centred.cols() + 1);
   linear.col(0).setConstant(1.0 / static_cast<double>(count));
   if (centred.cols() == 0) return linear;
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(centred, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(singular_share);
-  linear.rightCols(centred.cols()) = svd.solve(targets).transpose();
+  linear.rightCols(centred.cols()) =
+      singular_values(centred).solve(targets, singular_share).transpose();
   return linear;
 }
 

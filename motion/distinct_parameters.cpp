@@ -1,6 +1,6 @@
 #include "motion/distinct_parameters.h"
 
-#include <Eigen/SVD>
+#include "motion/singular_values.h"
 
 namespace mien::motion {
 
@@ -48,9 +48,7 @@ Eigen::VectorXd by_example(const DistinctParameters& distinct, const Eigen::Vect
 int spread_rank(const Eigen::MatrixXd& places) {
   if (places.rows() < 2 || places.cols() == 0) return 0;
   const Eigen::MatrixXd centred = places.rowwise() - places.colwise().mean();
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(centred);
-  svd.setThreshold(singular_share);
-  return static_cast<int>(svd.rank());
+  return static_cast<int>(singular_values(centred).rank(singular_share));
 }
 
 }  // namespace mien::motion

@@ -6,6 +6,7 @@
 
 #include "motion/filter.h"
 #include "motion/percentile.h"
+#include "motion/rotation.h"
 #include "motion/sole.h"
 
 namespace mien::motion {
@@ -120,7 +121,7 @@ Quat floor_levelling(const Clip& clip) {
                         slope.error_sloping < 0.6 * slope.error_level;
   if (!is_slope) return Quat::Identity();
   const Vec3 up_the_slope = (slope.direction + slope.rise * Vec3::UnitY()).normalized();
-  return Quat::FromTwoVectors(up_the_slope, slope.direction);
+  return turn_between(up_the_slope, slope.direction);
 }
 
 }  // namespace mien::motion

@@ -38,7 +38,7 @@ Quat mean_rotation(const FootPath& path, int first, int last) {
 Quat without_toe_lift(const Quat& sole, const FootPath& path) {
   const Vec3 along = sole * (path.ball_in_foot - path.heel_in_foot);
   if (along.y() <= 0.0) return sole;
-  return (Quat::FromTwoVectors(along, Vec3(along.x(), 0.0, along.z())) * sole).normalized();
+  return (turn_between(along, Vec3(along.x(), 0.0, along.z())) * sole).normalized();
 }
 
 /// Where the foot stands at each frame of its stance, in unrolled coordinates. Over the floor the

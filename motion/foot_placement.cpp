@@ -150,8 +150,8 @@ std::pair<Quat, Quat> knee_to_the_front(TwoBoneLimb& limb, const Vec3& forward) 
   const Vec3 bend = limb.middle - limb.root - line.dot(limb.middle - limb.root) * line;
   if (bend.dot(forward) >= 0.0) return {Quat::Identity(), Quat::Identity()};
   const Vec3 front = limb.middle - 2.0 * bend;
-  const std::pair turns = {Quat::FromTwoVectors(limb.middle - limb.root, front - limb.root),
-                           Quat::FromTwoVectors(limb.end - limb.middle, limb.end - front)};
+  const std::pair turns = {turn_between(limb.middle - limb.root, front - limb.root),
+                           turn_between(limb.end - limb.middle, limb.end - front)};
   limb.middle = front;
   return turns;
 }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/SVD>
+#include "motion/singular_values.h"
 
 namespace mien::motion {
 
@@ -57,9 +57,8 @@ Variogram fitted_variogram(const Eigen::MatrixXd& places, const Eigen::MatrixXd&
 
 Eigen::MatrixXd directions_of_spread(const Eigen::MatrixXd& centred) {
   if (centred.rows() < 2 || centred.cols() == 0) return Eigen::MatrixXd(centred.cols(), 0);
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(centred, Eigen::ComputeThinV);
-  svd.setThreshold(singular_share);
-  return svd.matrixV().leftCols(svd.rank());
+  const SingularValues svd = singular_values(centred);
+  return svd.v.leftCols(svd.rank(singular_share));
 }
 
 /// The functions that weights reproduce, at parameters: 1 and the coordinates along the axes.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/percentile.h"
+#include "motion/rotation.h"
 
 namespace mien::motion {
 
@@ -124,7 +125,7 @@ Quat canonical_rotation(const RigMotion& motion, const JointTransforms& frame, B
   const Vec3 axis = turned * rest_direction(joint);
   // A bone of no length, or one that points backwards, cannot be aimed.
   if (bone.norm() < 1e-9 || bone.normalized().dot(axis) < 0.0) return turned;
-  return (Quat::FromTwoVectors(axis, bone) * turned).normalized();
+  return (turn_between(axis, bone) * turned).normalized();
 }
 
 double ankle_height(std::span<const RigMotion> motions, BodyJoint ankle) {

@@ -100,7 +100,7 @@ Vec3 bone_direction(const RestFigure& figure, BodyJoint joint) {
 Quat foot_frame(const RestFigure& figure, BodyJoint ankle) {
   const auto toe = BodyJoint(ankle + 1);
   const auto knee = BodyJoint(ankle - 1);
-  const Quat spread = Quat::FromTwoVectors(rest_direction(knee), bone_direction(figure, knee));
+  const Quat spread = turn_between(rest_direction(knee), bone_direction(figure, knee));
   if (!figure.has(toe)) return spread;
   return spread * heading(spread.conjugate() * (figure.point(toe) - figure.point(ankle)));
 }
@@ -119,7 +119,7 @@ Quat canonical_frame(const RestFigure& figure, BodyJoint joint) {
     case Head:
       return Quat::Identity();
     default:
-      return Quat::FromTwoVectors(rest_direction(joint), bone_direction(figure, joint));
+      return turn_between(rest_direction(joint), bone_direction(figure, joint));
   }
 }
 

@@ -7,7 +7,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <Eigen/SVD>
+
+#include "motion/singular_values.h"
 
 namespace mien::motion {
 
@@ -115,8 +116,8 @@ double best_penalty(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& va
                     std::span<const int> group) {
   RidgeModel model;
   const Eigen::MatrixXd z = standardise(predictors, model);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(z, Eigen::ComputeThinU);
-  const Eigen::VectorXd squares = svd.singularValues().cwiseAbs2();
+  const SingularValues svd = singular_values(z);
+  const Eigen::VectorXd squares = svd.values.cwiseAbs2();
   const auto groups = members_of(group);
   const std::vector<double> penalties = penalty_choices(model.observations);
   std::vector<double> sums;
@@ -124,7 +125,7 @@ double best_penalty(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& va
   double least = limit;
   for (const double penalty : penalties) {
     const Eigen::VectorXd shrinkage = (squares.array() / (squares.array() + penalty)).matrix();
-    Eigen::MatrixXd hat = svd.matrixU() * shrinkage.asDiagonal() * svd.matrixU().transpose();
+    Eigen::MatrixXd hat = svd.u * shrinkage.asDiagonal() * svd.u.transpose();
     hat.array() += 1.0 / model.observations;
     const Eigen::VectorXd errors = left_out_errors(hat, values, groups);
     sums.push_back(errors.sum());

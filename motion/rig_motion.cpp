@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "motion/rotation.h"
+
 namespace mien::motion {
 
 namespace {
@@ -113,7 +115,7 @@ UpAxis up_axis(const std::vector<JointTransforms>& world, const MappedJoints& jo
 
 Quat turn_to_y_up(const Vec3& axis) {
   if (axis.y() < -0.5) return Quat(0.0, 1.0, 0.0, 0.0);
-  return Quat::FromTwoVectors(axis, Vec3::UnitY());
+  return turn_between(axis, Vec3::UnitY());
 }
 
 }  // namespace mien::motion

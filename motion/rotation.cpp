@@ -36,6 +36,8 @@ Quat in_hemisphere_of(const Quat& reference, const Quat& rotation) {
   return reference.dot(rotation) < 0 ? Quat(-rotation.coeffs()) : rotation;
 }
 
+Quat turn_between(const Vec3& from, const Vec3& to) { return Quat::FromTwoVectors(from, to); }
+
 Quat heading(const Vec3& direction) {
   if (std::hypot(direction.x(), direction.z()) < 1e-12) return Quat::Identity();
   return Quat(Eigen::AngleAxisd(std::atan2(direction.x(), direction.z()), Vec3::UnitY()));

@@ -22,6 +22,10 @@ Quat slerp(const Quat& from, const Quat& to, double t);
 /// `rotation` or its negative, whichever lies in the hemisphere of `reference`.
 Quat in_hemisphere_of(const Quat& reference, const Quat& rotation);
 
+/// The shortest rotation that takes the direction of `from` to that of `to`, neither zero; about
+/// any axis when they are opposite.
+Quat turn_between(const Vec3& from, const Vec3& to);
+
 /// The rotation about +Y that takes +Z to the heading of `direction` (its horizontal part).
 /// Identity when the horizontal part vanishes.
 Quat heading(const Vec3& direction);

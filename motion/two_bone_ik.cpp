@@ -47,7 +47,7 @@ TwoBoneSolution solve_two_bone(const TwoBoneLimb& limb, const Vec3& target, cons
       std::min(std::max(reach.norm(), shortest), std::max(shortest, (a + b) * max_extension));
 
   const Vec3 bend_before = bend_direction(limb, line_before, bend_hint);
-  const Vec3 turned = Quat::FromTwoVectors(line_before, line) * bend_before;
+  const Vec3 turned = turn_between(line_before, line) * bend_before;
   const Vec3 bend = (turned - turned.dot(line) * line).normalized();
 
   const double along = (distance * distance + a * a - b * b) / (2.0 * distance);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <Eigen/SVD>
+#include "motion/singular_values.h"
 
 namespace mien::motion {
 
@@ -23,8 +23,8 @@ double drawn(std::uint64_t seed, std::uint64_t place) {
 
 /// The nearest orthonormal matrix: (M Mᵀ)^−½ M.
 Eigen::MatrixXd decorrelated(const Eigen::MatrixXd& matrix) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  const SingularValues svd = singular_values(matrix);
+  return svd.u * svd.v.transpose();
 }
 
 }  // namespace

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include <Eigen/SVD>
-
 #include "motion/classic/curve_alignment.h"
 #include "motion/error.h"
+#include "motion/singular_values.h"
 
 namespace mien::motion {
 
@@ -47,8 +46,8 @@ Eigen::VectorXd log_rates(const std::vector<double>& times, const MotionCurves& 
 }
 
 Eigen::MatrixXd principal_components(const Eigen::MatrixXd& centred, int count) {
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(centred, Eigen::ComputeThinV);
-  return svd.matrixV().leftCols(std::min<Eigen::Index>(count, svd.matrixV().cols()));
+  const Eigen::MatrixXd directions = singular_values(centred).v;
+  return directions.leftCols(std::min<Eigen::Index>(count, directions.cols()));
 }
 
 Eigen::MatrixXd about_mean(const Eigen::MatrixXd& values) {

@@ -7,7 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "motion/singular_values.h"
 
 namespace mien::motion {
 
@@ -22,9 +23,7 @@ constexpr double ridge = 1e-8;
 
 /// B in Y ≈ B·X, of the smallest norm.
 Matrix regression(const Matrix& y, const Matrix& x) {
-  Eigen::BDCSVD<Matrix> svd(x.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(least_direction);
-  return svd.solve(y.transpose()).transpose();
+  return singular_values(x.transpose()).solve(y.transpose(), least_direction).transpose();
 }
 
 /// Block Hankel matrix: block row k holds moments first + k, first + k + 1, … as columns.
@@ -42,9 +41,9 @@ Matrix hankel(const Matrix& signal, Eigen::Index first, Eigen::Index blocks, Eig
 
 /// The strongest principal components of the outputs, columns orthonormal in time.
 Matrix strongest(const Matrix& outputs, Eigen::Index count) {
-  const Eigen::BDCSVD<Matrix> svd(outputs, Eigen::ComputeThinU);
-  const Eigen::Index kept = std::min(count, svd.singularValues().size());
-  return svd.matrixU().leftCols(kept) * svd.singularValues().head(kept).asDiagonal();
+  const SingularValues svd = singular_values(outputs);
+  const Eigen::Index kept = std::min(count, svd.values.size());
+  return svd.u.leftCols(kept) * svd.values.head(kept).asDiagonal();
 }
 
 /// Row t: the state before input `blocks` + t; of open data there are fewer of them than of inputs.
@@ -61,14 +60,9 @@ Matrix states_by_projection(const Matrix& inputs, const Matrix& outputs, Eigen::
   const Matrix by_known = regression(future_outputs, known);
   const Eigen::Index past = past_inputs.rows() + past_outputs.rows();
   const Matrix oblique = by_known.leftCols(past) * known.topRows(past);
-  const Eigen::BDCSVD<Matrix> svd(oblique, Eigen::ComputeThinV);
-  const auto& strength = svd.singularValues();
-  Eigen::Index kept = 0;
-  while (kept < std::min(order, strength.size()) &&
-         strength[kept] > least_direction * strength[0]) {
-    ++kept;
-  }
-  return svd.matrixV().leftCols(kept) * std::sqrt(static_cast<double>(columns));
+  const SingularValues svd = singular_values(oblique);
+  const Eigen::Index kept = std::min(order, svd.rank(least_direction));
+  return svd.v.leftCols(kept) * std::sqrt(static_cast<double>(columns));
 }
 
 double largest_pole_of(const Matrix& a) {

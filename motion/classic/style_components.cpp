@@ -5,12 +5,11 @@
 #include <numeric>
 #include <string>
 
-#include <Eigen/SVD>
-
 #include "motion/classic/curve_alignment.h"
 #include "motion/classic/dynamic_time_warp.h"
 #include "motion/classic/fast_ica.h"
 #include "motion/error.h"
+#include "motion/singular_values.h"
 
 namespace mien::motion {
 
@@ -39,16 +38,11 @@ struct Whitened {
 };
 
 Whitened whitened(const Matrix& centred, int components) {
-  const Eigen::BDCSVD<Matrix> svd(centred, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const auto& strength = svd.singularValues();
-  Eigen::Index kept = 0;
-  while (kept < std::min<Eigen::Index>(components, strength.size()) &&
-         strength[kept] > least_direction * strength[0]) {
-    ++kept;
-  }
+  const SingularValues svd = singular_values(centred);
+  const Eigen::Index kept = std::min<Eigen::Index>(components, svd.rank(least_direction));
   const double root = std::sqrt(static_cast<double>(centred.rows()));
-  return {svd.matrixU().leftCols(kept) * root,
-          (strength.head(kept) / root).asDiagonal() * svd.matrixV().leftCols(kept).transpose()};
+  return {svd.u.leftCols(kept) * root,
+          (svd.values.head(kept) / root).asDiagonal() * svd.v.leftCols(kept).transpose()};
 }
 
 /// Strongest first, largest number of each mixing row positive.

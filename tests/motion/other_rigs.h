@@ -21,7 +21,7 @@ inline FrameTurns bones_along_x() {
   for (int j = 0; j < body_joint_count; ++j) {
     const auto joint = BodyJoint(j);
     const Vec3 bone = (is_right(joint) ? -1.0 : 1.0) * Vec3::UnitX();
-    turns[j] = Quat::FromTwoVectors(bone, rest_direction(joint));
+    turns[j] = turn_between(bone, rest_direction(joint));
   }
   return turns;
 }

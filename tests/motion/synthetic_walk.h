@@ -86,7 +86,7 @@ inline void put_leg(Pose& pose, const Skeleton& body, BodyJoint hip, const Synth
   const double forward = std::acos(std::clamp(
       (thigh * thigh + length * length - shank * shank) / (2 * thigh * length), -1.0, 1.0));
   const double backward = std::asin(std::clamp(thigh * std::sin(forward) / shank, -1.0, 1.0));
-  const Quat line = Quat::FromTwoVectors(-Vec3::UnitY(), reach);
+  const Quat line = turn_between(-Vec3::UnitY(), reach);
   const Quat foot_turn = about(Vec3::UnitY(), foot.yaw);
   pose.rotations[hip] = line * about(Vec3::UnitX(), -forward);
   pose.rotations[hip + 1] = about(Vec3::UnitX(), forward + backward);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "motion/rotation.h"
 
 namespace mien::scenes {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 motion::Clip walk(const motion::Vec3& direction, int frames) {
   motion::Clip clip;
   clip.body = motion::standard_body();
-  const motion::Quat facing = Eigen::Quaterniond::FromTwoVectors(motion::Vec3::UnitZ(), direction);
+  const motion::Quat facing = motion::turn_between(motion::Vec3::UnitZ(), direction);
   for (int f = 0; f < frames; ++f) {
     motion::Pose pose;
     pose.rotations.assign(motion::body_joint_count, motion::Quat::Identity());

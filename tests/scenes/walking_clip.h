@@ -4,6 +4,7 @@
 
 #include "motion/body.h"
 #include "motion/clip.h"
+#include "motion/rotation.h"
 
 namespace mien::scenes::test {
 
@@ -12,7 +13,7 @@ namespace mien::scenes::test {
 inline motion::Clip walking_clip(int frames, const motion::Vec3& direction, double metres_a_frame) {
   motion::Clip clip;
   clip.body = motion::standard_body();
-  const motion::Quat facing = motion::Quat::FromTwoVectors(motion::Vec3::UnitZ(), direction);
+  const motion::Quat facing = motion::turn_between(motion::Vec3::UnitZ(), direction);
   for (int f = 0; f < frames; ++f) {
     const double swing = 0.6 * std::sin(2.0 * motion::pi * f / 30.0);
     motion::Pose pose;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace mien::motion {
+
+/// A matrix as u · diag(values) · vᵀ, where the columns of u, and those of v, are orthonormal.
+/// As many values as the matrix has rows or columns, whichever are fewer.
+struct SingularValues {
+  Eigen::MatrixXd u;
+  Eigen::VectorXd values;  ///< descending, none negative
+  Eigen::MatrixXd v;
+
+  /// How many values are above `share` of the largest; none of a matrix of zeros.
+  Eigen::Index rank(double share) const;
+
+  /// The X for which |A X − right| is least, of those the smallest. Values that do not count for
+  /// rank(share) are taken for zero.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right, double share) const;
+};
+
+SingularValues singular_values(const Eigen::MatrixXd& matrix);
+
+}  // namespace mien::motion
