@@ -5,6 +5,14 @@
 #include <stdexcept>
 
 namespace mien::render {
+namespace {
+
+bool lies_within(const Window& window, int width, int height) {
+  return window.x >= 0 && window.y >= 0 && window.width >= 1 && window.height >= 1 &&
+         window.x <= width - window.width && window.y <= height - window.height;
+}
+
+}  // namespace
 
 CameraFrame frame_of(const Camera& camera) {
   if (camera.width < 1 || camera.height < 1)
@@ -19,6 +27,8 @@ CameraFrame frame_of(const Camera& camera) {
   if (!(camera.aperture_radius >= 0.0f && std::isfinite(camera.aperture_radius)) ||
       !(camera.focus_distance > 0.0f))
     throw std::invalid_argument("camera: aperture or focus distance is not positive");
+  if (camera.window && !lies_within(*camera.window, camera.width, camera.height))
+    throw std::invalid_argument("camera: the window is empty or not within the film");
   const Vec3 axis = camera.target - camera.position;
   const Vec3 right = axis.cross(camera.up);
   if (!(axis.norm() > 0.0f) || !(right.norm() > 1e-6f * axis.norm() * camera.up.norm()) ||

@@ -9,6 +9,16 @@
 
 namespace mien::render {
 
+/// Pixels [x, x + width) × [y, y + height) of a film.
+struct Window {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  friend bool operator==(const Window&, const Window&) = default;
+};
+
 /// A camera with square pixels. Film x goes right and y goes down; pixel (i, j) covers
 /// [i, i+1) × [j, j+1), its centre is at (i + ½, j + ½).
 struct Camera {
@@ -24,6 +34,8 @@ struct Camera {
   float focus_distance = 5.0f;   ///< along the axis, metres; of a camera with an aperture
   int width = 960;               ///< pixels
   int height = 540;              ///< pixels
+  std::optional<Window> window;  ///< the part of the film that is drawn, alone and to the bit as
+                                 ///< it would be in the whole; none: all
 };
 
 /// A ray of light, seen from the eye. The direction has unit length.
@@ -47,9 +59,15 @@ struct CameraFrame {
 
   /// Through a film point and the middle of the aperture.
   EyeRay ray(float x, float y) const {
+    const EyeRay line = line_through(x, y);
+    return {line.origin, parallel ? line.direction : line.direction.normalized()};
+  }
+
+  /// The same, quicker: the direction has any length.
+  EyeRay line_through(float x, float y) const {
     const Vec3 aside = (x - centre_x) * step_right + (y - centre_y) * step_down;
     if (parallel) return {position + aside, forward};
-    return {position, (forward + aside).normalized()};
+    return {position, forward + aside};
   }
 
   /// Through a film point and a point of the aperture, (0, 0) in its middle, its rim at radius 1.
@@ -68,7 +86,7 @@ struct HalfSpace {
 std::array<HalfSpace, 4> view_of(const CameraFrame& frame, int width, int height, float margin);
 
 /// Throws std::invalid_argument when the camera is degenerate (no size, target at the position, up
-/// along the axis, field of view outside 0 … π).
+/// along the axis, field of view outside 0 … π, a window that is not within the film).
 CameraFrame frame_of(const Camera& camera);
 
 /// Film coordinates, in pixels, of a point; nothing when it is not in front of the camera.

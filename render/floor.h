@@ -21,7 +21,7 @@ struct SetPixel {
 };
 SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, const EyeRay& ray);
 
-/// Distance along a unit direction at which a ray meets the floor from above.
+/// Distance, in lengths of the direction, at which a ray meets the floor from above.
 inline std::optional<float> distance_to_floor(const Vec3& origin, const Vec3& direction) {
   if (!(origin.y() > 0.0f && direction.y() < 0.0f)) return std::nullopt;
   return -origin.y() / direction.y();

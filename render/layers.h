@@ -40,6 +40,9 @@ struct Layers {
   CoverageLayer parts;  ///< "figure/part"
 };
 
+/// The pixels of a window, in all layers that are of the size of `layers.albedo`.
+Layers cut_out(Layers layers, const Window& window);
+
 /// The id that Cryptomatte gives a name: MurmurHash3 (32 bits, seed 0), with the exponent kept off
 /// the values that are no finite number (Friedman & Jones 2015).
 std::uint32_t layer_id(const std::string& name);

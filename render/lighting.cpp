@@ -7,8 +7,8 @@
 
 #include "render/directions.h"
 #include "render/floor.h"
-#include "render/floor_sky.h"
 #include "render/light.h"
+#include "render/sky_cone.h"
 
 namespace mien::render {
 namespace {

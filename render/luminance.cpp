@@ -28,6 +28,11 @@ Table light_of_codes() {
 
 }  // namespace
 
+float relative_luminance(const Color& light) {
+  return static_cast<float>(weights[0]) * light.x() + static_cast<float>(weights[1]) * light.y() +
+         static_cast<float>(weights[2]) * light.z();
+}
+
 Luminance luminance_of(const Image8& picture) {
   static const Table table = light_of_codes();
   std::uint64_t sum = 0;

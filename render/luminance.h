@@ -3,6 +3,7 @@
 #include "render/film.h"
 #include "render/image.h"
 #include "render/tone.h"
+#include "render/vector.h"
 
 namespace mien::render {
 
@@ -15,6 +16,9 @@ struct Luminance {
   /// Root-mean-square contrast: deviation / mean (Moulden, Kingdom and Gatley 1990); 0 for black.
   double rms_contrast() const { return mean > 0.0 ? deviation / mean : 0.0; }
 };
+
+/// Of linear light with Rec.709 primaries, weighted by BT.709.
+float relative_luminance(const Color& light);
 
 /// Sums are of whole numbers (light in steps of 2⁻²⁰), so the result is the same everywhere.
 Luminance luminance_of(const Image8& picture);

@@ -6,7 +6,7 @@
 #include "render/camera.h"
 #include "render/embree_scene.h"
 #include "render/filter.h"
-#include "render/hidden_sky.h"
+#include "render/floor_sky.h"
 #include "render/quality.h"
 #include "render/reach.h"
 #include "render/scene.h"

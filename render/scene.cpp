@@ -198,6 +198,7 @@ void validate(const Scene& scene) {
   }
   validate(scene.solids, counts, "");
   validate(scene.standing, counts, "standing.");
+  require(scene.lights.size() <= 32, "lights", "more than 32");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     validate(scene.lights[i], indexed("lights", i));
   validate(scene.sky);

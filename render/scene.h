@@ -134,8 +134,8 @@ struct Scene {
   std::vector<Figure> figures{Figure{}};  ///< at most 32
   std::vector<Part> parts{Part{}};
   Solids solids;
-  Solids standing;  ///< their parts and figures are not looked at
-  std::vector<AreaLight> lights;
+  Solids standing;                ///< their parts and figures are not looked at
+  std::vector<AreaLight> lights;  ///< at most 32
   Sky sky;
   Ground ground;
   bool has_ground = true;

@@ -37,8 +37,11 @@ struct Shapes {
   Triangle triangle_at(std::size_t index, float time) const;
 };
 
-/// The solids of a scene, where they stand. Throws std::invalid_argument as `validate` does.
-Shapes shapes_of(const Solids& solids, const Scene& scene);
+/// The figures of a valid scene, where they stand.
+Shapes figure_shapes(const Scene& scene);
+
+/// What stands in its set, which is always there as a whole.
+Shapes standing_shapes(const Scene& scene);
 
 /// The solids of two scenes, when the shutter opens and when it closes. Throws
 /// std::invalid_argument unless both hold the same shapes in the same order.

@@ -62,6 +62,13 @@ void add_solids(Key& key, const Solids& solids) {
   }
 }
 
+void add_texture(Key& key, const Scene& scene, int index) {
+  if (index < 0) return;
+  const Texture& texture = *scene.textures[static_cast<std::size_t>(index)];
+  key.add(texture.width, texture.height);
+  for (const Color& texel : texture.texels) key.add(texel);
+}
+
 }  // namespace
 
 std::vector<float> standing_key(const Scene& scene, const Camera& camera, const Quality& quality) {
@@ -73,7 +80,10 @@ std::vector<float> standing_key(const Scene& scene, const Camera& camera, const 
   for (const Material& material : scene.materials)
     key.add(material.albedo, material.sheen, material.roughness, material.emission,
             material.texture);
-  key.add(quality.standing_samples, quality.sky_rays, quality.filter_width,
+  for (const Mesh& mesh : scene.standing.meshes)
+    add_texture(key, scene, scene.materials[static_cast<std::size_t>(mesh.material)].texture);
+  key.add(quality.standing_samples, quality.sky_rays, quality.floor_sky_noise,
+          quality.floor_sky_tolerance, quality.floor_sky_cell, quality.filter_width,
           static_cast<int>(quality.seed), static_cast<int>(quality.seed >> 32));
   return key.take();
 }
@@ -97,8 +107,7 @@ void expose_open_row(const Scene& scene, const CameraFrame& camera, int y, Stand
         scene, camera, camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
     std::copy_n(pixel.radiance.data(), 3, set.radiance.at(x, y));
     std::copy_n(pixel.visible_albedo.data(), 3, set.floor_albedo.at(x, y));
-    const std::size_t place =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    const std::size_t place = set.place_of(x, y);
     set.floor[place] = pixel.shows_floor ? 1 : 0;
     set.floor_x[place] = pixel.point.x();
     set.floor_z[place] = pixel.point.z();

@@ -22,6 +22,12 @@ struct StandingSet {
   std::vector<float> floor_z;
   std::vector<std::uint8_t> solid;      ///< 1 where a pixel may show a standing solid
   std::unique_ptr<EmbreeScene> solids;  ///< null without standing solids
+
+  /// Where a pixel is in the lists.
+  std::size_t place_of(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(radiance.width) +
+           static_cast<std::size_t>(x);
+  }
 };
 
 /// All numbers that a standing set depends on, for comparison.

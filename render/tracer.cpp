@@ -1,5 +1,6 @@
 #include "render/tracer.h"
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -9,6 +10,7 @@
 
 #include "render/embree_scene.h"
 #include "render/layer_pass.h"
+#include "render/luminance.h"
 #include "render/picture.h"
 #include "render/tile.h"
 
@@ -16,10 +18,18 @@ namespace mien::render {
 
 namespace {
 
+Window window_of(const Camera& camera) {
+  return camera.window.value_or(Window{0, 0, camera.width, camera.height});
+}
+
+/// All tiles of a film that the window touches.
 template <class Work>
-void for_all_tiles(tbb::task_arena& arena, const Film& film, Work work) {
-  const auto tiles = [](int pixels) { return (pixels + tile_size - 1) / tile_size; };
-  const tbb::blocked_range2d<int> all(0, tiles(film.height), 1, 0, tiles(film.width), 4);
+void for_all_tiles(tbb::task_arena& arena, const Film& film, const Window& window, Work work) {
+  const auto last = [](int first, int pixels) {
+    return (first + pixels + tile_size - 1) / tile_size;
+  };
+  const tbb::blocked_range2d<int> all(window.y / tile_size, last(window.y, window.height), 1,
+                                      window.x / tile_size, last(window.x, window.width), 4);
   arena.execute([&] {
     tbb::parallel_for(all, [&](const tbb::blocked_range2d<int>& part) {
       for (int row = part.rows().begin(); row < part.rows().end(); ++row)
@@ -43,6 +53,11 @@ void check(const Quality& quality) {
     throw std::invalid_argument("quality: the shutter is not open for a share of 0 to 1");
 }
 
+struct KeptSet {
+  std::vector<float> key;
+  StandingSet set;
+};
+
 }  // namespace
 
 struct Tracer::Engine {
@@ -52,8 +67,7 @@ struct Tracer::Engine {
 
   EmbreeDevice device;
   tbb::task_arena arena;
-  std::vector<float> key;  // of the set
-  StandingSet set;
+  std::array<KeptSet, 2> kept;  // two, for a pair of cameras; the one used last comes first
   float filter_width = 0.0f;
   std::optional<Filter> filter;
 
@@ -65,11 +79,13 @@ struct Tracer::Engine {
   const StandingSet& standing_set(const Scene& scene, const Camera& camera, const Quality& quality);
   Picture prepare(const Scene& scene, const Camera& camera, const Quality& quality,
                   const StandingSet& behind, Shapes shapes, const Solids& solids);
-  void add_standing_solids(const Scene& scene, const Camera& camera, const Quality& quality);
+  void add_standing_solids(const Scene& scene, const Camera& camera, const Quality& quality,
+                           StandingSet& set);
   void look_at_sky(Picture& picture);
 };
 
 void Tracer::Engine::look_at_sky(Picture& picture) {
+  if (picture.piecemeal()) return;
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, picture.floor_sky.corner_count(), [&](std::size_t corner) {
       picture.floor_sky.look(corner, picture.figure, picture.opacities);
@@ -81,6 +97,9 @@ void Tracer::Engine::look_at_sky(Picture& picture) {
 const StandingSet& Tracer::Engine::standing_set(const Scene& scene, const Camera& camera,
                                                 const Quality& quality) {
   std::vector<float> wanted = standing_key(scene, camera, quality);
+  if (wanted == kept[0].key) return kept[0].set;
+  std::swap(kept[0], kept[1]);
+  auto& [key, set] = kept[0];
   if (wanted == key) return set;
   key.clear();
   set = empty_set(camera.width, camera.height);
@@ -88,14 +107,14 @@ const StandingSet& Tracer::Engine::standing_set(const Scene& scene, const Camera
   arena.execute([&] {
     tbb::parallel_for(0, camera.height, [&](int y) { expose_open_row(scene, frame, y, set); });
   });
-  if (!scene.standing.empty()) add_standing_solids(scene, camera, quality);
+  if (!scene.standing.empty()) add_standing_solids(scene, camera, quality, set);
   key = std::move(wanted);
   return set;
 }
 
 // What stands is drawn like a figure in the open set, once.
 void Tracer::Engine::add_standing_solids(const Scene& scene, const Camera& camera,
-                                         const Quality& quality) {
+                                         const Quality& quality, StandingSet& set) {
   Quality thorough = quality;
   thorough.samples_per_pixel = quality.standing_samples;
   thorough.background = Background::shown;
@@ -103,17 +122,16 @@ void Tracer::Engine::add_standing_solids(const Scene& scene, const Camera& camer
   Camera sharp = camera;
   sharp.aperture_radius = 0.0f;
   {
-    Picture picture =
-        prepare(scene, sharp, thorough, set, shapes_of(scene.standing, scene), scene.standing);
+    Picture picture = prepare(scene, sharp, thorough, set, standing_shapes(scene), scene.standing);
     look_at_sky(picture);
-    for_all_tiles(arena, exposure.film, [&](const Tile& tile) { draw(picture, tile, exposure); });
+    for_all_tiles(arena, exposure.film, {0, 0, camera.width, camera.height},
+                  [&](const Tile& tile) { draw(picture, tile, exposure); });
     for (int y = 0; y < camera.height; ++y)
       for (int x = 0; x < camera.width; ++x)
-        set.solid[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width) +
-                  static_cast<std::size_t>(x)] = picture.film_mask.may_meet(x, y) ? 1 : 0;
+        set.solid[set.place_of(x, y)] = picture.film_mask.may_meet(x, y) ? 1 : 0;
   }
   set.radiance = std::move(exposure.film);
-  set.solids = std::make_unique<EmbreeScene>(device, shapes_of(scene.standing, scene));
+  set.solids = std::make_unique<EmbreeScene>(device, standing_shapes(scene));
 }
 
 Picture Tracer::Engine::prepare(const Scene& scene, const Camera& camera, const Quality& quality,
@@ -162,16 +180,19 @@ Exposure Tracer::expose(const Scene& scene, const Camera& camera, const Quality&
   const StandingSet& set = engine_->standing_set(scene, camera, quality);
   Picture picture = engine_->prepare(
       scene, camera, quality, set,
-      closing != nullptr ? shapes_between(scene, *closing) : shapes_of(scene.solids, scene),
-      scene.solids);
-  engine_->look_at_sky(picture);
+      closing != nullptr ? shapes_between(scene, *closing) : figure_shapes(scene), scene.solids);
   if (closing != nullptr) picture.closing_solids = &closing->solids;
   if (closing_camera != nullptr) picture.closing_camera = frame_of(*closing_camera);
+  engine_->look_at_sky(picture);
   Exposure exposure{Film(camera.width, camera.height), {}};
   if (quality.background != Background::shown)
     exposure.alpha.resize(exposure.film.channels.size() / 3);
-  for_all_tiles(engine_->arena, exposure.film,
+  for_all_tiles(engine_->arena, exposure.film, window_of(camera),
                 [&](const Tile& tile) { draw(picture, tile, exposure); });
+  if (!camera.window) return exposure;
+  exposure.film = cut_out(exposure.film, *camera.window);
+  if (!exposure.alpha.empty())
+    exposure.alpha = cut_out(exposure.alpha, camera.width, *camera.window);
   return exposure;
 }
 
@@ -183,20 +204,21 @@ Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& q
   Camera sharp = camera;
   sharp.aperture_radius = 0.0f;
   Layers layers = empty_layers(scene, camera.width, camera.height);
-  layers.beauty = trace(scene, sharp, quality);
   const StandingSet& set = engine_->standing_set(scene, sharp, quality);
   Picture picture =
-      engine_->prepare(scene, sharp, quality, set, shapes_of(scene.solids, scene), scene.solids);
-  const Shapes later = next != nullptr ? shapes_of(next->solids, *next) : Shapes{};
+      engine_->prepare(scene, sharp, quality, set, figure_shapes(scene), scene.solids);
+  const Shapes later = next != nullptr ? figure_shapes(*next) : Shapes{};
   if (next != nullptr) {
     shapes_between(scene, *next);  // throws when they do not match
     picture.next_shapes = &later;
   }
   const NextPicture following{next, next_camera != nullptr ? *next_camera : sharp};
   const bool moves = next != nullptr || next_camera != nullptr;
-  for_all_tiles(engine_->arena, layers.albedo, [&](const Tile& tile) {
+  for_all_tiles(engine_->arena, layers.albedo, window_of(sharp), [&](const Tile& tile) {
     draw_layers(picture, moves ? &following : nullptr, tile, layers);
   });
+  if (sharp.window) layers = cut_out(std::move(layers), *sharp.window);
+  layers.beauty = trace(scene, sharp, quality);
   add_variance(scene, sharp, quality, layers);
   return layers;
 }
@@ -210,10 +232,8 @@ void Tracer::add_variance(const Scene& scene, const Camera& camera, Quality qual
     quality.seed = seed ^ (0x9e3779b97f4a7c15u * static_cast<std::uint64_t>(k + 1));
     const Film film = trace(scene, camera, quality);
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      const float* pixel = film.channels.data() + 3 * i;
-      const double light = 0.2126 * static_cast<double>(pixel[0]) +
-                           0.7152 * static_cast<double>(pixel[1]) +
-                           0.0722 * static_cast<double>(pixel[2]);
+      const Color pixel = Eigen::Map<const Color>(film.channels.data() + 3 * i);
+      const auto light = static_cast<double>(relative_luminance(pixel));
       sum[i] += light;
       squares[i] += light * light;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -152,6 +153,9 @@ VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& for
   const int frames = static_cast<int>(written.frames.size());
   FrameSketch first;
   int shown = 0;  // frames that pictures stood for
+  // While one picture is compared, the next is decoded.
+  Image8 compared;
+  std::future<void> comparing;
   check.summary = probe_timed(path, [&](const ShownPicture& shot) {
     if (shot.index == 0 && shot.picture.width == format.width &&
         shot.picture.height == format.height) {
@@ -160,9 +164,14 @@ VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& for
     const int last = format.kind == VideoKind::webp && shot.duration > 0.0
                          ? static_cast<int>(std::lround((shot.seconds + shot.duration) * rate)) - 1
                          : shown;
-    comparison.take(shown, last, shot.picture);
+    if (comparing.valid()) comparing.get();
+    compared = shot.picture;
+    comparing = std::async(std::launch::async, [&comparison, &compared, from = shown, last] {
+      comparison.take(from, last, compared);
+    });
     shown = last + 1;
   });
+  if (comparing.valid()) comparing.get();
   check_tags(name, check.summary, format);
   if (shown != frames) {
     throw Error(name + ": has " + std::to_string(shown) + " frames instead of " +

@@ -218,7 +218,7 @@ void report(benchmark::State& state, std::size_t packets, std::size_t met) {
 
 void primary(benchmark::State& state) {
   const EmbreeDevice device("");
-  const EmbreeScene figure(device, shapes_of(standing_figure().solids, standing_figure()));
+  const EmbreeScene figure(device, figure_shapes(standing_figure()));
   const std::vector<RayPacket> packets = primary_rays();
   std::size_t met = 0;
   for (auto _ : state) {
@@ -277,7 +277,7 @@ BENCHMARK(primary_bare_embree_by_1)->Unit(benchmark::kMillisecond);
 void shadow(benchmark::State& state) {
   const Scene scene = standing_figure();
   const EmbreeDevice device("");
-  const EmbreeScene figure(device, shapes_of(scene.solids, scene));
+  const EmbreeScene figure(device, figure_shapes(scene));
   const std::vector<RayPacket> packets = shadow_rays(figure, scene.lights[0]);
   std::size_t met = 0;
   for (auto _ : state) {
@@ -294,7 +294,7 @@ void shadow_bare_embree_by_8(benchmark::State& state) {
   const Scene scene = standing_figure();
   const EmbreeDevice device("");
   const BareScene figure(device, scene);
-  const EmbreeScene seen(device, shapes_of(scene.solids, scene));
+  const EmbreeScene seen(device, figure_shapes(scene));
   const std::vector<RTCRay8> packets = bare(shadow_rays(seen, scene.lights[0]));
   std::size_t met = 0;
   for (auto _ : state) {
@@ -314,7 +314,7 @@ void shadow_bare_embree_by_1(benchmark::State& state) {
   const Scene scene = standing_figure();
   const EmbreeDevice device("");
   const BareScene figure(device, scene);
-  const EmbreeScene seen(device, shapes_of(scene.solids, scene));
+  const EmbreeScene seen(device, figure_shapes(scene));
   const std::vector<RTCRay> rays = one_by_one(shadow_rays(seen, scene.lights[0]));
   std::size_t met = 0;
   for (auto _ : state) {

@@ -246,5 +246,38 @@ TEST(Exposing, KnowsTheOpenSkyOnEveryNormal) {
   }
 }
 
+TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
+  Scene scene = shining_ball(0.6f);
+  scene.has_ground = true;
+  scene.solids.spheres[0].centre.y() = 0.5f;
+  scene.materials[0].albedo = {0.4f, 0.5f, 0.6f};
+  scene.sky = test::even_sky(Color::Constant(0.5f));
+  scene.lights = {softbox({2.0f, 4.0f, 3.0f}, Vec3::Zero(), 1.0f, 1.0f, Color::Constant(12.0f))};
+  Camera camera = straight_on();
+  camera.position.y() = 1.0f;
+  Camera cropped = camera;
+  cropped.window = Window{37, 21, 30, 29};
+  for (const Background background :
+       {Background::shown, Background::transparent, Background::shadow}) {
+    const Quality quality{.samples_per_pixel = 4, .background = background};
+    const Exposure whole = Tracer().expose(scene, camera, quality);
+    const Exposure part = Tracer().expose(scene, cropped, quality);
+    EXPECT_EQ(part.film, cut_out(whole.film, *cropped.window));
+    if (background != Background::shown)
+      EXPECT_EQ(part.alpha, cut_out(whole.alpha, camera.width, *cropped.window));
+  }
+  const Quality quality{.samples_per_pixel = 4};
+  const Layers whole = cut_out(Tracer().layers(scene, camera, quality), *cropped.window);
+  const Layers part = Tracer().layers(scene, cropped, quality);
+  EXPECT_EQ(part.beauty.width, 30);
+  EXPECT_EQ(part.normal, whole.normal);
+  EXPECT_EQ(part.depth, whole.depth);
+  EXPECT_EQ(part.motion, whole.motion);
+  EXPECT_EQ(part.variance, whole.variance);
+  EXPECT_EQ(part.figures.ranks.size(), whole.figures.ranks.size());
+  cropped.window->width = 60;
+  EXPECT_THROW(frame_of(cropped), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace mien::render

@@ -3,6 +3,7 @@
 #include "render/standing_set.h"
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -119,6 +120,53 @@ TEST(StandingSet, IsTheSameWhetherItIsKeptOrMadeAnew) {
   EXPECT_NE(changed, first);
   EXPECT_EQ(changed, fresh.trace(other, camera, quality));
   EXPECT_EQ(kept.trace(scene, camera, quality), first);
+
+  // All of the quality that shows in it counts, and so does what meshes are painted with.
+  Quality coarse = quality;
+  coarse.floor_sky_tolerance = 0.5f;
+  coarse.floor_sky_noise = 0.05f;
+  EXPECT_EQ(kept.trace(scene, camera, coarse), Tracer().trace(scene, camera, coarse));
+  Scene painted = scene;
+  Texture texture{1, 1, {Color::Constant(0.9f)}};
+  painted.textures = {&texture};
+  painted.materials[1].texture = 0;
+  for (Mesh& mesh : painted.standing.meshes) mesh.uv.assign(mesh.positions.size(), {0.5f, 0.5f});
+  const Film light = kept.trace(painted, camera, quality);
+  texture.texels = {Color::Constant(0.1f)};
+  const Film dark = kept.trace(painted, camera, quality);
+  EXPECT_NE(dark, light);
+  EXPECT_EQ(dark, Tracer().trace(painted, camera, quality));
+}
+
+TEST(StandingSet, ServesAPairOfCamerasByTurns) {
+  const Scene scene = walled_scene();
+  Camera right = camera;
+  right.position.x() += 0.06f;
+  const Quality quality{.samples_per_pixel = 4, .standing_samples = 8};
+  const Film left_alone = Tracer().trace(scene, camera, quality);
+  const Film right_alone = Tracer().trace(scene, right, quality);
+  Tracer both;
+  for (int turn = 0; turn < 3; ++turn) {
+    EXPECT_EQ(both.trace(scene, camera, quality), left_alone);
+    EXPECT_EQ(both.trace(scene, right, quality), right_alone);
+  }
+}
+
+TEST(StandingSet, StaysWholeWhenTheFigureIsSeenThrough) {
+  Scene scene = walled_scene();
+  const Quality quality{.samples_per_pixel = 4, .standing_samples = 8};
+  const Film solid = Tracer().trace(scene, camera, quality);
+  scene.figures[0].opacity = 0.0f;
+  const Film vanished = Tracer().trace(scene, camera, quality);
+  scene.figures[0].opacity = 1.0f;
+  scene.solids = {};
+  // Where the figure would be, the walls are drawn with fewer samples.
+  const auto light = [](const Film& film) {
+    return std::accumulate(film.channels.begin(), film.channels.end(), 0.0);
+  };
+  const double alone = light(Tracer().trace(scene, camera, quality));
+  EXPECT_NEAR(light(vanished), alone, 0.002 * alone);
+  EXPECT_GT(std::abs(light(solid) - alone), 0.01 * alone);
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+#include "render/sky_cone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mien::render {
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+// Where the figure covers little of the sky, few rays from the floor are enough. So many that the
+// noise stays below `sky_noise` of the sky's light, when a figure fills about a ninth of the sphere
+// round it; and so many that one ray that is blocked takes away no more than `sky_share_of_a_ray`.
+constexpr float sky_noise = 0.02f;
+constexpr float sky_share_of_a_ray = 0.05f;
+constexpr float figure_deviation = 0.32f;  // of a ray that is blocked one time in nine
+
+// The most that one ray within the cone can stand for, as a share of the sky over a floor.
+float greatest_share(const Cone& cone) {
+  const float sine = std::sqrt(1.0f - cone.cosine * cone.cosine);
+  const float elevation_cosine = std::sqrt(std::max(0.0f, 1.0f - cone.axis.y() * cone.axis.y()));
+  const float highest = cone.axis.y() * cone.cosine + elevation_cosine * sine;
+  return cone.solid_angle() / pi * std::clamp(highest, 0.0f, 1.0f);
+}
+
+}  // namespace
+
+float Cone::solid_angle() const { return 2.0f * pi * (1.0f - cosine); }
+
+std::optional<Cone> cone_of(const BoundingSphere& bounds, const Vec3& point) {
+  const Vec3 towards = bounds.centre - point;
+  const float squared = towards.squaredNorm();
+  const float sine_squared = bounds.radius * bounds.radius / squared;
+  if (!(sine_squared < 0.6f)) return std::nullopt;
+  return Cone{towards / std::sqrt(squared), std::sqrt(1.0f - sine_squared)};
+}
+
+float sky_rays_from(const BoundingSphere& bounds, const Vec3& point, int most) {
+  const std::optional<Cone> cone = cone_of(bounds, point);
+  if (!cone) return static_cast<float>(most);
+  const float share = greatest_share(*cone);
+  const float quiet = share * figure_deviation / sky_noise;
+  return std::min(std::max(quiet * quiet, share / sky_share_of_a_ray), static_cast<float>(most));
+}
+
+}  // namespace mien::render
