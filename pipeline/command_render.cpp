@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <thread>
@@ -13,20 +12,17 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "motion/motion_file.h"
 #include "pipeline/cli.h"
 #include "pipeline/files.h"
 #include "pipeline/film.h"
 #include "pipeline/film_dots.h"
-#include "pipeline/film_recorder.h"
 #include "pipeline/look_checks.h"
 #include "pipeline/look_options.h"
 #include "pipeline/progress.h"
 #include "pipeline/recording_clip.h"
-#include "render/image_io.h"
-#include "render/tracer.h"
+#include "pipeline/shot_files.h"
 #include "scenes/shot.h"
 
 namespace mien::pipeline {
@@ -40,6 +36,8 @@ struct RenderOptions {
   std::string out;
   std::string layout = "superimposed";
   std::string size = "960x540";
+  double scale = 1.0;
+  std::vector<int> crop;
   std::string quality = "standard";
   std::string background = "shown";
   double shutter = 0.0;
@@ -75,9 +73,26 @@ std::array<int, 2> parse_size(const std::string& text) {
               "write <width>x<height>, each from 16 to 8192, for example 960x540");
 }
 
+std::optional<std::array<int, 4>> crop_of(const RenderOptions& options,
+                                          const std::array<int, 2>& size) {
+  if (options.crop.empty()) return std::nullopt;
+  const auto& crop = options.crop;
+  const auto within = [](int first, int length, int all) {
+    return first >= 0 && length >= 1 && first <= all - length;
+  };
+  if (!within(crop[0], crop[2], size[0]) || !within(crop[1], crop[3], size[1])) {
+    throw Error(
+        fmt::format("--crop: is not within the picture of {} x {} pixels", size[0], size[1]),
+        "write <from the left>,<from the top>,<width>,<height> in pixels of --size");
+  }
+  return std::array{crop[0], crop[1], crop[2], crop[3]};
+}
+
 FilmSettings settings_of(const RenderOptions& options) {
   FilmSettings settings;
   settings.output.size = parse_size(options.size);
+  settings.output.scale = options.scale;
+  settings.output.crop = crop_of(options, settings.output.size);
   settings.output.fps = options.fps;
   settings.output.frames = FrameFormat::none;
   settings.output.shutter = options.shutter;
@@ -118,12 +133,13 @@ fs::path output_of(const RenderOptions& options) {
 
 /// Sizes that the file asked for can have.
 void check_size(const fs::path& out, const Output& output) {
-  const auto [width, height] = output.size;
+  const auto [width, height] = output.shown_size();
   for (const render::VideoKind kind : output.video) {
     const render::VideoTraits& traits = render::traits_of(kind);
     if (traits.even_size && (width % 2 != 0 || height % 2 != 0)) {
-      throw Error(fmt::format("--size: {} needs an even width and height", traits.name),
-                  fmt::format("use {}x{}", width + width % 2, height + height % 2));
+      throw Error(fmt::format("--size: {} needs an even width and height, and these are {} x {}",
+                              traits.name, width, height),
+                  "change --size, --scale or --crop until they are even");
     }
     if (output.fps > traits.most_fps) {
       throw Error(fmt::format("--fps: {} shows at most {} frames a second at their true speed",
@@ -132,32 +148,6 @@ void check_size(const fs::path& out, const Output& output) {
     }
   }
 }
-
-/// A file beside the one wanted, removed unless it takes its place.
-class Draft {
- public:
-  explicit Draft(fs::path target) : target_(std::move(target)) {
-    file_ = target_;
-    file_.replace_filename(
-        fmt::format(".{}-{}{}", target_.stem().string(), ::getpid(), target_.extension().string()));
-  }
-  ~Draft() {
-    std::error_code ignored;
-    fs::remove(file_, ignored);
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  const fs::path& file() const { return file_; }
-  void publish() const {
-    flush_to_disk(file_);
-    fs::rename(file_, target_);
-  }
-
- private:
-  fs::path target_;
-  fs::path file_;
-};
 
 double steady_seconds() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -173,31 +163,6 @@ TaskGraph one_task(const std::string& name) {
   task.cost_seconds = 1.0;
   graph.add(std::move(task));
   return graph;
-}
-
-/// Returns what the check of the file found.
-std::string make_video(const scenes::Shot& shot, const FilmSettings& settings, const fs::path& file,
-                       const std::stop_token& stop, const std::function<void(double)>& progress) {
-  std::vector<int> frames(static_cast<std::size_t>(shot.frame_count()));
-  std::iota(frames.begin(), frames.end(), 0);
-  FilmRecorder recorder(settings, shot.frame_count());
-  recorder.open(file, settings.output.video.front());
-  const FrameSink take = [&](int, const render::Image8& picture) { recorder.take(picture); };
-  draw_frames(shot, frames, settings, nullptr, take, stop, progress);
-  recorder.close();
-  return render::likeness_text(recorder.check(file, settings.output.video.front()));
-}
-
-std::string make_contact_sheet(const scenes::Shot& shot, const FilmSettings& settings,
-                               const fs::path& file, const std::stop_token& stop,
-                               const std::function<void(double)>& progress) {
-  ContactSheetBuilder sheet(shot.frame_count());
-  const FrameSink add = [&](int frame, const render::Image8& picture) {
-    sheet.add(frame, picture);
-  };
-  draw_frames(shot, sheet.frames(), settings, nullptr, add, stop, progress);
-  render::write_png(file, sheet.build());
-  return fmt::format("{} on a sheet", sheet.frames().size());
 }
 
 scenes::Layout layout_of(const RenderOptions& options) {
@@ -222,6 +187,12 @@ std::vector<scenes::Performance> performances_of(const RenderOptions& options) {
   return performances;
 }
 
+render::Background background_of(const RenderOptions& options) {
+  return options.background == "shadow"        ? render::Background::shadow
+         : options.background == "transparent" ? render::Background::transparent
+                                               : render::Background::shown;
+}
+
 /// The frame of a still: a trail is whole at the end, other figures are in mid-motion in the
 /// middle.
 int still_frame(const scenes::Shot& shot, const RenderOptions& options) {
@@ -231,40 +202,13 @@ int still_frame(const scenes::Shot& shot, const RenderOptions& options) {
   return std::min(static_cast<int>(std::lround(seconds * options.fps)), last);
 }
 
-/// The figure alone, or with its shadow, to be laid over something else.
-void make_cut_out(const scenes::Shot& shot, int frame, const FilmSettings& settings,
-                  const std::string& background, const fs::path& file) {
-  render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
-  render::Quality quality = quality_of(settings);
-  quality.background =
-      background == "shadow" ? render::Background::shadow : render::Background::transparent;
-  render::write_png(file, tracer.expose(scene_at(shot, frame), camera_at(shot, frame), quality),
-                    shot.tone);
-}
-
-void make_layers(const scenes::Shot& shot, int frame, const FilmSettings& settings,
-                 const fs::path& file) {
-  render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
-  render::write_layers(file, layers_of(tracer, shot, frame, quality_of(settings)));
-}
-
-void make_still(const scenes::Shot& shot, int frame, const FilmSettings& settings,
-                const fs::path& file, const std::stop_token& stop,
-                const std::function<void(double)>& progress) {
-  const FrameSink write = [&](int, const render::Image8& picture) {
-    render::write_png(file, picture);
-  };
-  draw_frames(shot, {frame}, settings, nullptr, write, stop, progress);
-}
-
 /// How large the figure comes out, where that is worth a word.
 void tell_size(const scenes::Shot& shot, const Look& look, const Console& console) {
   const render::Camera& camera = camera_at(shot, 0);
-  const double height = shot.actors.front().height_m;
-  const double pixels = scenes::figure_pixels(camera, shot.place.centre, height);
+  const double pixels = scenes::figure_pixels(shot.cameras);
   if (look.camera.screen) {
     console.out << fmt::format("  standing figure: {:.1f} degrees of visual angle, {:.0f} pixels\n",
-                               scenes::visual_degrees(camera, shot.place.centre, height), pixels);
+                               scenes::visual_degrees(shot.cameras), pixels);
   } else if (shot.cameras.cameras.size() == 1 && pixels < small_figure * camera.height) {
     console.err << fmt::format(
         "note: the figure is {:.0f} of {} pixels tall because its way has to "
@@ -280,13 +224,16 @@ int render_file(const RenderOptions& options, const Console& console) {
   if (!is_contact_sheet(out)) settings.output.video = {*render::video_kind_of(out)};
   check_size(out, settings.output);
   const Look look = look_of(options.look);
-  const scenes::Shot shot = scenes::stage(performances_of(options), {.set = set_of(look),
-                                                                     .figure = look.figure,
-                                                                     .camera = look.camera,
-                                                                     .size = settings.output.size,
-                                                                     .in_place = options.in_place,
-                                                                     .layout = layout_of(options),
-                                                                     .seed = options.seed});
+  const scenes::Shot shot =
+      scenes::stage(performances_of(options), {.set = set_of(look),
+                                               .figure = look.figure,
+                                               .camera = look.camera,
+                                               .size = settings.output.whole_size(),
+                                               .window = settings.output.window(),
+                                               .pixel_scale = settings.output.scale,
+                                               .in_place = options.in_place,
+                                               .layout = layout_of(options),
+                                               .seed = options.seed});
   const bool is_still =
       options.still.has_value() || (shot.actors.front().trail && out.extension() == ".png");
   if (options.still && !is_picture(out)) {
@@ -305,25 +252,20 @@ int render_file(const RenderOptions& options, const Console& console) {
     for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
   }
   const TaskGraph graph = one_task(out.string());
-  const Draft draft(out);
+  const DraftFile draft(out);
   std::string found;
   {
     Progress bar(console.err, console.err_is_terminal, graph, std::vector<TaskOutcome>(1),
                  steady_seconds);
     const RunObserver observer = bar.observer();
-    const auto progress = [&](double share) { observer.progressed(graph.tasks[0], share); };
+    const ShotWork work{shot, settings, console.stop,
+                        [&](double share) { observer.progressed(graph.tasks[0], share); }};
     if (is_still) {
       const int frame = still_frame(shot, options);
-      if (out.extension() == ".exr")
-        make_layers(shot, frame, settings, draft.file());
-      else if (options.background != "shown")
-        make_cut_out(shot, frame, settings, options.background, draft.file());
-      else
-        make_still(shot, frame, settings, draft.file(), console.stop, progress);
-      found = fmt::format("frame {}", still_frame(shot, options));
+      write_still(work, frame, background_of(options), draft.file());
+      found = fmt::format("frame {}", frame);
     } else {
-      found = (is_contact_sheet(out) ? make_contact_sheet : make_video)(
-          shot, settings, draft.file(), console.stop, progress);
+      found = (is_contact_sheet(out) ? write_contact_sheet : write_video)(work, draft.file());
     }
   }
   draft.publish();
@@ -354,6 +296,16 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command->add_flag("--repeat", options->repeat,
                     "Animated pictures (webp, gif, apng): repeat for ever instead of playing once");
   command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+  command
+      ->add_option("--scale", options->scale,
+                   "Draw everything so many times as large: 0.5 for a quick look, 2 for print")
+      ->check(CLI::Range(0.05, 16.0))
+      ->capture_default_str();
+  command
+      ->add_option("--crop", options->crop,
+                   "Draw a part only: pixels from the left, from the top, width, height")
+      ->delimiter(',')
+      ->expected(4);
   command->add_option("--fps", options->fps, "Frames per second")
       ->check(CLI::Range(1.0, 240.0))
       ->capture_default_str();

@@ -207,6 +207,18 @@ double number_in(const CsvTable& table, const CsvField& field) {
   return value;
 }
 
+double number_of(const std::filesystem::path& file, std::string_view column,
+                 std::string_view stimulus) {
+  const CsvTable table = read_csv(file);
+  const auto name = static_cast<std::size_t>(require_column(table, "stimulus"));
+  const auto number = static_cast<std::size_t>(require_column(table, column));
+  for (const auto& row : table.rows) {
+    if (row[name].text == stimulus) return number_in(table, row[number]);
+  }
+  throw Error(table.file + ": no row of \"" + std::string(stimulus) + "\"",
+              "delete the file and run again");
+}
+
 std::string shortest(double value) {
   std::array<char, 32> text{};
   // Adding zero turns −0 into 0.

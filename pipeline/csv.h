@@ -42,6 +42,10 @@ Place place_of(const CsvTable& table, const CsvField& field);
 /// The field as a finite number. Throws Error.
 double number_in(const CsvTable& table, const CsvField& field);
 
+/// The number that a table which mien has written has for a stimulus. Throws Error.
+double number_of(const std::filesystem::path& file, std::string_view column,
+                 std::string_view stimulus);
+
 /// The shortest decimal that reads back as the same double: "0.1", "-3", "1e-07", "nan"; "0" for
 /// −0 too.
 std::string shortest(double value);

@@ -187,6 +187,10 @@ void add_film(KeyBuilder& key, const Stimulus& stimulus) {
   key.add("width", std::int64_t{stimulus.output.size[0]})
       .add("height", std::int64_t{stimulus.output.size[1]})
       .add("fps", stimulus.output.fps);
+  if (stimulus.output.scale != 1.0) key.add("scale", stimulus.output.scale);
+  if (const auto& crop = stimulus.output.crop) {
+    for (const int edge : *crop) key.add("crop", std::int64_t{edge});
+  }
   add_choice(key, "quality", stimulus.output.quality);
   if (stimulus.output.shutter > 0.0) key.add("shutter", stimulus.output.shutter);
 }

@@ -81,7 +81,7 @@ class FrameTaker {
                             : write_frame(file, film, format, tone_);
         },
         [&](const std::filesystem::path& file) {
-          read_back = read_frame(file, format, settings_.output.size, tone_);
+          read_back = read_frame(file, format, settings_.output.shown_size(), tone_);
         });
     return read_back;
   }
@@ -103,7 +103,7 @@ std::optional<render::Image8> stored_frame(FrameStore* store, int frame, const O
   const auto file = store->find(name);
   if (!file) return std::nullopt;
   try {
-    return read_frame(*file, output.frames, output.size, tone);
+    return read_frame(*file, output.frames, output.shown_size(), tone);
   } catch (const render::Error&) {
     store->discard(name);
     return std::nullopt;

@@ -24,7 +24,6 @@ struct FilmSettings {
   int threads = 1;               ///< no influence on the pictures
   Stopwatch* drawing = nullptr;  ///< if any, runs while a frame is traced or encoded
   bool loops = false;            ///< animated pictures repeat for ever
-  float exposure_stops = 0.0f;   ///< added to the shot's; EXR files keep the light as it is
 };
 
 /// The renderer's settings for them.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pipeline/code_identity.h"
 #include "pipeline/csv.h"
 #include "pipeline/files.h"
 #include "pipeline/film_shot.h"
+#include "pipeline/film_sizes.h"
 #include "render/contact_sheet.h"
 #include "render/luminance.h"
 #include "render/tracer.h"
@@ -38,13 +40,12 @@ struct Samples {
 };
 
 Samples samples_of(const Stimulus& stimulus, const FilmSettings& settings, Motions& motions,
-                   const std::stop_token& stop) {
+                   std::optional<double> figure_px, const std::stop_token& stop) {
   Stimulus small = stimulus;
-  auto& [width, height] = small.output.size;
-  const double scale = std::min(1.0, static_cast<double>(most_width) / width);
-  width = std::max(16, static_cast<int>(std::lround(scale * width)));
-  height = std::max(16, static_cast<int>(std::lround(scale * height)));
-  const scenes::Shot shot = shot_of(small, motions, settings.seed);
+  small.output.scale *=
+      std::min(1.0, static_cast<double>(most_width) / stimulus.output.shown_size()[0]);
+  if (figure_px) *figure_px *= small.output.scale / stimulus.output.scale;
+  const scenes::Shot shot = shot_of(small, motions, settings.seed, figure_px);
   render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
   render::Quality quality = render::draft_quality();
   quality.seed = settings.seed;
@@ -62,7 +63,9 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
   std::vector<double> means;
   double logarithms = 0.0;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    samples.push_back(samples_of(stimulus, settings, motions, run.stop));
+    std::optional<double> figure_px;
+    if (manifest.equalize.size) figure_px = figure_px_of(run.store.folder(), stimulus.id);
+    samples.push_back(samples_of(stimulus, settings, motions, figure_px, run.stop));
     means.push_back(mean_of(samples.back().films, samples.back().tone, 0.0f));
     logarithms += std::log(std::max(means.back(), 1e-6));
     run.progress(static_cast<double>(means.size()) / static_cast<double>(manifest.stimuli.size()));
@@ -104,6 +107,7 @@ Task exposure_task(const Manifest& manifest, const SharedDeterminants& shared,
     task.determinants.add("stimulus", stimulus.id);
     add_film(task.determinants, stimulus);
   }
+  if (manifest.equalize.size) task.inputs.emplace_back("sizes");
   task.products.push_back({table_path, {}});
   task.cost_seconds = cost_seconds * static_cast<double>(manifest.stimuli.size());
   task.make = [&manifest, &motions, settings](TaskRun& run) {
@@ -117,14 +121,7 @@ Task exposure_task(const Manifest& manifest, const SharedDeterminants& shared,
 }
 
 float exposure_stops_of(const fs::path& folder, const std::string& stimulus) {
-  const CsvTable table = read_csv(folder / table_path);
-  const auto name = static_cast<std::size_t>(require_column(table, "stimulus"));
-  const auto stops = static_cast<std::size_t>(require_column(table, "exposure_stops"));
-  for (const auto& row : table.rows) {
-    if (row[name].text == stimulus) return static_cast<float>(number_in(table, row[stops]));
-  }
-  throw Error(table.file + ": no exposure of \"" + stimulus + "\"",
-              "delete the file and run again");
+  return static_cast<float>(number_of(folder / table_path, "exposure_stops", stimulus));
 }
 
 }  // namespace mien::pipeline

@@ -59,12 +59,13 @@ void Presenter::take(const render::Image8& picture, const Show& show) {
   const auto repeat = [&](const render::Image8& still, int count) {
     for (int i = 0; i < count; ++i) show(still);
   };
-  const std::array<int, 2> size = output_.size;
+  const std::array<int, 2> size = output_.shown_size();
   const Presentation& around = output_.presentation;
   if (taken_ == 0) {
     if (frames_.card > 0) repeat(card_picture(size, background_, around.card), frames_.card);
     if (frames_.fixation > 0) {
-      repeat(fixation_picture(size, background_, around.fixation_size), frames_.fixation);
+      const auto edge = static_cast<int>(std::lround(output_.scale * around.fixation_size));
+      repeat(fixation_picture(size, background_, edge), frames_.fixation);
     }
     if (frames_.blank_before > 0) repeat(blank_picture(size, background_), frames_.blank_before);
   }

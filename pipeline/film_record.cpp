@@ -61,17 +61,19 @@ std::string film_record_text(const FilmRecord& record) {
   const render::ClipLuminance& luminance = record.luminance;
   ordered_json videos = ordered_json::array();
   for (const VideoRecord& video : record.videos) videos.push_back(as_json(video));
-  const ordered_json json = {{"film_frames", record.film_frames},
-                             {"first_film_frame", record.first_film_frame},
-                             {"exposure_stops", record.exposure_stops},
-                             {"luminance",
-                              {{"frames", luminance.frames},
-                               {"mean", luminance.mean},
-                               {"deviation", luminance.deviation},
-                               {"rms_contrast", luminance.rms_contrast},
-                               {"darkest", luminance.darkest},
-                               {"lightest", luminance.lightest}}},
-                             {"videos", videos}};
+  ordered_json json = {{"film_frames", record.film_frames},
+                       {"first_film_frame", record.first_film_frame},
+                       {"exposure_stops", record.exposure_stops},
+                       {"figure_px", record.figure_px},
+                       {"luminance",
+                        {{"frames", luminance.frames},
+                         {"mean", luminance.mean},
+                         {"deviation", luminance.deviation},
+                         {"rms_contrast", luminance.rms_contrast},
+                         {"darkest", luminance.darkest},
+                         {"lightest", luminance.lightest}}},
+                       {"videos", videos}};
+  if (record.visual_degrees) json["visual_degrees"] = *record.visual_degrees;
   return json.dump(2) + "\n";
 }
 
@@ -82,6 +84,8 @@ FilmRecord parse_film_record(const std::string& text) {
     record.film_frames = json.at("film_frames");
     record.first_film_frame = json.at("first_film_frame");
     record.exposure_stops = json.at("exposure_stops");
+    record.figure_px = json.at("figure_px");
+    if (json.contains("visual_degrees")) record.visual_degrees = json.at("visual_degrees");
     const nlohmann::json& luminance = json.at("luminance");
     record.luminance = {.frames = luminance.at("frames"),
                         .mean = luminance.at("mean"),

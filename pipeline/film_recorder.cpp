@@ -7,12 +7,13 @@ namespace mien::pipeline {
 FilmRecorder::FilmRecorder(const FilmSettings& settings, int film_frames)
     : settings_(settings),
       presenter_(settings.output, film_frames),
-      sketch_(settings.output.size[0], settings.output.size[1]) {}
+      sketch_(settings.output.shown_size()[0], settings.output.shown_size()[1]) {}
 
 render::VideoFormat FilmRecorder::format_of(render::VideoKind kind) const {
   const Output& output = settings_.output;
-  return {.width = output.size[0],
-          .height = output.size[1],
+  const auto [width, height] = output.shown_size();
+  return {.width = width,
+          .height = height,
           .rate = render::frame_rate(output.fps),
           .kind = kind,
           .effort = output.quality == Quality::draft ? render::VideoEffort::fast

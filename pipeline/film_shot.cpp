@@ -18,19 +18,48 @@ scenes::Role role_of(Role role) {
   }
 }
 
+scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
+  const Output& output = film.output;
+  return {.set = set_of(film.look),
+          .figure = film.look.figure,
+          .camera = film.look.camera,
+          .role = role_of(film.role),
+          .size = output.whole_size(),
+          .window = output.window(),
+          .pixel_scale = output.scale,
+          .seed = seed};
+}
+
+/// Output of a clip for a set: one that goes under the figure needs to know how fast it goes.
+Output output_for(Output output, const scenes::SetPlan& set) {
+  if (set.in_place) output.in_place = false;
+  return output;
+}
+
 }  // namespace
 
-scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed) {
-  const scenes::SetPlan set = set_of(stimulus.look);
+scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed,
+                     std::optional<double> figure_px) {
+  scenes::Look look = look_of(stimulus, seed);
+  if (figure_px) look.camera.figure_px = *figure_px / look.pixel_scale;
   Stimulus shown = stimulus;
-  // A set that goes under the figure needs to know how fast it goes.
-  if (set.in_place) shown.output.in_place = false;
-  return scenes::stage(motions.shown(shown), {.set = set,
-                                              .figure = stimulus.look.figure,
-                                              .camera = stimulus.look.camera,
-                                              .role = role_of(stimulus.role),
-                                              .size = stimulus.output.size,
-                                              .seed = seed});
+  shown.output = output_for(shown.output, look.set);
+  return scenes::stage(motions.shown(shown), look);
+}
+
+scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t seed) {
+  scenes::Look look = look_of(overlay.film, seed);
+  look.layout = overlay.layout;
+  const Output output = output_for(overlay.film.output, look.set);
+  const bool is_clear = overlay.layout == scenes::Layout::side_by_side;
+  std::vector<scenes::Performance> performances;
+  for (const auto& [role, name] : motions_on(overlay)) {
+    performances.push_back({.name = name,
+                            .clip = shown_clip(motions.of(name), output),
+                            .role = role_of(role),
+                            .opacity = is_clear ? 1.0f : static_cast<float>(overlay.opacity)});
+  }
+  return scenes::stage(performances, look);
 }
 
 }  // namespace mien::pipeline

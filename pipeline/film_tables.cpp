@@ -55,8 +55,17 @@ std::string videos_csv(const Films& films) {
   return table.text();
 }
 
+std::string views_csv(const Films& films) {
+  CsvWriter table({"stimulus", "figure_px", "visual_degrees"});
+  for (const auto& [stimulus, film] : films) {
+    table.row({stimulus, fmt::format("{:.2f}", film.figure_px),
+               film.visual_degrees ? fmt::format("{:.3f}", *film.visual_degrees) : ""});
+  }
+  return table.text();
+}
+
 constexpr std::pair<const char*, std::string (*)(const Films&)> tables[] = {
-    {"luminance", luminance_csv}, {"videos", videos_csv}};
+    {"luminance", luminance_csv}, {"videos", videos_csv}, {"views", views_csv}};
 
 }  // namespace
 
@@ -69,9 +78,9 @@ Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
   task.id = "films";
   task.kind = "tables";
   task.determinants.add("libraries", shared.libraries).add("pipeline", pipeline_code());
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    task.inputs.push_back("film:" + stimulus.id);
-    task.determinants.add("stimulus", stimulus.id);
+  for (const Stimulus* film : films_of(manifest)) {
+    task.inputs.push_back("film:" + film->id);
+    task.determinants.add("stimulus", film->id);
   }
   for (const auto& [name, make] : tables) {
     task.products.push_back({std::string("metrics/") + name + ".csv", {}});
@@ -79,9 +88,9 @@ Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
   task.cost_seconds = cost_seconds;
   task.make = [&manifest](TaskRun& run) {
     Films films;
-    for (const Stimulus& stimulus : manifest.stimuli) {
-      const fs::path file = run.store.folder() / film_record_path(stimulus.id);
-      films.emplace_back(stimulus.id, parse_film_record(read_file(file)));
+    for (const Stimulus* film : films_of(manifest)) {
+      const fs::path file = run.store.folder() / film_record_path(film->id);
+      films.emplace_back(film->id, parse_film_record(read_file(file)));
     }
     for (std::size_t i = 0; i < run.keys.size(); ++i) {
       const std::string text = tables[i].second(films);

@@ -17,6 +17,12 @@ namespace mien::pipeline {
 /// metrics/videos.csv, a row a video: stimulus, file, format, frames, first_film_frame,
 /// film_frames, fps, duration_s, identical (1: every decoded frame is the frame drawn),
 /// worst_psnr_db, worst_psnr_frame, worst_ssim, worst_ssim_frame (empty where identical).
+///
+/// metrics/views.csv, a row a stimulus: stimulus, figure_px (height of the standing figure in the
+/// picture, see scenes::figure_pixels), visual_degrees (the visual angle under which it is seen on
+/// the screen that its camera names; empty without one).
+///
+/// Overlays have rows like stimuli.
 Task films_task(const Manifest& manifest, const SharedDeterminants& shared);
 
 /// Where a film's record lies in the store.

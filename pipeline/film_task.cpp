@@ -1,5 +1,6 @@
 #include "pipeline/film_task.h"
 
+#include <algorithm>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -9,7 +10,6 @@
 #include "pipeline/determinants.h"
 #include "pipeline/files.h"
 #include "pipeline/film.h"
-#include "pipeline/film_exposure.h"
 #include "pipeline/film_frames.h"
 #include "pipeline/film_record.h"
 #include "pipeline/film_recorder.h"
@@ -24,15 +24,15 @@ namespace mien::pipeline {
 namespace {
 
 /// The shot with the stops that make the study's films equally light.
-scenes::Shot exposed(scenes::Shot shot, const FilmSettings& settings) {
-  shot.tone.exposure_stops += settings.exposure_stops;
+scenes::Shot exposed(scenes::Shot shot, float stops) {
+  shot.tone.exposure_stops += stops;
   return shot;
 }
 
-/// Animated pictures repeat where the motion does.
-FilmSettings settings_for(FilmSettings settings, const Stimulus& stimulus, Motions& motions) {
-  settings.loops = motions.of(stimulus.id).motion.clip.loops;
-  return settings;
+/// Animated pictures repeat where all motions do.
+bool repeats(const FilmSubject& subject, Motions& motions) {
+  return std::all_of(subject.motions.begin(), subject.motions.end(),
+                     [&](const auto& name) { return motions.of(name).motion.clip.loops; });
 }
 
 int samples_of(Quality quality) {
@@ -46,7 +46,7 @@ int samples_of(Quality quality) {
 /// length is not known before the motion is made.
 double cost_of(const Output& output) {
   const double frames = 1.1 * output.cycles * output.fps;
-  const double pixels = static_cast<double>(output.size[0]) * output.size[1];
+  const double pixels = static_cast<double>(output.shown_size()[0]) * output.shown_size()[1];
   return frames * pixels * (9e-8 * samples_of(output.quality) + 4e-7);
 }
 
@@ -69,14 +69,20 @@ std::vector<std::string> names_of(const std::vector<int>& frames, FrameFormat fo
 /// Makes one film; lives as long as the task runs.
 class FilmMaker {
  public:
-  FilmMaker(const Stimulus& stimulus, Motions& motions, const FilmSettings& settings, TaskRun& run)
-      : id_(stimulus.id),
-        output_(stimulus.output),
-        settings_(settings_for(settings, stimulus, motions)),
+  FilmMaker(const FilmSubject& subject, const Equalized& alike, const FilmSettings& settings,
+            TaskRun& run)
+      : id_(subject.film.id),
+        output_(subject.film.output),
+        settings_(settings),
         run_(run),
-        shot_(exposed(shot_of(stimulus, motions, settings.seed), settings)),
+        shot_(exposed(subject.make_shot(alike), alike.exposure_stops)),
         contact_(shot_.frame_count()),
-        recorder_(settings_, shot_.frame_count()) {}
+        recorder_(settings_, shot_.frame_count()) {
+    record_.exposure_stops = static_cast<double>(alike.exposure_stops);
+    record_.figure_px = scenes::figure_pixels(shot_.cameras);
+    if (subject.film.look.camera.screen)
+      record_.visual_degrees = scenes::visual_degrees(shot_.cameras);
+  }
 
   void make() {
     std::size_t next = 0;
@@ -129,7 +135,6 @@ class FilmMaker {
   }
 
   void put_record(std::size_t product) {
-    record_.exposure_stops = static_cast<double>(settings_.exposure_stops);
     record_.film_frames = recorder_.frames().film;
     record_.first_film_frame = recorder_.frames().before();
     for (const auto& [kind, check] : recorder_.checks()) {
@@ -161,16 +166,48 @@ class FilmMaker {
 
 }  // namespace
 
-Task film_task(const Stimulus& stimulus, const FilmSettings& settings,
-               const SharedDeterminants& shared, Motions& motions, const Equalize& equalize) {
+FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest, Motions& motions) {
+  return {stimulus,
+          {stimulus.id},
+          {},
+          manifest.equalize,
+          [&stimulus, &motions, seed = manifest.seed](const Equalized& alike) {
+            return shot_of(stimulus, motions, seed, alike.figure_px);
+          }};
+}
+
+FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions& motions,
+                       const SharedDeterminants& shared) {
+  FilmSubject subject{overlay.film, {}, {}, {}, {}};
+  for (const auto& [role, name] : motions_on(overlay)) {
+    subject.motions.push_back(name);
+    subject.stage.add("motion", name);
+    if (find_stimulus(manifest, name) == nullptr) subject.stage.add("from", shared.repertoire);
+  }
+  subject.stage.add("layout", static_cast<std::int64_t>(overlay.layout))
+      .add("opacity", overlay.opacity)
+      .add("cycles", std::int64_t{overlay.film.output.cycles})
+      .add("in place", std::int64_t{overlay.film.output.in_place});
+  subject.make_shot = [&overlay, &motions, seed = manifest.seed](const Equalized&) {
+    return shot_of(overlay, motions, seed);
+  };
+  return subject;
+}
+
+Task film_task(const FilmSubject& subject, const FilmSettings& settings,
+               const SharedDeterminants& shared, const Manifest& manifest, Motions& motions) {
+  const Stimulus& stimulus = subject.film;
   const Output& output = stimulus.output;
   Task task;
   task.id = "film:" + stimulus.id;
   task.kind = "film";
-  task.inputs = {"motion:" + stimulus.id};
+  for (const std::string& name : subject.motions) {
+    if (find_stimulus(manifest, name) != nullptr) task.inputs.push_back("motion:" + name);
+  }
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", film_code()).add("seed", static_cast<std::int64_t>(settings.seed));
   add_film(task.determinants, stimulus);
+  task.determinants.add("stage", subject.stage.key());
   // A video shows the stored frames, so how they were stored concerns it too.
   KeyBuilder stored;
   stored.add("frames", static_cast<std::int64_t>(output.frames));
@@ -187,14 +224,14 @@ Task film_task(const Stimulus& stimulus, const FilmSettings& settings,
   task.products.push_back({"sheets/contact/" + stimulus.id + ".png", stored});
   task.products.push_back({film_record_path(stimulus.id), shown_kinds});
   task.cost_seconds = cost_of(output);
+  const Equalize& equalize = subject.equalize;
   task.determinants.add("duration", std::int64_t{equalize.duration});
-  if (equalize.luminance) task.inputs.push_back("exposure");
-  task.make = [&stimulus, &motions, settings, equalize](TaskRun& run) {
+  for (const std::string& other : equalizing_tasks(equalize)) task.inputs.push_back(other);
+  task.make = [subject, &motions, settings](TaskRun& run) {
     FilmSettings own = settings;
-    if (equalize.luminance) {
-      own.exposure_stops = exposure_stops_of(run.store.folder(), stimulus.id);
-    }
-    FilmMaker(stimulus, motions, own, run).make();
+    own.loops = repeats(subject, motions);
+    const Equalized alike = equalized_film(subject.equalize, run.store.folder(), subject.film.id);
+    FilmMaker(subject, alike, own, run).make();
   };
   return task;
 }

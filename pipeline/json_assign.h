@@ -1,9 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -43,10 +46,19 @@ inline void assign(const nlohmann::json* value, std::uint64_t& target) {
   target = value->get<std::uint64_t>();
 }
 
-inline void assign(const nlohmann::json* value, std::array<int, 2>& target) {
-  if (value == nullptr || !value->is_array() || value->size() != 2) return;
-  assign(&(*value)[0], target[0]);
-  assign(&(*value)[1], target[1]);
+template <std::size_t Count>
+void assign(const nlohmann::json* value, std::array<int, Count>& target) {
+  if (value == nullptr || !value->is_array() || value->size() != Count) return;
+  for (std::size_t i = 0; i < Count; ++i) assign(&(*value)[i], target[i]);
+}
+
+/// A number, or an array of numbers.
+template <class Value>
+void assign(const nlohmann::json* value, std::optional<Value>& target) {
+  if (value == nullptr || value->is_number() != std::is_arithmetic_v<Value>) return;
+  Value read{};
+  assign(value, read);
+  target = read;
 }
 
 template <class Enum>

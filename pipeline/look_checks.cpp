@@ -109,6 +109,12 @@ void check_camera(const Look& look, const std::string& path, FaultList& list) {
     list.add(path, "an orthographic camera has neither an angle of view nor two eyes",
              "leave orthographic, or fov and stereo, out");
   }
+  if (camera.figure_px && (camera.screen || camera.position || !camera.path.empty())) {
+    list.add(member_path(path, "figure_px"),
+             std::string(camera.screen ? "the screen" : "its place") +
+                 " says already how large the figure is seen",
+             "leave figure_px out, or give a view alone");
+  }
   if (camera.screen && camera.orthographic) {
     list.add(member_path(path, "screen"), "an orthographic camera has no place before a screen",
              "leave orthographic or screen out");

@@ -13,14 +13,6 @@ namespace {
 using nlohmann::json;
 using Resolve = std::function<std::filesystem::path(const std::string&)>;
 
-template <class Value>
-void assign(const json* value, std::optional<Value>& target) {
-  if (value == nullptr || !value->is_number()) return;
-  Value number{};
-  pipeline::assign(value, number);
-  target = number;
-}
-
 void assign(const json* value, std::vector<std::string>& target) {
   if (value == nullptr || !value->is_array()) return;
   for (const json& word : *value) {
@@ -149,6 +141,12 @@ scenes::CameraSettings camera_from(const json& given) {
     camera.stereo_separation_m = separation;
   }
   if (const json* screen = member(given, "screen")) camera.screen = screen_from(*screen);
+  assign(member(given, "figure_px"), camera.figure_px);
+  if (const json* lens = member(given, "depth_of_field")) {
+    camera.depth_of_field.emplace();
+    assign(member(*lens, "aperture"), camera.depth_of_field->aperture_m);
+    assign(member(*lens, "focus"), camera.depth_of_field->focus_m);
+  }
   return camera;
 }
 

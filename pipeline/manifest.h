@@ -15,7 +15,9 @@
 #include "pipeline/look.h"
 #include "pipeline/modification.h"
 #include "pipeline/places.h"
+#include "render/camera.h"
 #include "render/video_kind.h"
+#include "scenes/shot.h"
 
 namespace mien::pipeline {
 
@@ -81,7 +83,10 @@ struct Presentation {
 
 /// What is written for a stimulus, and how large.
 struct Output {
-  std::array<int, 2> size{960, 540};  ///< pixels
+  std::array<int, 2> size{960, 540};  ///< pixels of the picture that the camera frames
+  double scale = 1.0;                 ///< all is drawn so many times as large, and shows the same
+  std::optional<std::array<int, 4>> crop;  ///< the part that is kept, in pixels of `size`: from the
+                                           ///< left, from the top, width, height
   double fps = 30.0;
   int cycles = 3;         ///< repetitions of a looping clip
   bool in_place = false;  ///< walk on the spot instead of travelling
@@ -92,6 +97,15 @@ struct Output {
   Presentation presentation;
   bool bvh = true;   ///< clips/<id>.bvh
   bool glb = false;  ///< clips/<id>.glb
+
+  /// Pixels of the picture that the camera frames, drawn to scale.
+  std::array<int, 2> whole_size() const;
+
+  /// The part of it that is kept, if not all.
+  std::optional<render::Window> window() const;
+
+  /// Pixels of what is kept: of the frames and videos.
+  std::array<int, 2> shown_size() const;
 
   friend bool operator==(const Output&, const Output&) = default;
 };
@@ -144,6 +158,20 @@ struct Sheet {
   int columns = 6;                  ///< of pictures
 };
 
+/// Motions together on one stage.
+struct Overlay {
+  /// What it is called and how it is filmed (path "overlays[0]"); it has no motion of its own.
+  Stimulus film;
+  std::string target;     ///< stimulus or example
+  std::string created;    ///< stimulus or example
+  std::string reference;  ///< stimulus or example; empty for none
+  scenes::Layout layout = scenes::Layout::superimposed;
+  double opacity = 0.75;  ///< of figures in the same place; those side by side are opaque
+};
+
+/// What each figure of an overlay stands for, and its motion.
+std::vector<std::pair<Role, std::string>> motions_on(const Overlay& overlay);
+
 /// All motions on a sheet.
 std::vector<std::string> motions_on(const Sheet& sheet);
 
@@ -159,6 +187,7 @@ std::vector<MotionPair> pairs_on(const Sheet& sheet);
 /// What all stimuli of a study are made alike in.
 struct Equalize {
   bool luminance = false;  ///< mean luminance of the films, by the exposure
+  bool size = false;       ///< pixels that figures are tall, by the camera's distance
   bool duration = false;   ///< number of frames: that of the shortest
 
   friend bool operator==(const Equalize&, const Equalize&) = default;
@@ -179,8 +208,12 @@ struct Manifest {
   OnFault on_fault = OnFault::warn;
   Equalize equalize;
   std::vector<Stimulus> stimuli;
+  std::vector<Overlay> overlays;
   std::vector<Sheet> sheets;
   Places places;
 };
+
+/// All that films are made of: the stimuli, then the overlays.
+std::vector<const Stimulus*> films_of(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -52,10 +52,14 @@ class Builder {
     assign(member(document, "on_fault"), manifest_.on_fault, fault_words);
     if (const json* alike = member(document, "equalize"); alike && alike->is_array()) {
       manifest_.equalize.luminance = contains(*alike, "luminance");
+      manifest_.equalize.size = contains(*alike, "size");
       manifest_.equalize.duration = contains(*alike, "duration");
     }
     if (const json* stimuli = member(document, "stimuli"); stimuli && stimuli->is_array()) {
       for (const json& stimulus : *stimuli) read_stimulus(stimulus);
+    }
+    if (const json* overlays = member(document, "overlays"); overlays && overlays->is_array()) {
+      for (const json& one : *overlays) read_overlay(one);
     }
     if (const json* sheets = member(document, "sheets"); sheets && sheets->is_array()) {
       for (const json& sheet : *sheets) read_sheet(sheet);
@@ -182,6 +186,8 @@ class Builder {
 
   static void overlay(const json& given, Output& output) {
     assign(member(given, "size"), output.size);
+    assign(member(given, "scale"), output.scale);
+    assign(member(given, "crop"), output.crop);
     assign(member(given, "fps"), output.fps);
     assign(member(given, "cycles"), output.cycles);
     assign(member(given, "in_place"), output.in_place);
@@ -311,6 +317,26 @@ class Builder {
       if (name.is_string()) names.push_back(name.get<std::string>());
     }
     return names;
+  }
+
+  void read_overlay(const json& given) {
+    Overlay overlay;
+    overlay.film.path = element_path("overlays", manifest_.overlays.size());
+    assign(member(given, "target"), overlay.target);
+    assign(member(given, "created"), overlay.created);
+    assign(member(given, "reference"), overlay.reference);
+    overlay.film.id = overlay.target + "_with_" + overlay.created;
+    assign(member(given, "id"), overlay.film.id);
+    assign(member(given, "layout"), overlay.layout,
+           {{"superimposed", scenes::Layout::superimposed},
+            {"side-by-side", scenes::Layout::side_by_side}});
+    assign(member(given, "opacity"), overlay.opacity);
+    overlay.film.look = manifest_.look;
+    overlay.film.output = manifest_.output;
+    overlay.film.output.bvh = overlay.film.output.glb = false;
+    if (const json* look = member(given, "look")) overlay_look(*look, overlay.film.look);
+    if (const json* output = member(given, "output")) this->overlay(*output, overlay.film.output);
+    manifest_.overlays.push_back(std::move(overlay));
   }
 
   void read_sheet(const json& given) {

@@ -1,7 +1,6 @@
 #include "pipeline/manifest_checks.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -15,15 +14,13 @@
 #include "motion/nearest_word.h"
 #include "pipeline/fault_list.h"
 #include "pipeline/modification_checks.h"
+#include "pipeline/output_checks.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Largest picture of H.264 level 6.2: 139,264 macroblocks of 16 × 16 pixels.
-constexpr std::int64_t most_video_pixels = 139'264LL * 256;
 
 /// Options that only one method of interpolation has.
 struct MethodOption {
@@ -61,14 +58,13 @@ class Checker : FaultList {
 
   void meaning() {
     check_examples();
-    check_output("output", manifest_.output);
     check_shared_interpolation();
     std::map<std::string, std::string> ids;
     for (const Stimulus& stimulus : manifest_.stimuli) {
       check_unique(stimulus.id, stimulus.path, ids);
       check_stimulus(stimulus);
     }
-    check_video_names();
+    for (const Overlay& overlay : manifest_.overlays) check_overlay(overlay, ids);
     std::map<std::string, std::string> sheet_ids;
     for (const Sheet& sheet : manifest_.sheets) check_sheet(sheet, sheet_ids);
   }
@@ -93,6 +89,11 @@ class Checker : FaultList {
     std::vector<std::string> motions = stimuli;
     motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
     check_expectations(vocabulary);
+    for (const Overlay& overlay : manifest_.overlays) {
+      check_motion(member_path(overlay.film.path, "target"), overlay.target, motions);
+      check_motion(member_path(overlay.film.path, "created"), overlay.created, motions);
+      check_motion(member_path(overlay.film.path, "reference"), overlay.reference, motions);
+    }
     for (const Sheet& sheet : manifest_.sheets) {
       const std::string compare = member_path(sheet.path, "compare");
       check_motion(member_path(compare, "target"), sheet.target, motions);
@@ -168,64 +169,6 @@ class Checker : FaultList {
     }
   }
 
-  void check_shutter(const Stimulus& stimulus) {
-    if (stimulus.output.shutter == 0.0) return;
-    const std::string own = member_path(member_path(stimulus.path, "output"), "shutter");
-    const std::string path = was_given(own) ? own : "output.shutter";
-    if (std::holds_alternative<scenes::PointLightOptions>(stimulus.look.figure)) {
-      add(path, "point lights have no motion blur", "leave shutter out, or set it to 0");
-    } else if (stimulus.output.frames == FrameFormat::layers) {
-      add(path, "layers tell what stands still: they have no motion blur",
-          "leave shutter out, or choose frames: exr");
-    }
-  }
-
-  void check_output(const std::string& path, const Output& output) {
-    const auto given = [&](const char* key) { return was_given(member_path(path, key)); };
-    if (!given("size") && !given("video") && !given("fps")) return;
-    const auto [width, height] = output.size;
-    if (width <= 0 || height <= 0) return;
-    const std::string size = member_path(path, "size");
-    bool told = false;
-    for (const render::VideoKind kind : output.video) {
-      const render::VideoTraits& traits = render::traits_of(kind);
-      const std::string name(traits.name);
-      if (output.fps > traits.most_fps) {
-        add(member_path(path, given("fps") ? "fps" : "video"),
-            name + " shows at most " + std::to_string(static_cast<int>(traits.most_fps)) +
-                " frames a second at their true speed",
-            "use fewer, or webp or apng");
-      }
-      if (std::exchange(told, true)) continue;  // the size's faults once
-      if (std::int64_t{width} * height > most_video_pixels) {
-        add(size, "too large for a video", "use at most 35 million pixels, or video: []");
-      }
-    }
-    const auto odd =
-        std::find_if(output.video.begin(), output.video.end(),
-                     [](render::VideoKind kind) { return render::traits_of(kind).even_size; });
-    if (odd != output.video.end() && (width % 2 != 0 || height % 2 != 0)) {
-      add(size, std::string(render::traits_of(*odd).name) + " needs an even width and height",
-          "use [" + std::to_string(width + width % 2) + ", " + std::to_string(height + height % 2) +
-              "], or video: []");
-    }
-  }
-
-  /// A file may be named alike for two stimuli: "a.lossless" as mp4 and "a" as mp4-lossless.
-  void check_video_names() {
-    std::map<std::string, std::string> taken;
-    for (const Stimulus& stimulus : manifest_.stimuli) {
-      for (const render::VideoKind kind : stimulus.output.video) {
-        const std::string file = render::with_ending(stimulus.id, kind).string();
-        const auto [first, is_new] = taken.emplace(file, stimulus.id);
-        if (is_new || first->second == stimulus.id) continue;
-        add(member_path(stimulus.path, "id"),
-            "its video " + file + " would be that of \"" + first->second + "\"",
-            "give it another id");
-      }
-    }
-  }
-
   void check_unique(const std::string& id, const std::string& path,
                     std::map<std::string, std::string>& taken) {
     if (id.empty()) return;
@@ -254,8 +197,6 @@ class Checker : FaultList {
     if (has_examples && !manifest_.examples.blendable) check_single(stimulus);
     check_interpolation(stimulus);
     if (stimulus.clip) check_clip(stimulus.path, *stimulus.clip);
-    check_output(member_path(stimulus.path, "output"), stimulus.output);
-    check_shutter(stimulus);
   }
 
   /// Options of the whole study, of which each must be for some stimulus.
@@ -342,6 +283,25 @@ class Checker : FaultList {
         "use .bvh, .amc, .gltf or .glb");
   }
 
+  void check_overlay(const Overlay& overlay, std::map<std::string, std::string>& ids) {
+    if (overlay.target.empty() || overlay.created.empty()) return;
+    const Stimulus& film = overlay.film;
+    if (overlay.target == overlay.created) {
+      add(member_path(film.path, "created"), "the same motion as the target", "name another one");
+    }
+    check_unique(film.id, film.path, ids);
+    if (overlay.layout == scenes::Layout::side_by_side &&
+        was_given(member_path(film.path, "opacity"))) {
+      add_at_key(member_path(film.path, "opacity"), "figures side by side are not seen through",
+                 "leave it out, or layout: superimposed");
+    }
+    if (std::holds_alternative<scenes::TrailOptions>(film.look.figure)) {
+      const std::string own = member_path(film.path, "look.figure");
+      add(was_given(own) ? own : film.path, "a trail is of one motion alone",
+          "give it another look: {figure: stick}");
+    }
+  }
+
   void check_sheet(const Sheet& sheet, std::map<std::string, std::string>& ids) {
     if (!sheet.gallery.empty() || !sheet.stills.empty()) {
       check_unique(sheet.id, sheet.path, ids);
@@ -394,7 +354,7 @@ std::vector<Fault> joined(std::vector<Fault> faults, std::vector<Fault> more) {
 std::vector<Fault> check_meaning(const Manifest& manifest) {
   Checker checker(manifest);
   checker.meaning();
-  return joined(checker.take(), check_modifications(manifest));
+  return joined(joined(checker.take(), check_outputs(manifest)), check_modifications(manifest));
 }
 
 std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary) {

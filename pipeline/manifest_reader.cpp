@@ -30,14 +30,14 @@ void add_at_new_paths(std::vector<Fault>& faults, std::vector<Fault> more) {
   }
 }
 
-/// The manifest's look, and those of stimuli that say something of their own.
+/// The manifest's look, and those of stimuli and overlays that say something of their own.
 std::vector<Fault> check_looks(const Manifest& manifest) {
   const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
   std::vector<Fault> faults = check_look(manifest.look, "look", manifest.places, joints);
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    const std::string path = member_path(stimulus.path, "look");
+  for (const Stimulus* film : films_of(manifest)) {
+    const std::string path = member_path(film->path, "look");
     if (!manifest.places.values.contains(path)) continue;
-    for (Fault& fault : check_look(stimulus.look, path, manifest.places, joints)) {
+    for (Fault& fault : check_look(film->look, path, manifest.places, joints)) {
       faults.push_back(std::move(fault));
     }
   }

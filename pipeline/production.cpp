@@ -8,6 +8,7 @@
 #include "pipeline/determinants.h"
 #include "pipeline/film_dots.h"
 #include "pipeline/film_exposure.h"
+#include "pipeline/film_sizes.h"
 #include "pipeline/film_tables.h"
 #include "pipeline/film_task.h"
 #include "pipeline/motion_task.h"
@@ -23,16 +24,17 @@ Manifest with_quality(Manifest manifest, const std::optional<Quality>& quality) 
   if (!quality) return manifest;
   manifest.output.quality = *quality;
   for (Stimulus& stimulus : manifest.stimuli) stimulus.output.quality = *quality;
+  for (Overlay& overlay : manifest.overlays) overlay.film.output.quality = *quality;
   return manifest;
 }
 
 void refuse_unknown_ids(const Manifest& manifest, const std::vector<std::string>& only) {
   std::vector<std::string> ids;
-  for (const Stimulus& stimulus : manifest.stimuli) ids.push_back(stimulus.id);
+  for (const Stimulus* film : films_of(manifest)) ids.push_back(film->id);
   for (const Sheet& sheet : manifest.sheets) ids.push_back(sheet.id);
   for (const std::string& id : only) {
     if (std::find(ids.begin(), ids.end(), id) != ids.end()) continue;
-    throw Error("--only: there is no stimulus or sheet \"" + id + "\"",
+    throw Error("--only: there is no stimulus, overlay or sheet \"" + id + "\"",
                 motion::did_you_mean(id, ids));
   }
 }
@@ -50,6 +52,9 @@ Production::Production(Manifest manifest, ProductionOptions options)
   for (const Stimulus& stimulus : manifest_.stimuli) {
     graph_.add(motion_task(stimulus, shared, motions_));
   }
+  if (manifest_.equalize.size) {
+    graph_.add(sizes_task(manifest_, shared, motions_));
+  }
   if (manifest_.equalize.luminance) {
     const FilmSettings settings{.seed = manifest_.seed, .threads = threads};
     graph_.add(exposure_task(manifest_, shared, settings, motions_));
@@ -62,13 +67,11 @@ Production::Production(Manifest manifest, ProductionOptions options)
       graph_.add(std::move(clip));
     }
     if (has_dots(stimulus)) graph_.add(dots_task(stimulus, manifest_.seed, shared, motions_));
-    const FilmSettings settings{.output = stimulus.output,
-                                .seed = manifest_.seed,
-                                .threads = threads,
-                                .drawing = options_.drawing};
-    Task film = film_task(stimulus, settings, shared, motions_, manifest_.equalize);
-    if (manifest_.equalize.duration) depend_on_motions(film);
-    graph_.add(std::move(film));
+    add_film(subject_of(stimulus, manifest_, motions_), threads, shared);
+  }
+  for (const Overlay& overlay : manifest_.overlays) {
+    if (!is_wanted(overlay)) continue;
+    add_film(subject_of(overlay, manifest_, motions_, shared), threads, shared);
   }
   for (const Sheet& sheet : manifest_.sheets) {
     if (!is_wanted(sheet)) continue;
@@ -88,6 +91,17 @@ Production::Production(Manifest manifest, ProductionOptions options)
   graph_.add(report_task(manifest_, motions_, shared, graph_));
 }
 
+void Production::add_film(const FilmSubject& subject, int threads,
+                          const SharedDeterminants& shared) {
+  const FilmSettings settings{.output = subject.film.output,
+                              .seed = manifest_.seed,
+                              .threads = threads,
+                              .drawing = options_.drawing};
+  Task task = film_task(subject, settings, shared, manifest_, motions_);
+  if (subject.equalize.duration) depend_on_motions(task);
+  graph_.add(std::move(task));
+}
+
 /// Where all stimuli last as long as the shortest, each depends on all motions.
 void Production::depend_on_motions(Task& task) const {
   for (const Stimulus& stimulus : manifest_.stimuli) {
@@ -103,13 +117,23 @@ bool Production::is_wanted(const std::string& id) const {
   return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
 }
 
-/// A sheet is wanted when it is named, or when the stimuli that it shows all are.
+bool Production::is_wanted_motion(const std::string& name) const {
+  return find_stimulus(manifest_, name) == nullptr || is_wanted(name);
+}
+
+/// A sheet or overlay is wanted when it is named, or when the stimuli that it shows all are.
 bool Production::is_wanted(const Sheet& sheet) const {
-  const auto is_wanted_motion = [&](const std::string& name) {
-    return find_stimulus(manifest_, name) == nullptr || is_wanted(name);
-  };
   const std::vector<std::string> motions = motions_on(sheet);
-  return is_wanted(sheet.id) || std::all_of(motions.begin(), motions.end(), is_wanted_motion);
+  return is_wanted(sheet.id) || std::all_of(motions.begin(), motions.end(), [&](const auto& name) {
+           return is_wanted_motion(name);
+         });
+}
+
+bool Production::is_wanted(const Overlay& overlay) const {
+  const auto motions = motions_on(overlay);
+  return is_wanted(overlay.film.id) ||
+         std::all_of(motions.begin(), motions.end(),
+                     [&](const auto& one) { return is_wanted_motion(one.second); });
 }
 
 }  // namespace mien::pipeline

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/film_task.h"
 #include "pipeline/manifest.h"
 #include "pipeline/motions.h"
 #include "pipeline/stopwatch.h"
@@ -14,7 +15,7 @@ namespace mien::pipeline {
 /// What the command line changes about a manifest.
 struct ProductionOptions {
   std::optional<Quality> quality;  ///< of all stimuli
-  std::vector<std::string> only;   ///< ids of stimuli and sheets; everything when empty
+  std::vector<std::string> only;   ///< ids of stimuli, overlays and sheets; everything when empty
   int jobs = 1;
   Stopwatch* drawing = nullptr;  ///< if any, runs while frames are traced or encoded
 };
@@ -23,13 +24,15 @@ struct ProductionOptions {
 ///
 ///   motion  examples, weights → motion      (its digest)
 ///   clip    motion → file                   clips/<id>.bvh, .glb
-///   film    motion → shot → frames, video   frames/<id>/, videos/<id>.mp4,
+///   film    motions → shot → frames, video   frames/<id>/, videos/<id>.mp4,
 ///                                           sheets/contact/<id>.png
 ///                                           metrics/films/<id>.json
 ///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
 ///           motions → shots → stills → page
+///   sizes     motions → shots → numbers     metrics/sizes.csv: what equalizing size needs
+///   exposure  motions → shots → numbers     metrics/exposure.csv: and luminance
 ///   tables  motions → numbers               metrics/*.csv
-///   films   films → numbers                 metrics/luminance.csv, videos.csv
+///   films   films → numbers                 metrics/luminance.csv, videos.csv, views.csv
 ///   report  all of it → page                report.html
 ///
 /// With `only`, nothing is made that covers the whole study (tables, report, provenance).
@@ -46,9 +49,12 @@ class Production {
   bool is_whole() const { return options_.only.empty(); }
 
  private:
+  void add_film(const FilmSubject& subject, int threads, const SharedDeterminants& shared);
   void depend_on_motions(Task& task) const;
   bool is_wanted(const std::string& id) const;
+  bool is_wanted_motion(const std::string& name) const;
   bool is_wanted(const Sheet& sheet) const;
+  bool is_wanted(const Overlay& overlay) const;
 
   Manifest manifest_;
   ProductionOptions options_;

@@ -12,7 +12,9 @@ void add_production_options(CLI::App& command, ProductionArguments& arguments) {
   command
       .add_option("--out,-o", arguments.out, "Folder of all studies; results go to <out>/<study>")
       ->capture_default_str();
-  command.add_option("--only", arguments.only, "Ids of stimuli or sheets, separated by commas")
+  command
+      .add_option("--only", arguments.only,
+                  "Ids of stimuli, overlays or sheets, separated by commas")
       ->delimiter(',');
   command.add_option("--quality", arguments.quality, "Instead of the manifest's quality")
       ->check(CLI::IsMember({"draft", "standard", "final"}));

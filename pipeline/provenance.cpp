@@ -1,6 +1,7 @@
 #include "pipeline/provenance.h"
 
 #include <map>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -22,8 +23,11 @@ std::map<std::string, Hash> inputs_of(const Manifest& manifest) {
     inputs[name.generic_string()] = hash_of_file(file);
   };
   for (const std::filesystem::path& file : repertoire_files(manifest)) add(file);
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (stimulus.clip) add(stimulus.clip->file);
+  for (const Stimulus* film : films_of(manifest)) {
+    if (film->clip) add(film->clip->file);
+    if (!film->look.scene_file.empty()) add(film->look.scene_file);
+    if (const auto* character = std::get_if<scenes::CharacterOptions>(&film->look.figure))
+      add(character->file);
   }
   return inputs;
 }

@@ -119,8 +119,8 @@ std::string finding_list(const Synthesis& made) {
 
 std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
   const motion::Clip& clip = made.motion.clip;
-  std::string facts = fmt::format("{} × {}, {} frames/s", stimulus.output.size[0],
-                                  stimulus.output.size[1], stimulus.output.fps);
+  const auto [width, height] = stimulus.output.shown_size();
+  std::string facts = fmt::format("{} × {}, {} frames/s", width, height, stimulus.output.fps);
   if (clip.loops) {
     facts += fmt::format(", cycle {:.2f} s, stride {:.2f} m, {:.2f} m/s", clip.duration_seconds(),
                          clip.cycle_displacement.norm(),
@@ -144,7 +144,7 @@ constexpr render::VideoKind playable[] = {render::VideoKind::mp4, render::VideoK
 /// The video that a browser can show, if any, and links to all when there are several.
 std::string video_of(const Stimulus& stimulus) {
   const std::vector<render::VideoKind>& kinds = stimulus.output.video;
-  const auto [width, height] = stimulus.output.size;
+  const auto [width, height] = stimulus.output.shown_size();
   const auto link = [&](render::VideoKind kind) {
     return "videos/" + html_escaped(render::with_ending(stimulus.id, kind).string());
   };
@@ -174,17 +174,35 @@ std::string video_of(const Stimulus& stimulus) {
   return links.empty() ? html : html + "<p>" + links + "</p>\n";
 }
 
+/// The frames of a film at a glance.
+std::string contact_sheet(const std::string& id) {
+  return fmt::format(
+      "<a href=\"sheets/contact/{}.png\"><img loading=\"lazy\" src=\"sheets/contact/{}.png\" "
+      "alt=\"Twelve frames of {}\"></a>\n",
+      id, id, id);
+}
+
+std::string overlay_card(const Overlay& overlay, const Manifest& manifest) {
+  const std::string id = html_escaped(overlay.film.id);
+  std::string card = fmt::format("<article id=\"{}\">\n<h3>{}</h3>\n", id, id);
+  card += video_of(overlay.film) + contact_sheet(id);
+  std::string legend;
+  for (const auto& [role, motion] : motions_on(overlay)) {
+    std::string name = html_escaped(motion);
+    if (find_stimulus(manifest, motion)) name = fmt::format("<a href=\"#{}\">{}</a>", name, name);
+    legend += fmt::format("{}{} ({})", legend.empty() ? "" : ", ", name, role_name(role));
+  }
+  return card + "<p>" + legend + "</p>\n</article>\n";
+}
+
 std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
   const Synthesis& made = motions.of(stimulus.id);
   const std::string id = html_escaped(stimulus.id);
   std::string card =
       fmt::format("<article class=\"{}\" id=\"{}\">\n<h3>{} <small>{}</small></h3>\n",
                   role_name(stimulus.role), id, id, role_name(stimulus.role));
-  card += video_of(stimulus);
-  card += fmt::format(
-      "<a href=\"sheets/contact/{}.png\"><img loading=\"lazy\" src=\"sheets/contact/{}.png\" "
-      "alt=\"Twelve frames of {}\"></a>\n<p>{}.</p>\n",
-      id, id, id, html_escaped(facts_of(stimulus, made)));
+  card += video_of(stimulus) + contact_sheet(id);
+  card += fmt::format("<p>{}.</p>\n", html_escaped(facts_of(stimulus, made)));
   if (!made.modified.empty()) {
     std::string sentence = "Modified: " + made.modified + share_text(made.modified_share);
     for (const std::string& note : made.notes) sentence += "; " + note;
@@ -310,6 +328,11 @@ std::string report(const Manifest& manifest, Motions& motions) {
   page += "<section><h2>Stimuli</h2>\n<div class=\"cards\">\n";
   for (const Stimulus& stimulus : manifest.stimuli) page += stimulus_card(stimulus, motions);
   page += "</div></section>\n";
+  if (!manifest.overlays.empty()) {
+    page += "<section><h2>Overlays</h2>\n<div class=\"cards\">\n";
+    for (const Overlay& overlay : manifest.overlays) page += overlay_card(overlay, manifest);
+    page += "</div></section>\n";
+  }
   std::string stills;
   std::string comparisons;
   for (const Sheet& sheet : manifest.sheets) {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "pipeline/code_identity.h"
-#include "pipeline/film_exposure.h"
 #include "pipeline/film_shot.h"
+#include "pipeline/film_sizes.h"
 #include "pipeline/sheet_task.h"
 #include "pipeline/stills.h"
 
@@ -16,10 +16,10 @@ namespace {
 constexpr double still_cost_seconds = 1.0;
 
 render::Image8 still_of(const Stimulus& stimulus, FilmSettings settings, Motions& motions,
-                        float exposure_stops, const std::stop_token& stop) {
+                        const Equalized& alike, const std::stop_token& stop) {
   settings.output = stimulus.output;
-  scenes::Shot shot = shot_of(stimulus, motions, settings.seed);
-  shot.tone.exposure_stops += exposure_stops;
+  scenes::Shot shot = shot_of(stimulus, motions, settings.seed, alike.figure_px);
+  shot.tone.exposure_stops += alike.exposure_stops;
   render::Image8 still;
   draw_frames(
       shot, {shot.frame_count() / 2}, settings, nullptr,
@@ -37,10 +37,9 @@ StillsContent stills_content(const Sheet& sheet, const Manifest& manifest,
                          {"seed", std::to_string(manifest.seed)},
                          {"manifest", manifest.file.filename().string()}}};
   for (const std::string& id : sheet.stills) {
-    const float stops =
-        manifest.equalize.luminance ? exposure_stops_of(run.store.folder(), id) : 0.0f;
+    const Equalized alike = equalized_film(manifest.equalize, run.store.folder(), id);
     content.stills.push_back(
-        {id, still_of(*find_stimulus(manifest, id), settings, motions, stops, run.stop)});
+        {id, still_of(*find_stimulus(manifest, id), settings, motions, alike, run.stop)});
     run.progress(static_cast<double>(content.stills.size()) /
                  static_cast<double>(sheet.stills.size()));
   }
@@ -66,7 +65,7 @@ Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSetting
     task.determinants.add("still", id);
     add_film(task.determinants, *find_stimulus(manifest, id));
   }
-  if (manifest.equalize.luminance) task.inputs.push_back("exposure");
+  for (const std::string& other : equalizing_tasks(manifest.equalize)) task.inputs.push_back(other);
   task.products = sheet_products(sheet);
   task.cost_seconds = still_cost_seconds * static_cast<double>(sheet.stills.size());
   task.make = [&sheet, &manifest, &motions, settings](TaskRun& run) {

@@ -7,7 +7,6 @@
 #include "pipeline/csv.h"
 #include "pipeline/determinants.h"
 #include "pipeline/files.h"
-#include "pipeline/film_views.h"
 #include "pipeline/report.h"
 #include "pipeline/tables.h"
 
@@ -22,15 +21,11 @@ constexpr double report_cost_seconds = 0.01;
 
 using Table = std::pair<const char*, std::string (*)(const Manifest&, Motions&)>;
 
-constexpr Table tables[] = {{"distances", distances_csv},
-                            {"joint_distances", joint_distances_csv},
-                            {"weights", weights_csv},
-                            {"clips", clips_csv},
-                            {"parameters", parameters_csv},
-                            {"impressions", impressions_csv},
-                            {"findings", findings_csv},
-                            {"feature_changes", feature_changes_csv},
-                            {"views", views_csv}};
+constexpr Table tables[] = {
+    {"distances", distances_csv},   {"joint_distances", joint_distances_csv},
+    {"weights", weights_csv},       {"clips", clips_csv},
+    {"parameters", parameters_csv}, {"impressions", impressions_csv},
+    {"findings", findings_csv},     {"feature_changes", feature_changes_csv}};
 
 /// The manifest's own text: ids, roles and comparisons are all told in tables and report.
 void add_study(KeyBuilder& key, const Manifest& manifest, const SharedDeterminants& shared) {

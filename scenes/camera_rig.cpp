@@ -190,6 +190,36 @@ double depth_of(const render::Camera& camera, const Vec3& centre, double height_
   return (centre + 0.5 * height_m * Vec3::UnitY() - eye).dot(ahead);
 }
 
+/// Shows the figure so many times as large: the cameras go nearer along their axes.
+void magnify(CameraRig& rig, double times) {
+  const double nearer = rig.figure_distance_m * (1.0 - 1.0 / times);
+  for (render::Camera& camera : rig.cameras) {
+    if (camera.parallel_height > 0.0f) {
+      camera.parallel_height /= static_cast<float>(times);
+      continue;
+    }
+    const Vec3 ahead = (camera.target - camera.position).cast<double>().normalized();
+    camera.position += (nearer * ahead).cast<float>();
+    camera.target += (nearer * ahead).cast<float>();
+  }
+  if (rig.cameras.front().parallel_height == 0.0f) rig.figure_distance_m -= nearer;
+}
+
+/// Without a distance the focus goes with the figure, so there is a camera for each moment.
+void open_aperture(CameraRig& rig, const DepthOfField& lens, const Action& action) {
+  constexpr double nearest = 0.1;  // metres
+  const std::vector<Vec3> path = smooth_path(action, smoothing);
+  if (!lens.focus_m) rig.cameras.resize(std::max(rig.cameras.size(), path.size()), rig.cameras[0]);
+  for (std::size_t f = 0; f < rig.cameras.size(); ++f) {
+    render::Camera& camera = rig.cameras[f];
+    const double focus =
+        lens.focus_m ? *lens.focus_m
+                     : depth_of(camera, path[std::min(f, path.size() - 1)], action.height_m);
+    camera.aperture_radius = static_cast<float>(0.5 * lens.aperture_m);
+    camera.focus_distance = static_cast<float>(std::max(focus, nearest));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> camera_names() {
@@ -239,24 +269,32 @@ CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
   if (settings.screen && settings.path.empty() && !settings.position) {
     step_to(rig, settings.view, action, eye_distance_m(*settings.screen, action.height_m));
   }
+  const Vec3 beside = settings.view == "follow" && settings.path.empty() && !settings.position
+                          ? smooth_path(action, smoothing).front()
+                          : action.centre;
+  rig.figure_height_m = action.height_m;
+  rig.figure_distance_m = depth_of(rig.cameras.front(), beside, action.height_m);
+  if (settings.figure_px) magnify(rig, *settings.figure_px / figure_pixels(rig));
+  if (settings.depth_of_field) open_aperture(rig, *settings.depth_of_field, action);
   if (settings.stereo_separation_m) {
     rig.stereo_separation_m = *settings.stereo_separation_m;
-    rig.convergence_m =
-        std::max(depth_of(rig.cameras.front(), action.centre, action.height_m), 0.1);
+    rig.convergence_m = std::max(rig.figure_distance_m, 0.1);
   }
   return rig;
 }
 
-double figure_pixels(const render::Camera& camera, const Vec3& centre, double height_m) {
+double figure_pixels(const CameraRig& rig) {
+  const render::Camera& camera = rig.cameras.front();
   const double metres_a_pixel = static_cast<double>(render::frame_of(camera).step_down.norm());
-  if (camera.parallel_height > 0.0f) return height_m / metres_a_pixel;
-  const double depth = depth_of(camera, centre, height_m);
-  return depth > 0.0 ? height_m / (depth * metres_a_pixel) : 0.0;
+  if (camera.parallel_height > 0.0f) return rig.figure_height_m / metres_a_pixel;
+  const double distance = rig.figure_distance_m;
+  return distance > 0.0 ? rig.figure_height_m / (distance * metres_a_pixel) : 0.0;
 }
 
-double visual_degrees(const render::Camera& camera, const Vec3& centre, double height_m) {
-  const double depth = depth_of(camera, centre, height_m);
-  return depth > 0.0 ? 2.0 * std::atan(0.5 * height_m / depth) / motion::radians_per_degree : 0.0;
+double visual_degrees(const CameraRig& rig) {
+  const double distance = rig.figure_distance_m;
+  if (distance <= 0.0) return 0.0;
+  return 2.0 * std::atan(0.5 * rig.figure_height_m / distance) / motion::radians_per_degree;
 }
 
 double eye_distance_m(const ScreenSettings& screen, double height_m) {

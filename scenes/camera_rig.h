@@ -19,6 +19,11 @@ struct CameraRig {
   std::vector<render::Camera> cameras;  ///< a single one for a standing camera
   double stereo_separation_m = 0.0;     ///< 0: one picture; else a left and a right one
   double convergence_m = 5.0;           ///< at this distance both show the same place alike
+  double figure_height_m = 1.75;        ///< of the standing figure
+
+  /// How far before the cameras the middle of the figure is, along their axes: of those that go
+  /// with it at all times, of others when it is in the middle of its way. 0 or less: behind.
+  double figure_distance_m = 5.0;
 
   const render::Camera& at(int frame) const {
     return cameras.size() == 1 ? cameras.front() : cameras[static_cast<size_t>(frame)];
@@ -50,10 +55,10 @@ Action action_of(const motion::Clip& clip);
 CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
                           std::array<int, 2> size);
 
-/// How tall a figure that stands at `centre` is in the picture, pixels, and under which visual
-/// angle an eye sees it that sees the picture as the camera does, degrees. 0 where it is behind.
-double figure_pixels(const render::Camera& camera, const motion::Vec3& centre, double height_m);
-double visual_degrees(const render::Camera& camera, const motion::Vec3& centre, double height_m);
+/// How tall the standing figure is in the picture, pixels, and under which visual angle an eye sees
+/// it that sees the picture as the camera does, degrees. 0 where it is behind.
+double figure_pixels(const CameraRig& rig);
+double visual_degrees(const CameraRig& rig);
 
 /// How far from the eye a figure of that height has to be to be seen on the screen as asked.
 double eye_distance_m(const ScreenSettings& screen, double height_m);

@@ -26,6 +26,14 @@ struct ScreenSettings {
   friend bool operator==(const ScreenSettings&, const ScreenSettings&) = default;
 };
 
+/// A lens that is sharp at one distance only.
+struct DepthOfField {
+  double aperture_m = 0.02;       ///< the diameter of its opening: the wider, the more blur
+  std::optional<double> focus_m;  ///< along the optical axis; on the figure at each moment without
+
+  friend bool operator==(const DepthOfField&, const DepthOfField&) = default;
+};
+
 /// How the action is looked at. Points are in metres from the middle of the action on the floor: x
 /// to the figure's left, y up, z to its front.
 struct CameraSettings {
@@ -37,6 +45,9 @@ struct CameraSettings {
   std::vector<CameraKey> path;                ///< at least two, in time; instead of a view
   std::optional<double> stereo_separation_m;  ///< two pictures side by side, left eye left
   std::optional<ScreenSettings> screen;
+  std::optional<double> figure_px;  ///< of a view: nearer or further until the standing figure is
+                                    ///< so tall
+  std::optional<DepthOfField> depth_of_field;  ///< everything is sharp without it
 
   friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
 };

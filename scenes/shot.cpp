@@ -110,7 +110,10 @@ Shot stage(const motion::Clip& clip, const Look& look) {
   return stage(std::vector<Performance>{{.clip = clip, .role = look.role}}, look);
 }
 
-Shot stage(const std::vector<Performance>& performances, const Look& look) {
+Shot stage(const std::vector<Performance>& performances, const Look& given) {
+  Look look = given;
+  if (auto* dots = std::get_if<PointLightOptions>(&look.figure)) dots->size_px *= look.pixel_scale;
+  if (look.camera.figure_px) *look.camera.figure_px *= look.pixel_scale;
   Shot shot;
   shot.set = look.set;
   shot.size = look.size;
@@ -133,6 +136,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& look) {
   if (shot.set.belt) include(*shot.set.belt, shot.place, action);
   shot.standing = standing_set(shot.set, shot.place);
   shot.cameras = make_camera_rig(look.camera, action, look.size);
+  for (render::Camera& camera : shot.cameras.cameras) camera.window = look.window;
   if (const auto* dots = std::get_if<PointLightOptions>(&look.figure)) {
     shot.tone.shoulder = 1.0f;
     for (Actor& actor : shot.actors) {

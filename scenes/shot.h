@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,10 @@ struct Look {
   Figure figure;
   CameraSettings camera;
   Role role = Role::neutral;
-  std::array<int, 2> size{960, 540};  ///< pixels
-  bool in_place = false;              ///< on the spot, whatever the set
+  std::array<int, 2> size{960, 540};     ///< pixels that the camera frames
+  std::optional<render::Window> window;  ///< the part of them that is drawn; not of a stereo pair
+  double pixel_scale = 1.0;              ///< sizes in pixels become so many times as large
+  bool in_place = false;                 ///< on the spot, whatever the set
   Layout layout = Layout::superimposed;
   std::uint64_t seed = 0;  ///< of what is random about a figure
 };

@@ -187,7 +187,7 @@ TEST(CommandLine, OnlyRefusesUnknownIds) {
   const std::string manifest = scratch.write("m.yaml", small_manifest).string();
   const Ended ended = run_mien({"run", manifest, "--only", "aa"});
   EXPECT_EQ(ended.code, 2);
-  EXPECT_EQ(ended.errors, "--only: there is no stimulus or sheet \"aa\"; did you mean \"a\"?\n");
+  EXPECT_EQ(ended.errors, "--only: there is no stimulus, overlay or sheet \"aa\"; did you mean \"a\"?\n");
 }
 
 TEST(CommandLine, AMotionFileThatCannotBeReadIsBadInputAndTheRestIsMade) {

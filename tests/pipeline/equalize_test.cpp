@@ -4,6 +4,7 @@
 
 #include "pipeline/csv.h"
 #include "pipeline/film_presentation.h"
+#include "pipeline/film_shot.h"
 #include "pipeline/manifest_checks.h"
 #include "pipeline/run.h"
 #include "pipeline/temporary_folder.h"
@@ -59,6 +60,107 @@ TEST(Equalize, MakesFilmsOfAStudyAlikeInLuminanceAndDuration) {
   ASSERT_EQ(videos.rows.size(), 2u);
   EXPECT_EQ(number(videos, 0, "frames"), number(videos, 1, "frames"));
   EXPECT_GT(number(videos, 0, "worst_psnr_db"), 30.0);
+}
+
+TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  manifest.equalize = {.size = true};
+  // Another height and width of the picture, twice the pixels, a point-light figure.
+  manifest.stimuli[0].output.scale = 2.0;
+  manifest.stimuli.push_back(stimulus("dots", "normal", 1));
+  manifest.stimuli[2].output.size = {64, 64};
+  manifest.stimuli[2].look.figure = scenes::PointLightOptions{};
+  Motions motions(manifest);
+  std::vector<double> framed;
+  for (const Stimulus& one : manifest.stimuli)
+    framed.push_back(scenes::figure_pixels(shot_of(one, motions, 0).cameras));
+  const double least = *std::min_element(framed.begin(), framed.end());
+  EXPECT_GT(*std::max_element(framed.begin(), framed.end()), 1.2 * least);
+
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
+  ASSERT_TRUE(result.is_complete());
+  for (const Stimulus& one : manifest.stimuli) {
+    EXPECT_NEAR(number_of(folder.path() / "out/metrics/views.csv", "figure_px", one.id), least,
+                0.02)
+        << one.id;
+  }
+}
+
+TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
+  Manifest manifest = study();
+  manifest.equalize = {.size = true};
+  const auto is_told = [&] {
+    const std::vector<Fault> faults = check_meaning(manifest);
+    return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
+      return fault.wrong == "the camera of \"long\" says already how large its figure is seen";
+    });
+  };
+  EXPECT_FALSE(is_told());
+  manifest.stimuli[1].look.camera.screen = scenes::ScreenSettings{};
+  EXPECT_TRUE(is_told());
+}
+
+TEST(Overlays, ShowTheirMotionsTogetherInOneFilm) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  manifest.equalize = {};
+  manifest.stimuli[0].role = Role::target;
+  Overlay overlay;
+  overlay.film = stimulus("both", "", 2);
+  overlay.film.weights.clear();
+  overlay.film.path = "overlays[0]";
+  overlay.target = "short";
+  overlay.created = "long";
+  overlay.reference = "sad";  // an example
+  manifest.overlays = {overlay};
+  Motions motions(manifest);
+  const scenes::Shot shot = shot_of(manifest.overlays[0], motions, 0);
+  ASSERT_EQ(shot.actors.size(), 3u);
+  EXPECT_EQ(shot.actors[0].name, "short");
+  EXPECT_EQ(shot.actors[2].name, "sad");
+  EXPECT_EQ(shot.actors[1].opacity, 0.75f);
+  // Each as the overlay's own output shows it: two cycles.
+  const int frames = motions.of("short").motion.clip.frame_count();
+  EXPECT_EQ(shot.actors[0].clip.frame_count(), 2 * frames);
+  EXPECT_EQ(shot.actors[1].clip.frame_count(), 2 * frames);
+
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
+  ASSERT_TRUE(result.is_complete());
+  EXPECT_EQ(number_of(folder.path() / "out/metrics/videos.csv", "frames", "both"),
+            shot.frame_count());
+  // Its own layout is its own film; the films of its motions stay.
+  manifest.overlays[0].layout = scenes::Layout::side_by_side;
+  Production other(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult again = run(other, folder.path() / "out", 1, {}, {});
+  const auto state_of = [&](const std::string& task) {
+    return again.outcomes[other.graph().index_of(task)].state;
+  };
+  EXPECT_EQ(state_of("film:both"), TaskState::made);
+  EXPECT_EQ(state_of("film:short"), TaskState::cached);
+}
+
+TEST(Overlays, AreAskedForByNameOrByTheirMotions) {
+  Manifest manifest = study();
+  Overlay overlay;
+  overlay.film = stimulus("both", "", 1);
+  overlay.target = "short";
+  overlay.created = "normal";
+  manifest.overlays = {overlay};
+  const auto is_made = [&](const std::vector<std::string>& only) {
+    const Production production(manifest, {.quality = {}, .only = only, .jobs = 1});
+    const auto& tasks = production.graph().tasks;
+    return std::any_of(tasks.begin(), tasks.end(),
+                       [](const Task& task) { return task.id == "film:both"; });
+  };
+  EXPECT_TRUE(is_made({}));
+  EXPECT_TRUE(is_made({"both"}));
+  EXPECT_TRUE(is_made({"short"}));
+  EXPECT_FALSE(is_made({"long"}));
 }
 
 TEST(Equalize, LeavesFilmsAloneOtherwise) {

@@ -13,6 +13,8 @@ TEST(FilmRecord, IsReadAsItWasWritten) {
   record.film_frames = 90;
   record.first_film_frame = 15;
   record.exposure_stops = -0.25;
+  record.figure_px = 312.5;
+  record.visual_degrees = 8.25;
   record.luminance = {.frames = 90,
                       .mean = 0.31,
                       .deviation = 0.11,
@@ -39,6 +41,8 @@ TEST(FilmRecord, IsReadAsItWasWritten) {
   EXPECT_EQ(read.videos[1].format, "mkv");
   EXPECT_EQ(read.luminance.lightest, 0.312);
   EXPECT_EQ(read.exposure_stops, -0.25);
+  EXPECT_EQ(read.figure_px, 312.5);
+  EXPECT_EQ(read.visual_degrees, 8.25);
 }
 
 TEST(FilmRecord, RefusesWhatIsNone) {

@@ -251,6 +251,36 @@ INSTANTIATE_TEST_SUITE_P(
              "and neutral is missing; add neutral: and styled:\n"},
         Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {tempo: 2, styled: sad}}]\n",
              "m.yaml:4:68: stimuli[0].modify.styled: only a method has this; leave it out\n"},
+        Case{
+            "output: {crop: [900, 0, 80, 40]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+            "m.yaml:4:16: output.crop: reaches beyond the picture of 960 × 540 pixels; write [from "
+            "the left, from the top, width, height] in pixels of size\n"},
+        Case{"output: {crop: [0, 0, 80, 9], video: []}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:16: output.crop: leaves a picture of 80 × 9 pixels; leave at least 16 each "
+             "way\n"},
+        Case{"output: {size: [640, 360], scale: 0.33}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:35: output.scale: mp4 needs an even width and height, and these are 211 × "
+             "119; change size, scale or crop until they are even, or video: []\n"},
+        Case{"output: {crop: [0, 0, 80, 40]}\nlook: {camera: {stereo: {}}}\n"
+             "stimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:16: output.crop: a stereo pair cannot be cropped; leave crop or stereo "
+             "out\n"},
+        Case{"look: {camera: {figure_px: 200, screen: {distance_cm: 60, width_cm: 50}}}\n"
+             "stimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:28: look.camera.figure_px: the screen says already how large the figure is "
+             "seen; leave figure_px out, or give a view alone\n"},
+        Case{
+            "equalize: [size]\nstimuli: [{id: a, clip: walk.bvh, look: {camera: {position: [0, 1, "
+            "5], target: [0, 1, 0]}}}]\n",
+            "m.yaml:4:11: equalize: the camera of \"a\" says already how large its figure is seen; "
+            "leave size out, or give that camera a view alone\n"},
+        Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{target: a, created: a}]\n",
+             "m.yaml:5:33: overlays[0].created: the same motion as the target; name another one\n"},
+        Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{id: a, target: a, created: normal, "
+             "layout: side-by-side, opacity: 0.5}]\n",
+             "m.yaml:5:17: overlays[0].id: \"a\" is already the id of stimuli[0]; give each its "
+             "own\nm.yaml:5:70: overlays[0].opacity: figures side by side are not seen through; "
+             "leave it out, or layout: superimposed\n"},
         Case{"output: {fps: .inf}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:15: output.fps: not a finite number; write a finite one\n"},
         Case{"interpolation: {foot_lock: yes}\nstimuli: [{id: a, clip: walk.bvh}]\n",
