@@ -195,6 +195,11 @@ void validate(const Scene& scene) {
     validate_emission(material, indexed("materials", i));
     require(material.texture >= -1 && material.texture < static_cast<int>(scene.textures.size()),
             indexed("materials", i) + ".texture", "out of range");
+    require(
+        material.normal_map >= -1 && material.normal_map < static_cast<int>(scene.textures.size()),
+        indexed("materials", i) + ".normal_map", "out of range");
+    require(std::isfinite(material.normal_scale), indexed("materials", i) + ".normal_scale",
+            "not finite");
   }
   validate(scene.solids, counts, "");
   validate(scene.standing, counts, "standing.");

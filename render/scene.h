@@ -18,9 +18,15 @@ struct Material {
   /// surface shows this colour exactly, whatever the light.
   Color emission{0.0f, 0.0f, 0.0f};
   int texture = -1;  ///< index into Scene::textures that multiplies the albedo of meshes; −1: none
+
+  /// Index into Scene::textures of normals of meshes (Blinn 1978), as glTF has them: 2 · texel − 1
+  /// is how far the normal points along growing u, along falling v, and out of the surface. −1:
+  /// none.
+  int normal_map = -1;
+  float normal_scale = 1.0f;  ///< of the first two of these
 };
 
-/// Reflectances over the unit square; it repeats beyond.
+/// Reflectances, or other shares, over the unit square; it repeats beyond.
 struct Texture {
   int width = 0;
   int height = 0;

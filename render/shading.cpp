@@ -57,16 +57,65 @@ Vec3 lifted(const Vec3& point, const Vec3& corner, const Vec3& normal) {
   return point - std::min(0.0f, (point - corner).dot(normal)) * normal;
 }
 
-Color texture_at(const Texture& texture, const Mesh& mesh, const std::array<int, 3>& corners,
-                 float wa, const Barycentric& w) {
-  float u = 0.0f, v = 0.0f;
-  const float weights[3] = {wa, w.b, w.c};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto& uv = mesh.uv[static_cast<std::size_t>(corners[k])];
-    u += weights[k] * uv[0];
-    v += weights[k] * uv[1];
-  }
-  return texel_at(texture, u, v);
+/// How textures lie on a triangle: (u, v) at its corners.
+struct TextureCorners {
+  std::array<float, 2> a;
+  std::array<float, 2> b;
+  std::array<float, 2> c;
+};
+
+TextureCorners texture_corners(const Mesh& mesh, const std::array<int, 3>& corners) {
+  const auto uv = [&](int k) {
+    return mesh.uv[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
+  };
+  return {uv(0), uv(1), uv(2)};
+}
+
+Color texture_at(const Texture& texture, const TextureCorners& uv, float wa, const Barycentric& w) {
+  return texel_at(texture, wa * uv.a[0] + w.b * uv.b[0] + w.c * uv.c[0],
+                  wa * uv.a[1] + w.b * uv.b[1] + w.c * uv.c[1]);
+}
+
+/// A smooth normal, on the front, bent by what a normal map says.
+Vec3 bent_normal(const Vec3& normal, const Vec3& bend, const Triangle& triangle,
+                 const TextureCorners& uv) {
+  const Vec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+  const float ub = uv.b[0] - uv.a[0], uc = uv.c[0] - uv.a[0];
+  const float vb = uv.b[1] - uv.a[1], vc = uv.c[1] - uv.a[1];
+  const float area = ub * vc - uc * vb;
+  const Vec3 along_u = (vc * ab - vb * ac) * (area < 0.0f ? -1.0f : 1.0f);
+  const Vec3 across = along_u - along_u.dot(normal) * normal;
+  const float length = across.norm();
+  if (area == 0.0f || !(length > 0.0f)) return normal;
+  const Vec3 tangent = across / length;
+  // Growing v lies to the left of growing u where the texture is not mirrored.
+  const Vec3 falling_v = (area < 0.0f ? 1.0f : -1.0f) * normal.cross(tangent);
+  const Vec3 bent = bend.x() * tangent + bend.y() * falling_v + bend.z() * normal;
+  const float size = bent.norm();
+  return size > 1e-6f ? Vec3(bent / size) : normal;
+}
+
+/// A normal that the eye can see: one that points away is turned until it is seen edge on.
+Vec3 towards(const Vec3& normal, const Vec3& eye) {
+  constexpr float least = 0.02f;
+  const float cosine = normal.dot(eye);
+  return cosine >= least ? normal : (normal + (least - cosine) * eye).normalized();
+}
+
+/// What the textures of a mesh's material do to its surface. `side` is −1 where its back is seen.
+void paint(const Scene& scene, const TextureCorners& uv, const Triangle& triangle, float wa,
+           const Barycentric& w, float side, Surface& surface) {
+  const Material& material = *surface.material;
+  const auto texture = [&](int index) -> const Texture& {
+    return *scene.textures[static_cast<std::size_t>(index)];
+  };
+  if (material.texture >= 0) surface.albedo *= texture_at(texture(material.texture), uv, wa, w);
+  if (material.normal_map < 0) return;
+  const Color texel = texture_at(texture(material.normal_map), uv, wa, w);
+  const Vec3 bend{material.normal_scale * (2.0f * texel.x() - 1.0f),
+                  material.normal_scale * (2.0f * texel.y() - 1.0f), 2.0f * texel.z() - 1.0f};
+  const Vec3 front = side * surface.normal;
+  surface.normal = towards(side * bent_normal(front, bend, triangle, uv), surface.towards_eye);
 }
 
 }  // namespace
@@ -114,9 +163,8 @@ Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closi
   surface.towards_eye = -direction;
   surface.material = &scene.materials[static_cast<std::size_t>(mesh.material)];
   surface.albedo = surface.material->albedo;
-  if (surface.material->texture >= 0 && !mesh.uv.empty())
-    surface.albedo *= texture_at(
-        *scene.textures[static_cast<std::size_t>(surface.material->texture)], mesh, corners, wa, w);
+  if (!mesh.uv.empty())
+    paint(scene, texture_corners(mesh, corners), triangle, wa, w, side, surface);
   surface.part = mesh.triangle_parts.empty()
                      ? mesh.part
                      : mesh.triangle_parts[static_cast<std::size_t>(source.triangle)];

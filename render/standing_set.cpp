@@ -79,9 +79,12 @@ std::vector<float> standing_key(const Scene& scene, const Camera& camera, const 
   add_solids(key, scene.standing);
   for (const Material& material : scene.materials)
     key.add(material.albedo, material.sheen, material.roughness, material.emission,
-            material.texture);
-  for (const Mesh& mesh : scene.standing.meshes)
-    add_texture(key, scene, scene.materials[static_cast<std::size_t>(mesh.material)].texture);
+            material.texture, material.normal_map, material.normal_scale);
+  for (const Mesh& mesh : scene.standing.meshes) {
+    const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+    add_texture(key, scene, material.texture);
+    add_texture(key, scene, material.normal_map);
+  }
   key.add(quality.standing_samples, quality.sky_rays, quality.floor_sky_noise,
           quality.floor_sky_tolerance, quality.floor_sky_cell, quality.filter_width,
           static_cast<int>(quality.seed), static_cast<int>(quality.seed >> 32));

@@ -52,7 +52,8 @@ Texture halved(const Texture& texture) {
 
 }  // namespace
 
-Texture read_texture(std::span<const unsigned char> bytes, const std::string& name, int largest) {
+Texture read_texture(std::span<const unsigned char> bytes, const std::string& name, TextureUse use,
+                     int largest) {
   OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
   const std::unique_ptr<OIIO::ImageInput> input =
       OIIO::ImageInput::open(ending_of(bytes, name), nullptr, &memory);
@@ -72,7 +73,9 @@ Texture read_texture(std::span<const unsigned char> bytes, const std::string& na
   texture.texels.reserve(pixels.size() / channels);
   std::array<float, 256> linear;
   for (int code = 0; code < 256; ++code) {
-    linear[static_cast<size_t>(code)] = static_cast<float>(linear_from_srgb(code / 255.0));
+    const double share = code / 255.0;
+    linear[static_cast<size_t>(code)] =
+        static_cast<float>(use == TextureUse::colour ? linear_from_srgb(share) : share);
   }
   const size_t green = channels < 3 ? 0 : 1;
   for (size_t at = 0; at < pixels.size(); at += channels) {

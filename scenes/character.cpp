@@ -270,6 +270,7 @@ void add_character(render::Scene& scene, const Character& character, const motio
   const auto figure = static_cast<int>(scene.figures.size()) - 1;
   for (render::Material material : character.materials) {
     if (material.texture >= 0) material.texture += first_texture;
+    if (material.normal_map >= 0) material.normal_map += first_texture;
     scene.materials.push_back(material);
   }
   for (const render::Texture& texture : character.textures) scene.textures.push_back(&texture);

@@ -217,6 +217,7 @@ SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const 
 std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const BoundRig& rig,
                                           std::vector<std::string>& warnings) {
   std::vector<SkinnedMesh> meshes;
+  std::size_t vertices = 0;
   Oddities oddities;
   for (const PlacedMesh& placed : rig.meshes) {
     const json& given = list_in(file.json, "meshes")[static_cast<size_t>(placed.mesh)];
@@ -232,6 +233,9 @@ std::vector<SkinnedMesh> character_meshes(const CharacterFile& file, const Bound
       oddities.has_colours |= primitive.accessor("COLOR_0") >= 0;
       if (mode >= triangles_mode) {
         meshes.push_back(mesh_of(primitive, placed, rig, mode, oddities));
+        vertices += meshes.back().positions.size();
+        if (vertices > most_vertices)
+          primitive.refuse("there are more vertices than any figure has");
       }
     }
   }

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <utility>
 
 #include "motion/error.h"
 #include "motion/gltf_accessor.h"
@@ -24,20 +26,20 @@ const json& object_in(const json& object, const char* key) {
 }
 
 render::Texture decoded(const CharacterFile& file, std::span<const unsigned char> bytes,
-                        const std::string& use) {
+                        render::TextureUse kind, const std::string& use) {
   try {
-    return render::read_texture(bytes, use);
+    return render::read_texture(bytes, use, kind);
   } catch (const render::Error& error) {
     throw Error({file.gltf.name}, std::string("a picture does not decode: ") + error.what(),
                 "export its pictures as PNG or JPEG");
   }
 }
 
-render::Texture picture(const CharacterFile& file, int image) {
+render::Texture picture(const CharacterFile& file, int image, render::TextureUse kind) {
   const json& given = list_in(file.json, "images")[static_cast<size_t>(image)];
   const std::string use = "image " + std::to_string(image);
   const int view = index_in(file, given, "bufferView", file.gltf.model.bufferViews.size(), use);
-  if (view >= 0) return decoded(file, motion::buffer_view_bytes(file.gltf, view, use), use);
+  if (view >= 0) return decoded(file, motion::buffer_view_bytes(file.gltf, view, use), kind, use);
   const auto uri = given.is_object() ? given.find("uri") : given.end();
   if (!given.is_object() || uri == given.end() || !uri->is_string()) {
     motion::refuse(file.gltf, use + " has no bytes", get_it_again);
@@ -45,26 +47,28 @@ render::Texture picture(const CharacterFile& file, int image) {
   return decoded(
       file,
       motion::bytes_of_gltf_uri(uri->get<std::string>(), file.gltf.name, file.folder, "picture"),
-      use);
+      kind, use);
 }
 
-/// Reads each picture once.
+/// Reads each picture once for each use.
 struct Painter {
   const CharacterFile& file;
   CharacterPaint paint;
-  std::map<int, int> texture_of_image;
+  std::map<std::pair<int, render::TextureUse>, int> texture_of_image;
+  bool has_unread = false;  ///< a texture of an extension's kind
 
   /// Index of the texture that a material's entry names; −1 when it has none that can be drawn.
-  int texture(const json& entry, const std::string& use) {
+  int texture(const json& entry, render::TextureUse kind, const std::string& use) {
     const json& textures = list_in(file.json, "textures");
     const int index = index_in(file, entry, "index", textures.size(), use);
     if (index < 0) return -1;
     const int image = index_in(file, textures[static_cast<size_t>(index)], "source",
                                list_in(file.json, "images").size(), use);
+    has_unread |= image < 0;
     if (image < 0) return -1;
     const auto [known, is_new] =
-        texture_of_image.try_emplace(image, static_cast<int>(paint.textures.size()));
-    if (is_new) paint.textures.push_back(picture(file, image));
+        texture_of_image.try_emplace({image, kind}, static_cast<int>(paint.textures.size()));
+    if (is_new) paint.textures.push_back(picture(file, image, kind));
     return known->second;
   }
 };
@@ -82,6 +86,20 @@ render::Color factor_of(const CharacterFile& file, const json& given, const std:
   return factor;
 }
 
+float scale_of(const CharacterFile& file, const json& bumps, const std::string& use) {
+  const auto scale = bumps.find("scale");
+  if (scale == bumps.end()) return 1.0f;
+  if (!scale->is_number() || !(std::abs(scale->get<double>()) <= 100.0)) {
+    motion::refuse(file.gltf, use + ": no scale of normals", get_it_again);
+  }
+  return scale->get<float>();
+}
+
+bool has_own_coordinates(const json& texture) {
+  return texture.value("texCoord", json(0)) != 0 ||
+         object_in(texture, "extensions").contains("KHR_texture_transform");
+}
+
 bool is_see_through(const json& given) {
   const auto mode = given.find("alphaMode");
   return mode != given.end() && (*mode == "BLEND" || *mode == "MASK");
@@ -90,9 +108,8 @@ bool is_see_through(const json& given) {
 }  // namespace
 
 CharacterPaint character_paint(const CharacterFile& file, std::vector<std::string>& warnings) {
-  Painter painter{file, {}, {}};
+  Painter painter{file, {}, {}, false};
   painter.paint.materials.push_back({render::Color(0.6f, 0.6f, 0.6f), 0.03f, 0.5f});
-  bool has_normal_maps = false;
   bool has_see_through = false;
   bool has_other_coordinates = false;
   const json& materials = list_in(file.json, "materials");
@@ -102,14 +119,17 @@ CharacterPaint character_paint(const CharacterFile& file, std::vector<std::strin
     const json& surface = object_in(materials[m], "pbrMetallicRoughness");
     const json& base = object_in(surface, "baseColorTexture");
     render::Material material{factor_of(file, surface, use), 0.03f, 0.6f};
-    material.texture = painter.texture(base, use);
+    const json& bumps = object_in(materials[m], "normalTexture");
+    material.texture = painter.texture(base, render::TextureUse::colour, use);
+    material.normal_map = painter.texture(bumps, render::TextureUse::numbers, use);
+    material.normal_scale = scale_of(file, bumps, use);
     painter.paint.materials.push_back(material);
-    has_normal_maps |= materials[m].contains("normalTexture");
     has_see_through |= is_see_through(materials[m]);
-    has_other_coordinates |= base.value("texCoord", json(0)) != 0 ||
-                             object_in(base, "extensions").contains("KHR_texture_transform");
+    has_other_coordinates |= has_own_coordinates(base) || has_own_coordinates(bumps);
   }
-  if (has_normal_maps) warnings.push_back("Normal maps are not drawn.");
+  if (painter.has_unread) {
+    warnings.push_back("Some textures are neither PNG nor JPEG; their surfaces are plain.");
+  }
   if (has_see_through) warnings.push_back("Transparent materials are drawn opaque.");
   if (has_other_coordinates) {
     warnings.push_back("Texture transforms and second texture coordinates are not applied.");

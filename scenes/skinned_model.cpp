@@ -119,7 +119,10 @@ void validate(const SkinnedMesh& mesh, int joint_count) {
   require(mesh.triangle_parts.empty() || mesh.triangle_parts.size() == mesh.triangles.size(),
           "triangle_parts: one a triangle is needed");
   for (size_t v = 0; v < count; ++v) {
-    require(mesh.positions[v].allFinite(), "positions: a number is not finite");
+    require(mesh.positions[v].allFinite() && mesh.positions[v].cwiseAbs().maxCoeff() < 1e6,
+            "positions: a number is not finite or too large");
+    require(mesh.uv.empty() || (std::abs(mesh.uv[v][0]) < 1e6f && std::abs(mesh.uv[v][1]) < 1e6f),
+            "uv: a number is too large");
     require(std::abs(mesh.normals[v].norm() - 1.0) < 1e-3, "normals: not of unit length");
     const std::vector<Influence>& influences = mesh.influences[v];
     require(!influences.empty() && influences.size() <= most_influences,
