@@ -3,9 +3,8 @@
 #include <cassert>
 #include <cmath>
 
-#include <Eigen/QR>
-
 #include "motion/cardinal_basis.h"
+#include "motion/singular_values.h"
 
 namespace mien::motion {
 
@@ -43,7 +42,7 @@ Eigen::VectorXd clicked(const WordClicks& words, const Eigen::VectorXd& weights,
   }
   constraints.row(named).setOnes();
   change[named] = 0.0;
-  const Eigen::VectorXd move = constraints.completeOrthogonalDecomposition().solve(change);
+  const Eigen::VectorXd move = singular_values(constraints).solve(change, 1e-12);
   return clipped_and_normalised(weights + move);
 }
 

@@ -16,7 +16,8 @@ function(hash_sources variable)
 endfunction()
 
 hash_sources(motion motion/* motion/*/*)
-hash_sources(film render/* scenes/* pipeline/film* pipeline/look* pipeline/set_file*)
+hash_sources(film motion/* motion/*/* render/* scenes/* pipeline/film* pipeline/look* pipeline/set_file*
+             pipeline/drawing*)
 hash_sources(pipeline pipeline/*)
 file(WRITE ${OUTPUT}.new
 "// Generated from the sources' contents.

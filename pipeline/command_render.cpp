@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
+#include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,7 @@
 #include "pipeline/film_dots.h"
 #include "pipeline/look_checks.h"
 #include "pipeline/look_options.h"
+#include "pipeline/output_checks.h"
 #include "pipeline/progress.h"
 #include "pipeline/recording_clip.h"
 #include "pipeline/shot_files.h"
@@ -53,6 +55,19 @@ struct RenderOptions {
 
 constexpr float superimposed_opacity = 0.75f;
 constexpr double small_figure = 0.25;  // of the picture's height
+
+/// A number within limits; CLI::Range lets "nan" pass.
+CLI::Validator between(double least, double most) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) {
+          return std::string();
+        }
+        return fmt::format("{} is not a number from {} to {}", text, least, most);
+      },
+      fmt::format("{} to {}", least, most));
+}
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
@@ -110,9 +125,6 @@ bool is_picture(const fs::path& out) {
   return out.extension() == ".png" || out.extension() == ".exr";
 }
 
-/// Unless a still is asked for.
-bool is_contact_sheet(const fs::path& out) { return is_picture(out); }
-
 std::string video_endings() {
   std::string endings;
   for (const render::VideoTraits& traits : render::video_kinds()) {
@@ -134,6 +146,16 @@ fs::path output_of(const RenderOptions& options) {
 /// Sizes that the file asked for can have.
 void check_size(const fs::path& out, const Output& output) {
   const auto [width, height] = output.shown_size();
+  const auto [whole_width, whole_height] = output.whole_size();
+  if (width < least_picture_side || height < least_picture_side) {
+    throw Error(fmt::format("--size: leaves a picture of {} x {} pixels", width, height),
+                fmt::format("leave at least {} each way", least_picture_side));
+  }
+  if (std::int64_t{whole_width} * whole_height > most_picture_pixels) {
+    throw Error(
+        fmt::format("--size: {} x {} pixels are too many to draw", whole_width, whole_height),
+        "use a smaller --size or --scale");
+  }
   for (const render::VideoKind kind : output.video) {
     const render::VideoTraits& traits = render::traits_of(kind);
     if (traits.even_size && (width % 2 != 0 || height % 2 != 0)) {
@@ -144,14 +166,35 @@ void check_size(const fs::path& out, const Output& output) {
     if (output.fps > traits.most_fps) {
       throw Error(fmt::format("--fps: {} shows at most {} frames a second at their true speed",
                               out.filename().string(), traits.most_fps),
-                  "use fewer, or webp or apng");
+                  "use fewer, or another kind of video");
     }
   }
 }
 
-double steady_seconds() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
+/// What a picture of that kind cannot show; the same as a manifest's output may not ask for.
+void check_kind(const RenderOptions& options, const Look& look, const fs::path& out,
+                bool is_still) {
+  const bool is_layers = out.extension() == ".exr";
+  const bool is_cut_out = options.background != "shown";
+  if (options.still && !is_picture(out)) {
+    throw Error("--still: a still is a picture", "end --output in .png, or in .exr for its layers");
+  }
+  if (is_cut_out && (!is_still || is_layers)) {
+    throw Error("--background: only a still can be cut out", "add --still, and --output in .png");
+  }
+  if (options.shutter > 0.0 && (is_layers || is_cut_out)) {
+    throw Error("--shutter: layers and cut-outs have no motion blur", "leave it out");
+  }
+  if (options.shutter > 0.0 && std::holds_alternative<scenes::PointLightOptions>(look.figure)) {
+    throw Error("--shutter: point lights have no motion blur", "leave it out");
+  }
+  if (!look.camera.stereo_separation_m) return;
+  if (is_layers || is_cut_out) {
+    throw Error("--camera: layers and cut-outs are of one eye", "leave stereo out");
+  }
+  if (!options.crop.empty()) {
+    throw Error("--crop: a stereo pair cannot be cropped", "leave --crop or stereo out");
+  }
 }
 
 /// The whole film as one task, for the progress bar.
@@ -170,16 +213,26 @@ scenes::Layout layout_of(const RenderOptions& options) {
                                           : scenes::Layout::superimposed;
 }
 
+/// The name, or one made of it that is not taken yet; it is from now on.
+std::string name_among(std::set<std::string>& names, const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; !names.insert(name).second; ++number) {
+    name = fmt::format("{}-{}", wanted, number);
+  }
+  return name;
+}
+
 /// One motion in neutral colours, or a target, what was created after it, and a reference.
 std::vector<scenes::Performance> performances_of(const RenderOptions& options) {
   constexpr std::array roles = {scenes::Role::target, scenes::Role::created,
                                 scenes::Role::reference};
   const bool is_alone = options.files.size() == 1;
   const bool is_clear = is_alone || layout_of(options) == scenes::Layout::side_by_side;
+  std::set<std::string> names;
   std::vector<scenes::Performance> performances;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
     performances.push_back(
-        {.name = fs::path(options.files[i]).stem().string(),
+        {.name = name_among(names, fs::path(options.files[i]).stem().string()),
          .clip = motion::resampled(clip_of(motion::read_motion(options.files[i])), options.fps),
          .role = is_alone ? scenes::Role::neutral : roles[i],
          .opacity = is_clear ? 1.0f : superimposed_opacity});
@@ -198,8 +251,10 @@ render::Background background_of(const RenderOptions& options) {
 int still_frame(const scenes::Shot& shot, const RenderOptions& options) {
   const int last = shot.frame_count() - 1;
   const double seconds = options.still.value_or(-1.0);
+  if (!std::isfinite(seconds))
+    throw Error("--still: is no moment", "write seconds, for example 1.2");
   if (seconds < 0.0) return shot.actors.front().trail ? last : last / 2;
-  return std::min(static_cast<int>(std::lround(seconds * options.fps)), last);
+  return static_cast<int>(std::min<double>(std::round(seconds * options.fps), last));
 }
 
 /// How large the figure comes out, where that is worth a word.
@@ -209,7 +264,8 @@ void tell_size(const scenes::Shot& shot, const Look& look, const Console& consol
   if (look.camera.screen) {
     console.out << fmt::format("  standing figure: {:.1f} degrees of visual angle, {:.0f} pixels\n",
                                scenes::visual_degrees(shot.cameras), pixels);
-  } else if (shot.cameras.cameras.size() == 1 && pixels < small_figure * camera.height) {
+  } else if (shot.cameras.cameras.size() == 1 && pixels < small_figure * camera.height &&
+             shot.step.isZero() && !look.camera.figure_px && !look.camera.position) {
     console.err << fmt::format(
         "note: the figure is {:.0f} of {} pixels tall because its way has to "
         "be in the picture; --camera follow or --in-place show it larger\n",
@@ -217,11 +273,17 @@ void tell_size(const scenes::Shot& shot, const Look& look, const Console& consol
   }
 }
 
+void write_dots(const scenes::Shot& shot, const fs::path& file) {
+  const DraftFile draft(file);
+  write_file(draft.file(), dots_csv(shot));
+  draft.publish();
+}
+
 int render_file(const RenderOptions& options, const Console& console) {
   FilmSettings settings = settings_of(options);
   const fs::path out = output_of(options);
   settings.output.video.clear();
-  if (!is_contact_sheet(out)) settings.output.video = {*render::video_kind_of(out)};
+  if (!is_picture(out)) settings.output.video = {*render::video_kind_of(out)};
   check_size(out, settings.output);
   const Look look = look_of(options.look);
   const scenes::Shot shot =
@@ -236,17 +298,9 @@ int render_file(const RenderOptions& options, const Console& console) {
                                                .seed = options.seed});
   const bool is_still =
       options.still.has_value() || (shot.actors.front().trail && out.extension() == ".png");
-  if (options.still && !is_picture(out)) {
-    throw Error("--still: a still is a picture", "end --output in .png, or in .exr for its layers");
-  }
-  if (options.background != "shown" && (!is_still || out.extension() != ".png")) {
-    throw Error("--background: only a still can be cut out", "add --still, and --output in .png");
-  }
-  if (!options.dots.empty()) {
-    if (shot.actors.front().dots.empty()) {
-      throw Error("--dots: only a point-light figure has dots", "add --figure point-light");
-    }
-    write_file(options.dots, dots_csv(shot));
+  check_kind(options, look, out, is_still);
+  if (!options.dots.empty() && shot.actors.front().dots.empty()) {
+    throw Error("--dots: only a point-light figure has dots", "add --figure point-light");
   }
   for (const scenes::Actor& actor : shot.actors) {
     for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
@@ -265,10 +319,11 @@ int render_file(const RenderOptions& options, const Console& console) {
       write_still(work, frame, background_of(options), draft.file());
       found = fmt::format("frame {}", frame);
     } else {
-      found = (is_contact_sheet(out) ? write_contact_sheet : write_video)(work, draft.file());
+      found = (is_picture(out) ? write_contact_sheet : write_video)(work, draft.file());
     }
   }
   draft.publish();
+  if (!options.dots.empty()) write_dots(shot, options.dots);
   console.out << out.string() << ": " << shot.frame_count() << " frames, "
               << fmt::format("{:.2f} s, {}\n", shot.frame_count() / options.fps, found);
   tell_size(shot, look, console);
@@ -299,7 +354,7 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command
       ->add_option("--scale", options->scale,
                    "Draw everything so many times as large: 0.5 for a quick look, 2 for print")
-      ->check(CLI::Range(0.05, 16.0))
+      ->check(between(0.05, 16.0))
       ->capture_default_str();
   command
       ->add_option("--crop", options->crop,
@@ -307,7 +362,7 @@ void add_render_command(CLI::App& app, Command& chosen) {
       ->delimiter(',')
       ->expected(4);
   command->add_option("--fps", options->fps, "Frames per second")
-      ->check(CLI::Range(1.0, 240.0))
+      ->check(between(1.0, 240.0))
       ->capture_default_str();
   command
       ->add_option("--camera", options->look.camera,
@@ -335,7 +390,7 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command
       ->add_option("--shutter", options->shutter,
                    "Motion blur: degrees of 360 for which the shutter is open")
-      ->check(CLI::Range(0.0, 360.0))
+      ->check(between(0.0, 360.0))
       ->capture_default_str();
   command
       ->add_option("--background", options->background,

@@ -1,4 +1,3 @@
-#include <chrono>
 #include <map>
 #include <memory>
 #include <string>
@@ -19,11 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-double steady_seconds() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
 
 /// Each error once, with the tasks that it stopped.
 void tell_faults(const TaskGraph& graph, const RunResult& result, const Console& console) {

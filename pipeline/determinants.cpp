@@ -171,14 +171,17 @@ void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
       key.add("first", std::int64_t{(*frames)[0]}).add("last", std::int64_t{(*frames)[1]});
     }
   }
-  const Interpolation& how = stimulus.interpolation;
+  add_interpolation(key, stimulus.interpolation);
+  add_steps(key, stimulus);
+  key.add("fps", stimulus.output.fps).add("cycles", std::int64_t{stimulus.output.cycles});
+  add_choice(key, "in_place", stimulus.output.in_place);
+}
+
+void add_interpolation(KeyBuilder& key, const Interpolation& how) {
   add_weights(key, how.weights);
   add_choice(key, "rotations", how.rotations);
   add_choice(key, "time_warp", how.time_warp);
   add_choice(key, "foot_lock", how.foot_lock);
-  add_steps(key, stimulus);
-  key.add("fps", stimulus.output.fps).add("cycles", std::int64_t{stimulus.output.cycles});
-  add_choice(key, "in_place", stimulus.output.in_place);
 }
 
 void add_film(KeyBuilder& key, const Stimulus& stimulus) {

@@ -23,6 +23,9 @@ void add_file(KeyBuilder& key, const std::filesystem::path& file);
 /// How a stimulus's motion is made, without the repertoire.
 void add_motion(KeyBuilder& key, const Stimulus& stimulus);
 
+/// How examples are blended.
+void add_interpolation(KeyBuilder& key, const Interpolation& how);
+
 /// How a shot is staged and drawn, without the motion.
 void add_film(KeyBuilder& key, const Stimulus& stimulus);
 

@@ -131,7 +131,7 @@ render::Film exposed(render::Tracer& tracer, const scenes::Shot& shot, int frame
   const std::vector<render::Camera> cameras = cameras_at(shot, frame);
   const bool blurs = quality.shutter > 0.0f;
   const int after = frame_after(shot, frame);
-  const render::Scene closing = blurs ? scene_at(shot, after) : render::Scene{};
+  const render::Scene closing = blurs ? scene_at(shot, after, frame) : render::Scene{};
   const std::vector<render::Camera> there = cameras_at(shot, after);
   const bool camera_moves = shot.cameras.cameras.size() > 1;
   const auto seen_by = [&](std::size_t eye) {
@@ -160,7 +160,7 @@ render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int f
                          const render::Quality& quality) {
   if (frame + 1 >= shot.frame_count())
     return tracer.layers(scene_at(shot, frame), camera_at(shot, frame), quality);
-  const render::Scene next = scene_at(shot, frame + 1);
+  const render::Scene next = scene_at(shot, frame + 1, frame);
   return tracer.layers(scene_at(shot, frame), camera_at(shot, frame), quality, &next,
                        &camera_at(shot, frame + 1));
 }

@@ -23,6 +23,7 @@ struct FilmSettings {
   std::uint64_t seed = 0;        ///< of the renderer's noise
   int threads = 1;               ///< no influence on the pictures
   Stopwatch* drawing = nullptr;  ///< if any, runs while a frame is traced or encoded
+  int eyes = 1;                  ///< pictures side by side in each frame: 2 of a stereo pair
   bool loops = false;            ///< animated pictures repeat for ever
 };
 

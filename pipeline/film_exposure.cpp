@@ -24,6 +24,7 @@ constexpr int sampled_frames = 8;
 constexpr int most_width = 320;
 constexpr float most_stops = 8.0f;
 constexpr int halvings = 24;  // to a millionth of a stop
+constexpr double luminance_tolerance = 0.01;
 constexpr double cost_seconds = 0.5;
 
 double mean_of(const std::vector<render::Film>& films, render::Tone tone, float stops) {
@@ -76,6 +77,14 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
     // Steps of 1/4096 stop: no machine's logarithm shows.
     const double stops = std::round(
         4096.0 * static_cast<double>(stops_for(samples[i].films, samples[i].tone, wanted)));
+    const double reached =
+        mean_of(samples[i].films, samples[i].tone, static_cast<float>(stops / 4096.0));
+    if (std::abs(reached - wanted) > luminance_tolerance * wanted) {
+      throw Error("equalize: \"" + manifest.stimuli[i].id + "\" has a mean luminance of " +
+                      shortest(std::round(1e3 * reached) / 1e3) +
+                      " at most, where the others need " + shortest(std::round(1e3 * wanted) / 1e3),
+                  "leave luminance out of equalize, or give it another background");
+    }
     table.row({manifest.stimuli[i].id, shortest(std::round(1e6 * means[i]) / 1e6),
                shortest(std::round(1e6 * wanted) / 1e6), shortest(stops / 4096.0)});
   }

@@ -36,6 +36,17 @@ std::array<std::uint8_t, 256> mixed_codes(std::uint8_t background, double share)
   return table;
 }
 
+/// The same picture so many times in a row.
+render::Image8 side_by_side(const render::Image8& one, int times) {
+  render::Image8 all(times * one.width, one.height);
+  for (int y = 0; y < one.height; ++y) {
+    for (int k = 0; k < times; ++k) {
+      std::copy_n(one.at(0, y), 3 * one.width, all.at(k * one.width, y));
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames) {
@@ -50,8 +61,9 @@ PresentationFrames frames_of(const Presentation& presentation, double fps, int f
   return frames;
 }
 
-Presenter::Presenter(const Output& output, int film_frames)
+Presenter::Presenter(const Output& output, int film_frames, int eyes)
     : output_(output),
+      eyes_(eyes),
       frames_(frames_of(output.presentation, output.fps, film_frames)),
       background_(code_of(output.presentation.background)) {}
 
@@ -62,10 +74,13 @@ void Presenter::take(const render::Image8& picture, const Show& show) {
   const std::array<int, 2> size = output_.shown_size();
   const Presentation& around = output_.presentation;
   if (taken_ == 0) {
-    if (frames_.card > 0) repeat(card_picture(size, background_, around.card), frames_.card);
+    const std::array<int, 2> part = {size[0] / eyes_, size[1]};
+    if (frames_.card > 0) {
+      repeat(side_by_side(card_picture(part, background_, around.card), eyes_), frames_.card);
+    }
     if (frames_.fixation > 0) {
       const auto edge = static_cast<int>(std::lround(output_.scale * around.fixation_size));
-      repeat(fixation_picture(size, background_, edge), frames_.fixation);
+      repeat(side_by_side(fixation_picture(part, background_, edge), eyes_), frames_.fixation);
     }
     if (frames_.blank_before > 0) repeat(blank_picture(size, background_), frames_.blank_before);
   }

@@ -32,7 +32,8 @@ class Presenter {
  public:
   using Show = std::function<void(const render::Image8& picture)>;
 
-  Presenter(const Output& output, int film_frames);
+  /// Each of the `eyes` gets its own card and cross, in its part of the picture.
+  Presenter(const Output& output, int film_frames, int eyes = 1);
 
   const PresentationFrames& frames() const { return frames_; }
 
@@ -44,6 +45,7 @@ class Presenter {
   render::Image8 faded(const render::Image8& picture, double share) const;
 
   Output output_;
+  int eyes_;
   PresentationFrames frames_;
   std::uint8_t background_;
   int taken_ = 0;

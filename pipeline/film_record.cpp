@@ -73,6 +73,7 @@ std::string film_record_text(const FilmRecord& record) {
                          {"darkest", luminance.darkest},
                          {"lightest", luminance.lightest}}},
                        {"videos", videos}};
+  if (!record.warnings.empty()) json["warnings"] = record.warnings;
   if (record.visual_degrees) json["visual_degrees"] = *record.visual_degrees;
   return json.dump(2) + "\n";
 }
@@ -93,6 +94,8 @@ FilmRecord parse_film_record(const std::string& text) {
                         .rms_contrast = luminance.at("rms_contrast"),
                         .darkest = luminance.at("darkest"),
                         .lightest = luminance.at("lightest")};
+    if (json.contains("warnings"))
+      record.warnings = json.at("warnings").get<std::vector<std::string>>();
     for (const nlohmann::json& video : json.at("videos")) record.videos.push_back(video_of(video));
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(std::string("no record of a film: ") + error.what());

@@ -34,6 +34,7 @@ struct FilmRecord {
   int film_frames = 0;
   int first_film_frame = 0;  ///< in the videos
   std::vector<VideoRecord> videos;
+  std::vector<std::string> warnings;  ///< of the figures: what of a character is not shown, say
 };
 
 VideoRecord video_record(const std::string& file, render::VideoKind kind, double fps,

@@ -6,7 +6,7 @@ namespace mien::pipeline {
 
 FilmRecorder::FilmRecorder(const FilmSettings& settings, int film_frames)
     : settings_(settings),
-      presenter_(settings.output, film_frames),
+      presenter_(settings.output, film_frames, settings.eyes),
       sketch_(settings.output.shown_size()[0], settings.output.shown_size()[1]) {}
 
 render::VideoFormat FilmRecorder::format_of(render::VideoKind kind) const {

@@ -1,5 +1,6 @@
 #include "pipeline/film_shot.h"
 
+#include "motion/clip.h"
 #include "pipeline/look_checks.h"
 #include "pipeline/synthesis.h"
 
@@ -30,6 +31,12 @@ scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
           .seed = seed};
 }
 
+/// What is shown of a motion that was made for another film, which may have another frame rate.
+motion::Clip clip_at_rate(Synthesis made, const Output& output) {
+  made.motion.clip = motion::resampled(made.motion.clip, output.fps);
+  return shown_clip(made, output);
+}
+
 /// Output of a clip for a set: one that goes under the figure needs to know how fast it goes.
 Output output_for(Output output, const scenes::SetPlan& set) {
   if (set.in_place) output.in_place = false;
@@ -55,7 +62,7 @@ scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t see
   std::vector<scenes::Performance> performances;
   for (const auto& [role, name] : motions_on(overlay)) {
     performances.push_back({.name = name,
-                            .clip = shown_clip(motions.of(name), output),
+                            .clip = clip_at_rate(motions.of(name), output),
                             .role = role_of(role),
                             .opacity = is_clear ? 1.0f : static_cast<float>(overlay.opacity)});
   }

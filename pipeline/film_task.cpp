@@ -17,7 +17,6 @@
 #include "pipeline/film_tables.h"
 #include "render/image_io.h"
 #include "render/luminance.h"
-#include "render/quality.h"
 
 namespace mien::pipeline {
 
@@ -35,19 +34,12 @@ bool repeats(const FilmSubject& subject, Motions& motions) {
                      [&](const auto& name) { return motions.of(name).motion.clip.loops; });
 }
 
-int samples_of(Quality quality) {
-  return (quality == Quality::draft   ? render::draft_quality()
-          : quality == Quality::final ? render::final_quality()
-                                      : render::standard_quality())
-      .samples_per_pixel;
-}
-
 /// Fitted to measured times of one core; only ratios matter. Cycles of 1.1 s are assumed where the
 /// length is not known before the motion is made.
 double cost_of(const Output& output) {
   const double frames = 1.1 * output.cycles * output.fps;
   const double pixels = static_cast<double>(output.shown_size()[0]) * output.shown_size()[1];
-  return frames * pixels * (9e-8 * samples_of(output.quality) + 4e-7);
+  return frames * pixels * (9e-8 * quality_of({.output = output}).samples_per_pixel + 4e-7);
 }
 
 std::string video_path(const std::string& stimulus, render::VideoKind kind) {
@@ -80,6 +72,9 @@ class FilmMaker {
         recorder_(settings_, shot_.frame_count()) {
     record_.exposure_stops = static_cast<double>(alike.exposure_stops);
     record_.figure_px = scenes::figure_pixels(shot_.cameras);
+    for (const scenes::Actor& actor : shot_.actors) {
+      for (const std::string& warning : actor.warnings) record_.warnings.push_back(warning);
+    }
     if (subject.film.look.camera.screen)
       record_.visual_degrees = scenes::visual_degrees(shot_.cameras);
   }
@@ -182,7 +177,10 @@ FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions
   for (const auto& [role, name] : motions_on(overlay)) {
     subject.motions.push_back(name);
     subject.stage.add("motion", name);
-    if (find_stimulus(manifest, name) == nullptr) subject.stage.add("from", shared.repertoire);
+    if (find_stimulus(manifest, name) == nullptr) {
+      subject.stage.add("from", shared.repertoire).add("made at", manifest.output.fps);
+      add_interpolation(subject.stage, manifest.interpolation);
+    }
   }
   subject.stage.add("layout", static_cast<std::int64_t>(overlay.layout))
       .add("opacity", overlay.opacity)
@@ -214,9 +212,8 @@ Task film_task(const FilmSubject& subject, const FilmSettings& settings,
   if (output.frames != FrameFormat::none)
     task.products.push_back({"frames/" + stimulus.id, stored});
   KeyBuilder shown = stored;
-  KeyBuilder shown_kinds = stored;
-  add_presentation(shown_kinds, output.presentation);
   add_presentation(shown, output.presentation);
+  KeyBuilder shown_kinds = shown;
   for (const render::VideoKind kind : output.video) {
     task.products.push_back({video_path(stimulus.id, kind), shown});
     shown_kinds.add("video", render::traits_of(kind).name);
@@ -230,6 +227,7 @@ Task film_task(const FilmSubject& subject, const FilmSettings& settings,
   task.make = [subject, &motions, settings](TaskRun& run) {
     FilmSettings own = settings;
     own.loops = repeats(subject, motions);
+    own.eyes = subject.film.look.camera.stereo_separation_m ? 2 : 1;
     const Equalized alike = equalized_film(subject.equalize, run.store.folder(), subject.film.id);
     FilmMaker(subject, alike, own, run).make();
   };

@@ -73,6 +73,19 @@ void check_character(const scenes::CharacterOptions& character, const std::strin
   }
 }
 
+/// Contrast is that of dots and background, which a set may have already.
+void check_contrast(const Look& look, const std::string& path, FaultList& list) {
+  const auto& dots = std::get<scenes::PointLightOptions>(look.figure);
+  if (look.scene.empty() || !dots.background.empty()) return;
+  const bool has_background = !look.background.empty() || look.scene != "void";
+  for (const char* key : {"contrast", "polarity"}) {
+    const std::string at = member_path(path, key);
+    if (!has_background || !list.was_given(at)) continue;
+    list.add_at_key(at, "the set says already what is behind the dots",
+                    "leave it out, or scene out");
+  }
+}
+
 void check_figure(const Look& look, const std::string& path, const std::vector<std::string>& joints,
                   FaultList& list) {
   if (const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure)) {
@@ -80,9 +93,25 @@ void check_figure(const Look& look, const std::string& path, const std::vector<s
   }
   if (const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure)) {
     check_dots(*dots, member_path(path, "point-light"), joints, list);
+    check_contrast(look, member_path(path, "point-light"), list);
   }
   if (const auto* trail = std::get_if<scenes::TrailOptions>(&look.figure)) {
+    if (const auto* character = std::get_if<scenes::CharacterOptions>(&trail->figure)) {
+      check_character(*character, member_path(path, "trail.figure.character"), list);
+    }
     check_trail(*trail, member_path(path, "trail"), joints, list);
+  }
+}
+
+/// A camera needs a direction, and an up that is not along it.
+void check_axis(const motion::Vec3& position, const motion::Vec3& target, const std::string& path,
+                FaultList& list) {
+  const motion::Vec3 axis = target - position;
+  if (axis.norm() < 1e-6) {
+    list.add(path, "the camera would look at itself", "name another point than position");
+  } else if (axis.cross(motion::Vec3::UnitY()).norm() < 1e-5 * axis.norm()) {
+    list.add(path, "the camera would look straight up or down",
+             "name a point that is not above or below position");
   }
 }
 
@@ -92,9 +121,12 @@ void check_camera(const Look& look, const std::string& path, FaultList& list) {
     const std::string missing = camera.position ? "target" : "position";
     list.add(path, missing + " is missing", "give position and target");
   }
-  if (camera.position && camera.target && *camera.position == *camera.target) {
-    list.add(member_path(path, "target"), "the camera would look at itself",
-             "name another point than position");
+  if (camera.position && camera.target) {
+    check_axis(*camera.position, *camera.target, member_path(path, "target"), list);
+  }
+  for (std::size_t i = 0; i < camera.path.size(); ++i) {
+    check_axis(camera.path[i].position, camera.path[i].target,
+               member_path(element_path(member_path(path, "path"), i), "target"), list);
   }
   if (!camera.path.empty() && (camera.position || list.was_given(member_path(path, "view")))) {
     list.add(member_path(path, "path"), "a path says already where the camera is",
@@ -133,7 +165,8 @@ scenes::SetPlan set_of(const Look& look) {
     plan.sky.backdrop_horizon = plan.sky.backdrop_zenith = colour;
   };
   const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure);
-  if (dots != nullptr && (look.scene.empty() || !dots->background.empty())) {
+  const bool is_bare = !plan.ground && look.background.empty();
+  if (dots != nullptr && (look.scene.empty() || is_bare || !dots->background.empty())) {
     show(scenes::dot_colours(*dots).background);
   } else if (scenes::is_hex_colour(look.background)) {
     show(scenes::colour_from_hex(look.background));

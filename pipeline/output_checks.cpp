@@ -16,9 +16,6 @@ namespace {
 /// Largest picture of H.264 level 6.2: 139,264 macroblocks of 16 × 16 pixels.
 constexpr std::int64_t most_video_pixels = 139'264LL * 256;
 
-/// Pixels from side to side, below which a picture shows nothing.
-constexpr int least_side = 16;
-
 class OutputChecker : FaultList {
  public:
   using FaultList::FaultList;
@@ -42,7 +39,7 @@ class OutputChecker : FaultList {
         add(member_path(path, given("fps") ? "fps" : "video"),
             name + " shows at most " + std::to_string(static_cast<int>(traits.most_fps)) +
                 " frames a second at their true speed",
-            "use fewer, or webp or apng");
+            "use fewer, or another kind of video");
       }
       if (std::exchange(told, true)) continue;  // the size's faults once
       if (std::int64_t{width} * height > most_video_pixels) {
@@ -69,11 +66,18 @@ class OutputChecker : FaultList {
 
   void check_crop(const std::string& path, const Output& output) {
     const auto [shown_width, shown_height] = output.shown_size();
-    if (shown_width < least_side || shown_height < least_side) {
+    if (shown_width < least_picture_side || shown_height < least_picture_side) {
       add(member_path(path, output.crop ? "crop" : "scale"),
           "leaves a picture of " + std::to_string(shown_width) + " × " +
               std::to_string(shown_height) + " pixels",
-          "leave at least " + std::to_string(least_side) + " each way");
+          "leave at least " + std::to_string(least_picture_side) + " each way");
+    }
+    const auto [drawn_width, drawn_height] = output.whole_size();
+    if (std::int64_t{drawn_width} * drawn_height > most_picture_pixels) {
+      add(member_path(path, "scale"),
+          "makes pictures of " + std::to_string(drawn_width) + " × " +
+              std::to_string(drawn_height) + " pixels, too many to draw",
+          "use a smaller scale or size");
     }
     if (!output.crop) return;
     const auto [left, top, width, height] = *output.crop;
@@ -87,7 +91,13 @@ class OutputChecker : FaultList {
   }
 
   void check_stereo(const Stimulus& stimulus) {
-    if (!stimulus.output.crop || !stimulus.look.camera.stereo_separation_m) return;
+    if (!stimulus.look.camera.stereo_separation_m) return;
+    if (stimulus.output.frames == FrameFormat::layers) {
+      const std::string frames = member_path(member_path(stimulus.path, "output"), "frames");
+      add(was_given(frames) ? frames : "output.frames", "layers are of one eye",
+          "choose frames: exr, or leave stereo out");
+    }
+    if (!stimulus.output.crop) return;
     const std::string own = member_path(member_path(stimulus.path, "output"), "crop");
     add(was_given(own) ? own : "output.crop", "a stereo pair cannot be cropped",
         "leave crop or stereo out");

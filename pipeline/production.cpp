@@ -66,7 +66,11 @@ Production::Production(Manifest manifest, ProductionOptions options)
       if (manifest_.equalize.duration) depend_on_motions(clip);
       graph_.add(std::move(clip));
     }
-    if (has_dots(stimulus)) graph_.add(dots_task(stimulus, manifest_.seed, shared, motions_));
+    if (has_dots(stimulus)) {
+      Task dots = dots_task(stimulus, manifest_.seed, manifest_.equalize, shared, motions_);
+      if (manifest_.equalize.duration) depend_on_motions(dots);
+      graph_.add(std::move(dots));
+    }
     add_film(subject_of(stimulus, manifest_, motions_), threads, shared);
   }
   for (const Overlay& overlay : manifest_.overlays) {

@@ -1,6 +1,7 @@
 #include "pipeline/progress.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ostream>
 #include <utility>
@@ -23,6 +24,11 @@ std::string as_duration(double seconds) {
   const auto total = static_cast<long>(std::max(0.0, std::round(seconds)));
   if (total < 3600) return fmt::format("{}:{:02}", total / 60, total % 60);
   return fmt::format("{}:{:02}:{:02}", total / 3600, total / 60 % 60, total % 60);
+}
+
+double steady_seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
 }
 
 Progress::Progress(std::ostream& out, bool terminal, const TaskGraph& graph,

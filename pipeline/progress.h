@@ -9,6 +9,9 @@
 
 namespace mien::pipeline {
 
+/// Seconds of a clock that is never set back.
+double steady_seconds();
+
 /// Shows how a run goes on: one bar with the time left on a terminal, else plain lines, one for
 /// each task that was made or failed and one every ten seconds in between.
 class Progress {

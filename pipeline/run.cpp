@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "pipeline/files.h"
+#include "pipeline/film_record.h"
+#include "pipeline/film_tables.h"
 #include "pipeline/motion_record.h"
 #include "pipeline/provenance.h"
 
@@ -19,7 +21,7 @@ void put_provenance(const Production& production, const RunResult& result, Store
       [](const std::filesystem::path&) {});
 }
 
-/// From the records of the motions, so that a run that finds everything made tells them too.
+/// From the records of motions and films, so that a run that finds everything made tells them too.
 std::vector<std::string> warnings_in(const Production& production, const RunResult& result,
                                      const Store& store) {
   std::vector<std::string> warnings;
@@ -30,6 +32,15 @@ std::vector<std::string> warnings_in(const Production& production, const RunResu
     for (const std::string& warning :
          parse_motion_record(read_file(store.folder() / record.path)).warnings) {
       warnings.push_back(stimulus.id + ": " + warning);
+    }
+  }
+  const std::vector<Task>& tasks = production.graph().tasks;
+  for (std::size_t task = 0; task < tasks.size(); ++task) {
+    if (tasks[task].kind != "film" || result.outcomes[task].products.empty()) continue;
+    const std::string film = tasks[task].id.substr(tasks[task].id.find(':') + 1);
+    const std::string record = read_file(store.folder() / film_record_path(film));
+    for (const std::string& warning : parse_film_record(record).warnings) {
+      warnings.push_back(film + ": " + warning);
     }
   }
   return warnings;

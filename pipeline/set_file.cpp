@@ -145,6 +145,11 @@ std::vector<Fault> faults_of(const scenes::SetPlan& plan, const Places& places) 
     faults.push_back({place_of(places, "ground.fade"), "ground.fade",
                       "the floor is gone before it begins to fade", "write the smaller first"});
   }
+  if (plan.ground && plan.ground->line_spacing > 0.0f &&
+      plan.ground->line_width > plan.ground->line_spacing) {
+    faults.push_back({place_of(places, "ground.lines.width"), "ground.lines.width",
+                      "lines are wider than their distance", "write width less than every"});
+  }
   if (plan.belt && !plan.in_place) {
     faults.push_back({key_place_of(places, "belt"), "belt", "a belt needs a figure in place",
                       "add in_place: true"});

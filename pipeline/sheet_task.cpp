@@ -55,7 +55,10 @@ Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterm
     if (stimulus != nullptr) task.inputs.push_back("motion:" + name);
     uses_examples = uses_examples || stimulus == nullptr || !stimulus->clip;
   }
-  if (uses_examples) task.determinants.add("repertoire", shared.repertoire);
+  if (uses_examples) {
+    task.determinants.add("repertoire", shared.repertoire).add("made at", manifest.output.fps);
+    add_interpolation(task.determinants, manifest.interpolation);
+  }
   task.products = sheet_products(sheet);
   task.cost_seconds = sheet_cost_seconds;
   task.make = [&sheet, &manifest, &motions](TaskRun& run) {

@@ -63,14 +63,16 @@ void write_still(const ShotWork& work, int frame, render::Background background,
   draw_frames(work.shot, {frame}, work.settings, nullptr, write, work.stop, work.progress);
 }
 
-DraftFile::DraftFile(fs::path target) : target_(std::move(target)), file_(target_) {
-  file_.replace_filename(
-      fmt::format(".{}-{}{}", target_.stem().string(), ::getpid(), target_.extension().string()));
+DraftFile::DraftFile(fs::path target) : target_(std::move(target)) {
+  folder_ = target_;
+  folder_.replace_filename(fmt::format(".mien-{}-{}", ::getpid(), target_.filename().string()));
+  make_folder(folder_);
+  file_ = folder_ / target_.filename();
 }
 
 DraftFile::~DraftFile() {
   std::error_code ignored;
-  fs::remove(file_, ignored);
+  fs::remove_all(folder_, ignored);
 }
 
 void DraftFile::publish() const {

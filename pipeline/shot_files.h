@@ -30,7 +30,8 @@ std::string write_contact_sheet(const ShotWork& work, const std::filesystem::pat
 void write_still(const ShotWork& work, int frame, render::Background background,
                  const std::filesystem::path& file);
 
-/// A file beside the one that is wanted, removed unless it takes its place.
+/// A file of that name in a folder of its own beside the one that is wanted, removed unless it
+/// takes its place.
 class DraftFile {
  public:
   explicit DraftFile(std::filesystem::path target);
@@ -46,6 +47,7 @@ class DraftFile {
 
  private:
   std::filesystem::path target_;
+  std::filesystem::path folder_;
   std::filesystem::path file_;
 };
 

@@ -117,14 +117,25 @@ void LayerPainter::take_samples(int x, int y) {
   put_ranks(figures, layers_.figures.names, &layers_.figures.ranks[covered_ranks * place(x, y)]);
 }
 
+/// The shortest turn from one unit direction to another.
+Eigen::Quaternionf turn_between(const Vec3& from, const Vec3& to) {
+  const float cosine = from.dot(to);
+  if (cosine < -0.999999f) {
+    const Vec3 axis = from.unitOrthogonal();
+    return {0.0f, axis.x(), axis.y(), axis.z()};
+  }
+  const Vec3 axis = from.cross(to);
+  return Eigen::Quaternionf(1.0f + cosine, axis.x(), axis.y(), axis.z()).normalized();
+}
+
 /// A point of a round cone carried along as the cone turns and stretches.
 Vec3 carried(const RoundCone& from, const RoundCone& to, const Vec3& point) {
   if (from.axis_squared == 0.0f || to.axis_squared == 0.0f) return to.a + (point - from.a);
   const Vec3 offset = point - from.a;
   const float along = offset.dot(from.axis) / from.axis_squared;
   const Vec3 aside = offset - along * from.axis;
-  const Eigen::Quaternionf turn = Eigen::Quaternionf::FromTwoVectors(from.axis, to.axis);
-  return to.a + along * to.axis + turn * aside;
+  return to.a + along * to.axis +
+         turn_between(from.axis.normalized(), to.axis.normalized()) * aside;
 }
 
 std::optional<Vec3> LayerPainter::next_place(const Seen& seen) const {

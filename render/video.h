@@ -111,7 +111,7 @@ VideoSummary probe_timed(const std::filesystem::path& path,
 /// The first picture, decoded from its own bytes and no others. Throws Error when that fails.
 Image8 first_picture_alone(const std::filesystem::path& path);
 
-/// For the provenance: "libavcodec 59.37.100, libavformat 59.27.100, x264 core 164 r3095 baee400".
+/// For the provenance: "libavcodec 59.37.100, libavformat 59.27.100, libswscale 6.7.100".
 std::string video_libraries();
 
 }  // namespace mien::render

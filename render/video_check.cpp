@@ -33,7 +33,8 @@ class Comparison {
 
   /// A decoded picture, shown for the frames first … last.
   void take(int first, int last, const Image8& picture) {
-    if (picture.width != format_.width || picture.height != format_.height) return;
+    if (picture.width != format_.width || picture.height != format_.height)
+      throw Error(name_ + ": the size is another one in frame " + std::to_string(first));
     const FrameSketch sketch = written_.sketcher.sketch(picture);
     const int count = static_cast<int>(written_.frames.size());
     for (int frame = first; frame <= std::min(last, count - 1); ++frame) {

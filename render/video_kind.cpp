@@ -52,6 +52,7 @@ constexpr VideoTraits kinds[] = {{.kind = VideoKind::mp4,
                                   .description = "animated WebP",
                                   .codec = "webp",
                                   .picture = true,
+                                  .most_fps = 90.0,
                                   .least_psnr_db = 29.0,
                                   .least_ssim = 0.85},
                                  {.kind = VideoKind::gif,
@@ -69,7 +70,8 @@ constexpr VideoTraits kinds[] = {{.kind = VideoKind::mp4,
                                   .description = "animated PNG, lossless",
                                   .codec = "apng",
                                   .lossless = true,
-                                  .picture = true}};
+                                  .picture = true,
+                                  .most_fps = 90.0}};
 
 }  // namespace
 

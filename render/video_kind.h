@@ -21,9 +21,11 @@ struct VideoTraits {
   bool even_size = false;        ///< width and height must be even
   bool lossless = false;         ///< decodes to the very frames
   bool picture = false;          ///< an animated picture: it has a number of repetitions
-  double most_fps = 240.0;       ///< frames a second that players show at their true speed
-  double least_psnr_db = 0.0;    ///< of the worst frame that passes the check; lossy kinds
-  double least_ssim = 0.0;       ///< likewise
+  /// Frames a second that players show at their true speed: browsers show pictures of animations
+  /// that should last 10 ms or less for 100.
+  double most_fps = 240.0;
+  double least_psnr_db = 0.0;  ///< of the worst frame that passes the check; lossy kinds
+  double least_ssim = 0.0;     ///< likewise
 };
 
 /// All kinds, in the order of the enumeration.

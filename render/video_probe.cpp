@@ -17,7 +17,8 @@ constexpr int decoder_threads = 2;  // no influence on the pictures
 Input open_input(const std::string& path) {
   av_log_set_level(AV_LOG_QUIET);
   AVFormatContext* input = nullptr;
-  checked(avformat_open_input(&input, path.c_str(), nullptr, nullptr), path + ": opening");
+  checked(avformat_open_input(&input, ("file:" + path).c_str(), nullptr, nullptr),
+          path + ": opening");
   Input owner(input);
   checked(avformat_find_stream_info(input, nullptr), path + ": reading");
   return owner;

@@ -29,7 +29,8 @@ std::vector<int> durations_of(const std::filesystem::path& path) {
   const std::uint64_t end = std::uint64_t{little_endian(head + 4, 4)} + 8;
   if (std::filesystem::file_size(path) < end) throw broken();
   std::vector<int> durations;
-  for (std::uint64_t at = 12; at + 8 <= end;) {
+  std::uint64_t at = 12;
+  while (at + 8 <= end) {
     unsigned char chunk[24];
     file.seekg(static_cast<std::streamoff>(at));
     if (!file.read(reinterpret_cast<char*>(chunk), 8)) throw broken();
@@ -39,8 +40,8 @@ std::vector<int> durations_of(const std::filesystem::path& path) {
       durations.push_back(static_cast<int>(little_endian(chunk + 20, 3)));
     }
     at += 8 + std::uint64_t{size} + size % 2;
-    if (at > end) throw broken();
   }
+  if (at != end) throw broken();
   if (durations.empty()) durations.push_back(0);
   return durations;
 }

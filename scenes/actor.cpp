@@ -84,9 +84,13 @@ Actor cast(const motion::Clip& clip, const Figure& figure, Role role) {
   return actor;
 }
 
-void add_actor(render::Scene& scene, const Actor& actor, int frame, const render::Camera& camera) {
-  const int shown = std::min(frame, actor.clip.frame_count() - 1);
-  if (actor.trail) return add_trail(scene, actor, *actor.trail, shown, camera);
+void add_actor(render::Scene& scene, const Actor& actor, int frame, int made_at,
+               const render::Camera& camera) {
+  const int last = actor.clip.frame_count() - 1;
+  const int shown = std::min(frame, last);
+  if (actor.trail) {
+    return add_trail(scene, actor, *actor.trail, shown, std::min(made_at, last), camera);
+  }
   draw_as_figure(scene, actor.name, actor.opacity,
                  [&] { actor.draw(scene, actor, shown, camera); });
 }

@@ -23,6 +23,7 @@ struct Actor {
   float opacity = 1.0f;               ///< 0 … 1
   std::vector<Dot> dots;              ///< of a point-light figure
   std::optional<TrailOptions> trail;  ///< shown in several poses
+  std::vector<Dot> traces;            ///< whose paths a trail shows
   std::vector<std::string> warnings;  ///< what of the figure is not drawn; plain sentences
 
   /// Appends what the figure looks like, from that camera, at a frame of its clip: materials and
@@ -36,7 +37,9 @@ struct Actor {
 /// when the figure cannot be made of it.
 Actor cast(const motion::Clip& clip, const Figure& figure, Role role);
 
-/// Appends an actor to a scene, as a figure of its own. One whose clip has ended stands still.
-void add_actor(render::Scene& scene, const Actor& actor, int frame, const render::Camera& camera);
+/// Appends an actor to a scene, as a figure of its own. One whose clip has ended stands still. A
+/// trail is as long as at frame `made_at`.
+void add_actor(render::Scene& scene, const Actor& actor, int frame, int made_at,
+               const render::Camera& camera);
 
 }  // namespace mien::scenes

@@ -260,8 +260,9 @@ Action action_of(const motion::Clip& clip) {
 
 CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
                           std::array<int, 2> size) {
-  if (settings.stereo_separation_m) size[0] /= 2;
-  const Lens lens = lens_of(settings, size);
+  // A screen is as wide as both pictures of a pair.
+  Lens lens = lens_of(settings, size);
+  if (settings.stereo_separation_m) lens.size[0] /= 2;
   CameraRig rig = !settings.path.empty() ? on_path(settings, action, lens)
                   : settings.position && settings.target
                       ? standing(at(action, *settings.position), at(action, *settings.target), lens)

@@ -81,11 +81,23 @@ DotPath put_at(const DotPath& path, const Vec3& place, const Vec3& step) {
   return shifted(path, place - mean_of(without_travel(path, step)));
 }
 
+/// The path made to end where it begins: what is missing is made up for evenly on the way.
+DotPath closed(DotPath path) {
+  if (path.size() < 3) return path;
+  const std::size_t last = path.size() - 1;
+  const Vec3 next = 2.0 * path[last] - path[last - 1];
+  const Vec3 gap = next - path.front();
+  for (std::size_t f = 0; f < path.size(); ++f) {
+    path[f] -= static_cast<double>(f) / static_cast<double>(path.size()) * gap;
+  }
+  return path;
+}
+
 DotPath begun_at_random(const DotPath& path, const Vec3& step, std::uint64_t seed,
                         const std::string& name, std::size_t index) {
   const auto count = static_cast<double>(path.size());
   const int later = static_cast<int>(uniform(seed, name, index) * count);
-  return with_travel(begun_later(without_travel(path, step), later), step);
+  return with_travel(begun_later(closed(without_travel(path, step)), later), step);
 }
 
 void change_timing(std::vector<Dot>& dots, const PointLightOptions& options, const DotStage& stage,
@@ -96,15 +108,6 @@ void change_timing(std::vector<Dot>& dots, const PointLightOptions& options, con
     if (options.phase_scrambled) path = begun_at_random(path, stage.step, seed, "phase", d);
     if (options.reversed) path = reversed(path);
   }
-}
-
-/// As DotStage::step after what was done to the timing and the places.
-Vec3 changed_step(const PointLightOptions& options, const DotStage& stage) {
-  DotPath way = {Vec3::Zero(), stage.step};
-  if (options.reversed) way = reversed(way);
-  way = rotated(way, Vec3::Zero(), options.rotated_degrees);
-  if (options.mirrored) way = mirrored(way, Vec3::Zero(), stage.across);
-  return way[1] - way[0];
 }
 
 void change_places(std::vector<Dot>& dots, const PointLightOptions& options,
@@ -128,7 +131,11 @@ std::vector<Dot> mortal(const std::vector<Dot>& dots, const std::vector<DotJoint
   for (std::size_t d = 0; d < joints.size(); ++d) {
     if (joints[d].limb >= 0) limbs.push_back(d);
   }
-  if (limbs.empty()) return dots;
+  if (limbs.empty()) {
+    throw Error("these dots have no limbs to spend a limited lifetime on",
+                "name both ends of a limb, LeftElbow and LeftWrist for example, or leave lifetime "
+                "out");
+  }
   std::vector<Dot> result = dots;
   for (std::size_t d = 0; d < dots.size(); ++d) {
     result[d].kind = "limb";
@@ -171,14 +178,31 @@ Dot noise_dot(const Extent& extent, const Vec3& step, double speed, std::size_t 
   return dot;
 }
 
-double mean_speed(const std::vector<Dot>& dots, const Vec3& step) {
+/// In the plane of the picture, metres a frame.
+double mean_speed(const std::vector<Dot>& dots, const Vec3& step, const Vec3& depth) {
   double way = 0.0;
-  for (const Dot& dot : dots) way += length_of(without_travel(dot.path, step));
+  for (const Dot& dot : dots) {
+    DotPath path = without_travel(dot.path, step);
+    for (Vec3& point : path) point -= point.dot(depth) * depth;
+    way += length_of(path);
+  }
   const auto steps = static_cast<double>(std::max<std::size_t>(dots.front().path.size(), 2) - 1);
   return way / (steps * static_cast<double>(dots.size()));
 }
 
 }  // namespace
+
+DotPath changed_way(DotPath way, const PointLightOptions& options, const DotStage& stage) {
+  if (options.reversed) way = reversed(way);
+  if (options.rotated_degrees != 0.0) way = rotated(way, stage.centre, options.rotated_degrees);
+  if (options.mirrored) way = mirrored(way, stage.centre, stage.across);
+  return way;
+}
+
+Vec3 changed_step(const PointLightOptions& options, const DotStage& stage) {
+  const DotPath way = changed_way({Vec3::Zero(), stage.step}, options, stage);
+  return way[1] - way[0];
+}
 
 std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& options,
                              const DotStage& stage) {
@@ -201,7 +225,7 @@ std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& 
     }
   }
   if (options.lifetime > 0) dots = mortal(dots, joints, options.lifetime, seed);
-  const double speed = mean_speed(figure, changed.step);
+  const double speed = mean_speed(figure, changed.step, extent.axes.col(2));
   for (std::size_t n = 0; n < static_cast<std::size_t>(options.noise); ++n) {
     dots.push_back(noise_dot(extent, changed.step, speed, clip.poses.size(), seed, n));
   }

@@ -32,8 +32,14 @@ struct DotStage {
 /// moments are those of a figure that walks on the spot.
 ///
 /// Throws Error for a joint that the clip's skeleton does not have, and for limited lifetimes of
-/// scrambled dots.
+/// dots that are scrambled or share no limb.
 std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& options,
                              const DotStage& stage);
+
+/// What becomes of the way of the figure as a whole.
+DotPath changed_way(DotPath way, const PointLightOptions& options, const DotStage& stage);
+
+/// DotStage::step after what is done to timing and places.
+motion::Vec3 changed_step(const PointLightOptions& options, const DotStage& stage);
 
 }  // namespace mien::scenes

@@ -24,9 +24,9 @@ struct PointLightOptions {
   std::string colour;      ///< "#rrggbb" of the dots; empty: by polarity and contrast
   std::string background;  ///< likewise of the background
 
-  /// Frames that a dot stays in its place on the body before it takes another one, at random along
-  /// its limb (Beintema & Lappe 2002); the dots change one after the other, not all at once. 0: for
-  /// ever on its joint.
+  /// Frames that a dot stays in its place on the body before it takes another one, at random on any
+  /// limb (Beintema & Lappe 2002); the dots change one after the other, not all at once. 0: for
+  /// ever on its joint. Noise and mask dots live for ever.
   int lifetime = 0;
 
   bool inverted = false;         ///< upside down
@@ -38,8 +38,12 @@ struct PointLightOptions {
   bool constant_speed = false;   ///< each dot goes its own path evenly
   bool phase_scrambled = false;  ///< each dot's motion starts at a random moment of it
 
-  int noise = 0;  ///< dots that wander within the figure's extent as fast as the figure's dots do
-  int mask = 0;   ///< dots of scrambled figures (each a joint's motion, somewhere else)
+  /// Dots that go straight in the plane of the picture, as fast as the figure's dots do there, and
+  /// turn back at the ends of the figure's extent.
+  int noise = 0;
+  /// Dots of scrambled figures: each has a joint's motion, somewhere else and begun at another
+  /// moment.
+  int mask = 0;
 
   std::optional<std::uint64_t> seed;  ///< of all that is random; the production's own otherwise
 

@@ -74,20 +74,24 @@ void add_box(render::Scene& scene, render::Solids& solids, const Box& box, const
   solids.meshes.push_back(box_mesh(box, place, add_material(scene, box.albedo)));
 }
 
-/// Stripes across the belt, `way` metres forward of where they are at first, cut at its ends.
-std::vector<Box> stripes_of(const Belt& belt, double way) {
+/// Stripes across the belt, `way` metres forward of where they are at first, cut at its ends: those
+/// that are on it when the way is `counted_at`, and one more at either end.
+std::vector<Box> stripes_of(const Belt& belt, double way, double counted_at) {
   std::vector<Box> stripes;
   const double end = 0.5 * belt.length_m;
-  const double first = std::ceil((-end - belt.stripe_width_m - way) / belt.stripe_every_m);
-  for (double n = first;; n += 1.0) {
-    const double middle = n * belt.stripe_every_m + way;
-    const double from = std::max(middle - 0.5 * belt.stripe_width_m, -end);
-    const double to = std::min(middle + 0.5 * belt.stripe_width_m, end);
-    if (middle - belt.stripe_width_m > end) return stripes;
-    if (to - from < 1e-4) continue;
-    stripes.push_back({Vec3(0.0, belt_height_m, 0.5 * (from + to)),
-                       Vec3(belt.width_m, 2.0 * stripe_height_m, to - from), belt.stripe_albedo});
+  const double first = std::floor((-end - counted_at) / belt.stripe_every_m);
+  const int count = 3 + static_cast<int>(belt.length_m / belt.stripe_every_m);
+  for (int n = 0; n < count; ++n) {
+    const double middle = (first + n) * belt.stripe_every_m + way;
+    const double from = std::clamp(middle - 0.5 * belt.stripe_width_m, -end, end);
+    const double to = std::clamp(middle + 0.5 * belt.stripe_width_m, -end, end);
+    // One beyond an end is there too, as a mere point: there are as many at all times.
+    const bool is_seen = to - from > 1e-4;
+    const Vec3 size(belt.width_m, 2.0 * stripe_height_m, to - from);
+    stripes.push_back({Vec3(0.0, belt_height_m, 0.5 * (from + to)), is_seen ? size : Vec3::Zero(),
+                       belt.stripe_albedo});
   }
+  return stripes;
 }
 
 }  // namespace
@@ -119,13 +123,14 @@ void add_walls(render::Scene& scene, const SetPlan& plan, const Place& place, co
 }
 
 void add_moving_ground(render::Scene& scene, const SetPlan& plan, const Place& place,
-                       const Vec3& way) {
+                       const Vec3& way, const Vec3& counted_at) {
   if (plan.ground) {
     scene.ground.offset_x = static_cast<float>(way.x());
     scene.ground.offset_z = static_cast<float>(way.z());
   }
   if (!plan.belt) return;
-  for (const Box& stripe : stripes_of(*plan.belt, way.dot(place.forward))) {
+  for (const Box& stripe :
+       stripes_of(*plan.belt, way.dot(place.forward), counted_at.dot(place.forward))) {
     add_box(scene, scene.solids, stripe, place);
   }
 }

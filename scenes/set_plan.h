@@ -84,8 +84,9 @@ void add_walls(render::Scene& scene, const SetPlan& plan, const Place& place,
                const motion::Vec3& eye);
 
 /// Moves what goes under the figure by `way` metres, world space: the lines of the ground, and the
-/// belt, which is added.
+/// belt, whose stripes are added. Which stripes, and in which order, depends on `counted_at` alone,
+/// a way nearby.
 void add_moving_ground(render::Scene& scene, const SetPlan& plan, const Place& place,
-                       const motion::Vec3& way);
+                       const motion::Vec3& way, const motion::Vec3& counted_at);
 
 }  // namespace mien::scenes

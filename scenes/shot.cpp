@@ -4,8 +4,10 @@
 #include <utility>
 #include <variant>
 
+#include "motion/error.h"
 #include "motion/rotation.h"
 #include "scenes/stereo.h"
+#include "scenes/trail_figure.h"
 #include "scenes/travel.h"
 
 namespace mien::scenes {
@@ -52,6 +54,19 @@ std::vector<Performance> laid_out(std::vector<Performance> performances, Layout 
   return performances;
 }
 
+/// On the floor, of the box around all points.
+Vec3 centre_of(const std::vector<std::vector<Vec3>>& points) {
+  Vec3 least = points.front().front();
+  Vec3 most = least;
+  for (const auto& frame : points) {
+    for (const Vec3& point : frame) {
+      least = least.cwiseMin(point);
+      most = most.cwiseMax(point);
+    }
+  }
+  return on_floor(0.5 * (least + most));
+}
+
 /// What has to be in the picture of all actors together.
 Action shared_action(const std::vector<Actor>& actors) {
   Action action = action_of(actors.front().clip);
@@ -65,15 +80,7 @@ Action shared_action(const std::vector<Actor>& actors) {
     }
     action.height_m = std::max(action.height_m, more.height_m);
   }
-  Vec3 least = action.points.front().front();
-  Vec3 most = least;
-  for (const auto& frame : action.points) {
-    for (const Vec3& point : frame) {
-      least = least.cwiseMin(point);
-      most = most.cwiseMax(point);
-    }
-  }
-  action.centre = on_floor(0.5 * (least + most));
+  action.centre = centre_of(action.points);
   return action;
 }
 
@@ -98,6 +105,46 @@ DotStage dot_stage(const Shot& shot, const motion::Clip& clip, std::uint64_t see
   return stage;
 }
 
+/// Whether the camera looks along the line on which figures side by side stand.
+bool hides_lanes(const Look& look) {
+  return look.layout == Layout::side_by_side && look.camera.view == "side" &&
+         look.camera.path.empty() && !look.camera.position;
+}
+
+void place_dots(Shot& shot, const PointLightOptions& options, std::uint64_t seed) {
+  shot.tone.shoulder = 1.0f;
+  const DotStage stage = dot_stage(shot, shot.actors.front().clip, seed);
+  if (shot.set.in_place) {
+    DotStage going = stage;
+    going.step = shot.step;
+    shot.step = changed_step(options, going);
+  }
+  for (Actor& actor : shot.actors) {
+    actor.dots = point_light(actor.clip, options, dot_stage(shot, actor.clip, seed));
+  }
+}
+
+/// What has to be in the picture when the figures' dots are where their options put them. Of dots
+/// that keep their places it is the given action.
+Action dotted_action(const Shot& shot, const PointLightOptions& options, Action action,
+                     std::uint64_t seed) {
+  if (!options.reversed && !options.mirrored && options.rotated_degrees == 0.0) return action;
+  for (auto& points : action.points) points.clear();
+  for (const Actor& actor : shot.actors) {
+    DotPath way;
+    for (const motion::Pose& pose : actor.clip.poses) way.push_back(pose.root_position);
+    way = changed_way(way, options, dot_stage(shot, actor.clip, seed));
+    for (std::size_t f = 0; f < action.points.size(); ++f) {
+      const std::size_t shown = std::min(f, way.size() - 1);
+      action.points[f].push_back(way[shown]);
+      for (const Dot& dot : actor.dots) action.points[f].push_back(dot.path[shown]);
+    }
+  }
+  action.centre = centre_of(action.points);
+  if (shot.set.belt) include(*shot.set.belt, shot.place, action);
+  return action;
+}
+
 }  // namespace
 
 int Shot::frame_count() const {
@@ -112,6 +159,10 @@ Shot stage(const motion::Clip& clip, const Look& look) {
 
 Shot stage(const std::vector<Performance>& performances, const Look& given) {
   Look look = given;
+  if (hides_lanes(look) && performances.size() > 1) {
+    throw Error("side by side, figures hide each other from a camera at their side",
+                "choose front, three-quarter or follow, or layout: superimposed");
+  }
   if (auto* dots = std::get_if<PointLightOptions>(&look.figure)) dots->size_px *= look.pixel_scale;
   if (look.camera.figure_px) *look.camera.figure_px *= look.pixel_scale;
   Shot shot;
@@ -136,22 +187,29 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   if (shot.set.belt) include(*shot.set.belt, shot.place, action);
   shot.standing = standing_set(shot.set, shot.place);
   shot.cameras = make_camera_rig(look.camera, action, look.size);
-  for (render::Camera& camera : shot.cameras.cameras) camera.window = look.window;
-  if (const auto* dots = std::get_if<PointLightOptions>(&look.figure)) {
-    shot.tone.shoulder = 1.0f;
-    for (Actor& actor : shot.actors) {
-      actor.dots = point_light(actor.clip, *dots, dot_stage(shot, actor.clip, look.seed));
-    }
+  for (Actor& actor : shot.actors) {
+    if (actor.trail) actor.traces = traces_of(actor.clip, *actor.trail);
   }
+  if (const auto* dots = std::get_if<PointLightOptions>(&look.figure)) {
+    place_dots(shot, *dots, look.seed);
+    // The cameras see the dots, which may go elsewhere than the figure would.
+    const Action seen = dotted_action(shot, *dots, action, look.seed);
+    shot.cameras = make_camera_rig(look.camera, seen, look.size);
+  }
+  for (render::Camera& camera : shot.cameras.cameras) camera.window = look.window;
   return shot;
 }
 
-render::Scene scene_at(const Shot& shot, int frame) {
+render::Scene scene_at(const Shot& shot, int frame) { return scene_at(shot, frame, frame); }
+
+render::Scene scene_at(const Shot& shot, int frame, int made_at) {
   render::Scene scene = shot.standing;
   const render::Camera& camera = shot.cameras.at(frame);
   add_walls(scene, shot.set, shot.place, camera.position.cast<double>());
-  if (shot.set.in_place) add_moving_ground(scene, shot.set, shot.place, -frame * shot.step);
-  for (const Actor& actor : shot.actors) add_actor(scene, actor, frame, camera);
+  if (shot.set.in_place) {
+    add_moving_ground(scene, shot.set, shot.place, -frame * shot.step, -made_at * shot.step);
+  }
+  for (const Actor& actor : shot.actors) add_actor(scene, actor, frame, made_at, camera);
   return scene;
 }
 

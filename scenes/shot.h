@@ -66,12 +66,17 @@ Shot stage(const motion::Clip& clip, const Look& look);
 
 /// Stages several clips together, by `layout` and with the roles that they have. Superimposed ones
 /// begin in the same place, facing the same way; those side by side have a lane each, the first at
-/// the left of the picture. The set and the cameras go by all of them.
+/// the left of the picture as the front sees it. The set and the cameras go by all of them. Throws
+/// Error also for figures side by side before a camera at their side.
 Shot stage(const std::vector<Performance>& performances, const Look& look);
 
 /// What is seen at a frame, and from where. A stereo pair has two cameras, the left eye's first,
 /// each for half of the picture.
 render::Scene scene_at(const Shot& shot, int frame);
+
+/// Likewise, made of the very solids of the scene at frame `made_at`, a frame nearby: what moves
+/// in between does so solid by solid.
+render::Scene scene_at(const Shot& shot, int frame, int made_at);
 std::vector<render::Camera> cameras_at(const Shot& shot, int frame);
 
 /// The middle of the eyes.

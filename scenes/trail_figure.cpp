@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "scenes/figure_scope.h"
@@ -53,10 +54,7 @@ void add_tube(render::Scene& scene, const DotPath& path, int frame, double width
 }
 
 void add_traces(render::Scene& scene, const Actor& actor, const TrailOptions& options, int frame) {
-  PointLightOptions traced;
-  traced.joint_set.clear();
-  traced.joints = traced_joints(options.traces);
-  for (const Dot& dot : point_light(actor.clip, traced, {})) {
+  for (const Dot& dot : actor.traces) {
     const auto material = static_cast<int>(scene.materials.size());
     scene.materials.push_back({colour_of(dot.kind, actor.colours), 0.03f, 0.55f});
     add_tube(scene, dot.path, frame, options.trace_width_m, material);
@@ -84,7 +82,9 @@ std::vector<Ghost> ghosts_at(const TrailOptions& options, int frame, int frame_c
       ghosts.push_back({frame + away, faded(options, share(options.after))});
     }
   }
-  std::erase_if(ghosts, [&](const Ghost& ghost) { return ghost.frame == frame; });
+  // A pose is shown once.
+  std::set<int> shown = {frame};
+  std::erase_if(ghosts, [&](const Ghost& ghost) { return !shown.insert(ghost.frame).second; });
   return ghosts;
 }
 
@@ -92,8 +92,16 @@ int most_ghosts(const TrailOptions& options) {
   return options.poses + options.before + options.after;
 }
 
+std::vector<Dot> traces_of(const motion::Clip& clip, const TrailOptions& options) {
+  if (options.traces.empty()) return {};
+  PointLightOptions traced;
+  traced.joint_set.clear();
+  traced.joints = traced_joints(options.traces);
+  return point_light(clip, traced, {});
+}
+
 void add_trail(render::Scene& scene, const Actor& actor, const TrailOptions& options, int frame,
-               const render::Camera& camera) {
+               int made_at, const render::Camera& camera) {
   const auto draw = [&](const std::string& name, float opacity, int at) {
     draw_as_figure(scene, name, opacity * actor.opacity,
                    [&] { actor.draw(scene, actor, at, camera); });
@@ -101,12 +109,12 @@ void add_trail(render::Scene& scene, const Actor& actor, const TrailOptions& opt
   draw(actor.name, 1.0f, frame);
   int number = 0;
   for (const Ghost& ghost :
-       ghosts_at(options, frame, actor.clip.frame_count(), actor.clip.frames_per_second)) {
+       ghosts_at(options, made_at, actor.clip.frame_count(), actor.clip.frames_per_second)) {
     draw(actor.name + "-ghost-" + std::to_string(++number), ghost.opacity, ghost.frame);
   }
-  if (options.traces.empty()) return;
+  if (actor.traces.empty()) return;
   draw_as_figure(scene, actor.name + "-traces", actor.opacity,
-                 [&] { add_traces(scene, actor, options, frame); });
+                 [&] { add_traces(scene, actor, options, made_at); });
 }
 
 }  // namespace mien::scenes

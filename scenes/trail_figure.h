@@ -24,9 +24,12 @@ std::vector<Ghost> ghosts_at(const TrailOptions& options, int frame, int frame_c
 /// Frames of a clip of which a picture with a trail shows the poses, at most.
 int most_ghosts(const TrailOptions& options);
 
-/// Appends the actor at a frame, its ghosts, and the traces of its joints up to now. Throws Error
-/// for traces of joints that the clip's skeleton does not have.
+/// The paths of the joints that a trail traces. Throws Error for joints that the clip's skeleton
+/// does not have.
+std::vector<Dot> traces_of(const motion::Clip& clip, const TrailOptions& options);
+
+/// Appends the actor at a frame, and its ghosts and traces as they are at frame `made_at`.
 void add_trail(render::Scene& scene, const Actor& actor, const TrailOptions& options, int frame,
-               const render::Camera& camera);
+               int made_at, const render::Camera& camera);
 
 }  // namespace mien::scenes

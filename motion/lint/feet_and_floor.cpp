@@ -6,6 +6,7 @@
 #include "motion/contact.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
+#include "motion/singular_values.h"
 #include "motion/sole.h"
 
 namespace mien::motion {
@@ -43,7 +44,7 @@ double acceleration(const std::vector<double>& values, int first, int last, doub
     basis.row(t - first) << 1.0, seconds, 0.5 * seconds * seconds;
     measured(t - first) = values[t];
   }
-  return basis.colPivHouseholderQr().solve(measured)(2);
+  return singular_values(basis).solve(measured, 1e-12)(2);
 }
 
 std::vector<bool> planted(const LintSubject& subject) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/csv.h"
+#include "pipeline/files.h"
+#include "pipeline/film_dots.h"
 #include "pipeline/film_presentation.h"
 #include "pipeline/film_shot.h"
 #include "pipeline/manifest_checks.h"
@@ -87,6 +89,10 @@ TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
                 0.02)
         << one.id;
   }
+  // The dots are where their table says, in the picture of that size.
+  const double figure_px = number_of(folder.path() / "out/metrics/sizes.csv", "figure_px", "dots");
+  EXPECT_EQ(read_file(folder.path() / "out/clips/dots.dots.csv"),
+            dots_csv(shot_of(manifest.stimuli[2], motions, 0, figure_px)));
 }
 
 TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
@@ -122,6 +128,8 @@ TEST(Overlays, ShowTheirMotionsTogetherInOneFilm) {
   EXPECT_EQ(shot.actors[0].name, "short");
   EXPECT_EQ(shot.actors[2].name, "sad");
   EXPECT_EQ(shot.actors[1].opacity, 0.75f);
+  for (const scenes::Actor& actor : shot.actors)
+    EXPECT_EQ(actor.clip.frames_per_second, overlay.film.output.fps);
   // Each as the overlay's own output shows it: two cycles.
   const int frames = motions.of("short").motion.clip.frame_count();
   EXPECT_EQ(shot.actors[0].clip.frame_count(), 2 * frames);

@@ -231,8 +231,7 @@ INSTANTIATE_TEST_SUITE_P(
              ""},
         Case{"output: {fps: 60, video: [gif]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:15: output.fps: gif shows at most 50 frames a second at their true speed; "
-             "use "
-             "fewer, or webp or apng\n"},
+             "use fewer, or another kind of video\n"},
         Case{"output: {size: [961, 541], video: []}\nstimuli: [{id: a, clip: walk.bvh}]\n", ""},
         Case{"output: {size: [961, 541], video: []}\n"
              "stimuli: [{id: a, clip: walk.bvh, output: {video: [mp4]}}]\n",

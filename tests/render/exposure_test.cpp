@@ -263,8 +263,9 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
     const Exposure whole = Tracer().expose(scene, camera, quality);
     const Exposure part = Tracer().expose(scene, cropped, quality);
     EXPECT_EQ(part.film, cut_out(whole.film, *cropped.window));
-    if (background != Background::shown)
+    if (background != Background::shown) {
       EXPECT_EQ(part.alpha, cut_out(whole.alpha, camera.width, *cropped.window));
+    }
   }
   const Quality quality{.samples_per_pixel = 4};
   const Layers whole = cut_out(Tracer().layers(scene, camera, quality), *cropped.window);

@@ -62,6 +62,32 @@ TEST(AnActor, ThatIsAMannequinOrACharacterMakesASoundScene) {
   }
 }
 
+TEST(AnActor, ThatIsAStickFigureHasAPartForEachJoint) {
+  const motion::Skeleton body = motion::standard_body();
+  const Actor actor = cast(standing(body), StickOptions{}, Role::target);
+  render::Scene scene;
+  add_actor(scene, actor, 0, 0, {});
+  EXPECT_NO_THROW(render::validate(scene));
+  const auto part = [&](int index) { return scene.parts[static_cast<size_t>(index)].name; };
+  // The ball at a joint, and the bone below it, bear its name.
+  const motion::JointTransforms world =
+      motion::world_transforms(actor.clip.body, actor.clip.poses[0]);
+  const render::Vec3 knee = world.positions[motion::LeftKnee].cast<float>();
+  const render::Vec3 ankle = world.positions[motion::LeftAnkle].cast<float>();
+  int found = 0;
+  for (const render::Sphere& sphere : scene.solids.spheres) {
+    if ((sphere.centre - knee).norm() > 1e-5f) continue;
+    EXPECT_EQ(part(sphere.part), "LeftKnee");
+    ++found;
+  }
+  for (const render::Capsule& capsule : scene.solids.capsules) {
+    if ((capsule.start - knee).norm() > 1e-5f || (capsule.end - ankle).norm() > 1e-5f) continue;
+    EXPECT_EQ(part(capsule.part), "LeftKnee");
+    ++found;
+  }
+  EXPECT_EQ(found, 2);
+}
+
 TEST(AnActor, ThatIsACharacterHasItsOwnStature) {
   const CharacterFileOnDisk file;
   const motion::Skeleton body = motion::standard_body();

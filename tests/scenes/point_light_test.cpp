@@ -8,6 +8,7 @@
 
 #include "motion/error.h"
 #include "scenes/dot_joints.h"
+#include "scenes/shot.h"
 #include "scenes/travel.h"
 #include "scenes/walking_clip.h"
 
@@ -99,9 +100,17 @@ TEST_F(PointLight, WithScrambledPhasesEachDotGoesThroughTheSamePlaces) {
   for (std::size_t d = 0; d < intact.size(); ++d) {
     const DotPath places = without_travel(intact[d].path, stage.step);
     const DotPath taken = without_travel(scrambled[d].path, stage.step);
-    for (const Vec3& place : taken) {
-      EXPECT_TRUE(std::any_of(places.begin(), places.end(),
-                              [&](const Vec3& one) { return (one - place).norm() < 1e-9; }));
+    double longest = 0.0;
+    for (std::size_t f = 1; f < places.size(); ++f) {
+      longest = std::max(longest, (places[f] - places[f - 1]).norm());
+    }
+    for (std::size_t f = 0; f < taken.size(); ++f) {
+      // The path is closed first, so that there is no leap from its end to its beginning.
+      EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const Vec3& one) {
+        return (one - taken[f]).norm() < 0.06;
+      }));
+      const double step = f > 0 ? (taken[f] - taken[f - 1]).norm() : 0.0;
+      EXPECT_LT(step, 1.3 * longest + 1e-3);
     }
     shifted += (places[0] - taken[0]).norm() > 1e-3 ? 1 : 0;
   }
@@ -167,6 +176,69 @@ TEST_F(PointLight, NoiseGoesAsFastAsTheFiguresDotsAndStaysInItsRoom) {
   }
   // Where a dot turns back within a frame it goes a little less.
   EXPECT_NEAR(noise / 40.0, figure / 13.0, 0.05 * figure / 13.0);
+}
+
+TEST_F(PointLight, NoiseGoesAsFastAsWhatIsSeenOfTheFigure) {
+  stage.across = Vec3::UnitX();  // seen from the front, legs swing in depth
+  PointLightOptions options;
+  options.noise = 40;
+  double figure = 0.0, noise = 0.0;
+  for (const Dot& dot : dots(options)) {
+    DotPath path = without_travel(dot.path, stage.step);
+    for (Vec3& point : path) point.z() = 0.0;
+    (dot.kind == "noise" ? noise : figure) += length_of(path);
+  }
+  EXPECT_NEAR(noise / 40.0, figure / 13.0, 0.05 * figure / 13.0);
+}
+
+TEST_F(PointLight, LimitedLifetimesNeedLimbs) {
+  PointLightOptions options;
+  options.joint_set.clear();
+  options.joints = {"Head", "LeftWrist"};
+  options.lifetime = 4;
+  EXPECT_THROW(dots(options), Error);
+  options.joints = {"LeftElbow", "LeftWrist"};
+  EXPECT_EQ(dots(options).size(), 2u);
+}
+
+/// Cameras frame what the dots do, which may be elsewhere than the walk.
+TEST_F(PointLight, IsInThePictureWhateverIsDoneToIt) {
+  std::vector<PointLightOptions> all(5);
+  all[1].reversed = true;
+  all[2].mirrored = true;
+  all[3].rotated_degrees = 90.0;
+  all[4].rotated_degrees = -45.0;
+  for (const char* view : {"front", "side", "three-quarter", "follow", "orbit"}) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      Look look;
+      look.figure = all[i];
+      look.camera.view = view;
+      const Shot shot = scenes::stage(test::walking_clip(90, Vec3(0.6, 0.0, 0.8), 0.05), look);
+      for (int frame = 0; frame < shot.frame_count(); frame += 7) {
+        const render::Camera& camera = camera_at(shot, frame);
+        for (const Dot& dot : shot.actors[0].dots) {
+          const auto seen =
+              render::project(camera, dot.path[static_cast<std::size_t>(frame)].cast<float>());
+          ASSERT_TRUE(seen) << view << i;
+          EXPECT_TRUE(seen->x() >= 0.0f && seen->x() <= static_cast<float>(camera.width) &&
+                      seen->y() >= 0.0f && seen->y() <= static_cast<float>(camera.height))
+              << view << ' ' << i << ' ' << frame << ' ' << dot.kind;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(PointLight, OnATreadmillThatGoesTheOtherWayTheGroundDoesToo) {
+  Look look;
+  look.set.in_place = true;
+  PointLightOptions options;
+  look.figure = options;
+  const motion::Clip walk = test::walking_clip(60, Vec3::UnitZ(), 0.04);
+  const Vec3 forwards = scenes::stage(walk, look).step;
+  options.reversed = true;
+  look.figure = options;
+  EXPECT_LT((scenes::stage(walk, look).step + forwards).norm(), 1e-9);
 }
 
 TEST_F(PointLight, DotsOfLimitedLifetimeStayOnTheLimbsForSoManyFrames) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "render/floor.h"
+#include "render/shapes.h"
 #include "scenes/box_mesh.h"
 #include "scenes/shot.h"
 #include "scenes/travel.h"
@@ -69,6 +70,31 @@ TEST(SetPlan, OnATreadmillTheFigureStaysAndTheGroundGoesAsFastAsItWould) {
   EXPECT_NEAR(later.ground.offset_z - first.ground.offset_z, -0.8f, 1e-5f);
   EXPECT_FALSE(later.standing.meshes.empty());
   EXPECT_NO_THROW(render::validate(later));
+
+  // The stripes go as fast as the ground, are on the belt, and are the same ones from a frame to
+  // the next.
+  const auto middle_of = [&](const render::Mesh& stripe) {
+    render::Vec3 sum = render::Vec3::Zero();
+    for (const render::Vec3& p : stripe.positions) sum += p;
+    const render::Vec3 mean = sum / static_cast<float>(stripe.positions.size());
+    return (mean.cast<double>() - shot.place.centre).dot(shot.place.forward);
+  };
+  const double end = 0.5 * look.set.belt->length_m;
+  for (int frame = 0; frame < 60; ++frame) {
+    const render::Scene now = scene_at(shot, frame);
+    const render::Scene next = scene_at(shot, frame + 1, frame);
+    EXPECT_NO_THROW(render::shapes_between(now, next)) << frame;
+    int whole = 0;
+    for (std::size_t i = 0; i < now.solids.meshes.size(); ++i) {
+      const double here = middle_of(now.solids.meshes[i]);
+      const double there = middle_of(next.solids.meshes[i]);
+      EXPECT_LE(std::abs(here), end + 1e-5);
+      if (std::abs(here) > end - 0.1 || std::abs(there) > end - 0.1) continue;
+      EXPECT_NEAR(there - here, -0.04, 1e-4);
+      ++whole;
+    }
+    EXPECT_GE(whole, 1) << frame;
+  }
 }
 
 TEST(Travel, OfASlowDriftIsNone) {

@@ -1,8 +1,11 @@
 #include "scenes/trail_figure.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "render/shapes.h"
 #include "scenes/shot.h"
 #include "scenes/walking_clip.h"
 
@@ -62,11 +65,31 @@ TEST(TrailFigure, EveryPoseIsAFigureOfItsOwn) {
   EXPECT_GT(solids[7], 30);
 }
 
+TEST(TrailFigure, ShowsAPoseOnce) {
+  TrailOptions options;
+  options.poses = 12;
+  const std::vector<Ghost> ghosts = ghosts_at(options, 5, 6, 30.0);
+  std::set<int> frames;
+  for (const Ghost& ghost : ghosts) EXPECT_TRUE(frames.insert(ghost.frame).second);
+  EXPECT_EQ(frames.size(), 5u);
+}
+
+/// What a shutter or a layer of motion needs: the same solids, elsewhere.
+TEST(TrailFigure, IsMadeOfTheSameSolidsInTheNextFrame) {
+  TrailOptions options;
+  options.traces = {"feet"};
+  options.before = options.after = 2;
+  const Shot shot = staged(options);
+  for (int frame = 0; frame + 1 < shot.frame_count(); ++frame) {
+    EXPECT_NO_THROW(render::shapes_between(scene_at(shot, frame), scene_at(shot, frame + 1, frame)))
+        << frame;
+  }
+}
+
 TEST(TrailFigure, RefusesTracesOfWhatIsNotThere) {
   TrailOptions options;
   options.traces = {"tail"};
-  const Shot shot = staged(options);
-  EXPECT_THROW(scene_at(shot, 10), Error);
+  EXPECT_THROW(staged(options), Error);
 }
 
 }  // namespace
