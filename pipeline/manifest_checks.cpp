@@ -295,10 +295,20 @@ class Checker : FaultList {
       add_at_key(member_path(film.path, "opacity"), "figures side by side are not seen through",
                  "leave it out, or layout: superimposed");
     }
+    const std::string own_figure = member_path(film.path, "look.figure");
+    const std::string figure = was_given(own_figure) ? own_figure : film.path;
     if (std::holds_alternative<scenes::TrailOptions>(film.look.figure)) {
-      const std::string own = member_path(film.path, "look.figure");
-      add(was_given(own) ? own : film.path, "a trail is of one motion alone",
+      add(figure, "a trail is of one motion alone", "give it another look: {figure: stick}");
+    }
+    if (std::holds_alternative<scenes::PointLightOptions>(film.look.figure)) {
+      add(figure, "the point lights of several motions cannot be told apart",
           "give it another look: {figure: stick}");
+    }
+    if (overlay.layout == scenes::Layout::side_by_side &&
+        scenes::looks_along_lanes(film.look.camera)) {
+      add(member_path(film.path, "layout"),
+          "side by side, figures hide each other from a camera at their side",
+          "choose camera: front, three-quarter or follow");
     }
   }
 

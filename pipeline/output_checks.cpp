@@ -90,6 +90,16 @@ class OutputChecker : FaultList {
     }
   }
 
+  void check_figure_size(const Stimulus& stimulus) {
+    const std::optional<double>& figure_px = stimulus.look.camera.figure_px;
+    if (!figure_px || *figure_px <= stimulus.output.size[1]) return;
+    const std::string own = member_path(stimulus.path, "look.camera.figure_px");
+    add(was_given(own) ? own : "look.camera.figure_px",
+        "the figure would be taller than the picture of " +
+            std::to_string(stimulus.output.size[1]) + " pixels",
+        "use fewer pixels, or a larger size");
+  }
+
   void check_stereo(const Stimulus& stimulus) {
     if (!stimulus.look.camera.stereo_separation_m) return;
     if (stimulus.output.frames == FrameFormat::layers) {
@@ -118,7 +128,7 @@ class OutputChecker : FaultList {
   /// Where numbers say how large a figure is seen it cannot be made as small as the smallest.
   void check_size(const Stimulus& stimulus) {
     const scenes::CameraSettings& camera = stimulus.look.camera;
-    if (!camera.screen && !camera.position && camera.path.empty()) return;
+    if (!camera.screen && !camera.position && !camera.figure_px && camera.path.empty()) return;
     add("equalize",
         "the camera of \"" + stimulus.id + "\" says already how large its figure is seen",
         "leave size out, or give that camera a view alone");
@@ -149,6 +159,7 @@ std::vector<Fault> check_outputs(const Manifest& manifest) {
     checker.check_output(member_path(film->path, "output"), film->output);
     checker.check_shutter(*film);
     checker.check_stereo(*film);
+    checker.check_figure_size(*film);
   }
   if (manifest.equalize.size) {
     for (const Stimulus& stimulus : manifest.stimuli) checker.check_size(stimulus);

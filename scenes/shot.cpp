@@ -105,12 +105,6 @@ DotStage dot_stage(const Shot& shot, const motion::Clip& clip, std::uint64_t see
   return stage;
 }
 
-/// Whether the camera looks along the line on which figures side by side stand.
-bool hides_lanes(const Look& look) {
-  return look.layout == Layout::side_by_side && look.camera.view == "side" &&
-         look.camera.path.empty() && !look.camera.position;
-}
-
 void place_dots(Shot& shot, const PointLightOptions& options, std::uint64_t seed) {
   shot.tone.shoulder = 1.0f;
   const DotStage stage = dot_stage(shot, shot.actors.front().clip, seed);
@@ -147,6 +141,10 @@ Action dotted_action(const Shot& shot, const PointLightOptions& options, Action 
 
 }  // namespace
 
+bool looks_along_lanes(const CameraSettings& camera) {
+  return camera.view == "side" && camera.path.empty() && !camera.position;
+}
+
 int Shot::frame_count() const {
   int most = 0;
   for (const Actor& actor : actors) most = std::max(most, actor.clip.frame_count());
@@ -159,7 +157,12 @@ Shot stage(const motion::Clip& clip, const Look& look) {
 
 Shot stage(const std::vector<Performance>& performances, const Look& given) {
   Look look = given;
-  if (hides_lanes(look) && performances.size() > 1) {
+  const bool together = performances.size() > 1;
+  if (together && std::holds_alternative<PointLightOptions>(look.figure)) {
+    throw Error("the point lights of several motions cannot be told apart",
+                "give them another figure, or render each alone");
+  }
+  if (together && look.layout == Layout::side_by_side && looks_along_lanes(look.camera)) {
     throw Error("side by side, figures hide each other from a camera at their side",
                 "choose front, three-quarter or follow, or layout: superimposed");
   }

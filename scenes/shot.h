@@ -21,6 +21,9 @@ namespace mien::scenes {
 /// How clips of several actors stand on one stage.
 enum class Layout { superimposed, side_by_side };
 
+/// Whether figures side by side hide each other from a camera.
+bool looks_along_lanes(const CameraSettings& camera);
+
 /// How clips are shown.
 struct Look {
   SetPlan set;
@@ -67,7 +70,7 @@ Shot stage(const motion::Clip& clip, const Look& look);
 /// Stages several clips together, by `layout` and with the roles that they have. Superimposed ones
 /// begin in the same place, facing the same way; those side by side have a lane each, the first at
 /// the left of the picture as the front sees it. The set and the cameras go by all of them. Throws
-/// Error also for figures side by side before a camera at their side.
+/// Error also for figures side by side before a camera at their side, and for point lights.
 Shot stage(const std::vector<Performance>& performances, const Look& look);
 
 /// What is seen at a frame, and from where. A stereo pair has two cameras, the left eye's first,

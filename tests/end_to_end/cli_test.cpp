@@ -187,7 +187,8 @@ TEST(CommandLine, OnlyRefusesUnknownIds) {
   const std::string manifest = scratch.write("m.yaml", small_manifest).string();
   const Ended ended = run_mien({"run", manifest, "--only", "aa"});
   EXPECT_EQ(ended.code, 2);
-  EXPECT_EQ(ended.errors, "--only: there is no stimulus, overlay or sheet \"aa\"; did you mean \"a\"?\n");
+  EXPECT_EQ(ended.errors,
+            "--only: there is no stimulus, overlay or sheet \"aa\"; did you mean \"a\"?\n");
 }
 
 TEST(CommandLine, AMotionFileThatCannotBeReadIsBadInputAndTheRestIsMade) {
@@ -364,6 +365,28 @@ TEST(CommandLine, RendersAMotionFileByItself) {
   EXPECT_EQ(run_mien({"render", walk, "-o", "walk.avi"}).code, 2);
   EXPECT_EQ(run_mien({"render", walk, "--camera", "top"}).code, 2);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 2);
+
+  const std::string picture = (scratch.path() / "a:still.png").string();
+  const auto still = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"render", walk,    "-o", picture,     "--size",
+                                          "64x48",  "--fps", "10", "--quality", "draft"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_mien(arguments).code;
+  };
+  EXPECT_EQ(still({"--still"}), 0);
+  EXPECT_EQ(still({"--still", "0.2", "--crop", "10,10,20,20"}), 0);
+  for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
+           {"--still", "1e9"},
+           {"--still", "-3"},
+           {"--still", "nan"},
+           {"--still", "--scale", "nan"},
+           {"--still", "--shutter", "nan"},
+           {"--still", "--scale", "0.05"},
+           {"--still", "--crop", "60,0,20,20"},
+           {"--still", "--background", "transparent", "--camera", "{view: side, stereo: {}}"},
+           {"--still", "--background", "transparent", "--shutter", "90"}}) {
+    EXPECT_EQ(still(bad), 2) << bad[0] << ' ' << bad.back();
+  }
 }
 
 TEST(CommandLine, SimulatedAnswersAreTheSameEveryTimeAndMarked) {

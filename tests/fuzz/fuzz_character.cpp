@@ -16,7 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     mien::motion::Pose pose;
     pose.rotations.assign(character.body.joints.size(), mien::motion::Quat::Identity());
     mien::render::Scene scene;
+    scene.materials.push_back({});
     add_character(scene, character, pose);
+    mien::render::validate(scene);
   } catch (const mien::Error&) {
   }
   return 0;

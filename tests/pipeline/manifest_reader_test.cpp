@@ -273,6 +273,17 @@ INSTANTIATE_TEST_SUITE_P(
             "5], target: [0, 1, 0]}}}]\n",
             "m.yaml:4:11: equalize: the camera of \"a\" says already how large its figure is seen; "
             "leave size out, or give that camera a view alone\n"},
+        Case{"look: {camera: {figure_px: 600}}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+             "m.yaml:4:28: look.camera.figure_px: the figure would be taller than the picture of "
+             "540 pixels; use fewer pixels, or a larger size\n"},
+        Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{target: a, created: normal, look: "
+             "{camera: side}, layout: side-by-side}]\n",
+             "m.yaml:5:71: overlays[0].layout: side by side, figures hide each other from a camera "
+             "at their side; choose camera: front, three-quarter or follow\n"},
+        Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{target: a, created: normal, look: "
+             "{figure: point-light}}]\n",
+             "m.yaml:5:56: overlays[0].look.figure: the point lights of several motions cannot be "
+             "told apart; give it another look: {figure: stick}\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{target: a, created: a}]\n",
              "m.yaml:5:33: overlays[0].created: the same motion as the target; name another one\n"},
         Case{"stimuli: [{id: a, clip: walk.bvh}]\noverlays: [{id: a, target: a, created: normal, "

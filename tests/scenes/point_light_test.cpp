@@ -106,9 +106,8 @@ TEST_F(PointLight, WithScrambledPhasesEachDotGoesThroughTheSamePlaces) {
     }
     for (std::size_t f = 0; f < taken.size(); ++f) {
       // The path is closed first, so that there is no leap from its end to its beginning.
-      EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const Vec3& one) {
-        return (one - taken[f]).norm() < 0.06;
-      }));
+      EXPECT_TRUE(std::any_of(places.begin(), places.end(),
+                              [&](const Vec3& one) { return (one - taken[f]).norm() < 0.06; }));
       const double step = f > 0 ? (taken[f] - taken[f - 1]).norm() : 0.0;
       EXPECT_LT(step, 1.3 * longest + 1e-3);
     }
