@@ -21,7 +21,7 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr std::size_t waiting_frames = 4;
+constexpr std::size_t waiting_frames = 1;
 constexpr int contact_frames = 12;
 constexpr int contact_width = 480;
 

@@ -38,7 +38,7 @@ render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int f
 using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 
 /// Draws frames and hands them on. While one is traced, earlier ones are written, read back and
-/// taken by the sink in a second thread; at most four wait in between, however long the shot.
+/// taken by the sink in a second thread; at most one waits in between, however long the shot.
 ///
 /// With `store`, frames that it has are not drawn again, and each new one is kept there; the sink
 /// then gets what was stored, so a resumed film is the same to the last bit. Throws Interrupted
