@@ -3,10 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/for_avx2.h"
 #include "render/sampler.h"
-
-// Each function is compiled for AVX2 as well, and chosen when the program starts.
-#define MIEN_LANES __attribute__((target_clones("avx2", "default")))
 
 namespace mien::render {
 namespace {
@@ -54,7 +52,7 @@ inline Direction about(float nx, float ny, float nz, float x, float y, float z) 
 
 }  // namespace
 
-MIEN_LANES LanePoints sample_points(const LaneWords& index, const LaneWords& seed) {
+MIEN_FOR_AVX2_TOO LanePoints sample_points(const LaneWords& index, const LaneWords& seed) {
   LanePoints points;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
@@ -65,7 +63,7 @@ MIEN_LANES LanePoints sample_points(const LaneWords& index, const LaneWords& see
   return points;
 }
 
-MIEN_LANES void eye_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y,
+MIEN_FOR_AVX2_TOO void eye_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y,
                          LaneVectors& origin, LaneVectors& direction) {
   const Vec3 &position = camera.position, &forward = camera.forward;
   const Vec3 &right = camera.step_right, &down = camera.step_down;
@@ -89,7 +87,7 @@ MIEN_LANES void eye_rays(const CameraFrame& camera, const LaneFloats& x, const L
   }
 }
 
-MIEN_LANES LaneVectors cosine_directions(const LaneVectors& normal, const LanePoints& u) {
+MIEN_FOR_AVX2_TOO LaneVectors cosine_directions(const LaneVectors& normal, const LanePoints& u) {
   LaneVectors out;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
@@ -104,7 +102,7 @@ MIEN_LANES LaneVectors cosine_directions(const LaneVectors& normal, const LanePo
   return out;
 }
 
-MIEN_LANES LaneVectors cone_directions(const Vec3& axis, float cosine_of_half_angle,
+MIEN_FOR_AVX2_TOO LaneVectors cone_directions(const Vec3& axis, float cosine_of_half_angle,
                                        const LanePoints& u) {
   LaneVectors out;
   const float ax = axis.x(), ay = axis.y(), az = axis.z();
@@ -122,7 +120,7 @@ MIEN_LANES LaneVectors cone_directions(const Vec3& axis, float cosine_of_half_an
   return out;
 }
 
-MIEN_LANES LaneLights sample_lights(const AreaLight& light, const LaneVectors& point,
+MIEN_FOR_AVX2_TOO LaneLights sample_lights(const AreaLight& light, const LaneVectors& point,
                                     const LanePoints& u) {
   LaneLights out;
   const Vec3 &centre = light.centre, &a = light.half_u, &b = light.half_v;

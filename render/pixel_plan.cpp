@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "render/floor.h"
+#include "render/for_avx2.h"
 #include "render/sky_cone.h"
 
 namespace mien::render {
@@ -41,20 +42,25 @@ std::optional<FloorArea> floor_under(const CameraFrame& camera, const FilmArea& 
 
 /// Shows the pixels first … end − 1, whose floor lies in one cell, less the sky that is hidden
 /// there.
-void show_cell(const StandingSet& set, const FloorSky::Cell& given, std::size_t first,
-               std::size_t end, Film& film) {
-  const FloorSky::Cell cell = given;  // a copy: the compiler knows that no pixel changes it
-  for (std::size_t place = first; place < end; ++place) {
-    const float u = (set.floor_x[place] - cell.x) * cell.inverse_side;
-    const float v = (set.floor_z[place] - cell.z) * cell.inverse_side;
-    const float* radiance = set.radiance.channels.data() + 3 * place;
-    const float* albedo = set.floor_albedo.channels.data() + 3 * place;
-    float* out = film.channels.data() + 3 * place;
-    for (int c = 0; c < 3; ++c) {
-      const float hidden =
-          cell.at_corner[c] + u * cell.along_x[c] + v * (cell.along_z[c] + u * cell.along_both[c]);
-      out[c] = radiance[c] - albedo[c] * hidden;
-    }
+MIEN_FOR_AVX2_TOO void show_cell(const StandingSet& set, const FloorSky::Cell& cell,
+                                 std::size_t first, std::size_t end, Film& film) {
+  const float x = cell.x, z = cell.z, inverse_side = cell.inverse_side;
+  const float a0 = cell.at_corner[0], a1 = cell.at_corner[1], a2 = cell.at_corner[2];
+  const float x0 = cell.along_x[0], x1 = cell.along_x[1], x2 = cell.along_x[2];
+  const float z0 = cell.along_z[0], z1 = cell.along_z[1], z2 = cell.along_z[2];
+  const float b0 = cell.along_both[0], b1 = cell.along_both[1], b2 = cell.along_both[2];
+  const float *floor_x = set.floor_x.data() + first, *floor_z = set.floor_z.data() + first;
+  const float* radiance = set.radiance.channels.data() + 3 * first;
+  const float* albedo = set.floor_albedo.channels.data() + 3 * first;
+  float* out = film.channels.data() + 3 * first;
+  const std::size_t count = end - first;
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    const float u = (floor_x[i] - x) * inverse_side;
+    const float v = (floor_z[i] - z) * inverse_side;
+    out[3 * i] = radiance[3 * i] - albedo[3 * i] * (a0 + u * x0 + v * (z0 + u * b0));
+    out[3 * i + 1] = radiance[3 * i + 1] - albedo[3 * i + 1] * (a1 + u * x1 + v * (z1 + u * b1));
+    out[3 * i + 2] = radiance[3 * i + 2] - albedo[3 * i + 2] * (a2 + u * x2 + v * (z2 + u * b2));
   }
 }
 
@@ -75,28 +81,31 @@ void PixelPlanner::turn_to(const Tile& tile) {
     is_alone_ = !picture_.film_mask.may_meet_row(tile.x_begin, tile.x_end, y);
 }
 
-bool PixelPlanner::show_alone(const Tile& tile, Film& film) {
+void PixelPlanner::show_set(const Tile& band, Film& film, std::vector<std::uint8_t>& open) {
   const StandingSet& set = picture_.set;
-  for (int y = tile.y_begin; y < tile.y_end; ++y) {
-    const std::size_t end =
-        set.place_of(tile.x_begin, y) + static_cast<std::size_t>(tile.x_end - tile.x_begin);
-    for (std::size_t place = set.place_of(tile.x_begin, y); place < end;) {
+  for (int y = band.y_begin; y < band.y_end; ++y) {
+    const std::size_t begin = set.place_of(band.x_begin, y);
+    const std::size_t end = begin + static_cast<std::size_t>(band.x_end - band.x_begin);
+    for (std::size_t place = begin; place < end;) {
       const std::size_t first = place;
       if (set.floor[first] != 0 && !cell_->holds(set.floor_x[first], set.floor_z[first]))
         cell_ = &picture_.floor_sky.cell_at(set.floor_x[first], set.floor_z[first]);
       if (set.floor[first] == 0 || (cell_->known && cell_->inverse_side == 0.0f)) {
-        std::copy_n(set.radiance.channels.data() + 3 * first, 3, film.channels.data() + 3 * first);
+        do ++place;
+        while (place < end && set.floor[place] == 0);
+        std::copy_n(set.radiance.channels.data() + 3 * first, 3 * (place - first),
+                    film.channels.data() + 3 * first);
+      } else if (!cell_->known) {
+        open[(place - begin) / tile_size] = 1;
         ++place;
-        continue;
+      } else {
+        do ++place;
+        while (place < end && set.floor[place] != 0 &&
+               cell_->holds(set.floor_x[place], set.floor_z[place]));
+        show_cell(set, *cell_, first, place, film);
       }
-      if (!cell_->known) return false;
-      do ++place;
-      while (place < end && set.floor[place] != 0 &&
-             cell_->holds(set.floor_x[place], set.floor_z[place]));
-      show_cell(set, *cell_, first, place, film);
     }
   }
-  return true;
 }
 
 SetLight PixelPlanner::set_at(int x, int y) {
@@ -111,43 +120,57 @@ SetLight PixelPlanner::set_at(int x, int y) {
   return {radiance - albedo * cell_->hidden(floor_x, floor_z), true};
 }
 
-void PixelPlanner::plan(Pixel& pixel, int x, int y, const SetLight& set_light) const {
+PixelPlan PixelPlanner::plan(int x, int y) const {
+  const StandingSet& set = picture_.set;
+  const std::size_t place = set.place_of(x, y);
+  const bool somebody = picture_.bounds.radius >= 0.0f;
+  const bool solid = set.solid[place] != 0;
+  const bool figure = picture_.quality.exhaustive || picture_.film_mask.may_meet(x, y);
+  PixelPlan plan;
+  if (picture_.piecemeal() || (figure && solid)) {
+    plan.kind = PixelKind::piecemeal;
+    return plan;
+  }
+  if (figure) {
+    plan.kind = PixelKind::figure;
+  } else if (solid && somebody) {
+    plan.kind = PixelKind::wall;
+  }
+  if (set.floor[place] != 0 && somebody) plan.shadow_lights = shadow_lights(x, y);
+  if (plan.kind == PixelKind::untouched && plan.shadow_lights != 0) plan.kind = PixelKind::floor;
+  return plan;
+}
+
+std::uint32_t PixelPlanner::shadow_lights(int pixel_x, int pixel_y) const {
+  if (tile_lights_ == 0) return 0;
+  const float reach = picture_.filter.half_width();
+  const auto x = static_cast<float>(pixel_x) + 0.5f, y = static_cast<float>(pixel_y) + 0.5f;
+  const std::optional<FloorArea> area =
+      floor_under(picture_.camera, {x - reach, x + reach, y - reach, y + reach});
+  std::uint32_t hidden = 0;
+  for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
+    if (((tile_lights_ >> i) & 1u) != 0 &&
+        (picture_.quality.exhaustive || !area || picture_.shadow_masks[i].may_shade(*area)))
+      hidden |= 1u << i;
+  return hidden;
+}
+
+void PixelPlanner::set_out(Pixel& pixel, int x, int y, const PixelPlan& plan,
+                           const SetLight& set_light) const {
   const StandingSet& set = picture_.set;
   const std::size_t place = set.place_of(x, y);
   pixel.x = x;
   pixel.y = y;
+  pixel.kind = plan.kind;
+  pixel.sampler = PixelSampler(picture_.quality.seed, x, y);
   pixel.radiance = set_light.radiance;
   pixel.floor_albedo = Eigen::Map<const Color>(set.floor_albedo.at(x, y));
   pixel.shows_floor = set.floor[place] != 0;
-  pixel.sampler = PixelSampler(picture_.quality.seed, x, y);
-  const bool somebody = picture_.bounds.radius >= 0.0f;
-  const bool solid = set.solid[place] != 0;
-  const bool figure = picture_.quality.exhaustive || picture_.film_mask.may_meet(x, y);
-  if (picture_.piecemeal() || (figure && solid)) {
-    pixel.kind = PixelKind::piecemeal;
-  } else if (figure) {
-    pixel.kind = PixelKind::figure;
-  } else if (solid && somebody) {
-    pixel.kind = PixelKind::wall;
-  }
-  if (pixel.shows_floor && somebody && pixel.kind != PixelKind::piecemeal)
-    plan_floor(pixel, {set.floor_x[place], 0.0f, set.floor_z[place]}, set_light.complete);
-  if (pixel.kind == PixelKind::untouched && pixel.shadow_lights != 0) pixel.kind = PixelKind::floor;
-  if (pixel.kind == PixelKind::untouched || pixel.kind == PixelKind::floor)
-    pixel.set_samples = picture_.quality.samples_per_pixel;
-}
-
-void PixelPlanner::plan_floor(Pixel& pixel, const Vec3& point, bool sky_is_known) const {
-  if (!sky_is_known) plan_floor_sky(pixel, point);
-  if (tile_lights_ == 0) return;
-  const float reach = picture_.filter.half_width();
-  const auto x = static_cast<float>(pixel.x) + 0.5f, y = static_cast<float>(pixel.y) + 0.5f;
-  const std::optional<FloorArea> area =
-      floor_under(picture_.camera, {x - reach, x + reach, y - reach, y + reach});
-  for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
-    if (((tile_lights_ >> i) & 1u) != 0 &&
-        (picture_.quality.exhaustive || !area || picture_.shadow_masks[i].may_shade(*area)))
-      pixel.shadow_lights |= 1u << i;
+  pixel.shadow_lights = plan.shadow_lights;
+  const bool open = plan.kind == PixelKind::untouched || plan.kind == PixelKind::floor;
+  if (open) pixel.set_samples = picture_.quality.samples_per_pixel;
+  if (!set_light.complete && plan.kind != PixelKind::piecemeal && picture_.bounds.radius >= 0.0f)
+    plan_floor_sky(pixel, {set.floor_x[place], 0.0f, set.floor_z[place]});
 }
 
 void PixelPlanner::plan_floor_sky(Pixel& pixel, const Vec3& point) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "render/picture.h"
 #include "render/pixel.h"
@@ -12,6 +13,12 @@ namespace mien::render {
 struct SetLight {
   Color radiance;  ///< less what the figure hides of the sky, where that is known
   bool complete;   ///< false: what the figure hides of the sky is not known, rays are to find it
+};
+
+/// What a pixel may show other than the set.
+struct PixelPlan {
+  PixelKind kind = PixelKind::untouched;
+  std::uint32_t shadow_lights = 0;  ///< bit i: the figure may hide light i from its floor
 };
 
 /// Decides what of a picture need not be traced. Each thread has its own.
@@ -26,17 +33,19 @@ class PixelPlanner {
   /// Whether it shows no figure and no shadow of it from a light.
   bool is_alone() const { return is_alone_; }
 
-  /// Shows such a tile with the set behind it. False when what the figure hides of the sky is not
-  /// known everywhere: then nothing there is final.
-  bool show_alone(const Tile& tile, Film& film);
+  /// Shows what each pixel gets from the set, but where what the figure hides of the sky is not
+  /// known: `open` is set to 1 for tiles (from the left, tile_size pixels each) with such pixels.
+  void show_set(const Tile& band, Film& film, std::vector<std::uint8_t>& open);
 
   SetLight set_at(int x, int y);
 
-  /// Sets out how a pixel is to be drawn; `set` is what set_at told of it last.
-  void plan(Pixel& pixel, int x, int y, const SetLight& set) const;
+  PixelPlan plan(int x, int y) const;
+
+  /// Makes a pixel ready to be drawn so; `set` is what set_at told of it last.
+  void set_out(Pixel& pixel, int x, int y, const PixelPlan& plan, const SetLight& set) const;
 
  private:
-  void plan_floor(Pixel& pixel, const Vec3& point, bool sky_is_known) const;
+  std::uint32_t shadow_lights(int x, int y) const;
   void plan_floor_sky(Pixel& pixel, const Vec3& point) const;
 
   const Picture& picture_;

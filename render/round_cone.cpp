@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/for_avx2.h"
+
 namespace mien::render {
 
 RoundCone round_cone(const Sphere& sphere) {
@@ -56,7 +58,7 @@ Vec3 normal_at(const RoundCone& cone, const Vec3& point) {
   return (cone.side_squared * from_a - along * cone.axis).normalized();
 }
 
-__attribute__((target_clones("avx2", "default"))) void intersect_lines(const RoundCone& cone,
+MIEN_FOR_AVX2_TOO void intersect_lines(const RoundCone& cone,
                                                                        const RayLanes& rays,
                                                                        unsigned count, float* enter,
                                                                        float* leave) {

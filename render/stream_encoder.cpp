@@ -64,7 +64,7 @@ void set_quality(AVCodecContext& codec, VideoKind kind, bool fast) {
   switch (kind) {
     case VideoKind::mp4:
       codec.max_b_frames = 0;  // players that ignore edit lists show the right times
-      return set(codec, {{"preset", fast ? "superfast" : "medium"},
+      return set(codec, {{"preset", fast ? "ultrafast" : "medium"},
                          {"crf", fast ? "18" : "16"},
                          {"x264-params", x264_params}});
     case VideoKind::mp4_lossless:

@@ -37,9 +37,11 @@ class TilePainter {
  public:
   explicit TilePainter(const Picture& picture)
       : picture_(picture), planner_(picture), queries_(picture) {}
-  void draw(const Tile& tile, Exposure& exposure);
+  void draw(const Tile& part, Exposure& exposure);
 
  private:
+  void draw_band(const Tile& band, Exposure& exposure);
+  void draw_tile(const Tile& tile, bool open, Exposure& exposure);
   int samples_of(const Pixel& pixel) const;
   Sample sample_of(Pixel& pixel, int index) const;
   CameraFrame camera_of(const Sample& sample) const;
@@ -58,7 +60,8 @@ class TilePainter {
 
   const Picture& picture_;
   PixelPlanner planner_;
-  std::vector<Pixel> pixels_;  // those that are traced; they stay where they are
+  std::vector<std::uint8_t> open_;  // one a tile of the band
+  std::vector<Pixel> pixels_;       // those that are traced; they stay where they are
   Samples floor_;              // samples that show no solid, not yet aimed
   Samples traced_;             // samples that may, not yet aimed
   RayPacket primaries_;
@@ -68,23 +71,42 @@ class TilePainter {
   LightQueries queries_;
 };
 
-void TilePainter::draw(const Tile& tile, Exposure& exposure) {
-  planner_.turn_to(tile);
+void TilePainter::draw(const Tile& part, Exposure& exposure) {
+  for (int y = part.y_begin; y < part.y_end; y += tile_size)
+    draw_band({part.x_begin, part.x_end, y, std::min(y + tile_size, part.y_end)}, exposure);
+}
+
+// The set is shown first, row by row, which memory likes. Tiles stay open where that left pixels
+// out.
+void TilePainter::draw_band(const Tile& band, Exposure& exposure) {
+  const bool shown = picture_.quality.background == Background::shown;
+  const int tiles = (band.x_end - band.x_begin + tile_size - 1) / tile_size;
+  open_.assign(static_cast<std::size_t>(tiles), shown ? 0 : 1);
+  if (shown) planner_.show_set(band, exposure.film, open_);
+  for (int k = 0; k < tiles; ++k) {
+    const int x = band.x_begin + k * tile_size;
+    const Tile tile{x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end};
+    const bool open = open_[static_cast<std::size_t>(k)] != 0;
+    planner_.turn_to(tile);
+    if (open || !planner_.is_alone()) draw_tile(tile, open, exposure);
+  }
+}
+
+void TilePainter::draw_tile(const Tile& tile, bool open, Exposure& exposure) {
   const bool alone = planner_.is_alone();
-  if (alone && picture_.quality.background == Background::shown &&
-      planner_.show_alone(tile, exposure.film))
-    return;
   pixels_.clear();
+  pixels_.reserve(tile_size * tile_size);
   for (int y = tile.y_begin; y < tile.y_end; ++y) {
     for (int x = tile.x_begin; x < tile.x_end; ++x) {
+      const PixelPlan plan = alone ? PixelPlan{} : planner_.plan(x, y);
+      if (plan.kind == PixelKind::untouched && !open) continue;
       const SetLight set = planner_.set_at(x, y);
-      if (alone && set.complete) {
+      if (plan.kind == PixelKind::untouched && set.complete) {
         show_set(set.radiance, x, y, exposure);
         continue;
       }
-      if (pixels_.capacity() == 0) pixels_.reserve(tile_size * tile_size);
       Pixel& pixel = pixels_.emplace_back();
-      planner_.plan(pixel, x, y, set);
+      planner_.set_out(pixel, x, y, plan, set);
       const int needed = samples_of(pixel);
       if (needed == 0) {
         show_set(set.radiance, x, y, exposure);
@@ -259,14 +281,8 @@ void TilePainter::develop(const Pixel& pixel, Exposure& exposure) const {
 
 }  // namespace
 
-Tile tile_at(const Film& film, int column, int row) {
-  const int x = column * tile_size;
-  const int y = row * tile_size;
-  return {x, std::min(x + tile_size, film.width), y, std::min(y + tile_size, film.height)};
-}
-
-void draw(const Picture& picture, const Tile& tile, Exposure& exposure) {
-  TilePainter(picture).draw(tile, exposure);
+void draw(const Picture& picture, const Tile& part, Exposure& exposure) {
+  TilePainter(picture).draw(part, exposure);
 }
 
 }  // namespace mien::render

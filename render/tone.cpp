@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "render/bayer.h"
+#include "render/for_avx2.h"
 
 namespace mien::render {
 namespace {
@@ -33,37 +34,43 @@ class Quantiser {
       const int before = code;
       while (start >= thresholds_[static_cast<std::size_t>(code)]) ++code;
       most_in_slot_ = std::max(most_in_slot_, slot == lowest_ ? 0 : code - before);
-      first_.push_back(static_cast<std::uint16_t>(code));
+      // The first slot holds all that is darker, too.
+      const int first = slot == lowest_ ? 0 : code;
+      slots_.push_back({thresholds_[static_cast<std::size_t>(first)], first});
     }
-    first_[0] = 0;  // of all that is darker, too
   }
 
   // Light is 0 … 1.
   int code(float light) const {
-    int code = start_of(light);
+    int code = slot_of(light).code;
     while (light >= thresholds_[static_cast<std::size_t>(code)]) ++code;
     return code;
   }
 
   // The same, where no slot has more than one threshold: no branch to guess wrong.
   int code_of_one(float light) const {
-    const int code = start_of(light);
-    return code + (light >= thresholds_[static_cast<std::size_t>(code)] ? 1 : 0);
+    const Slot& slot = slot_of(light);
+    return slot.code + (light >= slot.threshold ? 1 : 0);
   }
 
   int most_in_slot() const { return most_in_slot_; }
 
  private:
-  int start_of(float light) const {
+  struct Slot {
+    float threshold;  // of the code after
+    int code;         // at its start
+  };
+
+  const Slot& slot_of(float light) const {
     const std::uint32_t slot = std::bit_cast<std::uint32_t>(light) >> shift_;
-    return first_[slot <= lowest_ ? 0 : slot - lowest_];
+    return slots_[slot <= lowest_ ? 0 : slot - lowest_];
   }
 
   int shift_;
   std::uint32_t lowest_ = 0;
   int most_in_slot_ = 0;
-  std::vector<float> thresholds_;     // lowest light of the codes 1 … top; infinity
-  std::vector<std::uint16_t> first_;  // code at the start of each slot
+  std::vector<float> thresholds_;  // lowest light of the codes 1 … top; infinity
+  std::vector<Slot> slots_;
 };
 
 // 256 slots an octave: sRGB has at most one of 255 codes in each.
@@ -74,37 +81,42 @@ float exposure(const Tone& tone) {
   return static_cast<float>(std::exp2(static_cast<double>(tone.exposure_stops)));
 }
 
-template <class Channel, class CodeOf>
-Image<Channel> developed(const Film& film, const Tone& tone, const CodeOf& code_of) {
+// Without branches, and NaN gives 0.
+inline float toned(float light, float shoulder) {
+  const float u = (light - shoulder) / (1.0f - shoulder);
+  const float rolled = shoulder + (1.0f - shoulder) * u / (1.0f + u);
+  const float above = (shoulder >= 1.0f) | (u > 1e6f) ? 1.0f : rolled;
+  const float shown = light <= shoulder ? light : above;
+  return light > 0.0f ? shown : 0.0f;
+}
+
+MIEN_FOR_AVX2_TOO void tone_row(const float* light, int count, float factor, float shoulder,
+                                float* shown) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) shown[i] = toned(factor * light[i], shoulder);
+}
+
+// The codes of light, 0 … 1.
+void nearest_row(const Quantiser& quantiser, const std::vector<float>& light, std::uint8_t* codes) {
+  for (const float value : light) *codes++ = static_cast<std::uint8_t>(quantiser.code_of_one(value));
+}
+
+/// Calls to_codes(light, y, codes) for each row of 3 · width channels, the tone curve applied.
+template <class Channel, class ToCodes>
+Image<Channel> developed(const Film& film, const Tone& tone, const ToCodes& to_codes) {
   Image<Channel> image(film.width, film.height);
   const float factor = exposure(tone);
+  std::vector<float> shown(3 * static_cast<std::size_t>(film.width));
   for (int y = 0; y < film.height; ++y) {
-    const float* light = film.at(0, y);
-    Channel* out = image.at(0, y);
-    for (int x = 0; x < film.width; ++x) {
-      for (int c = 0; c < 3; ++c) {
-        const float exposed = factor * *light++;
-        // Most light is below the shoulder.
-        const float shown = exposed > 0.0f && exposed <= tone.shoulder
-                                ? exposed
-                                : tone_curve(exposed, tone.shoulder);
-        *out++ = static_cast<Channel>(code_of(shown, x, y));
-      }
-    }
+    tone_row(film.at(0, y), 3 * film.width, factor, tone.shoulder, shown.data());
+    to_codes(shown, y, image.at(0, y));
   }
   return image;
 }
 
 }  // namespace
 
-float tone_curve(float light, float shoulder) {
-  if (!(light > 0.0f)) return 0.0f;
-  if (light <= shoulder) return light;
-  if (shoulder >= 1.0f) return 1.0f;
-  const float u = (light - shoulder) / (1.0f - shoulder);
-  if (u > 1e6f) return 1.0f;
-  return shoulder + (1.0f - shoulder) * u / (1.0f + u);
-}
+float tone_curve(float light, float shoulder) { return toned(light, shoulder); }
 
 double srgb_from_linear(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
@@ -124,22 +136,31 @@ Image8 to_srgb8(const Film& film, const Tone& tone) {
     static const Quantiser nearest(255, 0.5, bits_for_8);
     assert(nearest.most_in_slot() <= 1);
     return developed<std::uint8_t>(
-        film, tone, [](float light, int, int) { return nearest.code_of_one(light); });
+        film, tone, [](const std::vector<float>& light, int, std::uint8_t* codes) {
+          nearest_row(nearest, light, codes);
+        });
   }
   static const std::vector<Quantiser> ranks = [] {
     std::vector<Quantiser> all;
     for (int rank = 0; rank < 64; ++rank) all.emplace_back(255, (rank + 0.5) / 64.0, bits_for_8);
     return all;
   }();
-  return developed<std::uint8_t>(film, tone, [](float light, int x, int y) {
-    return ranks[static_cast<std::size_t>(bayer(x, y))].code(light);
-  });
+  return developed<std::uint8_t>(
+      film, tone, [](const std::vector<float>& light, int y, std::uint8_t* codes) {
+        for (std::size_t i = 0; i < light.size(); ++i) {
+          const auto rank = static_cast<std::size_t>(bayer(static_cast<int>(i / 3), y));
+          codes[i] = static_cast<std::uint8_t>(ranks[rank].code(light[i]));
+        }
+      });
 }
 
 Image16 to_srgb16(const Film& film, const Tone& tone) {
   static const Quantiser nearest(65535, 0.5, bits_for_16);
-  return developed<std::uint16_t>(film, tone,
-                                  [](float light, int, int) { return nearest.code(light); });
+  return developed<std::uint16_t>(
+      film, tone, [](const std::vector<float>& light, int, std::uint16_t* codes) {
+        for (std::size_t i = 0; i < light.size(); ++i)
+          codes[i] = static_cast<std::uint16_t>(nearest.code(light[i]));
+      });
 }
 
 }  // namespace mien::render

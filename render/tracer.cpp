@@ -1,5 +1,6 @@
 #include "render/tracer.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
@@ -22,19 +23,19 @@ Window window_of(const Camera& camera) {
   return camera.window.value_or(Window{0, 0, camera.width, camera.height});
 }
 
-/// All tiles of a film that the window touches.
+/// Calls work for parts of a film, whole tiles each, that together hold the window.
 template <class Work>
-void for_all_tiles(tbb::task_arena& arena, const Film& film, const Window& window, Work work) {
+void for_all_parts(tbb::task_arena& arena, const Film& film, const Window& window, Work work) {
   const auto last = [](int first, int pixels) {
     return (first + pixels + tile_size - 1) / tile_size;
   };
   const tbb::blocked_range2d<int> all(window.y / tile_size, last(window.y, window.height), 1,
-                                      window.x / tile_size, last(window.x, window.width), 4);
+                                      window.x / tile_size, last(window.x, window.width), 8);
   arena.execute([&] {
     tbb::parallel_for(all, [&](const tbb::blocked_range2d<int>& part) {
-      for (int row = part.rows().begin(); row < part.rows().end(); ++row)
-        for (int column = part.cols().begin(); column < part.cols().end(); ++column)
-          work(tile_at(film, column, row));
+      const auto &columns = part.cols(), &rows = part.rows();
+      work(Tile{columns.begin() * tile_size, std::min(columns.end() * tile_size, film.width),
+                rows.begin() * tile_size, std::min(rows.end() * tile_size, film.height)});
     });
   });
 }
@@ -124,8 +125,8 @@ void Tracer::Engine::add_standing_solids(const Scene& scene, const Camera& camer
   {
     Picture picture = prepare(scene, sharp, thorough, set, standing_shapes(scene), scene.standing);
     look_at_sky(picture);
-    for_all_tiles(arena, exposure.film, {0, 0, camera.width, camera.height},
-                  [&](const Tile& tile) { draw(picture, tile, exposure); });
+    for_all_parts(arena, exposure.film, {0, 0, camera.width, camera.height},
+                  [&](const Tile& part) { draw(picture, part, exposure); });
     for (int y = 0; y < camera.height; ++y)
       for (int x = 0; x < camera.width; ++x)
         set.solid[set.place_of(x, y)] = picture.film_mask.may_meet(x, y) ? 1 : 0;
@@ -187,8 +188,8 @@ Exposure Tracer::expose(const Scene& scene, const Camera& camera, const Quality&
   Exposure exposure{Film(camera.width, camera.height), {}};
   if (quality.background != Background::shown)
     exposure.alpha.resize(exposure.film.channels.size() / 3);
-  for_all_tiles(engine_->arena, exposure.film, window_of(camera),
-                [&](const Tile& tile) { draw(picture, tile, exposure); });
+  for_all_parts(engine_->arena, exposure.film, window_of(camera),
+                [&](const Tile& part) { draw(picture, part, exposure); });
   if (!camera.window) return exposure;
   exposure.film = cut_out(exposure.film, *camera.window);
   if (!exposure.alpha.empty())
@@ -214,8 +215,8 @@ Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& q
   }
   const NextPicture following{next, next_camera != nullptr ? *next_camera : sharp};
   const bool moves = next != nullptr || next_camera != nullptr;
-  for_all_tiles(engine_->arena, layers.albedo, window_of(sharp), [&](const Tile& tile) {
-    draw_layers(picture, moves ? &following : nullptr, tile, layers);
+  for_all_parts(engine_->arena, layers.albedo, window_of(sharp), [&](const Tile& part) {
+    draw_layers(picture, moves ? &following : nullptr, part, layers);
   });
   if (sharp.window) layers = cut_out(std::move(layers), *sharp.window);
   layers.beauty = trace(scene, sharp, quality);

@@ -2,9 +2,11 @@
 
 #include <limits>
 
+#include "render/for_avx2.h"
+
 namespace mien::render {
 
-__attribute__((target_clones("avx2", "default"))) void intersect_triangle(const Triangle& triangle,
+MIEN_FOR_AVX2_TOO void intersect_triangle(const Triangle& triangle,
                                                                           const RayLanes& rays,
                                                                           unsigned count,
                                                                           float* distance) {

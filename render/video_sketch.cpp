@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
+
+#include <xxhash.h>
+
+#include "render/for_avx2.h"
 
 namespace mien::render {
 
@@ -36,49 +39,26 @@ std::vector<std::int8_t> random_signs(std::size_t count, std::uint64_t seed) {
   return signs;
 }
 
-std::uint64_t hash_of(const std::vector<std::uint8_t>& bytes) {
-  std::uint64_t hash = bytes.size();
-  std::size_t i = 0;
-  for (; i + 8 <= bytes.size(); i += 8) {
-    std::uint64_t word;
-    std::memcpy(&word, bytes.data() + i, 8);
-    hash = (hash ^ word) * 0x9fb21c651e98df25ull;
-    hash ^= hash >> 32;
-  }
-  for (; i < bytes.size(); ++i) hash = mixed(hash ^ bytes[i]);
-  return mixed(hash);
-}
-
 /// BT.709 luma of sRGB channels, rounded.
-void luma_row(const std::uint8_t* rgb, int width, std::uint8_t* luma) {
+MIEN_FOR_AVX2_TOO void luma_row(const std::uint8_t* rgb, int width, std::uint8_t* luma) {
   for (int x = 0; x < width; ++x) {
     luma[x] = static_cast<std::uint8_t>(
         (54 * rgb[3 * x] + 183 * rgb[3 * x + 1] + 19 * rgb[3 * x + 2] + 128) >> 8);
   }
 }
 
-int signed_sum(const std::uint8_t* values, const std::int8_t* signs, int count) {
-  int sum = 0;
-  for (int i = 0; i < count; ++i) sum += signs[i] * values[i];
-  return sum;
-}
-
-/// Sums over the part of a tile that has been read.
+/// Sums over a part of a tile.
 struct Sums {
   std::int64_t luma = 0;
   std::int64_t squares = 0;
   std::int64_t luma_projection = 0;
   std::int64_t color_projection = 0;
 
-  void add(const std::uint8_t* values, int count) {
-    std::int32_t sum = 0;
-    std::int32_t square_sum = 0;
-    for (int i = 0; i < count; ++i) {
-      sum += values[i];
-      square_sum += values[i] * values[i];
-    }
-    luma += sum;
-    squares += square_sum;
+  void add(const Sums& other) {
+    luma += other.luma;
+    squares += other.squares;
+    luma_projection += other.luma_projection;
+    color_projection += other.color_projection;
   }
 
   FrameSketch::Tile tile(int pixels) const {
@@ -88,6 +68,22 @@ struct Sums {
             static_cast<float>(luma_projection), static_cast<float>(color_projection)};
   }
 };
+
+/// Of a tile's pixels in one row; three colours and signs a pixel.
+MIEN_FOR_AVX2_TOO Sums sums_of(const std::uint8_t* luma, const std::int8_t* luma_signs,
+                               const std::uint8_t* colors, const std::int8_t* color_signs,
+                               int pixels) {
+  std::int32_t sum = 0, squares = 0, luma_projection = 0, color_projection = 0;
+  for (int i = 0; i < pixels; ++i) {
+    const std::int16_t value = luma[i];
+    sum += value;
+    squares += value * value;
+    luma_projection += value * std::int16_t{luma_signs[i]};
+  }
+  for (int i = 0; i < 3 * pixels; ++i)
+    color_projection += std::int16_t{colors[i]} * std::int16_t{color_signs[i]};
+  return {sum, squares, luma_projection, color_projection};
+}
 
 double squared(double x) { return x * x; }
 
@@ -124,7 +120,7 @@ FrameSketch FrameSketcher::sketch(const Image8& frame) const {
     throw std::invalid_argument("FrameSketcher: a frame of another size");
   }
   FrameSketch result;
-  result.hash = hash_of(frame.channels);
+  result.hash = XXH3_64bits(frame.channels.data(), frame.channels.size());
   result.tiles.reserve(static_cast<std::size_t>(tile_count()));
   std::vector<std::uint8_t> luma(static_cast<std::size_t>(width_));
   for (int top = 0; top < height_; top += edge_) {
@@ -140,10 +136,9 @@ FrameSketch FrameSketcher::sketch(const Image8& frame) const {
       for (int i = 0; i < across_; ++i) {
         const int left = i * edge_;
         const int columns = std::min(edge_, width_ - left);
-        Sums& tile = sums[static_cast<std::size_t>(i)];
-        tile.add(luma.data() + left, columns);
-        tile.luma_projection += signed_sum(luma.data() + left, luma_signs + left, columns);
-        tile.color_projection += signed_sum(rgb + 3 * left, color_signs + 3 * left, 3 * columns);
+        sums[static_cast<std::size_t>(i)].add(sums_of(luma.data() + left, luma_signs + left,
+                                                      rgb + 3 * left, color_signs + 3 * left,
+                                                      columns));
       }
     }
     for (int i = 0; i < across_; ++i) {

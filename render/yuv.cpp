@@ -1,52 +1,50 @@
 #include "render/yuv.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
+
+#include "render/for_avx2.h"
 
 namespace mien::render {
 
 namespace {
 
-constexpr int fraction_bits = 6;
-constexpr double fraction = 1 << fraction_bits;
-constexpr int lowest = -320;  // of a sum before it is clipped
-constexpr int highest = 640;
+constexpr int fraction_bits = 13;
 
-using Part = std::array<std::int16_t, 256>;
+constexpr std::int32_t fixed(double gain) {
+  return static_cast<std::int32_t>(gain * (1 << fraction_bits) + (gain < 0.0 ? -0.5 : 0.5));
+}
 
-/// What each code adds to the channels, in 64ths (ITU-R BT.709, limited range).
-struct Parts {
-  Part light;
-  Part red_of_v;
-  Part green_of_u;
-  Part green_of_v;
-  Part blue_of_u;
-  std::array<std::uint8_t, highest - lowest> clipped;
+// ITU-R BT.709, limited range: what a code adds to a channel.
+constexpr double luma_gain = 255.0 / 219.0;
+constexpr double difference_gain = 255.0 / 112.0;
+constexpr double red = 0.2126, green = 0.7152, blue = 0.0722;
+constexpr std::int32_t light = fixed(luma_gain);
+constexpr std::int32_t red_of_v = fixed(difference_gain * (1.0 - red));
+constexpr std::int32_t blue_of_u = fixed(difference_gain * (1.0 - blue));
+constexpr std::int32_t green_of_u = fixed(-difference_gain * (1.0 - blue) * blue / green);
+constexpr std::int32_t green_of_v = fixed(-difference_gain * (1.0 - red) * red / green);
 
-  Parts() {
-    const auto fill = [](Part& part, double gain, int zero, double half) {
-      for (int code = 0; code < 256; ++code) {
-        part[static_cast<std::size_t>(code)] =
-            static_cast<std::int16_t>(std::lround(fraction * (gain * (code - zero) + half)));
-      }
-    };
-    fill(light, 255.0 / 219.0, 16, 0.5);
-    fill(red_of_v, 255.0 / 112.0 * (1.0 - 0.2126), 128, 0.0);
-    fill(blue_of_u, 255.0 / 112.0 * (1.0 - 0.0722), 128, 0.0);
-    fill(green_of_u, -255.0 / 112.0 * (1.0 - 0.0722) * 0.0722 / 0.7152, 128, 0.0);
-    fill(green_of_v, -255.0 / 112.0 * (1.0 - 0.2126) * 0.2126 / 0.7152, 128, 0.0);
-    for (int i = lowest; i < highest; ++i) {
-      clipped[static_cast<std::size_t>(i - lowest)] =
-          static_cast<std::uint8_t>(std::clamp(i, 0, 255));
-    }
+std::uint8_t rounded(std::int32_t sum) {
+  return static_cast<std::uint8_t>(
+      std::clamp((sum + (1 << (fraction_bits - 1))) >> fraction_bits, 0, 255));
+}
+
+MIEN_FOR_AVX2_TOO void rgb_row(const std::uint8_t* luma, const std::uint8_t* us,
+                               const std::uint8_t* vs, int width, std::uint8_t* out) {
+#pragma omp simd
+  for (int x = 0; x < width; ++x) {
+    const std::int32_t y = light * (luma[x] - 16), u = us[x] - 128, v = vs[x] - 128;
+    out[3 * x] = rounded(y + red_of_v * v);
+    out[3 * x + 1] = rounded(y + green_of_u * u + green_of_v * v);
+    out[3 * x + 2] = rounded(y + blue_of_u * u);
   }
-};
+}
 
 /// Colour differences of one row of pixels.
-void interpolate(const Yuv420& picture, int plane, int y, std::vector<std::uint16_t>& between,
-                 std::vector<std::uint8_t>& row) {
+MIEN_FOR_AVX2_TOO void interpolate(const Yuv420& picture, int plane, int y,
+                                   std::vector<std::uint16_t>& between,
+                                   std::vector<std::uint8_t>& row) {
   const int columns = picture.width / 2;
   const int rows = picture.height / 2;
   const int near = y / 2;
@@ -68,26 +66,17 @@ void interpolate(const Yuv420& picture, int plane, int y, std::vector<std::uint1
 }  // namespace
 
 Image8 rgb_from_yuv(const Yuv420& picture) {
-  static const Parts parts;
   Image8 image(picture.width, picture.height);
   const auto width = static_cast<std::size_t>(picture.width);
   std::vector<std::uint16_t> between(width / 2 + 1);
   std::vector<std::uint8_t> us(width);
   std::vector<std::uint8_t> vs(width);
-  const std::uint8_t* const clipped = parts.clipped.data() - lowest;
   for (int y = 0; y < picture.height; ++y) {
     interpolate(picture, 1, y, between, us);
     interpolate(picture, 2, y, between, vs);
     const std::uint8_t* luma =
         picture.planes[0] + static_cast<std::ptrdiff_t>(y) * picture.strides[0];
-    std::uint8_t* out = image.at(0, y);
-    for (std::size_t x = 0; x < width; ++x, out += 3) {
-      const int light = parts.light[luma[x]];
-      out[0] = clipped[(light + parts.red_of_v[vs[x]]) >> fraction_bits];
-      out[1] =
-          clipped[(light + parts.green_of_u[us[x]] + parts.green_of_v[vs[x]]) >> fraction_bits];
-      out[2] = clipped[(light + parts.blue_of_u[us[x]]) >> fraction_bits];
-    }
+    rgb_row(luma, us.data(), vs.data(), picture.width, image.at(0, y));
   }
   return image;
 }
