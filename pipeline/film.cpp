@@ -7,6 +7,10 @@
 #include <utility>
 #include <variant>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "pipeline/bounded_queue.h"
 #include "pipeline/film_frames.h"
 #include "pipeline/task_graph.h"
@@ -59,7 +63,11 @@ class FrameTaker {
   void take_all() {
     try {
       Exposure exposure;
-      while (queue_.pop(exposure)) sink_(exposure.frame, developed(exposure));
+      while (queue_.pop(exposure)) {
+        const render::Image8 shown = developed(exposure);
+        exposure.picture = {};  // a film is large, and encoding takes its time
+        sink_(exposure.frame, shown);
+      }
     } catch (...) {
       failure_ = std::current_exception();
       queue_.close();
@@ -94,6 +102,14 @@ class FrameTaker {
   std::exception_ptr failure_;
   std::thread thread_;
 };
+
+/// What loading and staging left free goes back to the system before frames take their place: the
+/// many small blocks of a long motion are of no use to films.
+void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 /// A frame that the store has, decoded. One that does not decode is thrown away.
 std::optional<render::Image8> stored_frame(FrameStore* store, int frame, const Output& output,
@@ -168,6 +184,7 @@ render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int f
 void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress) {
+  give_back_memory();
   render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
   const render::Quality quality = quality_of(settings);
   FrameTaker taker(settings, shot.tone, store, sink);

@@ -58,7 +58,7 @@ void tag(AVCodecContext& codec, bool is_rgb) {
 /// x264 as it is the same on all machines and whatever else they do: no vector code that rounds
 /// otherwise, no thread of its own that looks ahead. Each frame that it looks ahead takes 9 MB at
 /// 1920 x 1080.
-constexpr const char* x264_params = "cpu-independent=1:sync-lookahead=0:rc-lookahead=8";
+constexpr const char* x264_params = "cpu-independent=1:sync-lookahead=0:rc-lookahead=4";
 
 void set_quality(AVCodecContext& codec, VideoKind kind, bool fast) {
   switch (kind) {

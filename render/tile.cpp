@@ -62,8 +62,8 @@ class TilePainter {
   PixelPlanner planner_;
   std::vector<std::uint8_t> open_;  // one a tile of the band
   std::vector<Pixel> pixels_;       // those that are traced; they stay where they are
-  Samples floor_;              // samples that show no solid, not yet aimed
-  Samples traced_;             // samples that may, not yet aimed
+  Samples floor_;                   // samples that show no solid, not yet aimed
+  Samples traced_;                  // samples that may, not yet aimed
   RayPacket primaries_;
   SurfaceSamples figure_surfaces_;
   SurfaceSamples set_surfaces_;

@@ -98,7 +98,8 @@ MIEN_FOR_AVX2_TOO void tone_row(const float* light, int count, float factor, flo
 
 // The codes of light, 0 … 1.
 void nearest_row(const Quantiser& quantiser, const std::vector<float>& light, std::uint8_t* codes) {
-  for (const float value : light) *codes++ = static_cast<std::uint8_t>(quantiser.code_of_one(value));
+  for (const float value : light)
+    *codes++ = static_cast<std::uint8_t>(quantiser.code_of_one(value));
 }
 
 /// Calls to_codes(light, y, codes) for each row of 3 · width channels, the tone curve applied.
@@ -135,10 +136,10 @@ Image8 to_srgb8(const Film& film, const Tone& tone) {
   if (!tone.dither) {
     static const Quantiser nearest(255, 0.5, bits_for_8);
     assert(nearest.most_in_slot() <= 1);
-    return developed<std::uint8_t>(
-        film, tone, [](const std::vector<float>& light, int, std::uint8_t* codes) {
-          nearest_row(nearest, light, codes);
-        });
+    return developed<std::uint8_t>(film, tone,
+                                   [](const std::vector<float>& light, int, std::uint8_t* codes) {
+                                     nearest_row(nearest, light, codes);
+                                   });
   }
   static const std::vector<Quantiser> ranks = [] {
     std::vector<Quantiser> all;
@@ -156,11 +157,11 @@ Image8 to_srgb8(const Film& film, const Tone& tone) {
 
 Image16 to_srgb16(const Film& film, const Tone& tone) {
   static const Quantiser nearest(65535, 0.5, bits_for_16);
-  return developed<std::uint16_t>(
-      film, tone, [](const std::vector<float>& light, int, std::uint16_t* codes) {
-        for (std::size_t i = 0; i < light.size(); ++i)
-          codes[i] = static_cast<std::uint16_t>(nearest.code(light[i]));
-      });
+  return developed<std::uint16_t>(film, tone,
+                                  [](const std::vector<float>& light, int, std::uint16_t* codes) {
+                                    for (std::size_t i = 0; i < light.size(); ++i)
+                                      codes[i] = static_cast<std::uint16_t>(nearest.code(light[i]));
+                                  });
 }
 
 }  // namespace mien::render

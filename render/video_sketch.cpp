@@ -13,7 +13,9 @@ namespace mien::render {
 
 namespace {
 
-constexpr int most_tiles = 768;
+constexpr int most_tiles = 512;
+constexpr double mean_steps = 256.0;
+constexpr double deviation_steps = 512.0;
 constexpr int least_part = 64;  ///< pixels of a tile at the edge that is looked at by itself
 
 int edge_for(int width, int height) {
@@ -63,9 +65,13 @@ struct Sums {
 
   FrameSketch::Tile tile(int pixels) const {
     const double mean = static_cast<double>(luma) / pixels;
-    return {static_cast<float>(mean),
-            static_cast<float>(std::max(0.0, static_cast<double>(squares) / pixels - mean * mean)),
-            static_cast<float>(luma_projection), static_cast<float>(color_projection)};
+    const double variance = std::max(0.0, static_cast<double>(squares) / pixels - mean * mean);
+    const auto scaled = [](std::int64_t projection, int values) {
+      return Eigen::half(static_cast<float>(static_cast<double>(projection) / std::sqrt(values)));
+    };
+    return {static_cast<std::uint16_t>(std::lround(mean_steps * mean)),
+            static_cast<std::uint16_t>(std::lround(deviation_steps * std::sqrt(variance))),
+            scaled(luma_projection, pixels), scaled(color_projection, 3 * pixels)};
   }
 };
 
@@ -87,16 +93,24 @@ MIEN_FOR_AVX2_TOO Sums sums_of(const std::uint8_t* luma, const std::int8_t* luma
 
 double squared(double x) { return x * x; }
 
+double mean_of(const FrameSketch::Tile& tile) { return tile.mean / mean_steps; }
+double variance_of(const FrameSketch::Tile& tile) {
+  return squared(tile.deviation / deviation_steps);
+}
+
+/// Mean square of the difference, in the mean over all signs.
+double square_between(Eigen::half a, Eigen::half b) {
+  return squared(static_cast<double>(static_cast<float>(a)) -
+                 static_cast<double>(static_cast<float>(b)));
+}
+
 /// SSIM of a tile, its covariance found from the mean squared difference.
-double ssim_of(const FrameSketch::Tile& a, const FrameSketch::Tile& b, int pixels) {
+double ssim_of(const FrameSketch::Tile& a, const FrameSketch::Tile& b) {
   constexpr double c1 = 0.01 * 255 * 0.01 * 255;
   constexpr double c2 = 0.03 * 255 * 0.03 * 255;
-  const double ma = static_cast<double>(a.mean);
-  const double mb = static_cast<double>(b.mean);
-  const double variances = static_cast<double>(a.variance) + static_cast<double>(b.variance);
-  const double square =
-      squared(static_cast<double>(a.luma_projection) - static_cast<double>(b.luma_projection)) /
-      pixels;
+  const double ma = mean_of(a), mb = mean_of(b);
+  const double variances = variance_of(a) + variance_of(b);
+  const double square = square_between(a.luma_projection, b.luma_projection);
   const double twice_covariance = variances - square + squared(ma - mb);
   return (2.0 * ma * mb + c1) * (twice_covariance + c2) /
          ((ma * ma + mb * mb + c1) * (variances + c2));
@@ -157,19 +171,17 @@ Likeness FrameSketcher::likeness(const FrameSketch& a, const FrameSketch& b) con
   for (int i = 0; i < tile_count(); ++i) {
     const FrameSketch::Tile& ta = a.tiles[static_cast<std::size_t>(i)];
     const FrameSketch::Tile& tb = b.tiles[static_cast<std::size_t>(i)];
-    square += squared(static_cast<double>(ta.color_projection) -
-                      static_cast<double>(tb.color_projection));
     const int columns = std::min(edge_, width_ - i % across_ * edge_);
     const int rows = std::min(edge_, height_ - i / across_ * edge_);
-    if (columns * rows >= least_part) {
-      worst_part = std::max(worst_part,
-                            std::abs(static_cast<double>(ta.mean) - static_cast<double>(tb.mean)));
-    }
-    ssim += columns * rows * ssim_of(ta, tb, columns * rows);
+    const int in_tile = columns * rows;
+    square += in_tile * square_between(ta.color_projection, tb.color_projection);
+    if (in_tile >= least_part)
+      worst_part = std::max(worst_part, std::abs(mean_of(ta) - mean_of(tb)));
+    ssim += in_tile * ssim_of(ta, tb);
   }
   const double pixels = static_cast<double>(width_) * height_;
   // Not identical, so there is at least one difference of one.
-  const double mean_square = std::max(square, 1.0) / (3.0 * pixels);
+  const double mean_square = std::max(square / pixels, 1.0 / (3.0 * pixels));
   return {false, 10.0 * std::log10(255.0 * 255.0 / mean_square), std::min(1.0, ssim / pixels),
           worst_part};
 }

@@ -102,15 +102,16 @@ TEST(FrameSketch, KnowsAFrameAgainAndTellsOneChangedChannel) {
     frame.channels[i] ^= 1;
     const Likeness like = sketcher.likeness(sketch, sketcher.sketch(frame));
     EXPECT_FALSE(like.identical);
-    EXPECT_GT(like.psnr_db, 80.0);
+    EXPECT_GT(like.psnr_db, 60.0);
     frame.channels[i] ^= 1;
   }
 }
 
 TEST(FrameSketch, StaysSmallAndRefusesOtherSizes) {
-  EXPECT_LE(FrameSketcher(1920, 1080).tile_count(), 768);
-  EXPECT_LE(FrameSketcher(8192, 4320).tile_count(), 768);
-  EXPECT_GE(FrameSketcher(1280, 720).tile_count(), 500);
+  static_assert(sizeof(FrameSketch::Tile) == 8);
+  EXPECT_LE(FrameSketcher(1920, 1080).tile_count(), 512);
+  EXPECT_LE(FrameSketcher(8192, 4320).tile_count(), 512);
+  EXPECT_GE(FrameSketcher(1280, 720).tile_count(), 400);
   EXPECT_THROW(FrameSketcher(10, 10).sketch(Image8(10, 11)), std::invalid_argument);
 }
 
