@@ -8,8 +8,8 @@
 #include "pipeline/code_identity.h"
 #include "pipeline/csv.h"
 #include "pipeline/files.h"
+#include "pipeline/film_equalized.h"
 #include "pipeline/film_shot.h"
-#include "pipeline/film_sizes.h"
 
 namespace mien::pipeline {
 
@@ -89,7 +89,7 @@ Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equ
   task.determinants.add("duration", std::int64_t{equalize.duration});
   // What exposure changes no dot feels.
   const Equalize alike{.size = equalize.size, .duration = equalize.duration};
-  for (const std::string& other : equalizing_tasks(alike)) task.inputs.push_back(other);
+  for (const std::string& other : equalizing_task_ids(alike)) task.inputs.push_back(other);
   task.products.push_back({"clips/" + stimulus.id + ".dots.csv", {}});
   task.cost_seconds = dots_cost_seconds;
   task.make = [&stimulus, &motions, seed, alike](TaskRun& run) {

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "pipeline/code_identity.h"
 #include "pipeline/csv.h"
-#include "pipeline/files.h"
 #include "pipeline/film_shot.h"
 #include "pipeline/film_sizes.h"
 #include "render/contact_sheet.h"
@@ -25,7 +23,6 @@ constexpr int most_width = 320;
 constexpr float most_stops = 8.0f;
 constexpr int halvings = 24;  // to a millionth of a stop
 constexpr double luminance_tolerance = 0.01;
-constexpr double cost_seconds = 0.5;
 
 double mean_of(const std::vector<render::Film>& films, render::Tone tone, float stops) {
   tone.exposure_stops += stops;
@@ -56,6 +53,18 @@ Samples samples_of(const Stimulus& stimulus, const FilmSettings& settings, Motio
     samples.films.push_back(tracer.trace(scene_at(shot, frame), camera_at(shot, frame), quality));
   }
   return samples;
+}
+
+}  // namespace
+
+float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted) {
+  float low = -most_stops;
+  float high = most_stops;
+  for (int i = 0; i < halvings; ++i) {
+    const float middle = 0.5f * (low + high);
+    (mean_of(films, tone, middle) < wanted ? low : high) = middle;
+  }
+  return 0.5f * (low + high);
 }
 
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
@@ -89,44 +98,6 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
                shortest(std::round(1e6 * wanted) / 1e6), shortest(stops / 4096.0)});
   }
   return table.text();
-}
-
-}  // namespace
-
-float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted) {
-  float low = -most_stops;
-  float high = most_stops;
-  for (int i = 0; i < halvings; ++i) {
-    const float middle = 0.5f * (low + high);
-    (mean_of(films, tone, middle) < wanted ? low : high) = middle;
-  }
-  return 0.5f * (low + high);
-}
-
-Task exposure_task(const Manifest& manifest, const SharedDeterminants& shared,
-                   const FilmSettings& settings, Motions& motions) {
-  Task task;
-  task.id = "exposure";
-  task.kind = "exposure";
-  task.determinants.add("libraries", shared.libraries).add("code", film_code());
-  task.determinants.add("seed", static_cast<std::int64_t>(settings.seed))
-      .add("duration", std::int64_t{manifest.equalize.duration});
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    task.inputs.push_back("motion:" + stimulus.id);
-    task.determinants.add("stimulus", stimulus.id);
-    add_film(task.determinants, stimulus);
-  }
-  if (manifest.equalize.size) task.inputs.emplace_back("sizes");
-  task.products.push_back({table_path, {}});
-  task.cost_seconds = cost_seconds * static_cast<double>(manifest.stimuli.size());
-  task.make = [&manifest, &motions, settings](TaskRun& run) {
-    const std::string text = exposure_csv(manifest, settings, motions, run);
-    run.store.put(
-        run.task.products[0].path, run.keys[0],
-        [&](const fs::path& file) { write_file(file, text); },
-        [](const fs::path& file) { read_csv(file); });
-  };
-  return task;
 }
 
 float exposure_stops_of(const fs::path& folder, const std::string& stimulus) {

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "pipeline/determinants.h"
 #include "pipeline/film.h"
 #include "pipeline/motions.h"
 #include "pipeline/task_graph.h"
@@ -24,13 +22,13 @@ namespace mien::pipeline {
 /// `wanted`; the nearest end where none does.
 float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted);
 
-/// The task "exposure": metrics/exposure.csv, a row a stimulus: stimulus, mean_luminance (of the
-/// few frames, as they would be), wanted_luminance, exposure_stops. It reads all motions.
-/// `manifest` and `motions` outlive it.
-Task exposure_task(const Manifest& manifest, const SharedDeterminants& shared,
-                   const FilmSettings& settings, Motions& motions);
+/// metrics/exposure.csv, a row a stimulus: stimulus, mean_luminance (of the few frames, as they
+/// would be), wanted_luminance, exposure_stops. Figures are as tall as film_sizes.h found where
+/// size is equalized too. Throws Error when an exposure does not bring a film within 1 %.
+std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
+                         TaskRun& run);
 
-/// What the task found for a stimulus, in the store's folder. Throws Error.
+/// What the table has for a stimulus, in the store's folder. Throws Error.
 float exposure_stops_of(const std::filesystem::path& folder, const std::string& stimulus);
 
 }  // namespace mien::pipeline

@@ -223,7 +223,7 @@ Task film_task(const FilmSubject& subject, const FilmSettings& settings,
   task.cost_seconds = cost_of(output);
   const Equalize& equalize = subject.equalize;
   task.determinants.add("duration", std::int64_t{equalize.duration});
-  for (const std::string& other : equalizing_tasks(equalize)) task.inputs.push_back(other);
+  for (const std::string& other : equalizing_task_ids(equalize)) task.inputs.push_back(other);
   task.make = [subject, &motions, settings](TaskRun& run) {
     FilmSettings own = settings;
     own.loops = repeats(subject, motions);

@@ -6,7 +6,7 @@
 
 #include "pipeline/determinants.h"
 #include "pipeline/film.h"
-#include "pipeline/film_sizes.h"
+#include "pipeline/film_equalized.h"
 #include "pipeline/hash.h"
 #include "pipeline/manifest.h"
 #include "pipeline/motions.h"

@@ -7,8 +7,7 @@
 #include "motion/nearest_word.h"
 #include "pipeline/determinants.h"
 #include "pipeline/film_dots.h"
-#include "pipeline/film_exposure.h"
-#include "pipeline/film_sizes.h"
+#include "pipeline/film_equalized.h"
 #include "pipeline/film_tables.h"
 #include "pipeline/film_task.h"
 #include "pipeline/motion_task.h"
@@ -52,12 +51,9 @@ Production::Production(Manifest manifest, ProductionOptions options)
   for (const Stimulus& stimulus : manifest_.stimuli) {
     graph_.add(motion_task(stimulus, shared, motions_));
   }
-  if (manifest_.equalize.size) {
-    graph_.add(sizes_task(manifest_, shared, motions_));
-  }
-  if (manifest_.equalize.luminance) {
-    const FilmSettings settings{.seed = manifest_.seed, .threads = threads};
-    graph_.add(exposure_task(manifest_, shared, settings, motions_));
+  for (Task& task : equalizing_tasks(manifest_, shared,
+                                     {.seed = manifest_.seed, .threads = threads}, motions_)) {
+    graph_.add(std::move(task));
   }
   for (const Stimulus& stimulus : manifest_.stimuli) {
     if (!is_wanted(stimulus.id)) continue;

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "pipeline/code_identity.h"
+#include "pipeline/film_equalized.h"
 #include "pipeline/film_shot.h"
-#include "pipeline/film_sizes.h"
 #include "pipeline/sheet_task.h"
 #include "pipeline/stills.h"
 
@@ -65,7 +65,8 @@ Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSetting
     task.determinants.add("still", id);
     add_film(task.determinants, *find_stimulus(manifest, id));
   }
-  for (const std::string& other : equalizing_tasks(manifest.equalize)) task.inputs.push_back(other);
+  for (const std::string& other : equalizing_task_ids(manifest.equalize))
+    task.inputs.push_back(other);
   task.products = sheet_products(sheet);
   task.cost_seconds = still_cost_seconds * static_cast<double>(sheet.stills.size());
   task.make = [&sheet, &manifest, &motions, settings](TaskRun& run) {

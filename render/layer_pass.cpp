@@ -21,6 +21,7 @@ struct Seen {
   Vec3 normal = Vec3::Zero();
   Vec3 position = Vec3::Zero();
   bool something = false;
+  bool ground = false;
   int shape = -1;  // of the figure
   int part = -1;   // of the figure
 };
@@ -77,7 +78,7 @@ Seen LayerPainter::look(const EyeRay& ray, float time, std::uint32_t present) co
   }
   if (!floor) return seen;
   const SetPixel set = set_pixel(scene, picture_.camera, ray);
-  if (set.shows_floor) seen = {set.visible_albedo, Vec3::UnitY(), set.point, true};
+  if (set.shows_floor) seen = {set.visible_albedo, Vec3::UnitY(), set.point, true, true};
   return seen;
 }
 
@@ -140,7 +141,12 @@ Vec3 carried(const RoundCone& from, const RoundCone& to, const Vec3& point) {
 
 std::optional<Vec3> LayerPainter::next_place(const Seen& seen) const {
   if (!seen.something) return std::nullopt;
-  if (seen.shape < 0 || next_->scene == nullptr) return seen.position;
+  if (next_->scene == nullptr) return seen.position;
+  if (seen.ground) {
+    const Ground &from = picture_.scene.ground, &to = next_->scene->ground;
+    return seen.position + Vec3(to.offset_x - from.offset_x, 0.0f, to.offset_z - from.offset_z);
+  }
+  if (seen.shape < 0) return seen.position;
   const Shapes& shapes = picture_.figure.shapes();
   const Shapes& later = *picture_.next_shapes;
   const auto index = static_cast<std::size_t>(seen.shape);

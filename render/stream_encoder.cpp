@@ -130,9 +130,10 @@ StreamEncoder::StreamEncoder(const std::filesystem::path& path, const VideoForma
     : path_(path.string()), format_(format) {
   av_log_set_level(AV_LOG_QUIET);
   AVFormatContext* file = nullptr;
-  checked(avformat_alloc_output_context2(&file, nullptr, choice_of(format.kind).container,
-                                         path_.c_str()),
-          path_);
+  const std::string url = "file:" + path_;  // whatever the name looks like
+  checked(
+      avformat_alloc_output_context2(&file, nullptr, choice_of(format.kind).container, url.c_str()),
+      path_);
   file_.reset(file);
   file_->flags |= AVFMT_FLAG_BITEXACT;
   open_codec();
@@ -174,8 +175,7 @@ void StreamEncoder::open_file() {
   stream_->time_base = codec_->time_base;
   stream_->avg_frame_rate = codec_->framerate;
   checked(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), path_);
-  checked(avio_open(&file_->pb, ("file:" + path_).c_str(), AVIO_FLAG_WRITE),
-          path_ + ": opening for writing");
+  checked(avio_open(&file_->pb, file_->url, AVIO_FLAG_WRITE), path_ + ": opening for writing");
   AVDictionary* options = container_options(format_);
   const int code = avformat_write_header(file_.get(), &options);
   av_dict_free(&options);

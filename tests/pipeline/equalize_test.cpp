@@ -95,6 +95,94 @@ TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
             dots_csv(shot_of(manifest.stimuli[2], motions, 0, figure_px)));
 }
 
+TEST(Equalize, FailsWhereNoExposureReachesTheOthersLuminance) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  manifest.equalize = {.luminance = true};
+  // However bright they are, a few dots on black are dark.
+  manifest.stimuli[1].look.figure = scenes::PointLightOptions{.size_px = 1.0};
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  EXPECT_FALSE(result.is_complete());
+  const auto outcome_of = [&](const std::string& task) {
+    return result.outcomes[production.graph().index_of(task)];
+  };
+  EXPECT_NE(outcome_of("exposure").error.find("equalize: \"long\" has a mean luminance of 0.0"),
+            std::string::npos)
+      << outcome_of("exposure").error;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/metrics/exposure.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/videos/long.mp4"));
+}
+
+struct DotRow {
+  double x_px;
+  double y_px;
+  bool visible;
+  std::string eye;
+};
+
+std::vector<DotRow> dot_rows(const scenes::Shot& shot, const std::filesystem::path& folder) {
+  write_file(folder / "dots.csv", dots_csv(shot));
+  const CsvTable table = read_csv(folder / "dots.csv");
+  const auto field = [&](std::size_t row, const char* name) {
+    return table.rows[row][static_cast<std::size_t>(require_column(table, name))];
+  };
+  std::vector<DotRow> rows;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    rows.push_back({number_in(table, field(row, "x_px")), number_in(table, field(row, "y_px")),
+                    field(row, "visible").text == "1", field(row, "eye").text});
+  }
+  return rows;
+}
+
+TEST(DotTables, CountFromTheCornerOfTheCropAndTellWhatItShows) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  Stimulus& dots = manifest.stimuli[0];
+  dots.look.figure = scenes::PointLightOptions{};
+  Motions motions(manifest);
+  const std::vector<DotRow> whole = dot_rows(shot_of(dots, motions, 0), folder.path());
+  dots.output.crop = {{20, 4, 16, 12}};
+  const std::vector<DotRow> part = dot_rows(shot_of(dots, motions, 0), folder.path());
+  ASSERT_EQ(part.size(), whole.size());
+  int inside = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    EXPECT_EQ(part[i].eye, "both");
+    EXPECT_NEAR(part[i].x_px, whole[i].x_px - 20.0, 1e-4);
+    EXPECT_NEAR(part[i].y_px, whole[i].y_px - 4.0, 1e-4);
+    EXPECT_EQ(part[i].visible,
+              part[i].x_px >= 0 && part[i].x_px < 16 && part[i].y_px >= 0 && part[i].y_px < 12);
+    inside += part[i].visible ? 1 : 0;
+  }
+  EXPECT_GT(inside, 0);
+  EXPECT_LT(inside, static_cast<int>(part.size()));
+}
+
+TEST(DotTables, HaveEachDotOnceForEachEye) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  Stimulus& dots = manifest.stimuli[0];
+  dots.look.figure = scenes::PointLightOptions{};
+  dots.look.camera.stereo_separation_m = 0.065;
+  Motions motions(manifest);
+  const scenes::Shot shot = shot_of(dots, motions, 0);
+  const std::vector<DotRow> rows = dot_rows(shot, folder.path());
+  const std::size_t count = shot.actors[0].dots.size();
+  ASSERT_EQ(rows.size(), 2 * count * static_cast<std::size_t>(shot.frame_count()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool right = i / count % 2 == 1;
+    EXPECT_EQ(rows[i].eye, right ? "right" : "left");
+    // The picture is 48 pixels wide, a half for each eye.
+    EXPECT_EQ(rows[i].visible, rows[i].x_px >= (right ? 24 : 0) &&
+                                   rows[i].x_px < (right ? 48 : 24) && rows[i].y_px >= 0 &&
+                                   rows[i].y_px < 32);
+    if (right) {
+      EXPECT_LT(std::abs(rows[i].x_px - 24.0 - rows[i - count].x_px), 3.0);
+      EXPECT_NEAR(rows[i].y_px, rows[i - count].y_px, 0.2);
+    }
+  }
+}
+
 TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
   Manifest manifest = study();
   manifest.equalize = {.size = true};

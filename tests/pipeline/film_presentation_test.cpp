@@ -54,6 +54,28 @@ TEST(Presentation, ShowsCardCrossBlankFilmBlankInThisOrder) {
   EXPECT_EQ(pictures[14], blank_picture(size, 0));
 }
 
+TEST(Presentation, GivesEachEyeItsOwnCardAndCross) {
+  const Output output =
+      output_of({.card = "Look", .card_seconds = 0.1, .fixation_seconds = 0.1, .fixation_size = 9});
+  Presenter presenter(output, 1, 2);
+  std::vector<render::Image8> pictures;
+  presenter.take(blank_picture(size, 255),
+                 [&](const render::Image8& picture) { pictures.push_back(picture); });
+  ASSERT_EQ(pictures.size(), 3u);
+  const std::array<int, 2> half = {size[0] / 2, size[1]};
+  const std::uint8_t grey = pictures[1].at(0, 0)[0];
+  const render::Image8 card = card_picture(half, grey, "Look");
+  const render::Image8 cross = fixation_picture(half, grey, 9);
+  for (int y = 0; y < size[1]; ++y) {
+    for (int x = 0; x < size[0]; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_EQ(pictures[0].at(x, y)[c], card.at(x % half[0], y)[c]) << x << ' ' << y;
+        EXPECT_EQ(pictures[1].at(x, y)[c], cross.at(x % half[0], y)[c]) << x << ' ' << y;
+      }
+    }
+  }
+}
+
 TEST(Presentation, RoundsToWholeFrames) {
   const PresentationFrames frames = frames_of(
       {.fixation_seconds = 0.5, .blank_before = 0.049, .blank_after = 0.051, .fade_in = 9.0}, 10.0,

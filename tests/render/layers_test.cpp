@@ -94,6 +94,60 @@ TEST(Layers, TellWhereEachPointGoes) {
   EXPECT_NEAR(passed.motion[2 * place(32, 0)], 0.0f, 0.01f);  // the backdrop is far off
 }
 
+TEST(Layers, TellHowCapsulesTurnTrianglesStretchAndTheGroundGoesBy) {
+  Scene now = two_balls();
+  now.solids.spheres.clear();
+  // A limb that points at the camera's right turns up about its start; a triangle grows from its
+  // first corner.
+  now.solids.capsules = {{{-1.0f, 1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, 0.1f, 0.1f, 0, 0}};
+  Mesh mesh;
+  mesh.positions = {{0.5f, 0.5f, 0.0f}, {1.5f, 0.5f, 0.0f}, {0.5f, 1.5f, 0.0f}};
+  mesh.normals.assign(3, Vec3::UnitZ());
+  mesh.triangles = {{0, 1, 2}};
+  mesh.material = 1;
+  mesh.part = 1;
+  now.solids.meshes = {mesh};
+  Scene next = now;
+  const float angle = 0.2f;
+  next.solids.capsules[0].end = {-1.0f + std::cos(angle), 1.0f + std::sin(angle), 0.0f};
+  next.solids.meshes[0].positions[1].x() += 0.2f;
+  next.ground.offset_z += 0.03f;
+  const Layers layers = Tracer().layers(now, camera, {}, &next);
+  const auto expect_motion = [&](int x, int y, const Vec3& there) {
+    const auto film = project(camera, there);
+    ASSERT_TRUE(film);
+    EXPECT_NEAR(layers.motion[2 * place(x, y)], film->x() - static_cast<float>(x) - 0.5f, 0.02f);
+    EXPECT_NEAR(layers.motion[2 * place(x, y) + 1], film->y() - static_cast<float>(y) - 0.5f,
+                0.02f);
+  };
+  const auto seen_at = [&](int x, int y) {
+    const float* point = layers.position.at(x, y);
+    return Vec3(point[0], point[1], point[2]);
+  };
+  int on_limb = 0, on_triangle = 0, on_ground = 0;
+  for (int y = 0; y < camera.height; ++y) {
+    for (int x = 0; x < camera.width; ++x) {
+      const Vec3 point = seen_at(x, y);
+      const auto id = layers.parts.ranks[covered_ranks * place(x, y)];
+      if (id.share > 0.99f && id.id == layer_id("target/head") && point.x() > -0.95f) {
+        const Vec3 from = point - Vec3(-1.0f, 1.0f, 0.0f);
+        const Vec3 turned = Eigen::AngleAxisf(angle, Vec3::UnitZ()) * from;
+        expect_motion(x, y, Vec3(-1.0f, 1.0f, 0.0f) + turned);
+        ++on_limb;
+      } else if (id.share > 0.99f && id.id == layer_id("created/hand")) {
+        expect_motion(x, y, point + Vec3(0.2f * (point.x() - 0.5f), 0.0f, 0.0f));
+        ++on_triangle;
+      } else if (id.share == 0.0f && layers.normal.at(x, y)[1] == 1.0f) {
+        expect_motion(x, y, point + Vec3(0.0f, 0.0f, 0.03f));
+        ++on_ground;
+      }
+    }
+  }
+  EXPECT_GT(on_limb, 10);
+  EXPECT_GT(on_triangle, 10);
+  EXPECT_GT(on_ground, 100);
+}
+
 TEST(Layers, KnowWhereNoiseIs) {
   Scene scene = two_balls();
   scene.lights = {

@@ -1,3 +1,6 @@
+#include <filesystem>
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "pipeline/temporary_folder.h"
@@ -39,6 +42,33 @@ TEST_F(VideoProbe, RefusesAVideoThatWasNotFinished) {
     for (const Image8& frame : test::smooth_frames(64, 48, 5)) video.write(frame);
   }
   EXPECT_NE(refusal_of([&] { probe(path); }), "");
+}
+
+TEST_F(VideoProbe, ReadsAFileWhoseNameLooksLikeAProtocol) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(temporary.path());
+  VideoWriter video("take:1.mp4", {.width = 64, .height = 48});
+  for (const Image8& frame : test::smooth_frames(64, 48, 5)) video.write(frame);
+  video.finish();
+  const int frames = probe("take:1.mp4").frames;
+  std::filesystem::current_path(before);
+  EXPECT_EQ(frames, 5);
+  EXPECT_TRUE(std::filesystem::exists(temporary.path() / "take:1.mp4"));
+}
+
+TEST_F(VideoProbe, ReadsAWebpToTheEndItStatesAndNoFurther) {
+  const std::filesystem::path webp = temporary.path() / "loop.webp";
+  const auto write = [&] {
+    VideoWriter video(webp, {.width = 64, .height = 48, .kind = VideoKind::webp});
+    for (const Image8& frame : test::smooth_frames(64, 48, 5)) video.write(frame);
+    video.finish();
+  };
+  write();
+  std::ofstream(webp, std::ios::binary | std::ios::app) << "bytes of another program";
+  EXPECT_EQ(probe(webp).frames, 5);
+  write();
+  test::cut_short(webp, 0.9);
+  EXPECT_NE(refusal_of([&] { probe(webp); }).find("loop.webp: is cut short"), std::string::npos);
 }
 
 }  // namespace
