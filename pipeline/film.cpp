@@ -172,6 +172,13 @@ render::Quality quality_of(const FilmSettings& settings) {
   return quality;
 }
 
+render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot) {
+  render::Quality quality = quality_of(settings);
+  if (shot.cameras.cameras.size() > 1 || !shot.step.isZero())
+    quality.standing_samples = std::min(quality.standing_samples, quality.samples_per_pixel);
+  return quality;
+}
+
 render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int frame,
                          const render::Quality& quality) {
   if (frame + 1 >= shot.frame_count())
@@ -186,7 +193,7 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const std::stop_token& stop, const std::function<void(double)>& progress) {
   give_back_memory();
   render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
-  const render::Quality quality = quality_of(settings);
+  const render::Quality quality = quality_of(settings, shot);
   FrameTaker taker(settings, shot.tone, store, sink);
   double done = 0.0;
   for (const int frame : frames) {

@@ -30,6 +30,10 @@ struct FilmSettings {
 /// The renderer's settings for them.
 render::Quality quality_of(const FilmSettings& settings);
 
+/// Likewise for a shot. A set that looks another way in each frame, by a camera or ground that
+/// moves, is drawn with no more samples than the rest.
+render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot);
+
 /// A frame with its layers, and motion to the next one.
 render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int frame,
                          const render::Quality& quality);

@@ -46,7 +46,7 @@ void write_still(const ShotWork& work, int frame, render::Background background,
   const auto tracer = [&] {
     return render::Tracer({.threads = work.settings.threads, .instruction_set = ""});
   };
-  render::Quality quality = quality_of(work.settings);
+  render::Quality quality = quality_of(work.settings, work.shot);
   if (file.extension() == ".exr") {
     render::Tracer layers = tracer();
     return render::write_layers(file, layers_of(layers, work.shot, frame, quality));
