@@ -198,7 +198,8 @@ void add_render_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("-o,--output", options->out,
                       "Video (" + video_endings() +
-                          ") or contact sheet (.png); <file>.mp4 in this folder without it");
+                          ") or contact sheet (.png), in a folder that is made if need be; "
+                          "<file>.mp4 in this folder without it");
   command->add_flag("--repeat", options->repeat,
                     "Animated pictures (webp, gif, apng): repeat for ever instead of playing once");
   command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();

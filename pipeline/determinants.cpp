@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <variant>
 
 #include "pipeline/code_identity.h"
 #include "pipeline/repertoire.h"
 #include "pipeline/set_file.h"
 #include "scenes/character.h"
+#include "scenes/figure.h"
 
 namespace mien::pipeline {
 
@@ -104,14 +104,6 @@ std::vector<std::filesystem::path> parts_of(const std::filesystem::path& file) {
   return parts;
 }
 
-/// The character that a figure or a trail's figure is.
-const scenes::CharacterOptions* character_in(const scenes::Figure& figure) {
-  if (const auto* trail = std::get_if<scenes::TrailOptions>(&figure)) {
-    return std::get_if<scenes::CharacterOptions>(&trail->figure);
-  }
-  return std::get_if<scenes::CharacterOptions>(&figure);
-}
-
 /// With the buffers and pictures that its file refers to.
 void add_character(KeyBuilder& key, const std::filesystem::path& file) {
   add_file(key, file);
@@ -121,7 +113,8 @@ void add_character(KeyBuilder& key, const std::filesystem::path& file) {
 void add_look(KeyBuilder& key, const Look& look) {
   key.add("look", look.written).add("set", hash_of(builtin_set_text(scene_of(look))));
   if (!look.scene_file.empty()) add_file(key, look.scene_file);
-  if (const auto* character = character_in(look.figure)) add_character(key, character->file);
+  if (const auto* character = scenes::character_in(look.figure))
+    add_character(key, character->file);
 }
 
 Hash libraries_key() {

@@ -174,7 +174,9 @@ render::Quality quality_of(const FilmSettings& settings) {
 
 render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot) {
   render::Quality quality = quality_of(settings);
-  if (shot.cameras.cameras.size() > 1 || !shot.step.isZero())
+  const bool ground_moves = shot.set.in_place && shot.set.ground &&
+                            shot.set.ground->line_spacing > 0.0f && !shot.step.isZero();
+  if (shot.cameras.cameras.size() > 1 || ground_moves)
     quality.standing_samples = std::min(quality.standing_samples, quality.samples_per_pixel);
   return quality;
 }

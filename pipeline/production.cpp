@@ -29,8 +29,11 @@ Manifest with_quality(Manifest manifest, const std::optional<Quality>& quality) 
 
 void refuse_unknown_ids(const Manifest& manifest, const std::vector<std::string>& only) {
   std::vector<std::string> ids;
-  for (const Stimulus* film : films_of(manifest)) ids.push_back(film->id);
-  for (const Sheet& sheet : manifest.sheets) ids.push_back(sheet.id);
+  const auto add = [&](const std::string& id) {  // a sheet may have a stimulus' name
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  };
+  for (const Stimulus* film : films_of(manifest)) add(film->id);
+  for (const Sheet& sheet : manifest.sheets) add(sheet.id);
   for (const std::string& id : only) {
     if (std::find(ids.begin(), ids.end(), id) != ids.end()) continue;
     throw Error("--only: there is no stimulus, overlay or sheet \"" + id + "\"",

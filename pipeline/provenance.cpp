@@ -1,13 +1,14 @@
 #include "pipeline/provenance.h"
 
 #include <map>
-#include <variant>
 
 #include <nlohmann/json.hpp>
 
 #include "pipeline/code_identity.h"
 #include "pipeline/hash.h"
 #include "pipeline/repertoire.h"
+#include "scenes/character.h"
+#include "scenes/figure.h"
 
 namespace mien::pipeline {
 
@@ -26,8 +27,10 @@ std::map<std::string, Hash> inputs_of(const Manifest& manifest) {
   for (const Stimulus* film : films_of(manifest)) {
     if (film->clip) add(film->clip->file);
     if (!film->look.scene_file.empty()) add(film->look.scene_file);
-    if (const auto* character = std::get_if<scenes::CharacterOptions>(&film->look.figure))
+    if (const auto* character = scenes::character_in(film->look.figure)) {
       add(character->file);
+      for (const auto& part : scenes::parts_of_character(character->file)) add(part);
+    }
   }
   return inputs;
 }

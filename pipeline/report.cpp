@@ -275,6 +275,24 @@ bool rests_on_simulated_ratings(const Manifest& manifest, Motions& motions) {
   return any && motions.repertoire().simulated_ratings;
 }
 
+/// What the films of a study have in common because it asks for that.
+std::string alike(const Equalize& equalize) {
+  std::vector<std::string> what;
+  if (equalize.duration) what.emplace_back("length (as the shortest)");
+  if (equalize.size) {
+    what.emplace_back(
+        "height of the standing figure in pixels (as the smallest: "
+        "<a href=\"metrics/sizes.csv\">sizes.csv</a>)");
+  }
+  if (equalize.luminance) {
+    what.emplace_back(
+        "mean luminance (by exposure: <a href=\"metrics/exposure.csv\">exposure.csv</a>)");
+  }
+  return what.empty()
+             ? ""
+             : fmt::format("<p>Made alike in all stimuli: {}.</p>\n", fmt::join(what, ", "));
+}
+
 std::string footer(const Manifest& manifest) {
   return fmt::format(
       "<footer><p>mien {} · seed {} · manifest {} · numbers in <a href=\"metrics/\">metrics/</a> · "
@@ -325,7 +343,7 @@ std::string report(const Manifest& manifest, Motions& motions) {
   }
   page += "</header>\n<main>\n";
   if (blends_examples(manifest)) page += warning_list(motions.repertoire().warnings);
-  page += "<section><h2>Stimuli</h2>\n<div class=\"cards\">\n";
+  page += "<section><h2>Stimuli</h2>\n" + alike(manifest.equalize) + "<div class=\"cards\">\n";
   for (const Stimulus& stimulus : manifest.stimuli) page += stimulus_card(stimulus, motions);
   page += "</div></section>\n";
   if (!manifest.overlays.empty()) {

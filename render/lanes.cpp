@@ -64,7 +64,7 @@ MIEN_FOR_AVX2_TOO LanePoints sample_points(const LaneWords& index, const LaneWor
 }
 
 MIEN_FOR_AVX2_TOO void eye_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y,
-                         LaneVectors& origin, LaneVectors& direction) {
+                                LaneVectors& origin, LaneVectors& direction) {
   const Vec3 &position = camera.position, &forward = camera.forward;
   const Vec3 &right = camera.step_right, &down = camera.step_down;
   const bool parallel = camera.parallel;
@@ -103,7 +103,7 @@ MIEN_FOR_AVX2_TOO LaneVectors cosine_directions(const LaneVectors& normal, const
 }
 
 MIEN_FOR_AVX2_TOO LaneVectors cone_directions(const Vec3& axis, float cosine_of_half_angle,
-                                       const LanePoints& u) {
+                                              const LanePoints& u) {
   LaneVectors out;
   const float ax = axis.x(), ay = axis.y(), az = axis.z();
   const float height = 1.0f - cosine_of_half_angle;
@@ -121,7 +121,7 @@ MIEN_FOR_AVX2_TOO LaneVectors cone_directions(const Vec3& axis, float cosine_of_
 }
 
 MIEN_FOR_AVX2_TOO LaneLights sample_lights(const AreaLight& light, const LaneVectors& point,
-                                    const LanePoints& u) {
+                                           const LanePoints& u) {
   LaneLights out;
   const Vec3 &centre = light.centre, &a = light.half_u, &b = light.half_v;
   // Its length is the light's area.

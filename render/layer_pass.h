@@ -15,7 +15,7 @@ struct NextPicture {
 /// Room for all layers but the beauty, and the names of what the scene holds.
 Layers empty_layers(const Scene& scene, int width, int height);
 
-/// Fills the pixels of a tile, all layers but beauty and variance.
+/// Fills the pixels of a part of the film, all layers but beauty and variance.
 void draw_layers(const Picture& picture, const NextPicture* next, const Tile& tile, Layers& layers);
 
 }  // namespace mien::render

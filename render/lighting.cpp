@@ -112,17 +112,20 @@ void darken_wall(const Picture& picture, const Sample& sample, const Surface& su
     const Point2 u = sampler.point(Dimension::FirstLight, static_cast<int>(k), sample.index);
     const LightSample light = render::sample(scene.lights[k], surface.origin, u);
     const float cosine = surface.normal.dot(light.towards);
-    if (cosine <= 0.0f) continue;
+    if (cosine <= 0.0f || !may_meet(picture.bounds, surface.origin, light.towards)) continue;
     queries.ask(sample, surface.origin, light.towards, light.distance,
                 cosine * light.perpendicular * reflectance(surface, light.towards),
                 Effect::taken_when_figure_blocks);
   }
+  const SkyRays sky = sky_rays_of(picture.bounds, surface.origin, surface.normal,
+                                  picture.quality.samples_per_pixel, sampler);
+  if (sample.index >= sky.rays) return;
   const SkyRay ray = sky_ray(picture.bounds, surface.origin, surface.normal,
                              sampler.point(Dimension::FloorSky, sample.index));
   if (ray.share <= 0.0f) return;
   queries.ask(sample, surface.origin, ray.towards,
               distance_to_end(scene, surface.origin, ray.towards),
-              ray.share * surface.albedo * sky_radiance(scene.sky, ray.towards),
+              ray.share * sky.samples * surface.albedo * sky_radiance(scene.sky, ray.towards),
               Effect::taken_when_figure_blocks);
 }
 

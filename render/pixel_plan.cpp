@@ -1,8 +1,6 @@
 #include "render/pixel_plan.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -169,24 +167,12 @@ void PixelPlanner::set_out(Pixel& pixel, int x, int y, const PixelPlan& plan,
   pixel.shadow_lights = plan.shadow_lights;
   const bool open = plan.kind == PixelKind::untouched || plan.kind == PixelKind::floor;
   if (open) pixel.set_samples = picture_.quality.samples_per_pixel;
-  if (!set_light.complete && plan.kind != PixelKind::piecemeal && picture_.bounds.radius >= 0.0f)
-    plan_floor_sky(pixel, {set.floor_x[place], 0.0f, set.floor_z[place]});
-}
-
-void PixelPlanner::plan_floor_sky(Pixel& pixel, const Vec3& point) const {
-  const int spp = picture_.quality.samples_per_pixel;
-  const float wanted = sky_rays_from(picture_.bounds, point, spp);
-  const auto all = static_cast<float>(spp);
-  if (wanted < 1.0f) {
-    const bool chosen = pixel.sampler.point(Dimension::FloorSkyChoice, 0).u < wanted;
-    pixel.floor_sky_rays = chosen ? 1 : 0;
-    pixel.floor_sky_samples = all / wanted;
+  if (set_light.complete || plan.kind == PixelKind::piecemeal || picture_.bounds.radius < 0.0f)
     return;
-  }
-  // A power of two: such a block of the sequence is well spread.
-  const auto rays = static_cast<unsigned>(std::ceil(wanted));
-  pixel.floor_sky_rays = std::min(static_cast<int>(std::bit_ceil(rays)), spp);
-  pixel.floor_sky_samples = all / static_cast<float>(pixel.floor_sky_rays);
+  const SkyRays sky = sky_rays_of(picture_.bounds, {set.floor_x[place], 0.0f, set.floor_z[place]},
+                                  Vec3::UnitY(), picture_.quality.samples_per_pixel, pixel.sampler);
+  pixel.floor_sky_rays = sky.rays;
+  pixel.floor_sky_samples = sky.samples;
 }
 
 }  // namespace mien::render

@@ -27,7 +27,7 @@ class PixelPlanner {
   explicit PixelPlanner(const Picture& picture)
       : picture_(picture), cell_(&picture.floor_sky.cell_at(0.0f, 0.0f)) {}
 
-  /// Turns to a tile, which the pixels asked for from now on lie in.
+  /// Turns to a tile, which the pixels that are planned from now on lie in.
   void turn_to(const Tile& tile);
 
   /// Whether it shows no figure and no shadow of it from a light.
@@ -46,7 +46,6 @@ class PixelPlanner {
 
  private:
   std::uint32_t shadow_lights(int x, int y) const;
-  void plan_floor_sky(Pixel& pixel, const Vec3& point) const;
 
   const Picture& picture_;
   const FloorSky::Cell* cell_;     // of the floor, that was looked at last

@@ -187,6 +187,16 @@ BoundingSphere bounding_sphere(const Shapes& shapes) {
   return sphere;
 }
 
+bool may_meet(const BoundingSphere& sphere, const Vec3& origin, const Vec3& direction) {
+  const Vec3 towards = sphere.centre - origin;
+  const float along = towards.dot(direction);
+  const float squared = towards.squaredNorm();
+  const float aside = squared - along * along;  // squared
+  const float rounding = 1e-5f * squared;
+  return sphere.radius >= 0.0f && along > -1.001f * sphere.radius - rounding &&
+         aside <= 1.001f * sphere.radius * sphere.radius + rounding;
+}
+
 std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes) {
   // A piece of a round cone is as thick as it is long; of triangles, which come in the order of the
   // surface, so many at a time make a patch.

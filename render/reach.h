@@ -19,6 +19,9 @@ struct BoundingSphere {
 };
 BoundingSphere bounding_sphere(const Shapes& shapes);
 
+/// Whether a ray of unit direction may meet what is in the sphere.
+bool may_meet(const BoundingSphere& sphere, const Vec3& origin, const Vec3& direction);
+
 /// Spheres that together hold all shapes, about as many as tell where they are.
 std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes);
 

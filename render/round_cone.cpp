@@ -58,10 +58,8 @@ Vec3 normal_at(const RoundCone& cone, const Vec3& point) {
   return (cone.side_squared * from_a - along * cone.axis).normalized();
 }
 
-MIEN_FOR_AVX2_TOO void intersect_lines(const RoundCone& cone,
-                                                                       const RayLanes& rays,
-                                                                       unsigned count, float* enter,
-                                                                       float* leave) {
+MIEN_FOR_AVX2_TOO void intersect_lines(const RoundCone& cone, const RayLanes& rays, unsigned count,
+                                       float* enter, float* leave) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const float ax = cone.axis.x(), ay = cone.axis.y(), az = cone.axis.z();
   const float hx = 0.5f * ax, hy = 0.5f * ay, hz = 0.5f * az;

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "render/reach.h"
+#include "render/sampler.h"
 #include "render/vector.h"
 
 namespace mien::render {
@@ -20,8 +21,15 @@ struct Cone {
 /// Around a bounding sphere; nothing when that fills half of what the point sees or more.
 std::optional<Cone> cone_of(const BoundingSphere& bounds, const Vec3& point);
 
-/// How many rays a pixel of the floor is worth that shows `point`; below 1, the chance of one. At
-/// most `most`.
-float sky_rays_from(const BoundingSphere& bounds, const Vec3& point, int most);
+/// The first `rays` of a pixel's samples look at the sky, and each stands for `samples`.
+struct SkyRays {
+  int rays = 0;
+  float samples = 0.0f;
+};
+
+/// So many as a pixel of `samples` is worth that shows a surface at `point`. Where that is less
+/// than one ray, there is one by chance.
+SkyRays sky_rays_of(const BoundingSphere& bounds, const Vec3& point, const Vec3& normal,
+                    int samples, const PixelSampler& sampler);
 
 }  // namespace mien::render

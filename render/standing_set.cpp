@@ -43,8 +43,9 @@ void add_open_set(Key& key, const Scene& scene) {
           scene.has_ground);
   const Ground& ground = scene.ground;
   key.add(ground.albedo, ground.line_albedo, ground.line_spacing, ground.line_width,
-          ground.major_every, ground.major_albedo, ground.offset_x, ground.offset_z,
-          ground.fade_start, ground.fade_end);
+          ground.major_every, ground.major_albedo, ground.fade_start, ground.fade_end);
+  // Without lines it looks the same wherever it is.
+  if (ground.line_spacing > 0.0f) key.add(ground.offset_x, ground.offset_z);
 }
 
 void add_solids(Key& key, const Solids& solids) {

@@ -79,7 +79,9 @@ void TilePainter::draw(const Tile& part, Exposure& exposure) {
 // The set is shown first, row by row, which memory likes. Tiles stay open where that left pixels
 // out.
 void TilePainter::draw_band(const Tile& band, Exposure& exposure) {
-  const bool shown = picture_.quality.background == Background::shown;
+  // Where every sample is drawn by itself, so is the set.
+  const bool shown = picture_.quality.background == Background::shown && !picture_.piecemeal() &&
+                     !picture_.quality.exhaustive;
   const int tiles = (band.x_end - band.x_begin + tile_size - 1) / tile_size;
   open_.assign(static_cast<std::size_t>(tiles), shown ? 0 : 1);
   if (shown) planner_.show_set(band, exposure.film, open_);

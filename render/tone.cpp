@@ -75,7 +75,7 @@ class Quantiser {
 
 // 256 slots an octave: sRGB has at most one of 255 codes in each.
 constexpr int bits_for_8 = 8;
-constexpr int bits_for_16 = 16;
+constexpr int bits_for_16 = 12;
 
 float exposure(const Tone& tone) {
   return static_cast<float>(std::exp2(static_cast<double>(tone.exposure_stops)));

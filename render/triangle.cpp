@@ -6,10 +6,8 @@
 
 namespace mien::render {
 
-MIEN_FOR_AVX2_TOO void intersect_triangle(const Triangle& triangle,
-                                                                          const RayLanes& rays,
-                                                                          unsigned count,
-                                                                          float* distance) {
+MIEN_FOR_AVX2_TOO void intersect_triangle(const Triangle& triangle, const RayLanes& rays,
+                                          unsigned count, float* distance) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const float ax = triangle.a.x(), ay = triangle.a.y(), az = triangle.a.z();
   const float bx = triangle.b.x(), by = triangle.b.y(), bz = triangle.b.z();

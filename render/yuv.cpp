@@ -56,10 +56,11 @@ MIEN_FOR_AVX2_TOO void interpolate(const Yuv420& picture, int plane, int y,
   std::uint16_t* quarters = between.data();
   for (int x = 0; x < columns; ++x) quarters[x] = static_cast<std::uint16_t>(3 * a[x] + b[x]);
   quarters[columns] = quarters[columns - 1];
+  std::uint8_t* out = row.data();
+#pragma omp simd
   for (int x = 0; x < columns; ++x) {
-    row[static_cast<std::size_t>(2 * x)] = static_cast<std::uint8_t>((quarters[x] + 2) >> 2);
-    row[static_cast<std::size_t>(2 * x + 1)] =
-        static_cast<std::uint8_t>((quarters[x] + quarters[x + 1] + 4) >> 3);
+    out[2 * x] = static_cast<std::uint8_t>((quarters[x] + 2) >> 2);
+    out[2 * x + 1] = static_cast<std::uint8_t>((quarters[x] + quarters[x + 1] + 4) >> 3);
   }
 }
 

@@ -16,6 +16,13 @@ struct Naming {
 
 std::string_view name_of(const Figure& figure) { return std::visit(Naming{}, figure); }
 
+const CharacterOptions* character_in(const Figure& figure) {
+  if (const auto* trail = std::get_if<TrailOptions>(&figure)) {
+    return std::get_if<CharacterOptions>(&trail->figure);
+  }
+  return std::get_if<CharacterOptions>(&figure);
+}
+
 std::vector<std::string> figure_names() { return {"stick", "mannequin", "point-light", "trail"}; }
 
 }  // namespace mien::scenes

@@ -58,6 +58,9 @@ using Figure =
 /// The key that a manifest has for it: "stick", "mannequin", "character", "point-light", "trail".
 std::string_view name_of(const Figure& figure);
 
+/// The character that a figure, or a trail's figure, is; null for others.
+const CharacterOptions* character_in(const Figure& figure);
+
 /// Figures that need no options: what `look: {figure: …}` takes as a mere name.
 std::vector<std::string> figure_names();
 

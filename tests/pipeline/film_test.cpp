@@ -65,6 +65,28 @@ class Film : public testing::Test {
   }
 };
 
+TEST(FilmQuality, SpendsManySamplesOnASetThatStandsForTheWholeFilm) {
+  const motion::Clip clip = motion::builtin_examples("walks-10", 10.0).examples[0].clip;
+  scenes::Look look;
+  look.size = size;
+  const auto samples = [&] { return quality_of(settings(), scenes::stage(clip, look)); };
+  const int many = quality_of(settings()).standing_samples;
+  const int few = quality_of(settings()).samples_per_pixel;
+  ASSERT_LT(few, many);
+  EXPECT_EQ(samples().standing_samples, many);
+  look.in_place = true;  // the figure alone
+  EXPECT_EQ(samples().standing_samples, many);
+  look.set.in_place = true;
+  look.set.ground.emplace();
+  look.set.ground->line_spacing = 0.0f;
+  EXPECT_EQ(samples().standing_samples, many);
+  look.set.ground->line_spacing = 0.5f;  // lines go under the figure
+  EXPECT_EQ(samples().standing_samples, few);
+  look.set.in_place = look.in_place = false;
+  look.camera.view = "follow";
+  EXPECT_EQ(samples().standing_samples, few);
+}
+
 TEST_F(Film, DeliversEveryFrameInOrderWhateverTheThreads) {
   const Pictures one = draw(settings(), nullptr);
   EXPECT_EQ(static_cast<int>(one.size()), shot.frame_count());

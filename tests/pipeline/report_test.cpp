@@ -104,6 +104,18 @@ TEST(Report, ShowsSheetsOfStillsApartFromComparisons) {
   EXPECT_EQ(page.find("<h2>Comparisons</h2>"), std::string::npos);
 }
 
+TEST(Report, SaysWhatIsMadeAlike) {
+  Manifest manifest = study_called("plain");
+  EXPECT_EQ(report_of(manifest).find("Made alike"), std::string::npos);
+  manifest.equalize = {.luminance = true, .duration = true};
+  const std::string page = report_of(manifest);
+  EXPECT_NE(page.find("<p>Made alike in all stimuli: length (as the shortest), mean luminance"),
+            std::string::npos);
+  EXPECT_NE(page.find("href=\"metrics/exposure.csv\""), std::string::npos);
+  EXPECT_EQ(page.find("metrics/sizes.csv"), std::string::npos);
+  EXPECT_EQ(unbalanced_tag(page), "");
+}
+
 TEST(Report, ShowsNoVideoThatIsNotMade) {
   Manifest manifest = study_called("plain");
   for (Stimulus& stimulus : manifest.stimuli) stimulus.output.video.clear();

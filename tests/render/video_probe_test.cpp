@@ -45,14 +45,15 @@ TEST_F(VideoProbe, RefusesAVideoThatWasNotFinished) {
 }
 
 TEST_F(VideoProbe, ReadsAFileWhoseNameLooksLikeAProtocol) {
-  const std::filesystem::path before = std::filesystem::current_path();
+  struct Stay {
+    std::filesystem::path before = std::filesystem::current_path();
+    ~Stay() { std::filesystem::current_path(before); }
+  } const stay;
   std::filesystem::current_path(temporary.path());
   VideoWriter video("take:1.mp4", {.width = 64, .height = 48});
   for (const Image8& frame : test::smooth_frames(64, 48, 5)) video.write(frame);
   video.finish();
-  const int frames = probe("take:1.mp4").frames;
-  std::filesystem::current_path(before);
-  EXPECT_EQ(frames, 5);
+  EXPECT_EQ(probe("take:1.mp4").frames, 5);
   EXPECT_TRUE(std::filesystem::exists(temporary.path() / "take:1.mp4"));
 }
 
