@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 const std::string options_name = "options";
 
 bool is_character(const std::string& figure) {
+  if (figure.starts_with('{') || figure.starts_with("character:")) return false;
   const std::string ending = fs::path(figure).extension().string();
   return ending == ".glb" || ending == ".gltf" || ending == ".vrm";
 }

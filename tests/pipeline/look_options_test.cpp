@@ -68,6 +68,14 @@ TEST(LookOptions, AreRefusedInTheWordsOfTheOptions) {
             "one");
 }
 
+TEST(LookOptions, TakeACharacterByItsFileAloneOrAsAManifestHasIt) {
+  const std::string none =
+      "--figure.character: there is no file nobody.glb; give a skinned character (.gltf, .glb, "
+      ".vrm); paths are taken from the manifest's folder";
+  for (const char* figure : {"nobody.glb", "character: nobody.glb", "{character: nobody.glb}"})
+    EXPECT_EQ(faults_of({.figure = figure}), none) << figure;
+}
+
 TEST(LookOptions, FaultsOfASetAreToldAtTheirPlaceInItsFile) {
   const test::TemporaryFolder folder;
   const std::string file = (folder.path() / "my.set.yaml").string();
