@@ -108,6 +108,7 @@ void write_exr(const std::filesystem::path& path, const Film& film, ExrDepth dep
   const TypeDesc stored = depth == ExrDepth::Half ? TypeDesc::HALF : TypeDesc::FLOAT;
   ImageSpec spec = spec_of(film.width, film.height, stored, "Linear");
   spec.attribute("compression", "zip");
+  spec.attribute("DateTime", "");  // else OpenImageIO writes the time at which it is made
   write(path, spec, TypeDesc::FLOAT, film.channels.data());
 }
 

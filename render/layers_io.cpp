@@ -31,6 +31,7 @@ ImageSpec spec_of(const Layers& layers, const std::string& name,
   spec.attribute("name", name);
   spec.attribute("compression", "zip");
   spec.attribute("oiio:ColorSpace", "Linear");
+  spec.attribute("DateTime", "");  // else OpenImageIO writes the time at which it is made
   return spec;
 }
 

@@ -1,12 +1,16 @@
 #include "render/layers.h"
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "render/file_damage.h"
 #include "render/image_io.h"
 #include "render/tracer.h"
 
@@ -159,12 +163,16 @@ TEST(Layers, KnowWhereNoiseIs) {
   EXPECT_GT(largest, 1e-6f);
 }
 
-TEST(Layers, AreWrittenAsOneFileThatStartsWithTheBeauty) {
+TEST(Layers, AreWrittenAsOneFileThatStartsWithTheBeautyAndIsTheSameAtAnotherTime) {
   const Layers layers = Tracer().layers(two_balls(), camera, {.samples_per_pixel = 4});
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
                                      (std::to_string(::getpid()) + "-" + "mien-layers-test.exr");
   write_layers(file, layers);
   EXPECT_EQ(read_exr(file), layers.beauty);
+  const std::vector<char> bytes = test::bytes_of(file);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // files count in seconds
+  write_layers(file, layers);
+  EXPECT_EQ(test::bytes_of(file), bytes);
   std::filesystem::remove(file);
 }
 
