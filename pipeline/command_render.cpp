@@ -23,6 +23,7 @@
 #include "pipeline/recording_clip.h"
 #include "pipeline/render_options.h"
 #include "pipeline/shot_files.h"
+#include "render/error.h"
 #include "scenes/shot.h"
 
 namespace mien::pipeline {
@@ -165,12 +166,16 @@ int render_file(const RenderOptions& options, const Console& console) {
     const RunObserver observer = bar.observer();
     const ShotWork work{shot, settings, console.stop,
                         [&](double share) { observer.progressed(graph.tasks[0], share); }};
-    if (is_still) {
-      const int frame = still_frame(shot, options);
-      write_still(work, frame, background_of(options), draft.file());
-      found = fmt::format("frame {}", frame);
-    } else {
-      found = (is_picture(out) ? write_contact_sheet : write_video)(work, draft.file());
+    try {
+      if (is_still) {
+        const int frame = still_frame(shot, options);
+        write_still(work, frame, background_of(options), draft.file());
+        found = fmt::format("frame {}", frame);
+      } else {
+        found = (is_picture(out) ? write_contact_sheet : write_video)(work, draft.file());
+      }
+    } catch (const render::Error& wrong) {
+      throw render::Error(draft.told(wrong.what()));
     }
   }
   draft.publish();

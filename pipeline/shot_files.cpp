@@ -75,6 +75,13 @@ DraftFile::~DraftFile() {
   fs::remove_all(folder_, ignored);
 }
 
+std::string DraftFile::told(std::string message) const {
+  const std::string draft = file_.string();
+  for (std::size_t at = message.find(draft); at != std::string::npos; at = message.find(draft))
+    message.replace(at, draft.size(), target_.string());
+  return message;
+}
+
 void DraftFile::publish() const {
   flush_to_disk(file_);
   fs::rename(file_, target_);

@@ -42,6 +42,9 @@ class DraftFile {
   /// Where to write.
   const std::filesystem::path& file() const { return file_; }
 
+  /// A message about it as one about the file that is wanted.
+  std::string told(std::string message) const;
+
   /// Puts it in the place of the one that is wanted, whole.
   void publish() const;
 

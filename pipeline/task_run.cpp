@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -23,9 +25,20 @@ TaskOutcome with_products(TaskState state, std::vector<Receipt> products) {
 
 TaskOutcome without_products(TaskState state) { return with_products(state, {}); }
 
-TaskOutcome failure(const std::exception& error, bool is_bad_input) {
+/// A message without the folders of attempts, which are gone when somebody reads it.
+std::string without_attempts(std::string text, const std::filesystem::path& folder) {
+  const std::string attempts = (folder / ".mien" / "attempts").string() + "/";
+  for (std::size_t at = text.find(attempts); at != std::string::npos; at = text.find(attempts)) {
+    const std::size_t end = text.find('/', at + attempts.size());
+    text.erase(at, end == std::string::npos ? attempts.size() : end + 1 - at);
+  }
+  return text;
+}
+
+TaskOutcome failure(const std::exception& error, bool is_bad_input,
+                    const std::filesystem::path& folder) {
   TaskOutcome outcome = without_products(TaskState::failed);
-  outcome.error = error.what();
+  outcome.error = without_attempts(error.what(), folder);
   outcome.is_bad_input = is_bad_input;
   return outcome;
 }
@@ -123,9 +136,9 @@ class Runner {
     } catch (const Interrupted&) {
       return without_products(TaskState::interrupted);
     } catch (const Error& error) {
-      return failure(error, true);
+      return failure(error, true, store_.folder());
     } catch (const std::exception& error) {
-      return failure(error, false);
+      return failure(error, false, store_.folder());
     }
   }
 

@@ -151,6 +151,20 @@ TEST_F(TaskGraphTest, TellsBadInputFromAFailingMachine) {
   EXPECT_EQ(outcomes[0].error, "walk.bvh:3:1: no joints; add some");
 }
 
+TEST_F(TaskGraphTest, AMessageNamesAFileWithoutTheFolderOfItsAttempt) {
+  TaskGraph graph;
+  Task broken = writing_task("a", {}, "a");
+  broken.make = [](TaskRun& run) {
+    run.store.put("a.txt", run.keys[0],
+                  [](const fs::path& file) {
+                    throw std::runtime_error(file.string() + ": no space left, " + file.string());
+                  },
+                  {});
+  };
+  graph.add(broken);
+  EXPECT_EQ(run_all(graph)[0].error, "a.txt: no space left, a.txt");
+}
+
 TEST_F(TaskGraphTest, AProductThatWasNotMadeIsAFailure) {
   TaskGraph graph;
   Task lazy = writing_task("a", {}, "a");
