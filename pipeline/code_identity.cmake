@@ -1,24 +1,42 @@
 # cmake -DSOURCE=<source tree> -DOUTPUT=<header> -P code_identity.cmake
 # Hashes the sources that artifacts depend on. Paths relative to the tree go in, so that the place of the tree
-# does not matter.
-function(hash_sources variable)
+# does not matter. Beside the header stands <header>.sources: a line a hash and source, for whoever wants to
+# know what is in which.
+set(listing "")
+
+# The hash of all C++ sources in some folders (with what lies below them) or of single files.
+function(hash_sources name)
+  set(sources "")
+  foreach(place IN LISTS ARGN)
+    if(IS_DIRECTORY "${SOURCE}/${place}")
+      file(GLOB_RECURSE found RELATIVE "${SOURCE}" "${SOURCE}/${place}/*.cpp" "${SOURCE}/${place}/*.h")
+    else()
+      file(GLOB found RELATIVE "${SOURCE}" "${SOURCE}/${place}")
+    endif()
+    if(NOT found)
+      message(FATAL_ERROR "${CMAKE_CURRENT_LIST_FILE}: ${place} holds no source; what is in the hash \"${name}\"?")
+    endif()
+    list(APPEND sources ${found})
+  endforeach()
+  list(FILTER sources EXCLUDE REGEX "^pipeline/(command_|cli\\.|main\\.)")
+  list(SORT sources)
+  list(REMOVE_DUPLICATES sources)
   set(text "")
-  foreach(pattern IN LISTS ARGN)
-    file(GLOB sources RELATIVE "${SOURCE}" "${SOURCE}/${pattern}.cpp" "${SOURCE}/${pattern}.h")
-    list(SORT sources)
-    foreach(source IN LISTS sources)
-      file(SHA256 "${SOURCE}/${source}" hash)
-      string(APPEND text "${source} ${hash}\n")
-    endforeach()
+  foreach(source IN LISTS sources)
+    file(SHA256 "${SOURCE}/${source}" hash)
+    string(APPEND text "${source} ${hash}\n")
+    string(APPEND listing "${name} ${source}\n")
   endforeach()
   string(SHA256 hash "${text}")
-  set(${variable} ${hash} PARENT_SCOPE)
+  set(${name} ${hash} PARENT_SCOPE)
+  set(listing "${listing}" PARENT_SCOPE)
 endfunction()
 
-hash_sources(motion motion/* motion/*/*)
-hash_sources(film motion/* motion/*/* render/* scenes/* pipeline/film* pipeline/look* pipeline/set_file*
-             pipeline/drawing*)
-hash_sources(pipeline pipeline/*)
+hash_sources(motion motion)
+# Pictures: also what reads looks, sets and sizes.
+hash_sources(film motion render scenes pipeline/film* pipeline/look* pipeline/set_file* pipeline/drawing*
+             pipeline/manifest.* pipeline/colour_json.* pipeline/json_assign.h pipeline/schema* pipeline/yaml_*)
+hash_sources(pipeline pipeline)
 file(WRITE ${OUTPUT}.new
 "// Generated from the sources' contents.
 #pragma once
@@ -28,3 +46,4 @@ inline constexpr char pipeline_code_hash[] = \"${pipeline}\";
 ")
 file(COPY_FILE ${OUTPUT}.new ${OUTPUT} ONLY_IF_DIFFERENT)
 file(REMOVE ${OUTPUT}.new)
+file(WRITE ${OUTPUT}.sources "${listing}")
