@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/vector.h"
+#include "render/math/vector.h"
 
 namespace mien::pipeline {
 

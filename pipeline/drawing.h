@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/palette.h"
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace mien::pipeline {
 

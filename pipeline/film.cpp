@@ -14,12 +14,12 @@
 #include "pipeline/bounded_queue.h"
 #include "pipeline/film_frames.h"
 #include "pipeline/task_graph.h"
-#include "render/contact_sheet.h"
 #include "render/error.h"
-#include "render/image_io.h"
-#include "render/resize.h"
-#include "render/tone.h"
-#include "render/tracer.h"
+#include "render/image/contact_sheet.h"
+#include "render/image/image_io.h"
+#include "render/image/resize.h"
+#include "render/image/tone.h"
+#include "render/tracer/tracer.h"
 
 namespace mien::pipeline {
 

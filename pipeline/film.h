@@ -9,10 +9,10 @@
 #include "pipeline/manifest.h"
 #include "pipeline/stopwatch.h"
 #include "pipeline/store.h"
-#include "render/image.h"
-#include "render/layers.h"
-#include "render/quality.h"
-#include "render/tracer.h"
+#include "render/image/image.h"
+#include "render/image/layers.h"
+#include "render/scene/quality.h"
+#include "render/tracer/tracer.h"
 #include "scenes/shot.h"
 
 namespace mien::pipeline {

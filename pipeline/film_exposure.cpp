@@ -7,9 +7,9 @@
 #include "pipeline/csv.h"
 #include "pipeline/film_shot.h"
 #include "pipeline/film_sizes.h"
-#include "render/contact_sheet.h"
-#include "render/luminance.h"
-#include "render/tracer.h"
+#include "render/image/contact_sheet.h"
+#include "render/image/luminance.h"
+#include "render/tracer/tracer.h"
 
 namespace mien::pipeline {
 

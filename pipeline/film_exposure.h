@@ -7,8 +7,8 @@
 #include "pipeline/film.h"
 #include "pipeline/motions.h"
 #include "pipeline/task_graph.h"
-#include "render/film.h"
-#include "render/tone.h"
+#include "render/image/film.h"
+#include "render/image/tone.h"
 
 namespace mien::pipeline {
 

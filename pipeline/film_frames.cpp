@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "render/error.h"
-#include "render/image_io.h"
+#include "render/image/image_io.h"
 
 namespace mien::pipeline {
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "pipeline/manifest.h"
-#include "render/film.h"
-#include "render/image.h"
-#include "render/tone.h"
+#include "render/image/film.h"
+#include "render/image/image.h"
+#include "render/image/tone.h"
 
 namespace mien::pipeline {
 

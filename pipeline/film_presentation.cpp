@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "pipeline/drawing.h"
-#include "render/tone.h"
+#include "render/image/tone.h"
 
 namespace mien::pipeline {
 

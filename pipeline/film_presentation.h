@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "pipeline/manifest.h"
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace mien::pipeline {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "render/luminance.h"
-#include "render/video_check.h"
+#include "render/image/luminance.h"
+#include "render/video/video_check.h"
 
 namespace mien::pipeline {
 

@@ -7,8 +7,8 @@
 
 #include "pipeline/film.h"
 #include "pipeline/film_presentation.h"
-#include "render/video.h"
-#include "render/video_check.h"
+#include "render/video/video.h"
+#include "render/video/video_check.h"
 
 namespace mien::pipeline {
 

@@ -15,8 +15,8 @@
 #include "pipeline/film_recorder.h"
 #include "pipeline/film_shot.h"
 #include "pipeline/film_tables.h"
-#include "render/image_io.h"
-#include "render/luminance.h"
+#include "render/image/image_io.h"
+#include "render/image/luminance.h"
 
 namespace mien::pipeline {
 

@@ -9,9 +9,9 @@
 #include <xxhash.h>
 
 #include "pipeline/code_identity.h"
-#include "render/image_io.h"
-#include "render/tracer.h"
-#include "render/video.h"
+#include "render/image/image_io.h"
+#include "render/tracer/tracer.h"
+#include "render/video/video.h"
 
 #include "program_version.h"
 

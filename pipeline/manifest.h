@@ -15,8 +15,8 @@
 #include "pipeline/look.h"
 #include "pipeline/modification.h"
 #include "pipeline/places.h"
-#include "render/camera.h"
-#include "render/video_kind.h"
+#include "render/scene/camera.h"
+#include "render/video/video_kind.h"
 #include "scenes/shot.h"
 
 namespace mien::pipeline {

@@ -11,7 +11,7 @@
 
 #include "motion/error.h"
 #include "pipeline/output_checks.h"
-#include "render/video_kind.h"
+#include "render/video/video_kind.h"
 
 namespace mien::pipeline {
 

@@ -7,7 +7,7 @@
 #include "pipeline/files.h"
 #include "pipeline/sheet.h"
 #include "pipeline/sheet_content.h"
-#include "render/image_io.h"
+#include "render/image/image_io.h"
 
 namespace mien::pipeline {
 

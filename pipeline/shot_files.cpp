@@ -11,8 +11,8 @@
 
 #include "pipeline/files.h"
 #include "pipeline/film_recorder.h"
-#include "render/image_io.h"
-#include "render/tracer.h"
+#include "render/image/image_io.h"
+#include "render/tracer/tracer.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "pipeline/film.h"
-#include "render/quality.h"
+#include "render/scene/quality.h"
 #include "scenes/shot.h"
 
 namespace mien::pipeline {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/drawing.h"
-#include "render/resize.h"
+#include "render/image/resize.h"
 
 namespace mien::pipeline {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace mien::pipeline {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "motion/clip.h"
-#include "render/camera.h"
-#include "render/scene.h"
+#include "render/scene/camera.h"
+#include "render/scene/scene.h"
 #include "scenes/figure.h"
 #include "scenes/figure_colour.h"
 #include "scenes/point_light.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene.h"
+#include "render/scene/scene.h"
 #include "scenes/set_plan.h"
 
 namespace mien::scenes {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "motion/clip.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "scenes/camera_settings.h"
 
 namespace mien::scenes {

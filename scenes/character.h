@@ -8,7 +8,7 @@
 
 #include "motion/body_mapping.h"
 #include "motion/clip.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 #include "scenes/skinned_model.h"
 
 namespace mien::scenes {

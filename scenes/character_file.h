@@ -11,7 +11,7 @@
 #include "motion/gltf_library.h"
 #include "motion/gltf_nodes.h"
 #include "motion/skeleton.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 #include "scenes/skinned_model.h"
 
 namespace mien::scenes {

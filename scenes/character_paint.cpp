@@ -6,7 +6,7 @@
 #include "motion/error.h"
 #include "motion/gltf_accessor.h"
 #include "render/error.h"
-#include "render/texture_io.h"
+#include "render/scene/texture_io.h"
 #include "scenes/character_file.h"
 
 namespace mien::scenes {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "render/camera.h"
-#include "render/scene.h"
+#include "render/scene/camera.h"
+#include "render/scene/scene.h"
 #include "scenes/point_light.h"
 
 namespace mien::scenes {

@@ -1,6 +1,6 @@
 #include "scenes/figure_colour.h"
 
-#include "render/tone.h"
+#include "render/image/tone.h"
 
 namespace mien::scenes {
 

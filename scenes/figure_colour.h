@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/vector.h"
+#include "render/math/vector.h"
 
 namespace mien::scenes {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace mien::scenes {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "motion/geometry.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 namespace mien::scenes {
 

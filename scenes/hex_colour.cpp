@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "render/tone.h"
+#include "render/image/tone.h"
 
 namespace mien::scenes {
 

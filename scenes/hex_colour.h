@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "render/vector.h"
+#include "render/math/vector.h"
 
 namespace mien::scenes {
 

@@ -2,7 +2,7 @@
 
 #include "motion/body.h"
 #include "motion/pose.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 #include "scenes/figure_colour.h"
 #include "scenes/mannequin_flesh.h"
 #include "scenes/skinned_model.h"

@@ -5,7 +5,7 @@
 
 #include "motion/pose.h"
 #include "motion/skeleton.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 #include "scenes/figure_colour.h"
 #include "scenes/skinned_model.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/geometry.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace mien::scenes {
 

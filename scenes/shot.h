@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "motion/clip.h"
-#include "render/camera.h"
-#include "render/scene.h"
-#include "render/tone.h"
+#include "render/image/tone.h"
+#include "render/scene/camera.h"
+#include "render/scene/scene.h"
 #include "scenes/actor.h"
 #include "scenes/camera_rig.h"
 #include "scenes/figure.h"

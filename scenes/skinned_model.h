@@ -6,7 +6,7 @@
 
 #include "motion/geometry.h"
 #include "motion/pose.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace mien::scenes {
 

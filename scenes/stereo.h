@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 namespace mien::scenes {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "motion/clip.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 #include "scenes/figure_colour.h"
 
 namespace mien::scenes {

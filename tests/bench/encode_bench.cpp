@@ -10,10 +10,10 @@
 #include <benchmark/benchmark.h>
 #include <stdlib.h>
 
-#include "render/image_io.h"
-#include "render/luminance.h"
-#include "render/tone.h"
-#include "render/video_check.h"
+#include "render/image/image_io.h"
+#include "render/image/luminance.h"
+#include "render/image/tone.h"
+#include "render/video/video_check.h"
 
 namespace {
 

@@ -12,11 +12,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "render/embree_api.h"
-#include "render/embree_scene.h"
-#include "render/floor.h"
-#include "render/light.h"
-#include "render/tracer.h"
+#include "render/geometry/embree_api.h"
+#include "render/geometry/embree_scene.h"
+#include "render/light/floor.h"
+#include "render/light/light.h"
+#include "render/tracer/tracer.h"
 
 namespace {
 

@@ -18,7 +18,7 @@
 
 #include "motion/builtin_sets.h"
 #include "motion/pose.h"
-#include "render/tracer.h"
+#include "render/tracer/tracer.h"
 
 namespace {
 

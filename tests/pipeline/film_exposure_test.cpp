@@ -4,7 +4,7 @@
 
 #include "pipeline/files.h"
 #include "pipeline/temporary_folder.h"
-#include "render/luminance.h"
+#include "render/image/luminance.h"
 
 namespace mien::pipeline {
 namespace {

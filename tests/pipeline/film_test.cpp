@@ -13,7 +13,7 @@
 #include "pipeline/task_graph.h"
 #include "pipeline/temporary_folder.h"
 #include "render/error.h"
-#include "render/video.h"
+#include "render/video/video.h"
 
 namespace mien::pipeline {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "pipeline/run.h"
 #include "pipeline/temporary_folder.h"
-#include "render/image_io.h"
+#include "render/image/image_io.h"
 
 namespace mien::pipeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "render/sample_mean.h"
-#include "render/tracer.h"
+#include "render/tracer/tracer.h"
 
 namespace mien::render::test {
 

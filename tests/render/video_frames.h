@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "render/video.h"
+#include "render/video/video.h"
 
 namespace mien::render::test {
 

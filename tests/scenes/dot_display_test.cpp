@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "render/tone.h"
-#include "render/tracer.h"
+#include "render/image/tone.h"
+#include "render/tracer/tracer.h"
 #include "scenes/hex_colour.h"
 
 namespace mien::scenes {

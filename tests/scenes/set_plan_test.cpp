@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "render/floor.h"
-#include "render/shapes.h"
+#include "render/geometry/shapes.h"
+#include "render/light/floor.h"
 #include "scenes/box_mesh.h"
 #include "scenes/shot.h"
 #include "scenes/travel.h"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "render/shapes.h"
+#include "render/geometry/shapes.h"
 #include "scenes/shot.h"
 #include "scenes/walking_clip.h"
 

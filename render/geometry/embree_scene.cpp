@@ -1,0 +1,288 @@
+#include "render/geometry/embree_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "render/error.h"
+#include "render/geometry/embree_api.h"
+
+namespace mien::render {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+bool machine_has(const std::string& instruction_set) {
+  if (instruction_set == "sse2") return __builtin_cpu_supports("sse2");
+  if (instruction_set == "sse4.2") return __builtin_cpu_supports("sse4.2");
+  if (instruction_set == "avx") return __builtin_cpu_supports("avx");
+  if (instruction_set == "avx2") return __builtin_cpu_supports("avx2");
+  if (instruction_set == "avx512") return __builtin_cpu_supports("avx512f");
+  throw Error("unknown instruction set \"" + instruction_set +
+              "\"; Embree knows sse2, sse4.2, avx, avx2 and avx512");
+}
+
+struct Box {
+  Eigen::Array3f lower;
+  Eigen::Array3f upper;
+};
+
+Box box_of(const RoundCone& cone) {
+  const Eigen::Array3f a = cone.a.array(), b = cone.b().array();
+  return {(a - cone.radius_a).min(b - cone.radius_b), (a + cone.radius_a).max(b + cone.radius_b)};
+}
+
+Box box_of(const Triangle& triangle) {
+  const Eigen::Array3f a = triangle.a.array(), b = triangle.b.array(), c = triangle.c.array();
+  return {a.min(b).min(c), a.max(b).max(c)};
+}
+
+template <class Shape>
+void give_bounds(const std::vector<Shape>& opening, const std::vector<Shape>& closing,
+                 const RTCBoundsFunctionArguments* arguments) {
+  const bool moves = arguments->timeStep > 0;
+  const Box box = box_of((moves ? closing : opening)[arguments->primID]);
+  // Wider than any rounding, in Embree or in the intersection, so that no box hides a hit.
+  const float padding =
+      1e-4f * std::max(1.0f, std::max(box.lower.abs().maxCoeff(), box.upper.abs().maxCoeff()));
+  RTCBounds& bounds = *arguments->bounds_o;
+  bounds.lower_x = box.lower.x() - padding;
+  bounds.lower_y = box.lower.y() - padding;
+  bounds.lower_z = box.lower.z() - padding;
+  bounds.upper_x = box.upper.x() + padding;
+  bounds.upper_y = box.upper.y() + padding;
+  bounds.upper_z = box.upper.z() + padding;
+}
+
+void bounds_of_cone(const RTCBoundsFunctionArguments* arguments) {
+  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
+  give_bounds(shapes.cones, shapes.closing_cones, arguments);
+}
+
+void bounds_of_triangle(const RTCBoundsFunctionArguments* arguments) {
+  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
+  give_bounds(shapes.triangles, shapes.closing_triangles, arguments);
+}
+
+// Embree's ray packets of N rays are arrays of N values, field by field.
+struct PacketFields {
+  float* fields;
+  unsigned lanes;
+
+  float* operator[](unsigned field) const { return fields + field * lanes; }
+  RayLanes rays(unsigned from = 0) const {
+    return {(*this)[0] + from, (*this)[1] + from, (*this)[2] + from,
+            (*this)[4] + from, (*this)[5] + from, (*this)[6] + from};
+  }
+  const float* near_distance() const { return (*this)[3]; }
+  const float* time() const { return (*this)[7]; }
+  float* far_distance() const { return (*this)[8]; }
+  std::uint32_t present(unsigned lane) const {
+    std::uint32_t bits;
+    std::memcpy(&bits, (*this)[10] + lane, sizeof bits);
+    return bits;
+  }
+};
+
+struct Distances {
+  float lane[max_lanes];
+};
+
+// First crossing of the surface beyond the near distance; infinity when there is none.
+Distances cone_crossings(const Shapes& shapes, std::size_t index, const PacketFields& packet) {
+  float enter[max_lanes], leave[max_lanes];
+  if (shapes.closing_cones.empty()) {
+    intersect_lines(shapes.cones[index], packet.rays(), packet.lanes, enter, leave);
+  } else {
+    for (unsigned i = 0; i < packet.lanes; ++i)
+      intersect_lines(shapes.cone_at(index, packet.time()[i]), packet.rays(i), 1, enter + i,
+                      leave + i);
+  }
+  Distances distances;
+  const float* from = packet.near_distance();
+  for (unsigned i = 0; i < packet.lanes; ++i) {
+    distances.lane[i] = enter[i] > leave[i]  ? infinity
+                        : enter[i] > from[i] ? enter[i]
+                        : leave[i] > from[i] ? leave[i]
+                                             : infinity;
+  }
+  return distances;
+}
+
+Distances triangle_crossings(const Shapes& shapes, std::size_t index, const PacketFields& packet) {
+  Distances distances;
+  if (shapes.closing_triangles.empty()) {
+    intersect_triangle(shapes.triangles[index], packet.rays(), packet.lanes, distances.lane);
+  } else {
+    for (unsigned i = 0; i < packet.lanes; ++i)
+      intersect_triangle(shapes.triangle_at(index, packet.time()[i]), packet.rays(i), 1,
+                         distances.lane + i);
+  }
+  return distances;
+}
+
+bool is_there(const Shapes& shapes, std::size_t shape, const PacketFields& packet, unsigned lane) {
+  return shapes.all_present || ((packet.present(lane) >> shapes.figures[shape]) & 1u) != 0;
+}
+
+template <Distances (*crossings)(const Shapes&, std::size_t, const PacketFields&)>
+void intersect_shape(const RTCIntersectFunctionNArguments* arguments) {
+  const unsigned lanes = arguments->N;
+  const PacketFields packet{reinterpret_cast<float*>(RTCRayHitN_RayN(arguments->rayhit, lanes)),
+                            lanes};
+  RTCHitN* hit = RTCRayHitN_HitN(arguments->rayhit, lanes);
+  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
+  const Distances crossing = crossings(shapes, arguments->primID, packet);
+  const std::size_t shape = arguments->primID + (arguments->geomID == 0 ? 0 : shapes.cones.size());
+  float* reach = packet.far_distance();
+  for (unsigned i = 0; i < lanes; ++i) {
+    if (arguments->valid[i] == 0 || crossing.lane[i] > reach[i]) continue;
+    // Where two are equally far, the one of the lower number counts.
+    const unsigned geometry = RTCHitN_geomID(hit, lanes, i);
+    const bool nearer = crossing.lane[i] < reach[i];
+    const bool earlier =
+        geometry != RTC_INVALID_GEOMETRY_ID &&
+        (arguments->geomID < geometry ||
+         (arguments->geomID == geometry && arguments->primID < RTCHitN_primID(hit, lanes, i)));
+    if (!(nearer || (crossing.lane[i] == reach[i] && earlier))) continue;
+    if (!is_there(shapes, shape, packet, i)) continue;
+    reach[i] = crossing.lane[i];
+    RTCHitN_primID(hit, lanes, i) = arguments->primID;
+    RTCHitN_geomID(hit, lanes, i) = arguments->geomID;
+  }
+}
+
+template <Distances (*crossings)(const Shapes&, std::size_t, const PacketFields&)>
+void occlude_by_shape(const RTCOccludedFunctionNArguments* arguments) {
+  const unsigned lanes = arguments->N;
+  const PacketFields packet{reinterpret_cast<float*>(arguments->ray), lanes};
+  const Shapes& shapes = *static_cast<const Shapes*>(arguments->geometryUserPtr);
+  const Distances crossing = crossings(shapes, arguments->primID, packet);
+  const std::size_t shape = arguments->primID + (arguments->geomID == 0 ? 0 : shapes.cones.size());
+  float* reach = packet.far_distance();
+  for (unsigned i = 0; i < lanes; ++i) {
+    if (arguments->valid[i] != 0 && crossing.lane[i] < reach[i] &&
+        is_there(shapes, shape, packet, i))
+      reach[i] = -infinity;
+  }
+}
+
+void copy_rays(const RayPacket& rays, RTCRay8& out, std::array<int, packet_size>& valid) {
+  std::memcpy(out.org_x, rays.origin_x, sizeof rays.origin_x);
+  std::memcpy(out.org_y, rays.origin_y, sizeof rays.origin_y);
+  std::memcpy(out.org_z, rays.origin_z, sizeof rays.origin_z);
+  std::memcpy(out.dir_x, rays.direction_x, sizeof rays.direction_x);
+  std::memcpy(out.dir_y, rays.direction_y, sizeof rays.direction_y);
+  std::memcpy(out.dir_z, rays.direction_z, sizeof rays.direction_z);
+  std::memcpy(out.tfar, rays.reach, sizeof rays.reach);
+  std::memcpy(out.time, rays.time, sizeof rays.time);
+  std::memcpy(out.id, rays.present, sizeof rays.present);
+  for (int i = 0; i < packet_size; ++i) {
+    out.tnear[i] = 0.0f;
+    out.mask[i] = ~0u;
+    out.flags[i] = 0;
+    valid[static_cast<std::size_t>(i)] = i < rays.count ? -1 : 0;
+  }
+}
+
+void throw_on_error(RTCDevice device, const char* what) {
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
+    throw Error(std::string("Embree cannot ") + what);
+}
+
+}  // namespace
+
+EmbreeDevice::EmbreeDevice(const std::string& instruction_set) : instruction_set_(instruction_set) {
+  if (instruction_set_.empty()) instruction_set_ = machine_has("avx2") ? "avx2" : "sse4.2";
+  if (!machine_has(instruction_set_))
+    throw Error("this machine has no " + instruction_set_ +
+                " instructions, which Embree is pinned to");
+  device_ = rtcNewDevice(("isa=" + instruction_set_).c_str());
+  if (device_ == nullptr) throw Error("Embree cannot start with isa=" + instruction_set_);
+}
+
+EmbreeDevice::~EmbreeDevice() { rtcReleaseDevice(device_); }
+
+std::string EmbreeDevice::description() const {
+  const auto version = [this](RTCDeviceProperty part) {
+    return std::to_string(rtcGetDeviceProperty(device_, part));
+  };
+  return "Embree " + version(RTC_DEVICE_PROPERTY_VERSION_MAJOR) + "." +
+         version(RTC_DEVICE_PROPERTY_VERSION_MINOR) + "." +
+         version(RTC_DEVICE_PROPERTY_VERSION_PATCH) + ", " + instruction_set_;
+}
+
+void RayPacket::push(const Vec3& origin, const Vec3& direction, float distance, float when,
+                     std::uint32_t figures) {
+  origin_x[count] = origin.x();
+  origin_y[count] = origin.y();
+  origin_z[count] = origin.z();
+  direction_x[count] = direction.x();
+  direction_y[count] = direction.y();
+  direction_z[count] = direction.z();
+  reach[count] = distance;
+  time[count] = when;
+  present[count] = figures;
+  ++count;
+}
+
+EmbreeScene::EmbreeScene(const EmbreeDevice& device, Shapes shapes)
+    : shapes_(std::move(shapes)), scene_(rtcNewScene(device.get())) {
+  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+  const auto attach = [&](std::size_t count, bool moves, RTCBoundsFunction bounds,
+                          RTCIntersectFunctionN hit, RTCOccludedFunctionN blocked) {
+    RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
+    rtcSetGeometryTimeStepCount(geometry, moves ? 2 : 1);
+    rtcSetGeometryUserData(geometry, &shapes_);
+    rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, hit);
+    rtcSetGeometryOccludedFunction(geometry, blocked);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+  };
+  // In the order of their numbers.
+  attach(shapes_.cones.size(), !shapes_.closing_cones.empty(), bounds_of_cone,
+         intersect_shape<cone_crossings>, occlude_by_shape<cone_crossings>);
+  attach(shapes_.triangles.size(), !shapes_.closing_triangles.empty(), bounds_of_triangle,
+         intersect_shape<triangle_crossings>, occlude_by_shape<triangle_crossings>);
+  rtcCommitScene(scene_);
+  throw_on_error(device.get(), "build a scene");
+}
+
+EmbreeScene::~EmbreeScene() { rtcReleaseScene(scene_); }
+
+Hits EmbreeScene::intersect(const RayPacket& rays) const {
+  Hits hits;
+  RTCRayHit8 packet;
+  alignas(32) std::array<int, packet_size> valid;
+  copy_rays(rays, packet.ray, valid);
+  std::fill_n(packet.hit.geomID, packet_size, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(packet.hit.primID, packet_size, RTC_INVALID_GEOMETRY_ID);
+  embree::intersect8(valid.data(), scene_, &packet, true);
+  for (int i = 0; i < packet_size; ++i) {
+    hits.distance[i] = packet.ray.tfar[i];
+    const unsigned geometry = packet.hit.geomID[i];
+    hits.shape[i] = geometry == RTC_INVALID_GEOMETRY_ID ? -1
+                    : geometry == 0                     ? static_cast<int>(packet.hit.primID[i])
+                                    : static_cast<int>(shapes_.cones.size() + packet.hit.primID[i]);
+  }
+  return hits;
+}
+
+std::uint32_t EmbreeScene::occluded(const RayPacket& rays) const {
+  RTCRay8 packet;
+  alignas(32) std::array<int, packet_size> valid;
+  copy_rays(rays, packet, valid);
+  embree::occluded8(valid.data(), scene_, &packet, false);
+  std::uint32_t blocked = 0;
+  for (int i = 0; i < rays.count; ++i)
+    if (packet.tfar[i] < 0.0f) blocked |= 1u << i;
+  return blocked;
+}
+
+}  // namespace mien::render

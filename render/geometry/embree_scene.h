@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/geometry/shapes.h"
+
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
+namespace mien::render {
+
+/// An Embree device pinned to an instruction set.
+class EmbreeDevice {
+ public:
+  /// "sse2", "sse4.2", "avx", "avx2" or "avx512"; empty: avx2, or sse4.2 on a machine without.
+  /// Throws Error when it is not one of them or the machine lacks it.
+  explicit EmbreeDevice(const std::string& instruction_set);
+  ~EmbreeDevice();
+  EmbreeDevice(const EmbreeDevice&) = delete;
+  EmbreeDevice& operator=(const EmbreeDevice&) = delete;
+
+  RTCDeviceTy* get() const { return device_; }
+  std::string description() const;  ///< "Embree 3.13.5, avx2"
+
+ private:
+  std::string instruction_set_;
+  RTCDeviceTy* device_ = nullptr;
+};
+
+inline constexpr int packet_size = 8;
+
+/// Up to eight rays in a packet. Directions have unit length.
+struct RayPacket {
+  alignas(32) float origin_x[packet_size] = {};
+  alignas(32) float origin_y[packet_size] = {};
+  alignas(32) float origin_z[packet_size] = {};
+  alignas(32) float direction_x[packet_size] = {};
+  alignas(32) float direction_y[packet_size] = {};
+  alignas(32) float direction_z[packet_size] = {};
+  alignas(32) float reach[packet_size] = {};  ///< nothing further than this counts, metres
+  alignas(32) float time[packet_size] = {};   ///< 0 when the shutter opens … 1 when it closes
+  alignas(32) std::uint32_t present[packet_size] = {};  ///< bit f: figure f is there
+  int count = 0;
+
+  void push(const Vec3& origin, const Vec3& direction, float distance, float when = 0.0f,
+            std::uint32_t figures = ~0u);
+  Vec3 origin(int i) const { return {origin_x[i], origin_y[i], origin_z[i]}; }
+  Vec3 direction(int i) const { return {direction_x[i], direction_y[i], direction_z[i]}; }
+};
+
+/// The nearest hit of each ray of a packet.
+struct Hits {
+  float distance[packet_size];
+  int shape[packet_size];  ///< number of the shape; −1: none
+};
+
+/// Shapes in an Embree hierarchy. Embree proposes candidates from padded boxes, our own
+/// intersections decide, and of two equally near hits the lower number wins, so that what is found
+/// does not depend on Embree's version or instruction set.
+class EmbreeScene {
+ public:
+  EmbreeScene(const EmbreeDevice& device, Shapes shapes);
+  ~EmbreeScene();
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  const Shapes& shapes() const { return shapes_; }
+
+  /// Primary rays: neighbours that go about the same way.
+  Hits intersect(const RayPacket& rays) const;
+
+  /// Bit i is set when something lies on ray i before its reach.
+  std::uint32_t occluded(const RayPacket& rays) const;
+
+ private:
+  Shapes shapes_;
+  RTCSceneTy* scene_ = nullptr;
+};
+
+}  // namespace mien::render

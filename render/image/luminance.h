@@ -1,0 +1,41 @@
+#pragma once
+
+#include "render/image/film.h"
+#include "render/image/image.h"
+#include "render/image/tone.h"
+#include "render/math/vector.h"
+
+namespace mien::render {
+
+/// Relative luminance of a picture as a display shows it: linear light of sRGB channels, weighted
+/// by BT.709, 0 black … 1 white.
+struct Luminance {
+  double mean = 0.0;
+  double deviation = 0.0;  ///< standard deviation over the pixels
+
+  /// Root-mean-square contrast: deviation / mean (Moulden, Kingdom and Gatley 1990); 0 for black.
+  double rms_contrast() const { return mean > 0.0 ? deviation / mean : 0.0; }
+};
+
+/// Of linear light with Rec.709 primaries, weighted by BT.709.
+float relative_luminance(const Color& light);
+
+/// Sums are of whole numbers (light in steps of 2⁻²⁰), so the result is the same everywhere.
+Luminance luminance_of(const Image8& picture);
+
+/// The mean that the film has when a display shows it with this tone, not rounded to codes.
+double mean_luminance(const Film& film, const Tone& tone);
+
+/// Luminance of the frames of a clip.
+struct ClipLuminance {
+  int frames = 0;
+  double mean = 0.0;          ///< of the frames' means
+  double deviation = 0.0;     ///< mean of the frames' deviations
+  double rms_contrast = 0.0;  ///< mean of the frames'
+  double darkest = 0.0;       ///< least mean of a frame
+  double lightest = 0.0;      ///< largest mean of a frame
+
+  void add(const Luminance& frame);
+};
+
+}  // namespace mien::render

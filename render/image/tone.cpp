@@ -1,0 +1,167 @@
+#include "render/image/tone.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "render/image/bayer.h"
+#include "render/math/for_avx2.h"
+
+namespace mien::render {
+namespace {
+
+// Turns linear light, 0 … 1, into the code whose interval holds it. Light is looked up by the
+// leading bits of its floating-point number, which leaves few thresholds to compare with.
+class Quantiser {
+ public:
+  // A value is given code c when its encoded value times `top` lies in [c − 1 + rounding, c +
+  // rounding): one half rounds to the nearest code. Slots of light are 2^-bits wide, relatively.
+  Quantiser(int top, double rounding, int bits) : shift_(23 - bits) {
+    for (int code = 1; code <= top; ++code)
+      thresholds_.push_back(
+          static_cast<float>(linear_from_srgb(std::clamp((code - 1 + rounding) / top, 0.0, 1.0))));
+    thresholds_.push_back(std::numeric_limits<float>::infinity());
+    lowest_ = std::bit_cast<std::uint32_t>(0.999f * thresholds_[0]) >> shift_;
+    const std::uint32_t highest = std::bit_cast<std::uint32_t>(1.0f) >> shift_;
+    int code = 0;
+    for (std::uint32_t slot = lowest_; slot <= highest; ++slot) {
+      const float start = std::bit_cast<float>(slot << shift_);
+      const int before = code;
+      while (start >= thresholds_[static_cast<std::size_t>(code)]) ++code;
+      most_in_slot_ = std::max(most_in_slot_, slot == lowest_ ? 0 : code - before);
+      // The first slot holds all that is darker, too.
+      const int first = slot == lowest_ ? 0 : code;
+      slots_.push_back({thresholds_[static_cast<std::size_t>(first)], first});
+    }
+  }
+
+  // Light is 0 … 1.
+  int code(float light) const {
+    int code = slot_of(light).code;
+    while (light >= thresholds_[static_cast<std::size_t>(code)]) ++code;
+    return code;
+  }
+
+  // The same, where no slot has more than one threshold: no branch to guess wrong.
+  int code_of_one(float light) const {
+    const Slot& slot = slot_of(light);
+    return slot.code + (light >= slot.threshold ? 1 : 0);
+  }
+
+  int most_in_slot() const { return most_in_slot_; }
+
+ private:
+  struct Slot {
+    float threshold;  // of the code after
+    int code;         // at its start
+  };
+
+  const Slot& slot_of(float light) const {
+    const std::uint32_t slot = std::bit_cast<std::uint32_t>(light) >> shift_;
+    return slots_[slot <= lowest_ ? 0 : slot - lowest_];
+  }
+
+  int shift_;
+  std::uint32_t lowest_ = 0;
+  int most_in_slot_ = 0;
+  std::vector<float> thresholds_;  // lowest light of the codes 1 … top; infinity
+  std::vector<Slot> slots_;
+};
+
+// 256 slots an octave: sRGB has at most one of 255 codes in each.
+constexpr int bits_for_8 = 8;
+constexpr int bits_for_16 = 12;
+
+float exposure(const Tone& tone) {
+  return static_cast<float>(std::exp2(static_cast<double>(tone.exposure_stops)));
+}
+
+// Without branches, and NaN gives 0.
+inline float toned(float light, float shoulder) {
+  const float u = (light - shoulder) / (1.0f - shoulder);
+  const float rolled = shoulder + (1.0f - shoulder) * u / (1.0f + u);
+  const float above = (shoulder >= 1.0f) | (u > 1e6f) ? 1.0f : rolled;
+  const float shown = light <= shoulder ? light : above;
+  return light > 0.0f ? shown : 0.0f;
+}
+
+MIEN_FOR_AVX2_TOO void tone_row(const float* light, int count, float factor, float shoulder,
+                                float* shown) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) shown[i] = toned(factor * light[i], shoulder);
+}
+
+// The codes of light, 0 … 1.
+void nearest_row(const Quantiser& quantiser, const std::vector<float>& light, std::uint8_t* codes) {
+  for (const float value : light)
+    *codes++ = static_cast<std::uint8_t>(quantiser.code_of_one(value));
+}
+
+/// Calls to_codes(light, y, codes) for each row of 3 · width channels, the tone curve applied.
+template <class Channel, class ToCodes>
+Image<Channel> developed(const Film& film, const Tone& tone, const ToCodes& to_codes) {
+  Image<Channel> image(film.width, film.height);
+  const float factor = exposure(tone);
+  std::vector<float> shown(3 * static_cast<std::size_t>(film.width));
+  for (int y = 0; y < film.height; ++y) {
+    tone_row(film.at(0, y), 3 * film.width, factor, tone.shoulder, shown.data());
+    to_codes(shown, y, image.at(0, y));
+  }
+  return image;
+}
+
+}  // namespace
+
+float tone_curve(float light, float shoulder) { return toned(light, shoulder); }
+
+double srgb_from_linear(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+double linear_from_srgb(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+Color linear_from_srgb8(int red, int green, int blue) {
+  const auto linear = [](int code) { return static_cast<float>(linear_from_srgb(code / 255.0)); };
+  return {linear(red), linear(green), linear(blue)};
+}
+
+Image8 to_srgb8(const Film& film, const Tone& tone) {
+  if (!tone.dither) {
+    static const Quantiser nearest(255, 0.5, bits_for_8);
+    assert(nearest.most_in_slot() <= 1);
+    return developed<std::uint8_t>(film, tone,
+                                   [](const std::vector<float>& light, int, std::uint8_t* codes) {
+                                     nearest_row(nearest, light, codes);
+                                   });
+  }
+  static const std::vector<Quantiser> ranks = [] {
+    std::vector<Quantiser> all;
+    for (int rank = 0; rank < 64; ++rank) all.emplace_back(255, (rank + 0.5) / 64.0, bits_for_8);
+    return all;
+  }();
+  return developed<std::uint8_t>(
+      film, tone, [](const std::vector<float>& light, int y, std::uint8_t* codes) {
+        for (std::size_t i = 0; i < light.size(); ++i) {
+          const auto rank = static_cast<std::size_t>(bayer(static_cast<int>(i / 3), y));
+          codes[i] = static_cast<std::uint8_t>(ranks[rank].code(light[i]));
+        }
+      });
+}
+
+Image16 to_srgb16(const Film& film, const Tone& tone) {
+  static const Quantiser nearest(65535, 0.5, bits_for_16);
+  return developed<std::uint16_t>(film, tone,
+                                  [](const std::vector<float>& light, int, std::uint16_t* codes) {
+                                    for (std::size_t i = 0; i < light.size(); ++i)
+                                      codes[i] = static_cast<std::uint16_t>(nearest.code(light[i]));
+                                  });
+}
+
+}  // namespace mien::render

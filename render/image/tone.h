@@ -1,0 +1,33 @@
+#pragma once
+
+#include "render/image/film.h"
+#include "render/math/vector.h"
+
+namespace mien::render {
+
+/// From scene-referred light to what a display shows. Neutral: up to `shoulder` a value stays as it
+/// is, so 0.18 stays 0.18; above, each channel rolls off towards 1 without ever reaching it:
+///   s + (1 − s)·u / (1 + u), u = (x − s) / (1 − s),
+/// which leaves s with slope 1.
+struct Tone {
+  float exposure_stops = 0.0f;  ///< light is multiplied by 2^stops first
+  float shoulder = 0.8f;        ///< where the roll-off starts, 0 … 1; 1 clips
+  bool dither = false;          ///< 8 bits: ordered dither (Bayer 8 × 8) of one code value
+};
+
+/// One channel, after exposure, to 0 … 1. Negative light gives 0.
+float tone_curve(float light, float shoulder);
+
+/// IEC 61966-2-1 transfer function and its inverse, 0 … 1.
+double srgb_from_linear(double linear);
+double linear_from_srgb(double encoded);
+
+/// The linear colour of 8-bit sRGB channels.
+Color linear_from_srgb8(int red, int green, int blue);
+
+/// Tone curve, transfer function and rounding to the nearest code value. The code of a channel is
+/// found by comparison with exact thresholds, so that it does not depend on a machine's pow().
+Image8 to_srgb8(const Film& film, const Tone& tone = {});
+Image16 to_srgb16(const Film& film, const Tone& tone = {});
+
+}  // namespace mien::render

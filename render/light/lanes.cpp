@@ -1,0 +1,148 @@
+#include "render/light/lanes.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "render/math/for_avx2.h"
+#include "render/math/sampler.h"
+
+namespace mien::render {
+namespace {
+
+constexpr float quarter_pi = std::numbers::pi_v<float> / 4.0f;
+
+struct Disc {
+  float x;
+  float y;
+};
+
+// As disc_point, without branches.
+inline Disc on_disc(float u, float v) {
+  const float x = 2.0f * u - 1.0f, y = 2.0f * v - 1.0f;
+  const bool wide = std::abs(x) > std::abs(y);
+  const float radius = wide ? x : y;
+  const float other = wide ? y : x;
+  const float angle = radius == 0.0f ? 0.0f : other / radius * quarter_pi;
+  const float z = angle * angle;
+  const float cosine =
+      1.0f + z * (-0.5f + z * (0.04166661575f + z * (-0.001388661796f + z * 2.437983e-05f)));
+  const float sine =
+      angle * (1.0f + z * (-0.1666665077f + z * (0.008332035504f + z * -1.9503904e-04f)));
+  const float along = radius * cosine, across = radius * sine;
+  return {wide ? along : across, wide ? across : along};
+}
+
+struct Direction {
+  float x;
+  float y;
+  float z;
+};
+
+// (x, y, z) in the frame of a unit normal (Duff et al. 2017).
+inline Direction about(float nx, float ny, float nz, float x, float y, float z) {
+  const float sign = nz >= 0.0f ? 1.0f : -1.0f;
+  const float a = -1.0f / (sign + nz);
+  const float b = nx * ny * a;
+  const float dx = x * (1.0f + sign * nx * nx * a) + y * b + z * nx;
+  const float dy = x * (sign * b) + y * (sign + ny * ny * a) + z * ny;
+  const float dz = x * (-sign * nx) + y * (-ny) + z * nz;
+  const float scale = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz);
+  return {dx * scale, dy * scale, dz * scale};
+}
+
+}  // namespace
+
+MIEN_FOR_AVX2_TOO LanePoints sample_points(const LaneWords& index, const LaneWords& seed) {
+  LanePoints points;
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const Point2 point = sample_point(index.lane[i], seed.lane[i]);
+    points.u.lane[i] = point.u;
+    points.v.lane[i] = point.v;
+  }
+  return points;
+}
+
+MIEN_FOR_AVX2_TOO void eye_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y,
+                                LaneVectors& origin, LaneVectors& direction) {
+  const Vec3 &position = camera.position, &forward = camera.forward;
+  const Vec3 &right = camera.step_right, &down = camera.step_down;
+  const bool parallel = camera.parallel;
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float u = x.lane[i] - camera.centre_x, v = y.lane[i] - camera.centre_y;
+    const float ax = u * right.x() + v * down.x();
+    const float ay = u * right.y() + v * down.y();
+    const float az = u * right.z() + v * down.z();
+    const float dx = forward.x() + (parallel ? 0.0f : ax);
+    const float dy = forward.y() + (parallel ? 0.0f : ay);
+    const float dz = forward.z() + (parallel ? 0.0f : az);
+    const float scale = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz);
+    origin.x.lane[i] = position.x() + (parallel ? ax : 0.0f);
+    origin.y.lane[i] = position.y() + (parallel ? ay : 0.0f);
+    origin.z.lane[i] = position.z() + (parallel ? az : 0.0f);
+    direction.x.lane[i] = dx * scale;
+    direction.y.lane[i] = dy * scale;
+    direction.z.lane[i] = dz * scale;
+  }
+}
+
+MIEN_FOR_AVX2_TOO LaneVectors cosine_directions(const LaneVectors& normal, const LanePoints& u) {
+  LaneVectors out;
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const Disc p = on_disc(u.u.lane[i], u.v.lane[i]);
+    const float rest = 1.0f - p.x * p.x - p.y * p.y;
+    const Direction d = about(normal.x.lane[i], normal.y.lane[i], normal.z.lane[i], p.x, p.y,
+                              std::sqrt(rest > 0.0f ? rest : 0.0f));
+    out.x.lane[i] = d.x;
+    out.y.lane[i] = d.y;
+    out.z.lane[i] = d.z;
+  }
+  return out;
+}
+
+MIEN_FOR_AVX2_TOO LaneVectors cone_directions(const Vec3& axis, float cosine_of_half_angle,
+                                              const LanePoints& u) {
+  LaneVectors out;
+  const float ax = axis.x(), ay = axis.y(), az = axis.z();
+  const float height = 1.0f - cosine_of_half_angle;
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const Disc p = on_disc(u.u.lane[i], u.v.lane[i]);
+    const float drop = (p.x * p.x + p.y * p.y) * height;
+    const float spread = std::sqrt(height * (2.0f - drop));
+    const Direction d = about(ax, ay, az, p.x * spread, p.y * spread, 1.0f - drop);
+    out.x.lane[i] = d.x;
+    out.y.lane[i] = d.y;
+    out.z.lane[i] = d.z;
+  }
+  return out;
+}
+
+MIEN_FOR_AVX2_TOO LaneLights sample_lights(const AreaLight& light, const LaneVectors& point,
+                                           const LanePoints& u) {
+  LaneLights out;
+  const Vec3 &centre = light.centre, &a = light.half_u, &b = light.half_v;
+  // Its length is the light's area.
+  const Vec3 area = 4.0f * a.cross(b);
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float s = 2.0f * u.u.lane[i] - 1.0f, t = 2.0f * u.v.lane[i] - 1.0f;
+    const float x = centre.x() + s * a.x() + t * b.x() - point.x.lane[i];
+    const float y = centre.y() + s * a.y() + t * b.y() - point.y.lane[i];
+    const float z = centre.z() + s * a.z() + t * b.z() - point.z.lane[i];
+    const float squared = x * x + y * y + z * z;
+    const float distance = std::sqrt(squared);
+    const float scale = 1.0f / distance;
+    const float facing = -(area.x() * x + area.y() * y + area.z() * z) * scale;
+    out.towards.x.lane[i] = x * scale;
+    out.towards.y.lane[i] = y * scale;
+    out.towards.z.lane[i] = z * scale;
+    out.distance.lane[i] = distance;
+    out.share.lane[i] = facing > 0.0f ? facing / squared : 0.0f;
+  }
+  return out;
+}
+
+}  // namespace mien::render

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+
+#include "render/math/filter.h"
+#include "render/scene/camera.h"
+#include "render/scene/scene.h"
+
+namespace mien::render {
+
+// The arithmetic of eight samples side by side, as arrays of eight: what sampler.h, directions.h,
+// light.h and camera.h do for one. Lanes that are not wanted may hold anything finite. The same
+// bits on every machine, and the same as one by one up to rounding.
+
+inline constexpr unsigned lanes = 8;
+
+struct LaneFloats {
+  alignas(32) float lane[lanes] = {};
+
+  float& operator[](int i) { return lane[i]; }
+  const float& operator[](int i) const { return lane[i]; }
+};
+
+struct LaneWords {
+  alignas(32) std::uint32_t lane[lanes] = {};
+
+  std::uint32_t& operator[](int i) { return lane[i]; }
+  const std::uint32_t& operator[](int i) const { return lane[i]; }
+};
+
+struct LaneVectors {
+  LaneFloats x;
+  LaneFloats y;
+  LaneFloats z;
+
+  Vec3 at(int i) const { return {x[i], y[i], z[i]}; }
+  void set(int i, const Vec3& v) {
+    x[i] = v.x();
+    y[i] = v.y();
+    z[i] = v.z();
+  }
+};
+
+struct LanePoints {
+  LaneFloats u;
+  LaneFloats v;
+};
+
+/// sample_point of indices and seeds.
+LanePoints sample_points(const LaneWords& index, const LaneWords& seed);
+
+/// Directions of rays through film points (the filter's offset added to each) of a camera without a
+/// lens. For a parallel camera the origins differ, else they are the camera's position.
+void eye_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y,
+              LaneVectors& origin, LaneVectors& direction);
+
+/// cosine_direction about each normal.
+LaneVectors cosine_directions(const LaneVectors& normal, const LanePoints& u);
+
+/// cone_direction about one axis.
+LaneVectors cone_directions(const Vec3& axis, float cosine_of_half_angle, const LanePoints& u);
+
+/// `sample` of a light from each point; `share` times the light's radiance is what `perpendicular`
+/// is there.
+struct LaneLights {
+  LaneVectors towards;
+  LaneFloats distance;
+  LaneFloats share;
+};
+LaneLights sample_lights(const AreaLight& light, const LaneVectors& point, const LanePoints& u);
+
+}  // namespace mien::render

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/math/sampler.h"
+#include "render/scene/scene.h"
+
+namespace mien::render {
+
+/// A point chosen on a light, as seen from a point of a surface.
+struct LightSample {
+  Vec3 towards;         ///< unit
+  float distance;       ///< metres
+  Color perpendicular;  ///< irradiance it stands for on a surface that faces it; black: see none
+};
+
+/// Even over the light's area: E[perpendicular · cos θ] is the irradiance.
+LightSample sample(const AreaLight& light, const Vec3& point, Point2 u);
+
+/// Irradiance from the whole light, nothing in the way, at a point with that unit normal: Lambert's
+/// formula for polygons, the part below the surface's horizon cut off.
+Color irradiance(const AreaLight& light, const Vec3& point, const Vec3& normal);
+
+}  // namespace mien::render

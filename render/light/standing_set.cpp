@@ -1,0 +1,121 @@
+#include "render/light/standing_set.h"
+
+#include <algorithm>
+
+#include "render/light/floor.h"
+
+namespace mien::render {
+namespace {
+
+/// Appends numbers one after the other.
+class Key {
+ public:
+  void add(float value) { values_.push_back(value); }
+  void add(int value) {
+    // Exact for every count and index that fits into memory: two halves of 16 bits.
+    values_.push_back(static_cast<float>(value >> 16));
+    values_.push_back(static_cast<float>(value & 0xffff));
+  }
+  void add(bool value) { values_.push_back(value ? 1.0f : 0.0f); }
+  void add(const Vec3& v) { values_.insert(values_.end(), v.data(), v.data() + 3); }
+  void add(const Color& c) { values_.insert(values_.end(), c.data(), c.data() + 3); }
+  template <class First, class... Rest>
+  void add(const First& first, const Rest&... rest) {
+    add(first);
+    (add(rest), ...);
+  }
+  std::vector<float> take() { return std::move(values_); }
+
+ private:
+  std::vector<float> values_;
+};
+
+void add_camera(Key& key, const Camera& camera) {
+  key.add(camera.position, camera.target, camera.up, camera.vertical_field_of_view,
+          camera.parallel_height, camera.shift_x, camera.shift_y, camera.width, camera.height);
+}
+
+void add_open_set(Key& key, const Scene& scene) {
+  for (const AreaLight& light : scene.lights)
+    key.add(light.centre, light.half_u, light.half_v, light.radiance);
+  const Sky& sky = scene.sky;
+  key.add(sky.zenith, sky.horizon, sky.below, sky.backdrop_horizon, sky.backdrop_zenith,
+          scene.has_ground);
+  const Ground& ground = scene.ground;
+  key.add(ground.albedo, ground.line_albedo, ground.line_spacing, ground.line_width,
+          ground.major_every, ground.major_albedo, ground.fade_start, ground.fade_end);
+  // Without lines it looks the same wherever it is.
+  if (ground.line_spacing > 0.0f) key.add(ground.offset_x, ground.offset_z);
+}
+
+void add_solids(Key& key, const Solids& solids) {
+  for (const Sphere& sphere : solids.spheres)
+    key.add(sphere.centre, sphere.radius, sphere.material);
+  for (const Capsule& capsule : solids.capsules)
+    key.add(capsule.start, capsule.end, capsule.start_radius, capsule.end_radius, capsule.material);
+  for (const Mesh& mesh : solids.meshes) {
+    key.add(mesh.material, static_cast<int>(mesh.positions.size()),
+            static_cast<int>(mesh.triangles.size()), static_cast<int>(mesh.uv.size()));
+    for (const Vec3& position : mesh.positions) key.add(position);
+    for (const Vec3& normal : mesh.normals) key.add(normal);
+    for (const auto& [u, v] : mesh.uv) key.add(u, v);
+    for (const auto& [a, b, c] : mesh.triangles) key.add(a, b, c);
+  }
+}
+
+void add_texture(Key& key, const Scene& scene, int index) {
+  if (index < 0) return;
+  const Texture& texture = *scene.textures[static_cast<std::size_t>(index)];
+  key.add(texture.width, texture.height);
+  for (const Color& texel : texture.texels) key.add(texel);
+}
+
+}  // namespace
+
+std::vector<float> standing_key(const Scene& scene, const Camera& camera, const Quality& quality) {
+  Key key;
+  add_camera(key, camera);
+  add_open_set(key, scene);
+  if (scene.standing.empty()) return key.take();
+  add_solids(key, scene.standing);
+  for (const Material& material : scene.materials)
+    key.add(material.albedo, material.sheen, material.roughness, material.emission,
+            material.texture, material.normal_map, material.normal_scale);
+  for (const Mesh& mesh : scene.standing.meshes) {
+    const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+    add_texture(key, scene, material.texture);
+    add_texture(key, scene, material.normal_map);
+  }
+  key.add(quality.standing_samples, quality.sky_rays, quality.floor_sky_noise,
+          quality.floor_sky_tolerance, quality.floor_sky_cell, quality.filter_width,
+          static_cast<int>(quality.seed), static_cast<int>(quality.seed >> 32));
+  return key.take();
+}
+
+StandingSet empty_set(int width, int height) {
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  StandingSet set;
+  set.radiance = Film(width, height);
+  set.floor_albedo = Film(width, height);
+  set.floor.assign(pixels, 0);
+  set.floor_x.assign(pixels, 0.0f);
+  set.floor_z.assign(pixels, 0.0f);
+  set.solid.assign(pixels, 0);
+  return set;
+}
+
+void expose_open_row(const Scene& scene, const CameraFrame& camera, int y, StandingSet& set) {
+  const int width = set.radiance.width;
+  for (int x = 0; x < width; ++x) {
+    const SetPixel pixel = set_pixel(
+        scene, camera, camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
+    std::copy_n(pixel.radiance.data(), 3, set.radiance.at(x, y));
+    std::copy_n(pixel.visible_albedo.data(), 3, set.floor_albedo.at(x, y));
+    const std::size_t place = set.place_of(x, y);
+    set.floor[place] = pixel.shows_floor ? 1 : 0;
+    set.floor_x[place] = pixel.point.x();
+    set.floor_z[place] = pixel.point.z();
+  }
+}
+
+}  // namespace mien::render

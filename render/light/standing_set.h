@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/geometry/embree_scene.h"
+#include "render/image/film.h"
+#include "render/scene/camera.h"
+#include "render/scene/quality.h"
+#include "render/scene/scene.h"
+
+namespace mien::render {
+
+/// The set with nobody in it, through one camera: what it looks like, and what else a picture needs
+/// to know of it. It is worked out once and serves all pictures of that set and camera.
+struct StandingSet {
+  Film radiance;
+  Film floor_albedo;                ///< of the floor, times how little of it has faded
+  std::vector<std::uint8_t> floor;  ///< 1 where a pixel's centre shows the floor
+  std::vector<float> floor_x;       ///< where on the floor, metres
+  std::vector<float> floor_z;
+  std::vector<std::uint8_t> solid;      ///< 1 where a pixel may show a standing solid
+  std::unique_ptr<EmbreeScene> solids;  ///< null without standing solids
+
+  /// Where a pixel is in the lists.
+  std::size_t place_of(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(radiance.width) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+/// All numbers that a standing set depends on, for comparison.
+std::vector<float> standing_key(const Scene& scene, const Camera& camera, const Quality& quality);
+
+/// The floor and backdrop of a row, in closed form at the centres of the pixels.
+void expose_open_row(const Scene& scene, const CameraFrame& camera, int y, StandingSet& set);
+
+/// Room for the set of a picture of that size.
+StandingSet empty_set(int width, int height);
+
+}  // namespace mien::render

@@ -1,0 +1,27 @@
+#include "render/scene/quality.h"
+
+namespace mien::render {
+
+Quality draft_quality() {
+  Quality quality;
+  quality.samples_per_pixel = 4;
+  quality.sky_rays = 1;
+  quality.standing_samples = 16;
+  quality.floor_sky_noise = 0.008f;
+  quality.floor_sky_tolerance = 0.016f;
+  quality.floor_sky_cell = 0.03f;
+  return quality;
+}
+
+Quality standard_quality() { return {}; }
+
+Quality final_quality() {
+  Quality quality;
+  quality.samples_per_pixel = 128;
+  quality.standing_samples = 256;
+  quality.floor_sky_noise = 0.001f;
+  quality.floor_sky_tolerance = 0.002f;
+  return quality;
+}
+
+}  // namespace mien::render

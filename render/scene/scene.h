@@ -1,0 +1,166 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "render/math/vector.h"
+
+namespace mien::render {
+
+/// Diffuse surface with an optional soft sheen from the lights, or one that shines by itself.
+struct Material {
+  Color albedo{0.5f, 0.5f, 0.5f};  ///< diffuse reflectance, 0…1
+  float sheen = 0.0f;      ///< reflectance at normal incidence of a GGX lobe, 0 (none) … 0.1
+  float roughness = 0.5f;  ///< of that lobe, 0.2 … 1 (alpha = roughness²)
+
+  /// Radiance that it gives off to the eye, evenly; it lights nothing else. With a black albedo the
+  /// surface shows this colour exactly, whatever the light.
+  Color emission{0.0f, 0.0f, 0.0f};
+  int texture = -1;  ///< index into Scene::textures that multiplies the albedo of meshes; −1: none
+
+  /// Index into Scene::textures of normals of meshes (Blinn 1978), as glTF has them: 2 · texel − 1
+  /// is how far the normal points along growing u, along falling v, and out of the surface. −1:
+  /// none.
+  int normal_map = -1;
+  float normal_scale = 1.0f;  ///< of the first two of these
+};
+
+/// Reflectances, or other shares, over the unit square; it repeats beyond.
+struct Texture {
+  int width = 0;
+  int height = 0;
+  std::vector<Color> texels;  ///< linear Rec.709, 0…1; rows from v = 0 on, u from left to right
+};
+
+struct Sphere {
+  Vec3 centre = Vec3::Zero();
+  float radius = 0.05f;
+  int material = 0;  ///< index into Scene::materials
+  int part = 0;      ///< index into Scene::parts
+};
+
+/// A round cone: the convex hull of two spheres. Equal radii make a capsule. When one sphere holds
+/// the other, the shape is that sphere.
+struct Capsule {
+  Vec3 start = Vec3::Zero();
+  Vec3 end = Vec3::UnitY();
+  float start_radius = 0.05f;
+  float end_radius = 0.05f;
+  int material = 0;  ///< index into Scene::materials
+  int part = 0;      ///< index into Scene::parts
+};
+
+/// A surface of triangles, lit on both sides.
+struct Mesh {
+  std::vector<Vec3> positions;                ///< of the vertices, metres
+  std::vector<Vec3> normals;                  ///< unit, one a vertex
+  std::vector<std::array<float, 2>> uv;       ///< one a vertex; empty: no texture
+  std::vector<std::array<int, 3>> triangles;  ///< indices of vertices
+  std::vector<int> triangle_parts;            ///< one a triangle; empty: `part` for all
+  int material = 0;                           ///< index into Scene::materials
+  int part = 0;                               ///< index into Scene::parts
+};
+
+/// Solid things: what the rays can meet.
+struct Solids {
+  std::vector<Sphere> spheres;
+  std::vector<Capsule> capsules;
+  std::vector<Mesh> meshes;
+
+  bool empty() const { return spheres.empty() && capsules.empty() && meshes.empty(); }
+};
+
+/// A figure as a whole. With an opacity below 1 it is there to that share: what it shows is its
+/// outer surface mixed with what is behind it, and its shadow is as much lighter. Its own inside
+/// never shows.
+struct Figure {
+  std::string name = "figure";
+  float opacity = 1.0f;  ///< 0 … 1
+};
+
+/// What a solid is called in the id layer: "left-knee" of "target".
+struct Part {
+  std::string name = "body";
+  int figure = 0;  ///< index into Scene::figures
+};
+
+/// The floor: the plane y = 0, seen from above only, with lines of a square grid.
+///
+/// The lines are filtered analytically by the pixel's footprint. With the distance along the floor
+/// from the camera it fades into the backdrop, shadows included: untouched up to `fade_start`, gone
+/// at `fade_end`.
+struct Ground {
+  Color albedo{0.5f, 0.5f, 0.5f};
+  Color line_albedo{0.4f, 0.4f, 0.4f};
+  float line_spacing = 1.0f;  ///< metres; 0 draws no grid
+  float line_width = 0.012f;  ///< metres
+  int major_every = 0;        ///< every so many lines one is `major_albedo`, twice as wide; 0: none
+  Color major_albedo{0.3f, 0.3f, 0.3f};
+  float offset_x = 0.0f;  ///< the lines are shifted by so much, metres: ground that moves
+  float offset_z = 0.0f;
+  float fade_start = 8.0f;  ///< metres
+  float fade_end = 30.0f;   ///< metres, more than fade_start
+};
+
+/// A rectangle that emits `radiance` evenly towards the side of cross(half_u, half_v). It lights
+/// the scene but the camera does not see it. half_u and half_v are perpendicular.
+struct AreaLight {
+  Vec3 centre{0.0f, 4.0f, 0.0f};
+  Vec3 half_u{0.5f, 0.0f, 0.0f};  ///< from the centre to the middle of one side, metres
+  Vec3 half_v{0.0f, 0.0f, 0.5f};  ///< from the centre to the middle of the next side, metres
+  Color radiance{10.0f, 10.0f, 10.0f};
+};
+
+/// A light of that size, upright, whose axis goes from `centre` through `target`.
+AreaLight softbox(const Vec3& centre, const Vec3& target, float width, float height,
+                  const Color& radiance);
+
+/// Light from all around, and what the camera sees where there is nothing.
+///
+/// From above the horizon, radiance goes from `horizon` to `zenith` in proportion to the sine of
+/// the elevation. From below comes `below`, the light that the floor is taken to give back:
+/// constant, and hidden only by spheres and capsules, never by the floor. A floor that gives
+/// nothing back is `below` = 0.
+struct Sky {
+  Color zenith{0.6f, 0.6f, 0.6f};
+  Color horizon{0.6f, 0.6f, 0.6f};
+  Color below{0.0f, 0.0f, 0.0f};
+  Color backdrop_horizon{0.6f, 0.6f, 0.6f};  ///< seen by the camera at and below the horizon
+  Color backdrop_zenith{0.6f, 0.6f, 0.6f};   ///< seen by the camera straight up
+};
+
+/// Everything that a picture shows. `has_ground` false leaves the backdrop alone.
+///
+/// `solids` may move from picture to picture, `standing` solids belong to the set like the ground:
+/// a tracer works out once what they look like and keeps it as long as set and camera stay.
+struct Scene {
+  std::vector<Material> materials;
+  std::vector<const Texture*> textures;   ///< outlive the scene
+  std::vector<Figure> figures{Figure{}};  ///< at most 32
+  std::vector<Part> parts{Part{}};
+  Solids solids;
+  Solids standing;                ///< their parts and figures are not looked at
+  std::vector<AreaLight> lights;  ///< at most 32
+  Sky sky;
+  Ground ground;
+  bool has_ground = true;
+};
+
+/// Radiance of the sky's light that arrives from the unit direction `towards`.
+Color sky_radiance(const Sky& sky, const Vec3& towards);
+
+/// Irradiance over π on a surface of that unit normal under the whole sky, nothing in the way.
+Color open_sky_light(const Sky& sky, const Vec3& normal);
+
+/// What the camera sees in the unit direction `towards` where there is nothing.
+Color backdrop_radiance(const Sky& sky, const Vec3& towards);
+
+/// Irradiance on an upward-facing floor under the whole sky, nothing in the way.
+Color sky_irradiance_on_floor(const Sky& sky);
+
+/// Throws std::invalid_argument, naming the member, when a number is not finite, a radius is
+/// negative, a material index is out of range or a light has no area.
+void validate(const Scene& scene);
+
+}  // namespace mien::render

@@ -1,0 +1,89 @@
+#include "render/scene/texture_io.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include "render/error.h"
+#include "render/image/tone.h"
+
+namespace mien::render {
+
+namespace {
+
+constexpr int largest_side = 16384;
+
+[[noreturn]] void fail(const std::string& name, const std::string& wrong) {
+  throw Error(name + ": " + wrong);
+}
+
+/// The ending by which OpenImageIO knows the format.
+std::string ending_of(std::span<const unsigned char> bytes, const std::string& name) {
+  if (bytes.size() > 8 && bytes[0] == 0x89 && bytes[1] == 'P') return "picture.png";
+  if (bytes.size() > 3 && bytes[0] == 0xFF && bytes[1] == 0xD8) return "picture.jpg";
+  if (bytes.size() > 12 && bytes[0] == 'R' && bytes[8] == 'W') return "picture.webp";
+  fail(name, "is neither PNG nor JPEG");
+}
+
+/// Means of two by two texels; an odd last row or column goes with its neighbour.
+Texture halved(const Texture& texture) {
+  Texture half;
+  half.width = std::max(1, texture.width / 2);
+  half.height = std::max(1, texture.height / 2);
+  const auto at = [&](int x, int y) {
+    x = std::min(x, texture.width - 1);
+    y = std::min(y, texture.height - 1);
+    return texture.texels[static_cast<size_t>(y) * static_cast<size_t>(texture.width) +
+                          static_cast<size_t>(x)];
+  };
+  half.texels.reserve(static_cast<size_t>(half.width) * static_cast<size_t>(half.height));
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      half.texels.push_back(0.25f * (at(2 * x, 2 * y) + at(2 * x + 1, 2 * y) +
+                                     at(2 * x, 2 * y + 1) + at(2 * x + 1, 2 * y + 1)));
+    }
+  }
+  return half;
+}
+
+}  // namespace
+
+Texture read_texture(std::span<const unsigned char> bytes, const std::string& name, TextureUse use,
+                     int largest) {
+  OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
+  const std::unique_ptr<OIIO::ImageInput> input =
+      OIIO::ImageInput::open(ending_of(bytes, name), nullptr, &memory);
+  if (!input) fail(name, OIIO::geterror());
+  input->threads(1);
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width > largest_side || spec.height > largest_side) fail(name, "is too large");
+  const auto channels = static_cast<size_t>(spec.nchannels);
+  std::vector<unsigned char> pixels(static_cast<size_t>(spec.width) *
+                                    static_cast<size_t>(spec.height) * channels);
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data())) {
+    fail(name, input->geterror());
+  }
+  Texture texture;
+  texture.width = spec.width;
+  texture.height = spec.height;
+  texture.texels.reserve(pixels.size() / channels);
+  std::array<float, 256> linear;
+  for (int code = 0; code < 256; ++code) {
+    const double share = code / 255.0;
+    linear[static_cast<size_t>(code)] =
+        static_cast<float>(use == TextureUse::colour ? linear_from_srgb(share) : share);
+  }
+  const size_t green = channels < 3 ? 0 : 1;
+  for (size_t at = 0; at < pixels.size(); at += channels) {
+    texture.texels.emplace_back(linear[pixels[at]], linear[pixels[at + green]],
+                                linear[pixels[at + 2 * green]]);
+  }
+  while (texture.width > largest || texture.height > largest) texture = halved(texture);
+  return texture;
+}
+
+}  // namespace mien::render

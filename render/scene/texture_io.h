@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "render/scene/scene.h"
+
+namespace mien::render {
+
+/// What a picture's channels are: colours, which sRGB encodes, or numbers as they are, 0 … 1.
+enum class TextureUse { colour, numbers };
+
+/// A picture file's bytes (PNG, JPEG and what else OpenImageIO reads from memory) as a texture:
+/// colours become linear, an alpha channel is left out, grey becomes three equal channels. Pictures
+/// wider or higher than `largest` pixels are halved until they are not. `name` is for messages.
+///
+/// Throws Error when the bytes do not decode or the picture is larger than 16384 pixels a side.
+Texture read_texture(std::span<const unsigned char> bytes, const std::string& name,
+                     TextureUse use = TextureUse::colour, int largest = 1024);
+
+}  // namespace mien::render

@@ -1,0 +1,214 @@
+#include "render/tracer/layer_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "render/light/floor.h"
+#include "render/light/shading.h"
+#include "render/tracer/pixel.h"
+
+namespace mien::render {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// What a ray from the eye meets.
+struct Seen {
+  Color albedo = Color::Zero();
+  Vec3 normal = Vec3::Zero();
+  Vec3 position = Vec3::Zero();
+  bool something = false;
+  bool ground = false;
+  int shape = -1;  // of the figure
+  int part = -1;   // of the figure
+};
+
+class LayerPainter {
+ public:
+  LayerPainter(const Picture& picture, const NextPicture* next, Layers& layers)
+      : picture_(picture), next_(next), layers_(layers) {}
+
+  void draw(int x, int y);
+
+ private:
+  std::size_t place(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(layers_.albedo.width) +
+           static_cast<std::size_t>(x);
+  }
+  Seen look(const EyeRay& ray, float time, std::uint32_t present) const;
+  void take_samples(int x, int y);
+  void take_centre(int x, int y);
+  std::optional<Vec3> next_place(const Seen& seen) const;
+
+  const Picture& picture_;
+  const NextPicture* next_;
+  Layers& layers_;
+};
+
+Seen LayerPainter::look(const EyeRay& ray, float time, std::uint32_t present) const {
+  const Scene& scene = picture_.scene;
+  const std::optional<float> floor =
+      scene.has_ground ? distance_to_floor(ray.origin, ray.direction) : std::nullopt;
+  RayPacket packet;
+  packet.push(ray.origin, ray.direction, floor.value_or(infinity), time, present);
+  const Hits figure = picture_.figure.intersect(packet);
+  Hits standing;
+  standing.shape[0] = -1;
+  if (picture_.set.solids) standing = picture_.set.solids->intersect(packet);
+  Seen seen;
+  const bool of_figure =
+      figure.shape[0] >= 0 && (standing.shape[0] < 0 || figure.distance[0] <= standing.distance[0]);
+  if (of_figure || standing.shape[0] >= 0) {
+    const Hits& hits = of_figure ? figure : standing;
+    const Vec3 point = ray.origin + hits.distance[0] * ray.direction;
+    const Surface surface =
+        of_figure ? surface_at(scene, picture_.solids, picture_.closing_solids,
+                               picture_.figure.shapes(), hits.shape[0], point, ray.direction, time)
+                  : surface_at(scene, scene.standing, nullptr, picture_.set.solids->shapes(),
+                               hits.shape[0], point, ray.direction, 0.0f);
+    seen = {surface.albedo, surface.normal, point, true};
+    if (of_figure) {
+      seen.shape = hits.shape[0];
+      seen.part = surface.part;
+    }
+    return seen;
+  }
+  if (!floor) return seen;
+  const SetPixel set = set_pixel(scene, picture_.camera, ray);
+  if (set.shows_floor) seen = {set.visible_albedo, Vec3::UnitY(), set.point, true, true};
+  return seen;
+}
+
+void put_ranks(const std::map<int, float>& shares, const std::vector<std::string>& names,
+               Coverage* ranks) {
+  std::vector<Coverage> found;
+  for (const auto& [index, share] : shares)
+    found.push_back({layer_id(names[static_cast<std::size_t>(index)]), share});
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Coverage& a, const Coverage& b) { return a.share > b.share; });
+  std::copy_n(found.begin(), std::min(found.size(), covered_ranks), ranks);
+}
+
+void LayerPainter::take_samples(int x, int y) {
+  const int spp = picture_.quality.samples_per_pixel;
+  const float share = 1.0f / static_cast<float>(spp);
+  const PixelSampler sampler(picture_.quality.seed, x, y);
+  Color albedo = Color::Zero();
+  Vec3 normal = Vec3::Zero();
+  std::map<int, float> parts, figures;
+  for (int i = 0; i < spp; ++i) {
+    const Point2 u = sampler.point(Dimension::FilmPosition, i);
+    const EyeRay ray =
+        picture_.camera.ray(static_cast<float>(x) + 0.5f + picture_.filter.offset(u.u),
+                            static_cast<float>(y) + 0.5f + picture_.filter.offset(u.v));
+    const Seen seen = look(ray, 0.0f, present_figures(sampler, picture_.opacities, i));
+    albedo += share * seen.albedo;
+    normal += share * seen.normal;
+    if (seen.part < 0) continue;
+    parts[seen.part] += share;
+    figures[picture_.scene.parts[static_cast<std::size_t>(seen.part)].figure] += share;
+  }
+  std::copy_n(albedo.data(), 3, layers_.albedo.at(x, y));
+  std::copy_n(normal.data(), 3, layers_.normal.at(x, y));
+  layers_.samples[place(x, y)] = static_cast<float>(spp);
+  put_ranks(parts, layers_.parts.names, &layers_.parts.ranks[covered_ranks * place(x, y)]);
+  put_ranks(figures, layers_.figures.names, &layers_.figures.ranks[covered_ranks * place(x, y)]);
+}
+
+/// The shortest turn from one unit direction to another.
+Eigen::Quaternionf turn_between(const Vec3& from, const Vec3& to) {
+  const float cosine = from.dot(to);
+  if (cosine < -0.999999f) {
+    const Vec3 axis = from.unitOrthogonal();
+    return {0.0f, axis.x(), axis.y(), axis.z()};
+  }
+  const Vec3 axis = from.cross(to);
+  return Eigen::Quaternionf(1.0f + cosine, axis.x(), axis.y(), axis.z()).normalized();
+}
+
+/// A point of a round cone carried along as the cone turns and stretches.
+Vec3 carried(const RoundCone& from, const RoundCone& to, const Vec3& point) {
+  if (from.axis_squared == 0.0f || to.axis_squared == 0.0f) return to.a + (point - from.a);
+  const Vec3 offset = point - from.a;
+  const float along = offset.dot(from.axis) / from.axis_squared;
+  const Vec3 aside = offset - along * from.axis;
+  return to.a + along * to.axis +
+         turn_between(from.axis.normalized(), to.axis.normalized()) * aside;
+}
+
+std::optional<Vec3> LayerPainter::next_place(const Seen& seen) const {
+  if (!seen.something) return std::nullopt;
+  if (next_->scene == nullptr) return seen.position;
+  if (seen.ground) {
+    const Ground &from = picture_.scene.ground, &to = next_->scene->ground;
+    return seen.position + Vec3(to.offset_x - from.offset_x, 0.0f, to.offset_z - from.offset_z);
+  }
+  if (seen.shape < 0) return seen.position;
+  const Shapes& shapes = picture_.figure.shapes();
+  const Shapes& later = *picture_.next_shapes;
+  const auto index = static_cast<std::size_t>(seen.shape);
+  if (index < shapes.cones.size())
+    return carried(shapes.cones[index], later.cones[index], seen.position);
+  const Triangle& from = shapes.triangles[index - shapes.cones.size()];
+  const Triangle& to = later.triangles[index - shapes.cones.size()];
+  const Barycentric w = barycentric(from, seen.position);
+  return (1.0f - w.b - w.c) * to.a + w.b * to.b + w.c * to.c;
+}
+
+void LayerPainter::take_centre(int x, int y) {
+  const auto centre_x = static_cast<float>(x) + 0.5f, centre_y = static_cast<float>(y) + 0.5f;
+  const EyeRay ray = picture_.camera.ray(centre_x, centre_y);
+  const Seen seen = look(ray, 0.0f, ~0u);
+  std::copy_n(seen.position.data(), 3, layers_.position.at(x, y));
+  layers_.depth[place(x, y)] =
+      seen.something ? (seen.position - picture_.camera.position).dot(picture_.camera.forward)
+                     : infinity;
+  if (next_ == nullptr) return;
+  const std::optional<Vec3> later = next_place(seen);
+  // The backdrop is so far off that only turns of the camera move it.
+  const Vec3 there = later ? *later : next_->camera.position + 1e4f * ray.direction;
+  if (const auto film = project(next_->camera, there)) {
+    layers_.motion[2 * place(x, y)] = film->x() - centre_x;
+    layers_.motion[2 * place(x, y) + 1] = film->y() - centre_y;
+  }
+}
+
+void LayerPainter::draw(int x, int y) {
+  const bool solid = picture_.film_mask.may_meet(x, y) || picture_.set.solid[place(x, y)] != 0;
+  take_centre(x, y);
+  if (solid) return take_samples(x, y);
+  // The floor or backdrop of the whole pixel.
+  std::copy_n(picture_.set.floor_albedo.at(x, y), 3, layers_.albedo.at(x, y));
+  if (picture_.set.floor[place(x, y)] != 0) layers_.normal.at(x, y)[1] = 1.0f;
+}
+
+}  // namespace
+
+Layers empty_layers(const Scene& scene, int width, int height) {
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  Layers layers;
+  layers.albedo = layers.normal = layers.position = Film(width, height);
+  layers.depth.assign(pixels, infinity);
+  layers.motion.assign(2 * pixels, 0.0f);
+  layers.samples.assign(pixels, 0.0f);
+  layers.variance.assign(pixels, 0.0f);
+  for (const Figure& figure : scene.figures) layers.figures.names.push_back(figure.name);
+  for (const Part& part : scene.parts)
+    layers.parts.names.push_back(scene.figures[static_cast<std::size_t>(part.figure)].name + "/" +
+                                 part.name);
+  layers.figures.ranks.assign(covered_ranks * pixels, {});
+  layers.parts.ranks.assign(covered_ranks * pixels, {});
+  return layers;
+}
+
+void draw_layers(const Picture& picture, const NextPicture* next, const Tile& tile,
+                 Layers& layers) {
+  LayerPainter painter(picture, next, layers);
+  for (int y = tile.y_begin; y < tile.y_end; ++y)
+    for (int x = tile.x_begin; x < tile.x_end; ++x) painter.draw(x, y);
+}
+
+}  // namespace mien::render

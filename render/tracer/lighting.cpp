@@ -1,0 +1,194 @@
+#include "render/tracer/lighting.h"
+
+#include <bit>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "render/light/floor.h"
+#include "render/light/light.h"
+#include "render/light/sky_cone.h"
+#include "render/math/directions.h"
+
+namespace mien::render {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float pi = std::numbers::pi_v<float>;
+
+float distance_to_end(const Scene& scene, const Vec3& origin, const Vec3& direction) {
+  if (!scene.has_ground) return infinity;
+  return distance_to_floor(origin, direction).value_or(infinity);
+}
+
+bool is_dull(const Surface& surface) {
+  return (surface.albedo == 0.0f).all() && surface.material->sheen == 0.0f;
+}
+
+void light_from_lights(const Picture& picture, const SurfaceSamples& batch,
+                       const LaneVectors& origins, Effect arrives, LightQueries& queries) {
+  const std::vector<AreaLight>& lights = picture.scene.lights;
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    const LanePoints u = points_for(batch.samples, Dimension::FirstLight, static_cast<int>(k));
+    const LaneLights light = sample_lights(lights[k], origins, u);
+    for (int i = 0; i < batch.samples.count; ++i) {
+      const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
+      const Vec3 towards = light.towards.at(i);
+      const float cosine = surface.normal.dot(towards);
+      if (cosine <= 0.0f || light.share[i] <= 0.0f) continue;
+      queries.ask(batch.samples[i], surface.origin, towards, light.distance[i],
+                  (cosine * light.share[i]) * lights[k].radiance * reflectance(surface, towards),
+                  arrives);
+    }
+  }
+}
+
+// The sky's light is known where nothing is in the way; rays tell what is hidden of it.
+void light_from_sky(const Picture& picture, const SurfaceSamples& batch, const LaneVectors& normals,
+                    bool of_figure, LightQueries& queries) {
+  const Sky& sky = picture.scene.sky;
+  for (int i = 0; i < batch.samples.count; ++i) {
+    const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
+    Pixel& pixel = *batch.samples[i].pixel;
+    (of_figure ? pixel.known_figure : pixel.known_set) +=
+        surface.albedo * open_sky_light(sky, surface.normal);
+  }
+  const Effect taken = of_figure ? Effect::taken_from_figure : Effect::taken_from_set;
+  const int rays = picture.quality.sky_rays;
+  const float share = 1.0f / static_cast<float>(rays);
+  for (int k = 0; k < rays; ++k) {
+    const LanePoints u = points_for(batch.samples, Dimension::FigureSky, 0, rays, k);
+    const LaneVectors towards = cosine_directions(normals, u);
+    for (int i = 0; i < batch.samples.count; ++i) {
+      const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
+      const Vec3 direction = towards.at(i);
+      queries.ask(batch.samples[i], surface.origin, direction,
+                  distance_to_end(picture.scene, surface.origin, direction),
+                  share * surface.albedo * sky_radiance(sky, direction), taken);
+    }
+  }
+}
+
+/// A ray that looks from a surface for a figure before the sky, and the share of an even sky's
+/// light that it stands for.
+struct SkyRay {
+  Vec3 towards;
+  float share;
+};
+
+SkyRay sky_ray(const BoundingSphere& bounds, const Vec3& point, const Vec3& normal, Point2 u) {
+  const std::optional<Cone> cone = cone_of(bounds, point);
+  if (!cone) return {cosine_direction(normal, u), 1.0f};
+  const Vec3 towards = cone_direction(cone->axis, cone->cosine, u);
+  return {towards, cone->solid_angle() / pi * towards.dot(normal)};
+}
+
+}  // namespace
+
+void light_surfaces(const Picture& picture, const SurfaceSamples& batch, bool of_figure,
+                    LightQueries& queries) {
+  SurfaceSamples lit;
+  LaneVectors origins, normals;
+  for (int i = 0; i < batch.samples.count; ++i) {
+    const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
+    Pixel& pixel = *batch.samples[i].pixel;
+    (of_figure ? pixel.known_figure : pixel.known_set) += surface.material->emission;
+    if (is_dull(surface)) continue;
+    origins.set(lit.samples.count, surface.origin);
+    normals.set(lit.samples.count, surface.normal);
+    lit.push(batch.samples[i], surface);
+  }
+  if (lit.samples.count == 0) return;
+  const Effect arrives = of_figure ? Effect::arrives_at_figure : Effect::arrives_at_set;
+  light_from_lights(picture, lit, origins, arrives, queries);
+  light_from_sky(picture, lit, normals, of_figure, queries);
+}
+
+void darken_wall(const Picture& picture, const Sample& sample, const Surface& surface,
+                 LightQueries& queries) {
+  const Scene& scene = picture.scene;
+  const PixelSampler& sampler = sample.pixel->sampler;
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    const Point2 u = sampler.point(Dimension::FirstLight, static_cast<int>(k), sample.index);
+    const LightSample light = render::sample(scene.lights[k], surface.origin, u);
+    const float cosine = surface.normal.dot(light.towards);
+    if (cosine <= 0.0f || !may_meet(picture.bounds, surface.origin, light.towards)) continue;
+    queries.ask(sample, surface.origin, light.towards, light.distance,
+                cosine * light.perpendicular * reflectance(surface, light.towards),
+                Effect::taken_when_figure_blocks);
+  }
+  const SkyRays sky = sky_rays_of(picture.bounds, surface.origin, surface.normal,
+                                  picture.quality.samples_per_pixel, sampler);
+  if (sample.index >= sky.rays) return;
+  const SkyRay ray = sky_ray(picture.bounds, surface.origin, surface.normal,
+                             sampler.point(Dimension::FloorSky, sample.index));
+  if (ray.share <= 0.0f) return;
+  queries.ask(sample, surface.origin, ray.towards,
+              distance_to_end(scene, surface.origin, ray.towards),
+              ray.share * sky.samples * surface.albedo * sky_radiance(scene.sky, ray.towards),
+              Effect::taken_when_figure_blocks);
+}
+
+void darken_floor(const Picture& picture, const FloorSamples& batch, LightQueries& queries) {
+  const Scene& scene = picture.scene;
+  std::uint32_t shaded = 0;
+  for (int i = 0; i < batch.samples.count; ++i) shaded |= batch.samples[i].pixel->shadow_lights;
+  for (; shaded != 0; shaded &= shaded - 1) {
+    const int k = std::countr_zero(shaded);
+    const AreaLight& light = scene.lights[static_cast<std::size_t>(k)];
+    const LaneLights chosen =
+        sample_lights(light, batch.points, points_for(batch.samples, Dimension::FirstLight, k));
+    for (int i = 0; i < batch.samples.count; ++i) {
+      const Pixel& pixel = *batch.samples[i].pixel;
+      const float cosine = chosen.towards.y[i];
+      if (((pixel.shadow_lights >> k) & 1u) == 0 || cosine <= 0.0f) continue;
+      queries.ask(batch.samples[i], batch.points.at(i), chosen.towards.at(i), chosen.distance[i],
+                  (cosine / pi * chosen.share[i]) * light.radiance * pixel.floor_albedo,
+                  Effect::taken_when_figure_blocks);
+    }
+  }
+  for (int i = 0; i < batch.samples.count; ++i) {
+    const Sample& sample = batch.samples[i];
+    const Pixel& pixel = *sample.pixel;
+    if (sample.index >= pixel.floor_sky_rays) continue;
+    const SkyRay ray = sky_ray(picture.bounds, batch.points.at(i), Vec3::UnitY(),
+                               pixel.sampler.point(Dimension::FloorSky, sample.index));
+    if (ray.towards.y() <= 0.0f) continue;
+    queries.ask(sample, batch.points.at(i), ray.towards, infinity,
+                ray.share * pixel.floor_sky_samples * pixel.floor_albedo *
+                    sky_radiance(scene.sky, ray.towards),
+                Effect::taken_when_figure_blocks);
+  }
+}
+
+void show_open_set(const Picture& picture, const Sample& sample, const CameraFrame& camera,
+                   const EyeRay& ray, LightQueries& queries) {
+  const Scene& scene = picture.scene;
+  Pixel& pixel = *sample.pixel;
+  // Where all rays of a pixel start at one point, the set is what its centre shows.
+  const EyeRay seen = picture.piecemeal() ? ray
+                                          : camera.ray(static_cast<float>(pixel.x) + 0.5f,
+                                                       static_cast<float>(pixel.y) + 0.5f);
+  const SetPixel set = set_pixel(scene, camera, seen);
+  pixel.known_set += set.radiance;
+  const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
+  if (!set.shows_floor || !distance) return;
+  Vec3 point = ray.origin + *distance * ray.direction;
+  point.y() = 0.0f;
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    const LightSample light = render::sample(
+        scene.lights[k], point,
+        pixel.sampler.point(Dimension::FirstLight, static_cast<int>(k), sample.index));
+    if (light.towards.y() <= 0.0f) continue;
+    queries.ask(sample, point, light.towards, light.distance,
+                light.towards.y() / pi * light.perpendicular * set.visible_albedo,
+                Effect::taken_when_blocked);
+  }
+  const Vec3 towards =
+      cosine_direction(Vec3::UnitY(), pixel.sampler.point(Dimension::FloorSky, sample.index));
+  if (towards.y() <= 0.0f) return;
+  queries.ask(sample, point, towards, infinity,
+              set.visible_albedo * sky_radiance(scene.sky, towards), Effect::taken_when_blocked);
+}
+
+}  // namespace mien::render

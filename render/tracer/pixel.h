@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "render/light/lanes.h"
+#include "render/math/sampler.h"
+#include "render/math/vector.h"
+
+namespace mien::render {
+
+/// How a pixel is drawn.
+enum class PixelKind {
+  untouched,  ///< the set, and what the figure hides of the sky from its floor
+  floor,      ///< likewise, and what it hides of the lights
+  wall,       ///< a standing solid may show, and no figure
+  figure,     ///< the figure may show, and no standing solid
+  piecemeal   ///< every sample by itself: figure and standing solids may both show
+};
+
+/// A pixel while it is drawn.
+struct Pixel {
+  int x = 0;
+  int y = 0;
+  PixelKind kind = PixelKind::untouched;
+  PixelSampler sampler;
+  Color radiance = Color::Zero();  ///< of the set
+  Color floor_albedo = Color::Zero();
+  bool shows_floor = false;
+  int floor_sky_rays = 0;           ///< so many of the samples look from the floor at the sky
+  float floor_sky_samples = 0.0f;   ///< that each of those stands for
+  std::uint32_t shadow_lights = 0;  ///< bit i: the figure may hide light i from here
+  int set_samples = 0;              ///< samples that show the set as it is known
+  int covered = 0;                  ///< samples that show the figure
+
+  // Sums over the samples. What is known at once and what rays find are kept apart, so that either
+  // is always added up in the same order.
+  Color known_figure = Color::Zero();  ///< light from the figure
+  Color known_set = Color::Zero();     ///< light from the set, sample by sample
+  Color figure = Color::Zero();        ///< more or less light from the figure, by rays
+  Color set = Color::Zero();           ///< from the set
+  Color taken = Color::Zero();         ///< what the figure takes away from the set as it is known
+};
+
+/// One primary ray of a pixel.
+struct Sample {
+  Pixel* pixel = nullptr;
+  int index = 0;
+  float time = 0.0f;
+  std::uint32_t present = ~0u;  ///< bit f: figure f is there
+};
+
+/// Up to eight samples.
+struct Samples {
+  std::array<Sample, lanes> lane;
+  int count = 0;
+
+  void push(const Sample& sample) { lane[static_cast<std::size_t>(count++)] = sample; }
+  const Sample& operator[](int i) const { return lane[static_cast<std::size_t>(i)]; }
+};
+
+/// The random numbers of all samples for one purpose.
+inline LanePoints points_for(const Samples& samples, Dimension dimension, int which = 0,
+                             int times = 1, int plus = 0) {
+  LaneWords index, seed;
+  for (int i = 0; i < samples.count; ++i) {
+    index[i] = static_cast<std::uint32_t>(times * samples[i].index + plus);
+    seed[i] = samples[i].pixel->sampler.seed(dimension, which);
+  }
+  return sample_points(index, seed);
+}
+
+}  // namespace mien::render

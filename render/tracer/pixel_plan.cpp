@@ -1,0 +1,178 @@
+#include "render/tracer/pixel_plan.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "render/light/floor.h"
+#include "render/light/sky_cone.h"
+#include "render/math/for_avx2.h"
+
+namespace mien::render {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+struct FilmArea {
+  float x_min;
+  float x_max;
+  float y_min;
+  float y_max;
+};
+
+// Box around the floor that a part of the film shows; nothing when that goes on to the horizon.
+std::optional<FloorArea> floor_under(const CameraFrame& camera, const FilmArea& film) {
+  FloorArea area{infinity, -infinity, infinity, -infinity};
+  for (const float x : {film.x_min, film.x_max}) {
+    for (const float y : {film.y_min, film.y_max}) {
+      const EyeRay ray = camera.line_through(x, y);
+      const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
+      if (!distance) return std::nullopt;
+      const Vec3 point = ray.origin + *distance * ray.direction;
+      area.x_min = std::min(area.x_min, point.x());
+      area.x_max = std::max(area.x_max, point.x());
+      area.z_min = std::min(area.z_min, point.z());
+      area.z_max = std::max(area.z_max, point.z());
+    }
+  }
+  return area;
+}
+
+/// Shows the pixels first … end − 1, whose floor lies in one cell, less the sky that is hidden
+/// there.
+MIEN_FOR_AVX2_TOO void show_cell(const StandingSet& set, const FloorSky::Cell& cell,
+                                 std::size_t first, std::size_t end, Film& film) {
+  const float x = cell.x, z = cell.z, inverse_side = cell.inverse_side;
+  const float a0 = cell.at_corner[0], a1 = cell.at_corner[1], a2 = cell.at_corner[2];
+  const float x0 = cell.along_x[0], x1 = cell.along_x[1], x2 = cell.along_x[2];
+  const float z0 = cell.along_z[0], z1 = cell.along_z[1], z2 = cell.along_z[2];
+  const float b0 = cell.along_both[0], b1 = cell.along_both[1], b2 = cell.along_both[2];
+  const float *floor_x = set.floor_x.data() + first, *floor_z = set.floor_z.data() + first;
+  const float* radiance = set.radiance.channels.data() + 3 * first;
+  const float* albedo = set.floor_albedo.channels.data() + 3 * first;
+  float* out = film.channels.data() + 3 * first;
+  const std::size_t count = end - first;
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    const float u = (floor_x[i] - x) * inverse_side;
+    const float v = (floor_z[i] - z) * inverse_side;
+    out[3 * i] = radiance[3 * i] - albedo[3 * i] * (a0 + u * x0 + v * (z0 + u * b0));
+    out[3 * i + 1] = radiance[3 * i + 1] - albedo[3 * i + 1] * (a1 + u * x1 + v * (z1 + u * b1));
+    out[3 * i + 2] = radiance[3 * i + 2] - albedo[3 * i + 2] * (a2 + u * x2 + v * (z2 + u * b2));
+  }
+}
+
+}  // namespace
+
+void PixelPlanner::turn_to(const Tile& tile) {
+  const bool whole = picture_.quality.exhaustive;
+  const float margin = picture_.filter.half_width();
+  const std::optional<FloorArea> area = floor_under(
+      picture_.camera,
+      {static_cast<float>(tile.x_begin) - margin, static_cast<float>(tile.x_end) + margin,
+       static_cast<float>(tile.y_begin) - margin, static_cast<float>(tile.y_end) + margin});
+  tile_lights_ = 0;
+  for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
+    if (whole || !area || picture_.shadow_masks[i].may_shade(*area)) tile_lights_ |= 1u << i;
+  is_alone_ = tile_lights_ == 0 && !whole && !picture_.piecemeal() && !picture_.set.solids;
+  for (int y = tile.y_begin; y < tile.y_end && is_alone_; ++y)
+    is_alone_ = !picture_.film_mask.may_meet_row(tile.x_begin, tile.x_end, y);
+}
+
+void PixelPlanner::show_set(const Tile& band, Film& film, std::vector<std::uint8_t>& open) {
+  const StandingSet& set = picture_.set;
+  for (int y = band.y_begin; y < band.y_end; ++y) {
+    const std::size_t begin = set.place_of(band.x_begin, y);
+    const std::size_t end = begin + static_cast<std::size_t>(band.x_end - band.x_begin);
+    for (std::size_t place = begin; place < end;) {
+      const std::size_t first = place;
+      if (set.floor[first] != 0 && !cell_->holds(set.floor_x[first], set.floor_z[first]))
+        cell_ = &picture_.floor_sky.cell_at(set.floor_x[first], set.floor_z[first]);
+      if (set.floor[first] == 0 || (cell_->known && cell_->inverse_side == 0.0f)) {
+        do ++place;
+        while (place < end && set.floor[place] == 0);
+        std::copy_n(set.radiance.channels.data() + 3 * first, 3 * (place - first),
+                    film.channels.data() + 3 * first);
+      } else if (!cell_->known) {
+        open[(place - begin) / tile_size] = 1;
+        ++place;
+      } else {
+        do ++place;
+        while (place < end && set.floor[place] != 0 &&
+               cell_->holds(set.floor_x[place], set.floor_z[place]));
+        show_cell(set, *cell_, first, place, film);
+      }
+    }
+  }
+}
+
+SetLight PixelPlanner::set_at(int x, int y) {
+  const StandingSet& set = picture_.set;
+  const std::size_t place = set.place_of(x, y);
+  const Color radiance = Eigen::Map<const Color>(set.radiance.channels.data() + 3 * place);
+  if (set.floor[place] == 0) return {radiance, true};
+  const float floor_x = set.floor_x[place], floor_z = set.floor_z[place];
+  if (!cell_->holds(floor_x, floor_z)) cell_ = &picture_.floor_sky.cell_at(floor_x, floor_z);
+  if (!cell_->known || cell_->inverse_side == 0.0f) return {radiance, cell_->known};
+  const Color albedo = Eigen::Map<const Color>(set.floor_albedo.channels.data() + 3 * place);
+  return {radiance - albedo * cell_->hidden(floor_x, floor_z), true};
+}
+
+PixelPlan PixelPlanner::plan(int x, int y) const {
+  const StandingSet& set = picture_.set;
+  const std::size_t place = set.place_of(x, y);
+  const bool somebody = picture_.bounds.radius >= 0.0f;
+  const bool solid = set.solid[place] != 0;
+  const bool figure = picture_.quality.exhaustive || picture_.film_mask.may_meet(x, y);
+  PixelPlan plan;
+  if (picture_.piecemeal() || (figure && solid)) {
+    plan.kind = PixelKind::piecemeal;
+    return plan;
+  }
+  if (figure) {
+    plan.kind = PixelKind::figure;
+  } else if (solid && somebody) {
+    plan.kind = PixelKind::wall;
+  }
+  if (set.floor[place] != 0 && somebody) plan.shadow_lights = shadow_lights(x, y);
+  if (plan.kind == PixelKind::untouched && plan.shadow_lights != 0) plan.kind = PixelKind::floor;
+  return plan;
+}
+
+std::uint32_t PixelPlanner::shadow_lights(int pixel_x, int pixel_y) const {
+  if (tile_lights_ == 0) return 0;
+  const float reach = picture_.filter.half_width();
+  const auto x = static_cast<float>(pixel_x) + 0.5f, y = static_cast<float>(pixel_y) + 0.5f;
+  const std::optional<FloorArea> area =
+      floor_under(picture_.camera, {x - reach, x + reach, y - reach, y + reach});
+  std::uint32_t hidden = 0;
+  for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
+    if (((tile_lights_ >> i) & 1u) != 0 &&
+        (picture_.quality.exhaustive || !area || picture_.shadow_masks[i].may_shade(*area)))
+      hidden |= 1u << i;
+  return hidden;
+}
+
+void PixelPlanner::set_out(Pixel& pixel, int x, int y, const PixelPlan& plan,
+                           const SetLight& set_light) const {
+  const StandingSet& set = picture_.set;
+  const std::size_t place = set.place_of(x, y);
+  pixel.x = x;
+  pixel.y = y;
+  pixel.kind = plan.kind;
+  pixel.sampler = PixelSampler(picture_.quality.seed, x, y);
+  pixel.radiance = set_light.radiance;
+  pixel.floor_albedo = Eigen::Map<const Color>(set.floor_albedo.at(x, y));
+  pixel.shows_floor = set.floor[place] != 0;
+  pixel.shadow_lights = plan.shadow_lights;
+  const bool open = plan.kind == PixelKind::untouched || plan.kind == PixelKind::floor;
+  if (open) pixel.set_samples = picture_.quality.samples_per_pixel;
+  if (set_light.complete || plan.kind == PixelKind::piecemeal || picture_.bounds.radius < 0.0f)
+    return;
+  const SkyRays sky = sky_rays_of(picture_.bounds, {set.floor_x[place], 0.0f, set.floor_z[place]},
+                                  Vec3::UnitY(), picture_.quality.samples_per_pixel, pixel.sampler);
+  pixel.floor_sky_rays = sky.rays;
+  pixel.floor_sky_samples = sky.samples;
+}
+
+}  // namespace mien::render

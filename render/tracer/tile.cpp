@@ -1,0 +1,290 @@
+#include "render/tracer/tile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "render/image/luminance.h"
+#include "render/light/floor.h"
+#include "render/math/directions.h"
+#include "render/tracer/lighting.h"
+#include "render/tracer/pixel.h"
+#include "render/tracer/pixel_plan.h"
+
+namespace mien::render {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+Vec3 floor_point(const EyeRay& ray, float distance) {
+  Vec3 point = ray.origin + distance * ray.direction;
+  point.y() = 0.0f;
+  return point;
+}
+
+CameraFrame between(const CameraFrame& from, const CameraFrame& to, float time) {
+  CameraFrame frame = from;
+  frame.position += time * (to.position - from.position);
+  frame.forward = (from.forward + time * (to.forward - from.forward)).normalized();
+  frame.step_right += time * (to.step_right - from.step_right);
+  frame.step_down += time * (to.step_down - from.step_down);
+  return frame;
+}
+
+class TilePainter {
+ public:
+  explicit TilePainter(const Picture& picture)
+      : picture_(picture), planner_(picture), queries_(picture) {}
+  void draw(const Tile& part, Exposure& exposure);
+
+ private:
+  void draw_band(const Tile& band, Exposure& exposure);
+  void draw_tile(const Tile& tile, bool open, Exposure& exposure);
+  int samples_of(const Pixel& pixel) const;
+  Sample sample_of(Pixel& pixel, int index) const;
+  CameraFrame camera_of(const Sample& sample) const;
+  void aim(const Samples& samples, LaneVectors& origins, LaneVectors& directions) const;
+  void show_floor(Samples& samples);
+  void trace(Samples& samples);
+  void take_primary(const Sample& sample, int lane, const Hits& figure, const Hits& standing);
+  Surface surface(int lane, const Hits& hits, bool of_figure, float time) const;
+  void take_samples(Pixel& pixel, int first, int last);
+  void push_floor(const Sample& sample, const EyeRay& ray);
+  void light_floor();
+  void finish();
+  float missing(const Color& left, int x, int y) const;
+  void show_set(const Color& set, int x, int y, Exposure& exposure) const;
+  void develop(const Pixel& pixel, Exposure& exposure) const;
+
+  const Picture& picture_;
+  PixelPlanner planner_;
+  std::vector<std::uint8_t> open_;  // one a tile of the band
+  std::vector<Pixel> pixels_;       // those that are traced; they stay where they are
+  Samples floor_;                   // samples that show no solid, not yet aimed
+  Samples traced_;                  // samples that may, not yet aimed
+  RayPacket primaries_;
+  SurfaceSamples figure_surfaces_;
+  SurfaceSamples set_surfaces_;
+  FloorSamples floor_points_;
+  LightQueries queries_;
+};
+
+void TilePainter::draw(const Tile& part, Exposure& exposure) {
+  for (int y = part.y_begin; y < part.y_end; y += tile_size)
+    draw_band({part.x_begin, part.x_end, y, std::min(y + tile_size, part.y_end)}, exposure);
+}
+
+// The set is shown first, row by row, which memory likes. Tiles stay open where that left pixels
+// out.
+void TilePainter::draw_band(const Tile& band, Exposure& exposure) {
+  // Where every sample is drawn by itself, so is the set.
+  const bool shown = picture_.quality.background == Background::shown && !picture_.piecemeal() &&
+                     !picture_.quality.exhaustive;
+  const int tiles = (band.x_end - band.x_begin + tile_size - 1) / tile_size;
+  open_.assign(static_cast<std::size_t>(tiles), shown ? 0 : 1);
+  if (shown) planner_.show_set(band, exposure.film, open_);
+  for (int k = 0; k < tiles; ++k) {
+    const int x = band.x_begin + k * tile_size;
+    const Tile tile{x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end};
+    const bool open = open_[static_cast<std::size_t>(k)] != 0;
+    planner_.turn_to(tile);
+    if (open || !planner_.is_alone()) draw_tile(tile, open, exposure);
+  }
+}
+
+void TilePainter::draw_tile(const Tile& tile, bool open, Exposure& exposure) {
+  const bool alone = planner_.is_alone();
+  pixels_.clear();
+  pixels_.reserve(tile_size * tile_size);
+  for (int y = tile.y_begin; y < tile.y_end; ++y) {
+    for (int x = tile.x_begin; x < tile.x_end; ++x) {
+      const PixelPlan plan = alone ? PixelPlan{} : planner_.plan(x, y);
+      if (plan.kind == PixelKind::untouched && !open) continue;
+      const SetLight set = planner_.set_at(x, y);
+      if (plan.kind == PixelKind::untouched && set.complete) {
+        show_set(set.radiance, x, y, exposure);
+        continue;
+      }
+      Pixel& pixel = pixels_.emplace_back();
+      planner_.set_out(pixel, x, y, plan, set);
+      const int needed = samples_of(pixel);
+      if (needed == 0) {
+        show_set(set.radiance, x, y, exposure);
+        pixels_.pop_back();
+        continue;
+      }
+      for (int first = 0; first < needed; first += static_cast<int>(lanes))
+        take_samples(pixel, first, std::min(first + static_cast<int>(lanes), needed));
+    }
+  }
+  finish();
+  for (const Pixel& pixel : pixels_) develop(pixel, exposure);
+}
+
+int TilePainter::samples_of(const Pixel& pixel) const {
+  return pixel.kind == PixelKind::untouched ? pixel.floor_sky_rays
+                                            : picture_.quality.samples_per_pixel;
+}
+
+Sample TilePainter::sample_of(Pixel& pixel, int index) const {
+  Sample sample{&pixel, index};
+  if (picture_.closing_solids != nullptr || picture_.closing_camera)
+    sample.time = picture_.quality.shutter * pixel.sampler.point(Dimension::Time, index).u;
+  if (!picture_.figure.shapes().all_present)
+    sample.present = present_figures(pixel.sampler, picture_.opacities, index);
+  return sample;
+}
+
+CameraFrame TilePainter::camera_of(const Sample& sample) const {
+  return picture_.closing_camera ? between(picture_.camera, *picture_.closing_camera, sample.time)
+                                 : picture_.camera;
+}
+
+void TilePainter::aim(const Samples& samples, LaneVectors& origins, LaneVectors& directions) const {
+  const LanePoints u = points_for(samples, Dimension::FilmPosition);
+  LaneFloats x, y;
+  for (int i = 0; i < samples.count; ++i) {
+    const Pixel& pixel = *samples[i].pixel;
+    x[i] = static_cast<float>(pixel.x) + 0.5f + picture_.filter.offset(u.u[i]);
+    y[i] = static_cast<float>(pixel.y) + 0.5f + picture_.filter.offset(u.v[i]);
+  }
+  if (!picture_.piecemeal()) return eye_rays(picture_.camera, x, y, origins, directions);
+  for (int i = 0; i < samples.count; ++i) {
+    const DiscPoint lens =
+        disc_point(samples[i].pixel->sampler.point(Dimension::Lens, samples[i].index));
+    const EyeRay ray = camera_of(samples[i]).ray(x[i], y[i], lens.x, lens.y);
+    origins.set(i, ray.origin);
+    directions.set(i, ray.direction);
+  }
+}
+
+void TilePainter::show_floor(Samples& samples) {
+  LaneVectors origins, directions;
+  aim(samples, origins, directions);
+  for (int i = 0; i < samples.count; ++i) push_floor(samples[i], {origins.at(i), directions.at(i)});
+  samples.count = 0;
+  light_floor();
+}
+
+// Samples of a pixel that are aimed and lit together stay together, whatever else is drawn: so its
+// light is always added up in the same order.
+void TilePainter::take_samples(Pixel& pixel, int first, int last) {
+  const bool open = pixel.kind == PixelKind::untouched || pixel.kind == PixelKind::floor;
+  Samples& waiting = open ? floor_ : traced_;
+  if (waiting.count + last - first > static_cast<int>(lanes))
+    open ? show_floor(floor_) : trace(traced_);
+  for (int i = first; i < last; ++i) waiting.push(sample_of(pixel, i));
+}
+
+void TilePainter::push_floor(const Sample& sample, const EyeRay& ray) {
+  if (!sample.pixel->shows_floor) return;
+  const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
+  if (distance) floor_points_.push(sample, floor_point(ray, *distance));
+}
+
+void TilePainter::light_floor() {
+  darken_floor(picture_, floor_points_, queries_);
+  floor_points_.samples.count = 0;
+}
+
+void TilePainter::trace(Samples& samples) {
+  if (samples.count == 0) return;
+  LaneVectors origins, directions;
+  aim(samples, origins, directions);
+  primaries_.count = 0;
+  for (int i = 0; i < samples.count; ++i) {
+    const Vec3 origin = origins.at(i), direction = directions.at(i);
+    const std::optional<float> floor =
+        picture_.scene.has_ground ? distance_to_floor(origin, direction) : std::nullopt;
+    primaries_.push(origin, direction, floor.value_or(infinity), samples[i].time,
+                    samples[i].present);
+  }
+  const Hits figure = picture_.figure.intersect(primaries_);
+  Hits standing;
+  std::fill_n(standing.shape, packet_size, -1);
+  if (picture_.set.solids) standing = picture_.set.solids->intersect(primaries_);
+  for (int i = 0; i < samples.count; ++i) take_primary(samples[i], i, figure, standing);
+  samples.count = 0;
+  light_surfaces(picture_, figure_surfaces_, true, queries_);
+  light_surfaces(picture_, set_surfaces_, false, queries_);
+  figure_surfaces_.samples.count = set_surfaces_.samples.count = 0;
+  light_floor();
+}
+
+void TilePainter::take_primary(const Sample& sample, int lane, const Hits& figure,
+                               const Hits& standing) {
+  Pixel& pixel = *sample.pixel;
+  const bool wall = standing.shape[lane] >= 0;
+  if (figure.shape[lane] >= 0 && (!wall || figure.distance[lane] <= standing.distance[lane])) {
+    ++pixel.covered;
+    return figure_surfaces_.push(sample, surface(lane, figure, true, sample.time));
+  }
+  const EyeRay ray{primaries_.origin(lane), primaries_.direction(lane)};
+  if (pixel.kind == PixelKind::piecemeal) {
+    if (wall) return set_surfaces_.push(sample, surface(lane, standing, false, 0.0f));
+    return show_open_set(picture_, sample, camera_of(sample), ray, queries_);
+  }
+  ++pixel.set_samples;
+  if (wall) return darken_wall(picture_, sample, surface(lane, standing, false, 0.0f), queries_);
+  push_floor(sample, ray);
+}
+
+Surface TilePainter::surface(int lane, const Hits& hits, bool of_figure, float time) const {
+  const Vec3 direction = primaries_.direction(lane);
+  const Vec3 point = primaries_.origin(lane) + hits.distance[lane] * direction;
+  if (of_figure)
+    return surface_at(picture_.scene, picture_.solids, picture_.closing_solids,
+                      picture_.figure.shapes(), hits.shape[lane], point, direction, time);
+  return surface_at(picture_.scene, picture_.scene.standing, nullptr, picture_.set.solids->shapes(),
+                    hits.shape[lane], point, direction, time);
+}
+
+// All that waits for a full packet.
+void TilePainter::finish() {
+  show_floor(floor_);
+  trace(traced_);
+  queries_.trace();
+}
+
+// A pixel without figure or shadow.
+void TilePainter::show_set(const Color& set, int x, int y, Exposure& exposure) const {
+  if (picture_.quality.background == Background::shown)
+    std::copy_n(set.data(), 3, exposure.film.at(x, y));
+  else if (picture_.quality.background == Background::shadow)
+    exposure.alpha[picture_.set.place_of(x, y)] = missing(set, x, y);
+}
+
+// How much of the set's light a pixel lacks.
+float TilePainter::missing(const Color& left, int x, int y) const {
+  const float whole = relative_luminance(Eigen::Map<const Color>(picture_.set.radiance.at(x, y)));
+  return whole > 0.0f ? std::clamp(1.0f - relative_luminance(left) / whole, 0.0f, 1.0f) : 0.0f;
+}
+
+void TilePainter::develop(const Pixel& pixel, Exposure& exposure) const {
+  const float share = 1.0f / static_cast<float>(picture_.quality.samples_per_pixel);
+  const Color set = (share * static_cast<float>(pixel.set_samples)) * pixel.radiance +
+                    share * (pixel.known_set + pixel.set);
+  const Color figure = share * (pixel.known_figure + pixel.figure);
+  const Color taken = share * pixel.taken;
+  if (picture_.quality.background == Background::shown) {
+    const Color color = set + (figure + taken);
+    std::copy_n(color.data(), 3, exposure.film.at(pixel.x, pixel.y));
+    return;
+  }
+  const float covered = share * static_cast<float>(pixel.covered);
+  std::copy_n(figure.data(), 3, exposure.film.at(pixel.x, pixel.y));
+  exposure.alpha[picture_.set.place_of(pixel.x, pixel.y)] =
+      picture_.quality.background == Background::transparent
+          ? covered
+          : std::max(covered, missing(set + taken, pixel.x, pixel.y));
+}
+
+}  // namespace
+
+void draw(const Picture& picture, const Tile& part, Exposure& exposure) {
+  TilePainter(picture).draw(part, exposure);
+}
+
+}  // namespace mien::render

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "render/image/image.h"
+
+namespace mien::render {
+
+/// How often colours occur in a film: 64 × 64 × 64 cells of the sRGB cube, with the sum of the
+/// colours in each.
+class ColourHistogram {
+ public:
+  struct Cell {
+    std::uint64_t count = 0;
+    std::array<std::uint64_t, 3> sum{};  ///< of the channels, 0 … 255 each
+  };
+
+  ColourHistogram() : cells_(std::size_t{1} << 18) {}
+
+  void add(const Image8& frame);
+  const std::vector<Cell>& cells() const { return cells_; }
+
+ private:
+  std::vector<Cell> cells_;
+};
+
+/// At most 255 colours that stand for all of a film, and one that is transparent, for pixels that
+/// stay as they were. Colours are found by splitting along the axis of most variance (Wan, Wong and
+/// Prusinkiewicz 1988) and improved by Lloyd's iteration.
+class ColourTable {
+ public:
+  explicit ColourTable(const ColourHistogram& histogram);
+
+  /// 256 entries, 0xAARRGGBB.
+  void copy_entries(std::uint32_t* entries) const;
+
+  /// The colours' numbers for a frame, with ordered dither (Bayer 8 × 8): the same pixel in another
+  /// frame gets the same number, so what stands still does not flicker. The dither is as wide as
+  /// the colours lie apart on average. Rows of numbers lie `stride` bytes apart.
+  void index(const Image8& frame, std::uint8_t* numbers, int stride);
+
+  int size() const { return static_cast<int>(colours_.size()); }
+
+ private:
+  std::uint8_t nearest(int red, int green, int blue);
+
+  std::vector<std::array<double, 3>> colours_;
+  std::array<std::array<int, 8>, 8> offsets_{};  ///< of the dither
+  std::vector<std::uint8_t> nearest_;  ///< by the channels' upper 7 bits, as far as asked for
+};
+
+}  // namespace mien::render

@@ -1,0 +1,216 @@
+#include "render/video/stream_encoder.h"
+
+#include <initializer_list>
+#include <utility>
+
+namespace mien::render {
+
+namespace {
+
+/// Part of the result: encoders cut their work by the number of threads.
+constexpr int encoder_threads = 2;
+constexpr int key_frame_distance = 60;
+
+struct EncoderChoice {
+  const char* encoder;    ///< as FFmpeg names it
+  const char* container;  ///< likewise
+  AVPixelFormat pixels;
+};
+
+constexpr EncoderChoice choice_of(VideoKind kind) {
+  switch (kind) {
+    case VideoKind::mp4_lossless:
+      return {"libx264rgb", "mp4", AV_PIX_FMT_RGB24};
+    case VideoKind::webm:
+      return {"libvpx-vp9", "webm", AV_PIX_FMT_YUV420P};
+    case VideoKind::webm_av1:
+      return {"libaom-av1", "webm", AV_PIX_FMT_YUV420P};
+    case VideoKind::mkv:
+      return {"ffv1", "matroska", AV_PIX_FMT_BGR0};
+    case VideoKind::webp:
+      return {"libwebp_anim", "webp", AV_PIX_FMT_BGRA};
+    case VideoKind::gif:
+      return {"gif", "gif", AV_PIX_FMT_PAL8};
+    case VideoKind::apng:
+      return {"apng", "apng", AV_PIX_FMT_RGB24};
+    default:
+      return {"libx264", "mp4", AV_PIX_FMT_YUV420P};
+  }
+}
+
+/// Sets options of an encoder; one that it does not know is a fault of ours.
+void set(AVCodecContext& codec,
+         std::initializer_list<std::pair<const char*, const char*>> options) {
+  for (const auto& [name, value] : options) {
+    checked(av_opt_set(&codec, name, value, AV_OPT_SEARCH_CHILDREN),
+            std::string("video: the encoder's option ") + name);
+  }
+}
+
+void tag(AVCodecContext& codec, bool is_rgb) {
+  codec.color_primaries = AVCOL_PRI_BT709;
+  codec.color_trc = is_rgb ? AVCOL_TRC_IEC61966_2_1 : AVCOL_TRC_BT709;
+  codec.colorspace = is_rgb ? AVCOL_SPC_RGB : AVCOL_SPC_BT709;
+  codec.color_range = is_rgb ? AVCOL_RANGE_JPEG : AVCOL_RANGE_MPEG;
+  if (!is_rgb) codec.chroma_sample_location = AVCHROMA_LOC_LEFT;
+}
+
+/// x264 as it is the same on all machines and whatever else they do: no vector code that rounds
+/// otherwise, no thread of its own that looks ahead. Each frame that it looks ahead takes 9 MB at
+/// 1920 x 1080.
+constexpr const char* x264_params = "cpu-independent=1:sync-lookahead=0:rc-lookahead=4";
+
+void set_quality(AVCodecContext& codec, VideoKind kind, bool fast) {
+  switch (kind) {
+    case VideoKind::mp4:
+      codec.max_b_frames = 0;  // players that ignore edit lists show the right times
+      return set(codec, {{"preset", fast ? "ultrafast" : "medium"},
+                         {"crf", fast ? "18" : "16"},
+                         {"x264-params", x264_params}});
+    case VideoKind::mp4_lossless:
+      codec.max_b_frames = 0;
+      return set(
+          codec,
+          {{"preset", fast ? "ultrafast" : "medium"}, {"qp", "0"}, {"x264-params", x264_params}});
+    case VideoKind::webm:
+      return set(codec, {{"crf", "18"},
+                         {"b", "0"},
+                         {"deadline", "good"},
+                         {"cpu-used", fast ? "5" : "2"},
+                         {"tile-columns", "2"},
+                         {"lag-in-frames", "16"}});
+    case VideoKind::webm_av1:
+      return set(codec, {{"crf", "18"},
+                         {"b", "0"},
+                         {"usage", fast ? "realtime" : "good"},
+                         {"cpu-used", fast ? "8" : "6"},
+                         {"tiles", "2x2"},
+                         {"lag-in-frames", fast ? "0" : "16"}});
+    case VideoKind::mkv:
+      codec.gop_size = 1;  // any frame can be cut out
+      codec.slices = 4;
+      codec.level = 3;
+      return set(codec, {{"slicecrc", "1"}});
+    case VideoKind::webp:
+      return set(codec, {{"lossless", "0"}, {"quality", "92"}});
+    case VideoKind::gif:
+      return;
+    case VideoKind::apng:
+      return set(codec, {{"pred", fast ? "up" : "mixed"}});
+  }
+}
+
+AVDictionary* container_options(const VideoFormat& format) {
+  AVDictionary* options = nullptr;
+  switch (format.kind) {
+    case VideoKind::mp4:
+    case VideoKind::mp4_lossless:
+      av_dict_set(&options, "movflags", "+faststart", 0);
+      break;
+    case VideoKind::webp:
+      av_dict_set(&options, "loop", format.loops ? "0" : "1", 0);
+      break;
+    case VideoKind::gif:
+      av_dict_set(&options, "loop", format.loops ? "0" : "-1", 0);
+      break;
+    case VideoKind::apng:
+      av_dict_set(&options, "plays", format.loops ? "0" : "1", 0);
+      break;
+    default:
+      break;
+  }
+  return options;
+}
+
+}  // namespace
+
+AVPixelFormat pixel_format_of(VideoKind kind) { return choice_of(kind).pixels; }
+
+StreamEncoder::StreamEncoder(const std::filesystem::path& path, const VideoFormat& format)
+    : path_(path.string()), format_(format) {
+  av_log_set_level(AV_LOG_QUIET);
+  AVFormatContext* file = nullptr;
+  const std::string url = "file:" + path_;  // whatever the name looks like
+  checked(
+      avformat_alloc_output_context2(&file, nullptr, choice_of(format.kind).container, url.c_str()),
+      path_);
+  file_.reset(file);
+  file_->flags |= AVFMT_FLAG_BITEXACT;
+  open_codec();
+  open_file();
+  packet_.reset(av_packet_alloc());
+  picture_.reset(av_frame_alloc());
+  picture_->format = codec_->pix_fmt;
+  picture_->width = format.width;
+  picture_->height = format.height;
+  picture_->color_primaries = codec_->color_primaries;
+  picture_->color_trc = codec_->color_trc;
+  picture_->colorspace = codec_->colorspace;
+  picture_->color_range = codec_->color_range;
+  checked(av_frame_get_buffer(picture_.get(), 0), path_ + ": no memory for a frame");
+}
+
+void StreamEncoder::open_codec() {
+  const EncoderChoice choice = choice_of(format_.kind);
+  const AVCodec* encoder = avcodec_find_encoder_by_name(choice.encoder);
+  if (!encoder) throw Error(path_ + ": this FFmpeg has no " + choice.encoder);
+  codec_.reset(avcodec_alloc_context3(encoder));
+  codec_->width = format_.width;
+  codec_->height = format_.height;
+  codec_->pix_fmt = choice.pixels;
+  codec_->time_base = {format_.rate.denominator, format_.rate.numerator};
+  codec_->framerate = {format_.rate.numerator, format_.rate.denominator};
+  codec_->gop_size = key_frame_distance;
+  codec_->thread_count = encoder_threads;
+  codec_->flags |= AV_CODEC_FLAG_BITEXACT;
+  if (file_->oformat->flags & AVFMT_GLOBALHEADER) codec_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+  tag(*codec_, choice.pixels != AV_PIX_FMT_YUV420P);
+  set_quality(*codec_, format_.kind, format_.effort == VideoEffort::fast);
+  checked(avcodec_open2(codec_.get(), encoder, nullptr), path_ + ": opening the encoder");
+}
+
+void StreamEncoder::open_file() {
+  stream_ = avformat_new_stream(file_.get(), nullptr);
+  if (!stream_) throw Error(path_ + ": no memory for a stream");
+  stream_->time_base = codec_->time_base;
+  stream_->avg_frame_rate = codec_->framerate;
+  checked(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), path_);
+  checked(avio_open(&file_->pb, file_->url, AVIO_FLAG_WRITE), path_ + ": opening for writing");
+  AVDictionary* options = container_options(format_);
+  const int code = avformat_write_header(file_.get(), &options);
+  av_dict_free(&options);
+  checked(code, path_ + ": writing the header");
+}
+
+void StreamEncoder::drain() {
+  for (;;) {
+    const int code = avcodec_receive_packet(codec_.get(), packet_.get());
+    if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
+    checked(code, path_ + ": encoding");
+    packet_->duration = 1;
+    packet_->stream_index = stream_->index;
+    av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
+    checked(av_interleaved_write_frame(file_.get(), packet_.get()), path_ + ": writing");
+  }
+}
+
+AVFrame& StreamEncoder::picture() {
+  checked(av_frame_make_writable(picture_.get()), path_);
+  return *picture_;
+}
+
+void StreamEncoder::send() {
+  picture_->pts = frames_++;
+  checked(avcodec_send_frame(codec_.get(), picture_.get()), path_ + ": encoding");
+  drain();
+}
+
+void StreamEncoder::finish() {
+  if (frames_ == 0) throw Error(path_ + ": a video without frames");
+  checked(avcodec_send_frame(codec_.get(), nullptr), path_ + ": encoding");
+  drain();
+  checked(av_write_trailer(file_.get()), path_ + ": writing the index");
+  checked(avio_closep(&file_->pb), path_ + ": closing");
+}
+
+}  // namespace mien::render

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "render/video/libav.h"
+#include "render/video/video.h"
+
+namespace mien::render {
+
+/// The form in which a kind's encoder takes its pictures.
+AVPixelFormat pixel_format_of(VideoKind kind);
+
+/// One encoder with its container: pictures in, a file out. Its settings are those of the kind;
+/// nothing of the machine or the time goes into the file, and the number of threads is fixed,
+/// because encoders cut their work by it.
+class StreamEncoder {
+ public:
+  /// Throws Error: no such encoder in this FFmpeg, the file cannot be made.
+  StreamEncoder(const std::filesystem::path& path, const VideoFormat& format);
+
+  /// The picture to be filled for the next `send`.
+  AVFrame& picture();
+
+  /// Encodes the picture as the next frame.
+  void send();
+
+  /// Completes the file. Throws Error when no frame was sent.
+  void finish();
+
+ private:
+  void open_codec();
+  void open_file();
+  void drain();
+
+  std::string path_;
+  VideoFormat format_;
+  Output file_;
+  CodecContext codec_;
+  Frame picture_;
+  Packet packet_;
+  AVStream* stream_ = nullptr;
+  std::int64_t frames_ = 0;
+};
+
+}  // namespace mien::render

@@ -1,0 +1,197 @@
+#include "render/video/video_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+#include "render/error.h"
+
+namespace mien::render {
+
+namespace {
+
+constexpr double most_part_error = 12.0;         ///< mean luma of a tile
+constexpr std::int64_t small_picture = 100'000;  ///< pixels
+
+std::string fixed(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+/// Compares decoded frames with the film, one after the other.
+class Comparison {
+ public:
+  Comparison(const std::string& name, const VideoFormat& format, const FilmSketch& written,
+             VideoCheck& check)
+      : name_(name), format_(format), written_(written), check_(check) {
+    check_.worst_psnr_db = std::numeric_limits<double>::infinity();
+  }
+
+  /// A decoded picture, shown for the frames first … last.
+  void take(int first, int last, const Image8& picture) {
+    if (picture.width != format_.width || picture.height != format_.height)
+      throw Error(name_ + ": the size is another one in frame " + std::to_string(first));
+    const FrameSketch sketch = written_.sketcher.sketch(picture);
+    const int count = static_cast<int>(written_.frames.size());
+    for (int frame = first; frame <= std::min(last, count - 1); ++frame) {
+      compare(frame, sketch);
+    }
+  }
+
+  void require_least() const {
+    const VideoTraits& traits = traits_of(format_.kind);
+    // Of small pictures outlines are a larger part, where halved colours differ most.
+    const bool is_small = traits.kind != VideoKind::gif &&
+                          std::int64_t{format_.width} * format_.height < small_picture;
+    const double least_psnr = traits.least_psnr_db - (is_small ? 6.0 : 0.0);
+    const double least_ssim = traits.least_ssim - (is_small ? 0.15 : 0.0);
+    if (check_.worst_psnr_db < least_psnr) {
+      throw Error(name_ + ": frame " + std::to_string(check_.worst_psnr_frame) + " has a PSNR of " +
+                  fixed(check_.worst_psnr_db, 1) + " dB against what was drawn, less than " +
+                  fixed(least_psnr, 0));
+    }
+    if (check_.worst_ssim < least_ssim) {
+      throw Error(name_ + ": frame " + std::to_string(check_.worst_ssim_frame) +
+                  " has an SSIM of " + fixed(check_.worst_ssim, 3) +
+                  " against what was drawn, less than " + fixed(least_ssim, 2));
+    }
+  }
+
+ private:
+  void compare(int frame, const FrameSketch& sketch) {
+    const Likeness like =
+        written_.sketcher.likeness(sketch, written_.frames[static_cast<std::size_t>(frame)]);
+    if (!like.identical && traits_of(format_.kind).lossless) {
+      throw Error(name_ + ": frame " + std::to_string(frame) +
+                  " is not the frame that was drawn, though the format is lossless");
+    }
+    if (like.worst_part > most_part_error) {
+      throw Error(name_ + ": frame " + std::to_string(frame) + " differs from what was drawn by " +
+                  fixed(like.worst_part, 0) + " of 255 in a part of " +
+                  std::to_string(written_.sketcher.tile_edge()) + " pixels' width");
+    }
+    check_.identical = check_.identical && like.identical;
+    if (like.psnr_db < check_.worst_psnr_db) {
+      check_.worst_psnr_db = like.psnr_db;
+      check_.worst_psnr_frame = frame;
+    }
+    if (like.ssim < check_.worst_ssim) {
+      check_.worst_ssim = like.ssim;
+      check_.worst_ssim_frame = frame;
+    }
+  }
+
+  const std::string& name_;
+  const VideoFormat& format_;
+  const FilmSketch& written_;
+  VideoCheck& check_;
+};
+
+void require(const std::string& name, const std::string& what, const std::string& found,
+             const std::string& wanted) {
+  if (found != wanted) {
+    throw Error(name + ": " + what + " is \"" + found + "\" instead of \"" + wanted + "\"");
+  }
+}
+
+/// A picture alone is no animation: it has no times, and may be a plain picture of its kind.
+bool is_still(const VideoFormat& format, int frames) {
+  return frames == 1 && traits_of(format.kind).picture;
+}
+
+void check_tags(const std::string& name, const VideoSummary& video, const VideoFormat& format) {
+  const VideoTraits& traits = traits_of(format.kind);
+  require(name, "the size", std::to_string(video.width) + " x " + std::to_string(video.height),
+          std::to_string(format.width) + " x " + std::to_string(format.height));
+  if (is_still(format, video.frames)) return;
+  require(name, "the codec", video.codec, std::string(traits.codec));
+  if (traits.picture || format.kind == VideoKind::mkv) return;
+  require(name, "the matrix tag", video.matrix, traits.lossless ? "gbr" : "bt709");
+  require(name, "the primaries tag", video.primaries, "bt709");
+  require(name, "the transfer tag", video.transfer, traits.lossless ? "iec61966-2-1" : "bt709");
+  require(name, "the range tag", video.range, traits.lossless ? "pc" : "tv");
+  if (traits.codec == "h264" && !video.index_at_front) {
+    throw Error(name + ": the index is not at the front");
+  }
+}
+
+void check_times(const std::string& name, const VideoSummary& video, const VideoFormat& format,
+                 int frames) {
+  if (is_still(format, frames)) return;
+  const double rate = format.rate.per_second();
+  // FFmpeg's WebP encoder cuts times off to milliseconds; the others round.
+  const double ticks = format.kind == VideoKind::webp ? 1.001 : 0.501;
+  const double tolerance = ticks * video.tick_seconds + 1e-9;
+  for (std::size_t i = 0; i < video.times.size(); ++i) {
+    const double frame = std::round(video.times[i] * rate);
+    const double nearest = frame / rate;
+    const bool in_order = format.kind == VideoKind::webp || frame == static_cast<double>(i);
+    const bool ascends = i == 0 ? video.times[0] == 0.0 : video.times[i] > video.times[i - 1];
+    if (!in_order || !ascends || std::abs(video.times[i] - nearest) > tolerance) {
+      throw Error(name + ": picture " + std::to_string(i) + " is shown at " +
+                  fixed(video.times[i], 4) + " s, which is no frame's time");
+    }
+  }
+  // Two roundings: of the last frame's time and of its length.
+  if (std::abs(video.duration_seconds - frames / rate) > 2.0 * tolerance) {
+    throw Error(name + ": lasts " + fixed(video.duration_seconds, 3) + " s instead of " +
+                fixed(frames / rate, 3) + " s");
+  }
+}
+
+}  // namespace
+
+VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
+                       const FilmSketch& written) {
+  const std::string name = path.string();
+  VideoCheck check;
+  Comparison comparison(name, format, written, check);
+  const double rate = format.rate.per_second();
+  const int frames = static_cast<int>(written.frames.size());
+  FrameSketch first;
+  int shown = 0;  // frames that pictures stood for
+  // While one picture is compared, the next is decoded.
+  Image8 compared;
+  std::future<void> comparing;
+  check.summary = probe_timed(path, [&](const ShownPicture& shot) {
+    if (shot.index == 0 && shot.picture.width == format.width &&
+        shot.picture.height == format.height) {
+      first = written.sketcher.sketch(shot.picture);
+    }
+    const int last = format.kind == VideoKind::webp && shot.duration > 0.0
+                         ? static_cast<int>(std::lround((shot.seconds + shot.duration) * rate)) - 1
+                         : shown;
+    if (comparing.valid()) comparing.get();
+    compared = shot.picture;
+    comparing = std::async(std::launch::async, [&comparison, &compared, from = shown, last] {
+      comparison.take(from, last, compared);
+    });
+    shown = last + 1;
+  });
+  if (comparing.valid()) comparing.get();
+  check_tags(name, check.summary, format);
+  if (shown != frames) {
+    throw Error(name + ": has " + std::to_string(shown) + " frames instead of " +
+                std::to_string(frames));
+  }
+  check.frames = shown;
+  check_times(name, check.summary, format, frames);
+  comparison.require_least();
+  if (written.sketcher.sketch(first_picture_alone(path)).hash != first.hash) {
+    throw Error(name + ": the first frame does not decode alone");
+  }
+  return check;
+}
+
+std::string likeness_text(const VideoCheck& check) {
+  if (check.identical) return "identical to the frames";
+  return "worst PSNR " + fixed(check.worst_psnr_db, 1) + " dB (frame " +
+         std::to_string(check.worst_psnr_frame) + "), worst SSIM " + fixed(check.worst_ssim, 3) +
+         " (frame " + std::to_string(check.worst_ssim_frame) + ")";
+}
+
+}  // namespace mien::render

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "render/video/video.h"
+#include "render/video/video_sketch.h"
+
+namespace mien::render {
+
+/// What the check of a written video found.
+struct VideoCheck {
+  VideoSummary summary;
+  int frames = 0;              ///< that it shows
+  bool identical = true;       ///< every decoded frame is the frame written
+  double worst_psnr_db = 0.0;  ///< of all frames; infinite when identical (video_sketch.h)
+  int worst_psnr_frame = 0;
+  double worst_ssim = 1.0;
+  int worst_ssim_frame = 0;
+};
+
+/// Decodes a video and throws Error, with the worst frame, unless it is what was written:
+///
+/// - size, codec and colour tags are those of the kind, MP4 has its index at the front;
+/// - as many frames as were written, each shown at its time and the last to the film's end, as
+///   nearly as the container can say; a WebP may show a picture for several frames;
+/// - the first frame decodes from its own bytes alone;
+/// - no part of a frame (a tile of video_sketch.h) is lighter or darker by more than 12 of 255;
+/// - lossless kinds: each frame is the frame written; others: the worst frame's PSNR and SSIM reach
+///   the kind's least values (video_kind.h); 6 dB and 0.15 less for pictures below 100,000 pixels.
+VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
+                       const FilmSketch& written);
+
+/// "identical to the frames", or "worst PSNR 44.1 dB (frame 3), worst SSIM 0.995 (frame 7)".
+std::string likeness_text(const VideoCheck& check);
+
+}  // namespace mien::render

@@ -1,0 +1,250 @@
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+#include "render/video/libav.h"
+#include "render/video/video.h"
+#include "render/video/webp_probe.h"
+#include "render/video/yuv.h"
+
+namespace mien::render {
+
+namespace {
+
+constexpr int decoder_threads = 2;  // no influence on the pictures
+
+Input open_input(const std::string& path) {
+  av_log_set_level(AV_LOG_QUIET);
+  AVFormatContext* input = nullptr;
+  checked(avformat_open_input(&input, ("file:" + path).c_str(), nullptr, nullptr),
+          path + ": opening");
+  Input owner(input);
+  checked(avformat_find_stream_info(input, nullptr), path + ": reading");
+  return owner;
+}
+
+CodecContext open_decoder(const AVStream* stream, const std::string& path) {
+  const AVCodec* decoder = avcodec_find_decoder(stream->codecpar->codec_id);
+  if (!decoder) throw Error(path + ": no decoder for this video");
+  CodecContext codec(avcodec_alloc_context3(decoder));
+  checked(avcodec_parameters_to_context(codec.get(), stream->codecpar), path);
+  codec->err_recognition = AV_EF_EXPLODE;
+  codec->thread_count = decoder_threads;
+  checked(avcodec_open2(codec.get(), decoder, nullptr), path + ": opening the decoder");
+  return codec;
+}
+
+std::string named(const char* name) { return name ? name : ""; }
+
+/// Whether the index box of an MP4 file precedes the pictures.
+bool has_index_at_front(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  for (;;) {
+    unsigned char head[8];
+    if (!file.read(reinterpret_cast<char*>(head), sizeof head)) return false;
+    if (std::memcmp(head + 4, "moov", 4) == 0) return true;
+    if (std::memcmp(head + 4, "mdat", 4) == 0) return false;
+    const std::uint32_t size = (std::uint32_t{head[0]} << 24) | (std::uint32_t{head[1]} << 16) |
+                               (std::uint32_t{head[2]} << 8) | std::uint32_t{head[3]};
+    if (size < 8) return false;
+    file.seekg(static_cast<std::streamoff>(size) - 8, std::ios::cur);
+  }
+}
+
+double duration_of(const AVFrame& frame) {
+#if LIBAVUTIL_VERSION_MAJOR >= 58
+  return static_cast<double>(frame.duration);
+#else
+  return static_cast<double>(frame.pkt_duration);
+#endif
+}
+
+bool is_key(const AVFrame& frame) {
+#if LIBAVUTIL_VERSION_MAJOR >= 58
+  return (frame.flags & AV_FRAME_FLAG_KEY) != 0;
+#else
+  return frame.key_frame != 0;
+#endif
+}
+
+std::uint32_t big_endian(const unsigned char* bytes, int count) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < count; ++i) value = value << 8 | bytes[i];
+  return value;
+}
+
+/// The times of an animated PNG as the sums of the fractions that it has; FFmpeg adds up what it
+/// has rounded.
+void take_exact_times(const std::string& path, VideoSummary& summary) {
+  std::ifstream file(path, std::ios::binary);
+  unsigned char chunk[8 + 24];
+  double time = 0.0;
+  summary.times.clear();
+  for (std::streamoff at = 8;;) {
+    file.seekg(at);
+    if (!file.read(reinterpret_cast<char*>(chunk), 8)) break;
+    if (std::memcmp(chunk + 4, "fcTL", 4) == 0) {
+      if (!file.read(reinterpret_cast<char*>(chunk + 8), 24)) break;
+      summary.times.push_back(time);
+      const auto parts = static_cast<double>(big_endian(chunk + 30, 2));
+      time += static_cast<double>(big_endian(chunk + 28, 2)) / (parts == 0.0 ? 100.0 : parts);
+    }
+    at += 12 + static_cast<std::streamoff>(big_endian(chunk, 4));
+  }
+  summary.duration_seconds = time;
+}
+
+/// Decoded frames one by one: their order, times and pictures.
+struct Decoding {
+  const std::string& path;
+  const AVStream* stream;
+  const std::function<void(const ShownPicture&)>& on_picture;
+  VideoSummary& summary;
+  Scaler scaler = nullptr;
+
+  void take(const AVFrame& frame) {
+    const int index = summary.frames++;
+    const double tick = av_q2d(stream->time_base);
+    const double seconds = static_cast<double>(frame.best_effort_timestamp) * tick;
+    const double duration = duration_of(frame) * tick;
+    if (index == 0) summary.starts_with_key_frame = is_key(frame);
+    summary.times.push_back(seconds);
+    summary.duration_seconds = seconds + duration;
+    if (on_picture) on_picture({index, seconds, duration, to_rgb(frame)});
+  }
+
+  Image8 to_rgb(const AVFrame& frame) {
+    if (frame.format == AV_PIX_FMT_YUV420P && frame.width % 2 == 0 && frame.height % 2 == 0) {
+      return rgb_from_yuv({frame.width,
+                           frame.height,
+                           {frame.data[0], frame.data[1], frame.data[2]},
+                           {frame.linesize[0], frame.linesize[1], frame.linesize[2]}});
+    }
+    if (!scaler) {
+      scaler = make_scaler(frame.width, frame.height, static_cast<AVPixelFormat>(frame.format),
+                           AV_PIX_FMT_RGB24, false);
+    }
+    Image8 image(frame.width, frame.height);
+    std::uint8_t* rows[1] = {image.channels.data()};
+    const int strides[1] = {3 * frame.width};
+    sws_scale(scaler.get(), frame.data, frame.linesize, 0, frame.height, rows, strides);
+    return image;
+  }
+};
+
+void receive_all(AVCodecContext& codec, AVFrame& frame, Decoding& decoding) {
+  for (;;) {
+    const int code = avcodec_receive_frame(&codec, &frame);
+    if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
+    checked(code, decoding.path + ": decoding frame " + std::to_string(decoding.summary.frames));
+    decoding.take(frame);
+    av_frame_unref(&frame);
+  }
+}
+
+/// A file opened for decoding.
+struct OpenVideo {
+  std::string name;
+  Input input;
+  const AVStream* stream;
+  CodecContext codec;
+
+  explicit OpenVideo(const std::filesystem::path& path)
+      : name(path.string()),
+        input(open_input(name)),
+        stream(input->streams[checked(
+            av_find_best_stream(input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0),
+            name + ": no video")]),
+        codec(open_decoder(stream, name)) {}
+
+  VideoSummary facts() const {
+    VideoSummary facts;
+    facts.container = named(input->iformat->name);
+    facts.codec = named(avcodec_get_name(stream->codecpar->codec_id));
+    facts.pixel_format = named(av_get_pix_fmt_name(codec->pix_fmt));
+    facts.width = stream->codecpar->width;
+    facts.height = stream->codecpar->height;
+    facts.rate = {stream->avg_frame_rate.num, std::max(1, stream->avg_frame_rate.den)};
+    facts.primaries = named(av_color_primaries_name(stream->codecpar->color_primaries));
+    facts.transfer = named(av_color_transfer_name(stream->codecpar->color_trc));
+    facts.matrix = named(av_color_space_name(stream->codecpar->color_space));
+    facts.range = named(av_color_range_name(stream->codecpar->color_range));
+    facts.tick_seconds = av_q2d(stream->time_base);
+    facts.index_at_front = has_index_at_front(name);
+    return facts;
+  }
+
+  /// Decodes the file, or no more than `most` packets of it.
+  void decode(Decoding& decoding, int most) {
+    const Packet packet(av_packet_alloc());
+    const Frame frame(av_frame_alloc());
+    while (most > 0) {
+      const int code = av_read_frame(input.get(), packet.get());
+      if (code == AVERROR_EOF) break;
+      checked(code, name + ": reading");
+      if (packet->stream_index == stream->index) {
+        checked(avcodec_send_packet(codec.get(), packet.get()), name + ": decoding");
+        receive_all(*codec, *frame, decoding);
+        --most;
+      }
+      av_packet_unref(packet.get());
+    }
+    checked(avcodec_send_packet(codec.get(), nullptr), name + ": decoding");
+    receive_all(*codec, *frame, decoding);
+  }
+};
+
+bool are_steady(const VideoSummary& video) {
+  for (std::size_t i = 0; i < video.times.size(); ++i) {
+    const double expected = static_cast<double>(i) / video.rate.per_second();
+    if (std::abs(video.times[i] - expected) > 0.501 * video.tick_seconds) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+VideoSummary probe_timed(const std::filesystem::path& path,
+                         const std::function<void(const ShownPicture&)>& on_picture) {
+  if (is_webp(path)) return probe_webp(path, on_picture);
+  OpenVideo video(path);
+  VideoSummary summary = video.facts();
+  Decoding decoding{video.name, video.stream, on_picture, summary};
+  video.decode(decoding, std::numeric_limits<int>::max());
+  if (summary.codec == "apng") take_exact_times(video.name, summary);
+  summary.steady_timestamps = are_steady(summary);
+  return summary;
+}
+
+VideoSummary probe(const std::filesystem::path& path,
+                   const std::function<void(int, const Image8&)>& on_frame) {
+  if (!on_frame) return probe_timed(path, {});
+  return probe_timed(path,
+                     [&](const ShownPicture& shown) { on_frame(shown.index, shown.picture); });
+}
+
+Image8 first_picture_alone(const std::filesystem::path& path) {
+  if (is_webp(path)) return first_webp_picture(path);
+  OpenVideo video(path);
+  VideoSummary summary;
+  Image8 first;
+  const std::function<void(const ShownPicture&)> keep = [&](const ShownPicture& shown) {
+    if (shown.index == 0) first = shown.picture;
+  };
+  Decoding decoding{video.name, video.stream, keep, summary};
+  video.decode(decoding, 1);
+  if (summary.frames == 0) throw Error(video.name + ": the first frame does not decode alone");
+  return first;
+}
+
+std::string video_libraries() {
+  const auto version = [](unsigned v) {
+    return std::to_string(AV_VERSION_MAJOR(v)) + "." + std::to_string(AV_VERSION_MINOR(v)) + "." +
+           std::to_string(AV_VERSION_MICRO(v));
+  };
+  return "libavcodec " + version(avcodec_version()) + ", libavformat " +
+         version(avformat_version()) + ", libswscale " + version(swscale_version());
+}
+
+}  // namespace mien::render

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/image/image.h"
+
+namespace mien::render {
+
+/// What is kept of a frame to compare a decoded one with it: four kilobytes, so that no frame has
+/// to be held or drawn again, and ten thousand take some 40 MB.
+struct FrameSketch {
+  /// Of one square of the picture. Projections are sums of its values with fixed random signs: the
+  /// square of the difference of two frames' projections is, in the mean over all signs, the sum of
+  /// squares of their differences (Alon, Matias and Szegedy 1996). They are divided by the root of
+  /// the number of values.
+  struct Tile {
+    std::uint16_t mean = 0;          ///< of luma, in 256ths of a code
+    std::uint16_t deviation = 0;     ///< of luma, in 512ths
+    Eigen::half luma_projection{};   ///< of luma
+    Eigen::half color_projection{};  ///< of all three channels
+  };
+
+  std::uint64_t hash = 0;  ///< of every channel
+  std::vector<Tile> tiles;
+};
+
+/// How like two frames are.
+struct Likeness {
+  bool identical = false;   ///< by hash
+  double psnr_db = 0.0;     ///< over the three channels of 8 bits; infinite when identical
+  double ssim = 0.0;        ///< of luma (Wang et al. 2004), uniform windows without overlap
+  double worst_part = 0.0;  ///< largest difference of a tile's mean luma, 0 … 255; to 1/256
+};
+
+/// Makes and compares sketches of frames of one size.
+///
+/// `identical` is exact but for a chance of 2⁻⁶⁴. PSNR and SSIM are estimates without bias in which
+/// every pixel counts, but for the rounding of projections, which shows above 60 dB: with n tiles
+/// the relative standard error of the mean squared error is at most √(2/n) where errors are spread
+/// evenly, 0.35 dB for the 300 to 512 tiles of usual frames.
+/// What is wrong in one part alone shows in `worst_part`.
+class FrameSketcher {
+ public:
+  FrameSketcher(int width, int height);
+
+  /// Throws std::invalid_argument for a frame of another size.
+  FrameSketch sketch(const Image8& frame) const;
+
+  Likeness likeness(const FrameSketch& a, const FrameSketch& b) const;
+
+  int tile_edge() const { return edge_; }  ///< pixels; SSIM's windows
+  int tile_count() const { return across_ * down_; }
+
+ private:
+  int width_;
+  int height_;
+  int edge_;
+  int across_;
+  int down_;
+  std::vector<std::int8_t> color_signs_;  ///< of one row of tiles: edge × 3 · width
+  std::vector<std::int8_t> luma_signs_;   ///< edge × width
+};
+
+/// Sketches of all frames of a film, collected while it is written.
+struct FilmSketch {
+  FrameSketcher sketcher;
+  std::vector<FrameSketch> frames;
+
+  FilmSketch(int width, int height) : sketcher(width, height) {}
+  void add(const Image8& frame) { frames.push_back(sketcher.sketch(frame)); }
+};
+
+}  // namespace mien::render

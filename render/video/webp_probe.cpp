@@ -1,0 +1,116 @@
+#include "render/video/webp_probe.h"
+
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <vector>
+
+#include <OpenImageIO/imageio.h>
+
+#include "render/error.h"
+
+namespace mien::render {
+
+namespace {
+
+std::uint32_t little_endian(const unsigned char* bytes, int count) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < count; ++i) value |= std::uint32_t{bytes[i]} << (8 * i);
+  return value;
+}
+
+/// The durations of the pictures, milliseconds, by walking over the file's chunks; 0 for a picture
+/// that is not animated.
+std::vector<int> durations_of(const std::filesystem::path& path) {
+  const auto broken = [&] { return Error(path.string() + ": is cut short"); };
+  std::ifstream file(path, std::ios::binary);
+  unsigned char head[12];
+  if (!file.read(reinterpret_cast<char*>(head), 12)) throw broken();
+  const std::uint64_t end = std::uint64_t{little_endian(head + 4, 4)} + 8;
+  if (std::filesystem::file_size(path) < end) throw broken();
+  std::vector<int> durations;
+  std::uint64_t at = 12;
+  while (at + 8 <= end) {
+    unsigned char chunk[24];
+    file.seekg(static_cast<std::streamoff>(at));
+    if (!file.read(reinterpret_cast<char*>(chunk), 8)) throw broken();
+    const std::uint32_t size = little_endian(chunk + 4, 4);
+    if (std::memcmp(chunk, "ANMF", 4) == 0) {
+      if (!file.read(reinterpret_cast<char*>(chunk + 8), 16)) throw broken();
+      durations.push_back(static_cast<int>(little_endian(chunk + 20, 3)));
+    }
+    at += 8 + std::uint64_t{size} + size % 2;
+  }
+  if (at != end) throw broken();
+  if (durations.empty()) durations.push_back(0);
+  return durations;
+}
+
+using Reader = std::unique_ptr<OIIO::ImageInput>;
+
+Reader opened(const std::filesystem::path& path) {
+  Reader reader = OIIO::ImageInput::open(path.string());
+  if (!reader) throw Error(path.string() + ": opening: " + OIIO::geterror());
+  reader->threads(1);
+  return reader;
+}
+
+Image8 picture_of(OIIO::ImageInput& reader, int index, const std::filesystem::path& path) {
+  const auto fail = [&] {
+    return Error(path.string() + ": decoding frame " + std::to_string(index) + ": " +
+                 reader.geterror());
+  };
+  if (!reader.seek_subimage(index, 0)) throw fail();
+  const OIIO::ImageSpec spec = reader.spec();
+  const auto channels = static_cast<std::size_t>(spec.nchannels);
+  if (channels < 3) throw fail();
+  std::vector<std::uint8_t> pixels(channels * static_cast<std::size_t>(spec.width) *
+                                   static_cast<std::size_t>(spec.height));
+  if (!reader.read_image(index, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data())) {
+    throw fail();
+  }
+  Image8 image(spec.width, spec.height);
+  for (std::size_t i = 0; i < image.channels.size() / 3; ++i) {
+    std::memcpy(image.channels.data() + 3 * i, pixels.data() + channels * i, 3);
+  }
+  return image;
+}
+
+}  // namespace
+
+bool is_webp(const std::filesystem::path& path) {
+  char head[12] = {};
+  std::ifstream(path, std::ios::binary).read(head, sizeof head);
+  return std::memcmp(head, "RIFF", 4) == 0 && std::memcmp(head + 8, "WEBP", 4) == 0;
+}
+
+VideoSummary probe_webp(const std::filesystem::path& path,
+                        const std::function<void(const ShownPicture&)>& on_picture) {
+  const std::vector<int> durations = durations_of(path);
+  const Reader reader = opened(path);
+  VideoSummary summary;
+  summary.container = "webp";
+  summary.codec = "webp";
+  summary.width = reader->spec().width;
+  summary.height = reader->spec().height;
+  summary.tick_seconds = 0.001;
+  summary.starts_with_key_frame = true;
+  int milliseconds = 0;
+  for (const int duration : durations) {
+    const double seconds = 0.001 * milliseconds;
+    const Image8 picture = picture_of(*reader, summary.frames, path);
+    if (on_picture) on_picture({summary.frames, seconds, 0.001 * duration, picture});
+    summary.times.push_back(seconds);
+    milliseconds += duration;
+    ++summary.frames;
+  }
+  summary.duration_seconds = 0.001 * milliseconds;
+  if (milliseconds > 0) summary.rate = frame_rate(summary.frames / summary.duration_seconds);
+  return summary;
+}
+
+Image8 first_webp_picture(const std::filesystem::path& path) {
+  return picture_of(*opened(path), 0, path);
+}
+
+}  // namespace mien::render

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "render/image/image.h"
+
+namespace mien::render {
+
+/// A picture of 8 bits, BT.709 of limited range, with one pair of colour differences for 2 × 2
+/// pixels, placed at the left pixels' column, between their rows (as H.264, VP9 and AV1 have it).
+struct Yuv420 {
+  int width = 0;   ///< even
+  int height = 0;  ///< even
+  const std::uint8_t* planes[3] = {};
+  int strides[3] = {};  ///< bytes from row to row
+};
+
+/// As sRGB codes. Colour differences are interpolated linearly. Whole numbers only, so the same
+/// everywhere; within one code of the definition for a flat colour.
+Image8 rgb_from_yuv(const Yuv420& picture);
+
+}  // namespace mien::render

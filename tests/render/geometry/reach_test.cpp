@@ -1,0 +1,36 @@
+#include "render/geometry/reach.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace mien::render {
+namespace {
+
+TEST(MayMeet, HoldsForEveryRayTowardsAPointInTheSphere) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> share(-1.0f, 1.0f);
+  const auto point = [&](float reach) {
+    return Vec3(reach * share(random), reach * share(random), reach * share(random));
+  };
+  int missed = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const float reach = std::exp2(7.0f * share(random));  // 8 mm … 128 m
+    const BoundingSphere sphere{point(5.0f), std::exp2(4.0f * share(random))};
+    Vec3 within = point(1.0f);
+    if (within.norm() > 1.0f) within.normalize();  // often at the very rim
+    const Vec3 origin = point(reach);
+    const Vec3 target = sphere.centre + sphere.radius * within;
+    EXPECT_TRUE(may_meet(sphere, origin, (target - origin).normalized()));
+    missed += may_meet(sphere, origin, point(1.0f).normalized()) ? 0 : 1;
+  }
+  EXPECT_GT(missed, 20'000);  // it does rule rays out
+}
+
+TEST(MayMeet, IsFalseWithoutAFigure) {
+  EXPECT_FALSE(may_meet({}, {0.0f, 1.0f, 2.0f}, {0.0f, 0.0f, -1.0f}));
+}
+
+}  // namespace
+}  // namespace mien::render

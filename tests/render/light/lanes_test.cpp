@@ -1,0 +1,112 @@
+#include "render/light/lanes.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "render/light/light.h"
+#include "render/math/directions.h"
+#include "render/math/sampler.h"
+
+namespace mien::render {
+namespace {
+
+constexpr int count = static_cast<int>(lanes);
+
+class Lanes : public testing::Test {
+ protected:
+  float uniform(float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random_);
+  }
+  Vec3 direction() {
+    const Vec3 v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+    return v.normalized();
+  }
+  LanePoints points() {
+    LanePoints u;
+    for (int i = 0; i < count; ++i) {
+      u.u[i] = uniform(0.0f, 0.9999f);
+      u.v[i] = uniform(0.0f, 0.9999f);
+    }
+    return u;
+  }
+
+ private:
+  std::mt19937 random_{3};
+};
+
+TEST_F(Lanes, GiveThePointsOfTheSampler) {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    LaneWords index, seeds;
+    for (int i = 0; i < count; ++i) {
+      index[i] = 37u * seed + static_cast<std::uint32_t>(i);
+      seeds[i] = mixed(seed, static_cast<std::uint32_t>(i / 3));
+    }
+    const LanePoints found = sample_points(index, seeds);
+    for (int i = 0; i < count; ++i) {
+      const Point2 expected = sample_point(index[i], seeds[i]);
+      EXPECT_EQ(found.u[i], expected.u);
+      EXPECT_EQ(found.v[i], expected.v);
+    }
+  }
+}
+
+TEST_F(Lanes, GiveTheDirectionsOfOneByOne) {
+  for (int trial = 0; trial < 200; ++trial) {
+    LaneVectors normals;
+    for (int i = 0; i < count; ++i) normals.set(i, direction());
+    LanePoints u = points();
+    if (trial == 0) u.u[0] = u.v[0] = 0.5f;  // the middle of the disc
+    const LaneVectors cosine = cosine_directions(normals, u);
+    const Vec3 axis = direction();
+    const float half = uniform(0.0f, 0.999f);
+    const LaneVectors cone = cone_directions(axis, half, u);
+    for (int i = 0; i < count; ++i) {
+      const Point2 point{u.u[i], u.v[i]};
+      EXPECT_LT((cosine.at(i) - cosine_direction(normals.at(i), point)).norm(), 1e-6f);
+      EXPECT_LT((cone.at(i) - cone_direction(axis, half, point)).norm(), 1e-6f);
+    }
+  }
+}
+
+TEST_F(Lanes, GiveThePointsOfALight) {
+  const AreaLight light =
+      softbox({1.0f, 4.0f, 2.0f}, Vec3::UnitY(), 1.5f, 0.7f, Color::Constant(3.0f));
+  for (int trial = 0; trial < 200; ++trial) {
+    LaneVectors places;
+    for (int i = 0; i < count; ++i) places.set(i, {uniform(-9, 9), uniform(-2, 9), uniform(-9, 9)});
+    const LanePoints u = points();
+    const LaneLights found = sample_lights(light, places, u);
+    for (int i = 0; i < count; ++i) {
+      const LightSample expected = sample(light, places.at(i), {u.u[i], u.v[i]});
+      EXPECT_LT((found.towards.at(i) - expected.towards).norm(), 2e-6f);
+      EXPECT_NEAR(found.distance[i], expected.distance, 1e-5f);
+      EXPECT_NEAR(3.0f * found.share[i], expected.perpendicular.x(),
+                  1e-4f * (1.0f + expected.perpendicular.x()));
+    }
+  }
+}
+
+TEST_F(Lanes, GiveTheRaysOfACamera) {
+  for (const float height : {0.0f, 2.5f}) {
+    const CameraFrame camera = frame_of({.position = {1.0f, 2.0f, 4.0f},
+                                         .target = {0.2f, 1.0f, 0.1f},
+                                         .parallel_height = height,
+                                         .shift_x = 12.0f});
+    LaneFloats x, y;
+    for (int i = 0; i < count; ++i) {
+      x[i] = uniform(0.0f, 960.0f);
+      y[i] = uniform(0.0f, 540.0f);
+    }
+    LaneVectors origins, directions;
+    eye_rays(camera, x, y, origins, directions);
+    for (int i = 0; i < count; ++i) {
+      const EyeRay expected = camera.ray(x[i], y[i]);
+      EXPECT_LT((origins.at(i) - expected.origin).norm(), 1e-6f);
+      EXPECT_LT((directions.at(i) - expected.direction).norm(), 1e-6f);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mien::render

@@ -1,0 +1,96 @@
+#include "render/math/sampler.h"
+
+#include <cstddef>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace mien::render {
+namespace {
+
+/// Pearson's statistic of counts that are expected to be equal.
+double chi_squared(const std::vector<int>& counts) {
+  double total = 0.0, sum = 0.0;
+  for (const int count : counts) total += count;
+  const double expected = total / static_cast<double>(counts.size());
+  for (const int count : counts) sum += (count - expected) * (count - expected) / expected;
+  return sum;
+}
+
+std::size_t cell_of(float x, unsigned cells) {
+  return static_cast<std::size_t>(x * static_cast<float>(cells));
+}
+
+// χ² with 255 degrees of freedom lies below 330.5 with probability 0.999.
+constexpr double chi_squared_255_at_0_1_percent = 330.5;
+
+TEST(SamplePoint, IsUniformOverSeeds) {
+  std::vector<int> counts(256, 0);
+  for (std::uint32_t seed = 0; seed < 65536; ++seed) {
+    const Point2 p = sample_point(3, seed);
+    ++counts[16 * cell_of(p.u, 16) + cell_of(p.v, 16)];
+  }
+  EXPECT_LT(chi_squared(counts), chi_squared_255_at_0_1_percent);
+}
+
+TEST(PixelSampler, IsUniformOverPixels) {
+  std::vector<int> counts(256, 0);
+  for (int y = 0; y < 256; ++y) {
+    for (int x = 0; x < 256; ++x) {
+      const Point2 p = PixelSampler(7, x, y).point(Dimension::FilmPosition, 0);
+      ++counts[16 * cell_of(p.u, 16) + cell_of(p.v, 16)];
+    }
+  }
+  EXPECT_LT(chi_squared(counts), chi_squared_255_at_0_1_percent);
+}
+
+TEST(PixelSampler, HasIndependentDimensions) {
+  std::vector<int> counts(256, 0);
+  for (int x = 0; x < 65536; ++x) {
+    const PixelSampler sampler(1, x, 0);
+    const float a = sampler.point(Dimension::FloorSkyChoice, 0).u;
+    const float b = sampler.point(Dimension::FloorSky, 0).u;
+    ++counts[16 * cell_of(a, 16) + cell_of(b, 16)];
+  }
+  EXPECT_LT(chi_squared(counts), chi_squared_255_at_0_1_percent);
+}
+
+/// Whether each of the 2^k boxes of every shape 2^−i × 2^−(k−i) holds one of the points.
+bool is_net(const std::vector<Point2>& points, unsigned k) {
+  for (unsigned i = 0; i <= k; ++i) {
+    std::vector<int> counts(std::size_t{1} << k, 0);
+    for (const Point2& p : points) {
+      const std::size_t column = cell_of(p.u, 1u << i);
+      const std::size_t row = cell_of(p.v, 1u << (k - i));
+      if (++counts[(column << (k - i)) + row] > 1) return false;
+    }
+  }
+  return true;
+}
+
+TEST(SamplePoint, FillsEachAlignedBlockAsANet) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    for (unsigned k = 0; k <= 8; ++k) {
+      for (std::uint32_t block = 0; block < 5; ++block) {
+        std::vector<Point2> points;
+        for (std::uint32_t i = 0; i < (1u << k); ++i)
+          points.push_back(sample_point((block << k) + i, seed));
+        EXPECT_TRUE(is_net(points, k)) << "seed " << seed << ", 2^" << k << ", block " << block;
+      }
+    }
+  }
+}
+
+TEST(Sobol, StartsWithThePublishedPoints) {
+  // Joe & Kuo 2008, first two dimensions, not in Gray-code order.
+  constexpr double expected[8][2] = {{0.0, 0.0},     {0.5, 0.5},     {0.25, 0.75},
+                                     {0.75, 0.25},   {0.125, 0.625}, {0.625, 0.125},
+                                     {0.375, 0.375}, {0.875, 0.875}};
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(sobol(i)[0] * 0x1p-32, expected[i][0]) << i;
+    EXPECT_EQ(sobol(i)[1] * 0x1p-32, expected[i][1]) << i;
+  }
+}
+
+}  // namespace
+}  // namespace mien::render

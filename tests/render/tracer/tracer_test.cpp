@@ -1,0 +1,229 @@
+#include "render/tracer/tracer.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "render/patch.h"
+#include "render/refusal.h"
+
+namespace mien::render {
+namespace {
+
+using test::camera_on;
+using test::even_sky;
+using test::expect_mean;
+using test::radiance_at;
+
+const Color sky_light{0.2f, 0.5f, 1.5f};
+const Color albedo{0.3f, 0.6f, 0.9f};
+
+Scene one_sphere() {
+  Scene scene;
+  scene.has_ground = false;
+  scene.materials = {{.albedo = albedo}};
+  scene.solids.spheres = {{.centre = {0.0f, 1.0f, 0.0f}, .radius = 1.0f}};
+  return scene;
+}
+
+TEST(Tracer, ShowsASphereInAFurnaceAsItsAlbedo) {
+  Scene scene = one_sphere();
+  scene.sky = even_sky(sky_light);
+  // With a backdrop of the same light, edges count too.
+  scene.sky.backdrop_horizon = scene.sky.backdrop_zenith = albedo * sky_light;
+  const Film film = Tracer().trace(scene, {.width = 64, .height = 48}, {.samples_per_pixel = 8});
+  for (std::size_t i = 0; i < film.channels.size(); ++i) {
+    const float expected = (albedo * sky_light)[static_cast<Eigen::Index>(i % 3)];
+    EXPECT_NEAR(film.channels[i], expected, 2e-6f) << "channel " << i;
+  }
+}
+
+// ∫ (h + (z − h) sin e) cos θ dω over the sky that a point sees, over π.
+TEST(Tracer, LightsASphereFromAGradedSky) {
+  Scene scene = one_sphere();
+  scene.sky.horizon = Color::Constant(0.5f);
+  scene.sky.zenith = Color::Constant(2.0f);
+  scene.sky.below = Color::Constant(0.25f);
+  const auto a = static_cast<double>(albedo.x());
+  const test::SampleMean top =
+      radiance_at(scene, camera_on({0.0f, 2.0f, 0.0f}, {0.0f, 3.0f, 0.0f}), {}, 4);
+  expect_mean(top, a * (0.5 + 1.5 * 2.0 / 3.0), 1e-4, 1e-4);
+  const test::SampleMean side =
+      radiance_at(scene, camera_on({1.0f, 1.0f, 0.0f}, {3.0f, 0.0f, 0.0f}), {}, 4);
+  const double upper = 0.25 + 1.5 * (2.0 / 3.0) / std::numbers::pi;
+  expect_mean(side, a * (upper + 0.5 * 0.25), 1e-4, 2e-4);
+}
+
+// The form factor of a square right above: four corners of Howell's B-3.
+TEST(Tracer, LightsASphereFromARectangle) {
+  Scene scene = one_sphere();
+  scene.sky = even_sky(Color::Zero());
+  scene.lights = {{.centre = {0.0f, 4.0f, 0.0f}, .radiance = Color::Constant(7.0f)}};
+  const double x = 0.5 / 2.0, p = std::sqrt(1.0 + x * x);
+  const double factor = 4.0 * 2.0 * (x / p) * std::atan(x / p) / (2.0 * std::numbers::pi);
+  const double expected = static_cast<double>(albedo.x()) * 7.0 * factor;
+  const test::SampleMean top =
+      radiance_at(scene, camera_on({0.0f, 2.0f, 0.0f}, {0.0f, 3.0f, 0.0f}), {}, 8);
+  expect_mean(top, expected, 1e-4 * expected, 3e-4 * expected);
+}
+
+Scene random_figure(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random);
+  };
+  const auto place = [&] { return Vec3{uniform(-1, 1), uniform(-0.1f, 2), uniform(-1, 1)}; };
+  Scene scene;
+  scene.materials = {{.albedo = albedo}, {.albedo = {0.7f, 0.2f, 0.1f}, .sheen = 0.04f}};
+  for (int i = 0; i < 6; ++i)
+    scene.solids.spheres.push_back({place(), uniform(0.02f, 0.2f), i % 2});
+  for (int i = 0; i < 6; ++i)
+    scene.solids.capsules.push_back(
+        {place(), place(), uniform(0.01f, 0.2f), uniform(0.01f, 0.2f), i % 2});
+  // The second light stands as low as the figure, so that its shadows reach the horizon.
+  scene.lights = {softbox({2.0f, 4.0f, 2.0f}, Vec3::UnitY(), 1.5f, 1.0f, Color::Constant(8.0f)),
+                  softbox({-3.0f, 1.5f, 1.0f}, Vec3::UnitY(), 0.5f, 2.0f, Color::Constant(3.0f))};
+  scene.sky.below = Color::Constant(0.1f);
+  scene.has_ground = seed % 4 != 3;
+  return scene;
+}
+
+Camera random_view(unsigned seed) {
+  std::mt19937 random(1000 + seed);
+  std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+  // Some stand amid the figure, some look past it.
+  const float away = seed % 3 == 0 ? 0.6f : 4.0f;
+  return {.position = {away * uniform(random), 1.5f + uniform(random), away * uniform(random)},
+          .target = {uniform(random), 0.5f, uniform(random)},
+          .vertical_field_of_view = 1.0f,
+          .width = 75,
+          .height = 50};
+}
+
+constexpr unsigned trials = 12;
+
+TEST(Tracer, GivesTheSamePictureWhenItTracesTheRaysThatMeetNothingToo) {
+  Tracer tracer;
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    const Scene scene = random_figure(seed);
+    const Camera camera = random_view(seed);
+    Quality quality{.samples_per_pixel = 5, .seed = seed};
+    const Film quick = tracer.trace(scene, camera, quality);
+    quality.exhaustive = true;
+    EXPECT_EQ(tracer.trace(scene, camera, quality), quick) << "seed " << seed;
+  }
+}
+
+// Thin limbs and a broad light: little is known to be touched, and half shadows are wide.
+Scene twigs(unsigned seed) {
+  std::mt19937 random(500 + seed);
+  std::uniform_real_distribution<float> uniform(-0.5f, 0.5f);
+  Scene scene;
+  scene.materials = {Material{}};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 place{uniform(random), 0.8f + uniform(random), uniform(random)};
+    scene.solids.spheres.push_back({place, 0.01f});
+    scene.solids.spheres.push_back({place + Vec3{0.2f, 0.1f, 0.1f}, 0.12f});
+  }
+  scene.sky = even_sky(Color::Zero());
+  const bool wide = seed % 2 == 0;
+  scene.lights = {{.centre = {0.5f, 2.5f, 0.2f},
+                   .half_u = {wide ? 1.2f : 0.1f, 0.0f, 0.0f},
+                   .half_v = {0.0f, 0.0f, wide ? 0.1f : 1.2f},
+                   .radiance = Color::Constant(20.0f)}};
+  return scene;
+}
+
+TEST(Tracer, LosesNoShadowOfThinLimbsToItsShortcuts) {
+  Tracer tracer;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const Scene scene = twigs(seed);
+    const Camera camera{.position = {0.5f, 1.6f, 2.6f},
+                        .target = {0.0f, 0.3f, 0.0f},
+                        .vertical_field_of_view = 0.8f,
+                        .width = 240,
+                        .height = 160};
+    Quality quality{.samples_per_pixel = 8, .filter_width = 1.0f, .seed = seed};
+    const Film quick = tracer.trace(scene, camera, quality);
+    quality.exhaustive = true;
+    EXPECT_EQ(tracer.trace(scene, camera, quality), quick) << "seed " << seed;
+  }
+}
+
+// Pictures that take long enough for every thread to draw some of it.
+TEST(Tracer, GivesTheSamePictureWithAnyNumberOfThreads) {
+  Tracer one({.threads = 1}), two({.threads = 2}), three({.threads = 3});
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const Scene scene = random_figure(seed);
+    Camera camera = random_view(seed);
+    camera.width = 400;
+    camera.height = 300;
+    const Film film = one.trace(scene, camera, standard_quality());
+    EXPECT_EQ(two.trace(scene, camera, standard_quality()), film) << "seed " << seed;
+    EXPECT_EQ(three.trace(scene, camera, standard_quality()), film) << "seed " << seed;
+  }
+}
+
+TEST(Tracer, GivesTheSamePictureWithAnyInstructionSet) {
+  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "this machine has no avx2 instructions";
+  Tracer narrow({.instruction_set = "sse2"}), wide({.instruction_set = "avx2"});
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    const Scene scene = random_figure(seed);
+    EXPECT_EQ(narrow.trace(scene, random_view(seed), draft_quality()),
+              wide.trace(scene, random_view(seed), draft_quality()))
+        << "seed " << seed;
+  }
+}
+
+TEST(Tracer, GivesAnotherNoisePatternToAnotherSeed) {
+  Tracer tracer;
+  const Scene scene = random_figure(0);
+  EXPECT_NE(tracer.trace(scene, random_view(1), {.seed = 1}),
+            tracer.trace(scene, random_view(1), {.seed = 2}));
+}
+
+// Under lights alone: of the sky a figure hides a little everywhere.
+TEST(Tracer, ShowsNothingOfAFigureFarAway) {
+  Tracer tracer;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    Scene scene = random_figure(seed);
+    scene.sky.zenith = scene.sky.horizon = scene.sky.below = Color::Zero();
+    const Camera camera{.width = 75, .height = 50};
+    const Film alone = tracer.trace(scene, camera, {});
+    scene.solids.spheres.push_back({.centre = {0.0f, 1.0f, 60.0f}, .radius = 0.5f});
+    EXPECT_EQ(tracer.trace(scene, camera, {}), alone) << "seed " << seed;
+    scene.solids.spheres.back().centre = {0.0f, 1.0f, 0.0f};
+    EXPECT_NE(tracer.trace(scene, camera, {}), alone) << "seed " << seed;
+  }
+}
+
+TEST(Tracer, ShowsTheBackdropWhereNoFigureStands) {
+  Scene scene = one_sphere();
+  scene.sky.backdrop_horizon = scene.sky.backdrop_zenith = {0.1f, 0.2f, 0.3f};
+  const Film film = Tracer().trace(scene, {.width = 96, .height = 54}, {});
+  for (int y = 0; y < film.height; ++y)
+    for (const int x : {0, 1, 94, 95}) EXPECT_EQ(film.at(x, y)[2], 0.3f);
+}
+
+TEST(Tracer, RefusesADegenerateSceneByTheNameOfItsMember) {
+  Scene scene = one_sphere();
+  scene.solids.spheres[0].material = 1;
+  try {
+    Tracer().trace(scene, {}, {});
+    ADD_FAILURE() << "nothing was refused";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "spheres[0].material: out of range");
+  }
+  EXPECT_THROW(Tracer().trace(one_sphere(), {}, {.samples_per_pixel = 0}), std::invalid_argument);
+}
+
+TEST(Tracer, RefusesAnInstructionSetThatEmbreeDoesNotKnow) {
+  EXPECT_NE(test::refusal_of([] { Tracer({.instruction_set = "mmx"}); }).find("\"mmx\""),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien::render

@@ -1,0 +1,146 @@
+#include "render/video/video_check.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/temporary_folder.h"
+#include "render/file_damage.h"
+#include "render/refusal.h"
+#include "render/video_frames.h"
+
+namespace mien::render {
+namespace {
+
+using test::refusal_of;
+using test::smooth_frames;
+
+constexpr int width = 160;
+constexpr int height = 96;
+
+FilmSketch sketch_of(const std::vector<Image8>& frames) {
+  FilmSketch film(frames[0].width, frames[0].height);
+  for (const Image8& frame : frames) film.add(frame);
+  return film;
+}
+
+VideoFormat format_of(VideoKind kind, FrameRate rate = {30, 1}) {
+  return {.width = width, .height = height, .rate = rate, .kind = kind};
+}
+
+class VideoCheckTest : public testing::TestWithParam<VideoKind> {
+ protected:
+  mien::test::TemporaryFolder temporary;
+  const std::filesystem::path path = with_ending(temporary.path() / "video", GetParam());
+
+  std::string refusal_to(const std::vector<Image8>& written, const std::vector<Image8>& expected) {
+    test::write_video(path, written, {30, 1}, GetParam());
+    return refusal_of([&] { check_video(path, format_of(GetParam()), sketch_of(expected)); });
+  }
+};
+
+TEST_P(VideoCheckTest, AcceptsWhatWasWritten) {
+  // Still at first, as under a fixation cross, then moving.
+  std::vector<Image8> frames = smooth_frames(width, height, 20);
+  std::fill_n(frames.begin(), 7, frames[7]);
+  for (const FrameRate rate : {FrameRate{30, 1}, {30000, 1001}, {25, 1}, {50, 1}}) {
+    test::write_video(path, frames, rate, GetParam());
+    const VideoCheck check = check_video(path, format_of(GetParam(), rate), sketch_of(frames));
+    EXPECT_EQ(check.identical, traits_of(GetParam()).lossless);
+    EXPECT_EQ(check.summary.starts_with_key_frame, true);
+  }
+}
+
+TEST_P(VideoCheckTest, AcceptsASingleFrame) {
+  const std::vector<Image8> frames = smooth_frames(width, height, 1);
+  test::write_video(path, frames, {30, 1}, GetParam());
+  EXPECT_NO_THROW(check_video(path, format_of(GetParam()), sketch_of(frames)));
+}
+
+TEST_P(VideoCheckTest, RefusesALostFrame) {
+  const std::vector<Image8> frames = smooth_frames(width, height, 20);
+  const std::vector<Image8> fewer(frames.begin(), frames.end() - 1);
+  EXPECT_NE(refusal_to(fewer, frames).find("has 19 frames instead of 20"), std::string::npos);
+}
+
+TEST_P(VideoCheckTest, RefusesFramesInAnotherOrder) {
+  const std::vector<Image8> frames = smooth_frames(width, height, 40);
+  std::vector<Image8> other = frames;
+  std::swap(other[5], other[35]);
+  EXPECT_NE(refusal_to(other, frames).find("frame "), std::string::npos);
+}
+
+TEST_P(VideoCheckTest, RefusesAFrameWithABrokenBlock) {
+  const std::vector<Image8> frames = smooth_frames(width, height, 12);
+  std::vector<Image8> other = frames;
+  for (int y = 32; y < 64; ++y) std::fill_n(other[7].at(64, y), 3 * 32, std::uint8_t{255});
+  const std::string refusal = refusal_to(other, frames);
+  EXPECT_NE(refusal.find("frame 7"), std::string::npos) << refusal;
+}
+
+TEST_P(VideoCheckTest, RefusesExchangedColours) {
+  const std::vector<Image8> frames = smooth_frames(width, height, 3);
+  std::vector<Image8> other = frames;
+  for (Image8& frame : other) {
+    for (std::size_t i = 0; i < frame.channels.size(); i += 3) {
+      std::swap(frame.channels[i], frame.channels[i + 2]);
+    }
+  }
+  EXPECT_NE(refusal_to(other, frames).find("frame "), std::string::npos);
+}
+
+TEST_P(VideoCheckTest, RefusesAnotherRateOrSize) {
+  const std::vector<Image8> frames = smooth_frames(width, height, 20);
+  test::write_video(path, frames, {30, 1}, GetParam());
+  const FilmSketch film = sketch_of(frames);
+  VideoFormat other = format_of(GetParam(), {24, 1});
+  EXPECT_NE(refusal_of([&] { check_video(path, other, film); }), "");
+  other = format_of(GetParam());
+  other.height = 98;
+  EXPECT_NE(refusal_of([&] { check_video(path, other, film); }).find("the size is"),
+            std::string::npos);
+}
+
+TEST_P(VideoCheckTest, RefusesAFileWithABrokenByteOrAnotherPicture) {
+  const std::vector<Image8> frames = smooth_frames(width, height, 20);
+  test::write_video(path, frames, {30, 1}, GetParam());
+  const std::vector<char> whole = test::bytes_of(path);
+  const FilmSketch film = sketch_of(frames);
+  // Half a kilobyte in the midst of the pictures.
+  std::vector<char> broken = whole;
+  const auto middle = broken.begin() + static_cast<std::ptrdiff_t>(broken.size() / 2);
+  std::transform(middle, middle + std::min<std::ptrdiff_t>(512, broken.end() - middle), middle,
+                 [](char c) { return static_cast<char>(~c); });
+  test::replace_bytes(path, broken);
+  EXPECT_NE(refusal_of([&] { check_video(path, format_of(GetParam()), film); }), "");
+  test::replace_bytes(path, whole);
+  test::cut_short(path, 0.8);
+  EXPECT_NE(refusal_of([&] { check_video(path, format_of(GetParam()), film); }), "");
+}
+
+TEST(VideoCheck, RefusesAnotherKind) {
+  const mien::test::TemporaryFolder temporary;
+  const std::vector<Image8> frames = smooth_frames(width, height, 3);
+  const auto path = temporary.path() / "video.mp4";
+  test::write_video(path, frames, {30, 1}, VideoKind::mp4_lossless);
+  EXPECT_NE(refusal_of([&] {
+              check_video(path, format_of(VideoKind::mp4), sketch_of(frames));
+            }).find("the matrix tag is \"gbr\" instead of \"bt709\""),
+            std::string::npos);
+}
+
+std::string name_of(const testing::TestParamInfo<VideoKind>& info) {
+  std::string name(traits_of(info.param).name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(AllKinds, VideoCheckTest,
+                         testing::Values(VideoKind::mp4, VideoKind::mp4_lossless, VideoKind::webm,
+                                         VideoKind::webm_av1, VideoKind::mkv, VideoKind::webp,
+                                         VideoKind::gif, VideoKind::apng),
+                         name_of);
+
+}  // namespace
+}  // namespace mien::render
