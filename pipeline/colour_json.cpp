@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scenes/hex_colour.h"
+#include "scenes/figures/hex_colour.h"
 
 namespace mien::pipeline {
 

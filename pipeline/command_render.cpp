@@ -24,7 +24,7 @@
 #include "pipeline/render_options.h"
 #include "pipeline/shot_files.h"
 #include "render/error.h"
-#include "scenes/shot.h"
+#include "scenes/stage/shot.h"
 
 namespace mien::pipeline {
 

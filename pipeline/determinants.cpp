@@ -6,8 +6,8 @@
 #include "pipeline/code_identity.h"
 #include "pipeline/repertoire.h"
 #include "pipeline/set_file.h"
-#include "scenes/character.h"
-#include "scenes/figure.h"
+#include "scenes/character/character.h"
+#include "scenes/figures/figure.h"
 
 namespace mien::pipeline {
 

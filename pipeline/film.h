@@ -13,7 +13,7 @@
 #include "render/image/layers.h"
 #include "render/scene/quality.h"
 #include "render/tracer/tracer.h"
-#include "scenes/shot.h"
+#include "scenes/stage/shot.h"
 
 namespace mien::pipeline {
 

@@ -7,7 +7,7 @@
 #include "pipeline/manifest.h"
 #include "pipeline/motions.h"
 #include "pipeline/task_graph.h"
-#include "scenes/shot.h"
+#include "scenes/stage/shot.h"
 
 namespace mien::pipeline {
 

@@ -8,7 +8,7 @@
 
 #include "pipeline/manifest.h"
 #include "pipeline/motions.h"
-#include "scenes/shot.h"
+#include "scenes/stage/shot.h"
 
 namespace mien::pipeline {
 

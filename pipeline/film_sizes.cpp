@@ -7,7 +7,7 @@
 
 #include "pipeline/csv.h"
 #include "pipeline/film_shot.h"
-#include "scenes/camera_rig.h"
+#include "scenes/cameras/camera_rig.h"
 
 namespace mien::pipeline {
 

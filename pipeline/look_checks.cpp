@@ -8,10 +8,10 @@
 #include "motion/nearest_word.h"
 #include "pipeline/fault_list.h"
 #include "pipeline/set_file.h"
-#include "scenes/character.h"
-#include "scenes/dot_display.h"
-#include "scenes/hex_colour.h"
-#include "scenes/trail_figure.h"
+#include "scenes/character/character.h"
+#include "scenes/figures/hex_colour.h"
+#include "scenes/point_light/dot_display.h"
+#include "scenes/stage/trail_figure.h"
 
 namespace mien::pipeline {
 

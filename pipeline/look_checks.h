@@ -6,7 +6,7 @@
 #include "pipeline/fault.h"
 #include "pipeline/look.h"
 #include "pipeline/places.h"
-#include "scenes/set_plan.h"
+#include "scenes/sets/set_plan.h"
 
 namespace mien::pipeline {
 

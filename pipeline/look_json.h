@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scenes/camera_settings.h"
-#include "scenes/figure.h"
+#include "scenes/cameras/camera_settings.h"
+#include "scenes/figures/figure.h"
 
 namespace mien::pipeline {
 

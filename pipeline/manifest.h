@@ -17,7 +17,7 @@
 #include "pipeline/places.h"
 #include "render/scene/camera.h"
 #include "render/video/video_kind.h"
-#include "scenes/shot.h"
+#include "scenes/stage/shot.h"
 
 namespace mien::pipeline {
 

@@ -15,7 +15,7 @@
 #include "pipeline/schema.h"
 #include "pipeline/yaml_json.h"
 #include "pipeline/yaml_tree.h"
-#include "scenes/dot_joints.h"
+#include "scenes/point_light/dot_joints.h"
 
 namespace mien::pipeline {
 

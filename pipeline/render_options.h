@@ -9,7 +9,7 @@
 #include "pipeline/film.h"
 #include "pipeline/look.h"
 #include "pipeline/look_options.h"
-#include "scenes/shot.h"
+#include "scenes/stage/shot.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/set_plan.h"
+#include "scenes/sets/set_plan.h"
 
 namespace mien::pipeline {
 

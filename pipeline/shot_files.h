@@ -7,7 +7,7 @@
 
 #include "pipeline/film.h"
 #include "render/scene/quality.h"
-#include "scenes/shot.h"
+#include "scenes/stage/shot.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "motion/error.h"
-#include "scenes/character.h"
+#include "scenes/character/character.h"
 
 using namespace mien::scenes;
 

@@ -6,7 +6,7 @@
 #include "pipeline/files.h"
 #include "pipeline/look_checks.h"
 #include "pipeline/temporary_folder.h"
-#include "scenes/hex_colour.h"
+#include "scenes/figures/hex_colour.h"
 
 namespace mien::pipeline {
 namespace {

@@ -1,0 +1,287 @@
+#include "scenes/character/character.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "motion/error.h"
+#include "motion/file_contents.h"
+#include "motion/proportions.h"
+#include "motion/retarget.h"
+#include "motion/rig_motion.h"
+#include "motion/sole.h"
+#include "scenes/character/character_file.h"
+
+namespace mien::scenes {
+
+namespace {
+
+using motion::BodyJoint;
+using motion::Quat;
+using motion::Vec3;
+
+constexpr double assumed_extent = 1.7;  // metres: of the joints, while the figure is recognised
+
+/// The bind pose as a motion of one frame.
+motion::Recording bind_recording(const BoundRig& rig, const std::string& name) {
+  motion::Recording recording;
+  recording.name = name;
+  recording.format = "gltf";
+  recording.skeleton = rig.skeleton;
+  motion::Pose pose;
+  pose.root_position = rig.skeleton.joints.front().offset;
+  pose.rotations.assign(rig.skeleton.joints.size(), Quat::Identity());
+  recording.poses = {pose};
+  return recording;
+}
+
+/// The rig as it was bound; `zero_pose` would put its root at the origin.
+motion::JointTransforms bind_of(const motion::Skeleton& rig) {
+  motion::JointTransforms bind = motion::zero_pose(rig);
+  for (Vec3& position : bind.positions) position += rig.joints.front().offset;
+  return bind;
+}
+
+/// Longest side of the box round all joints.
+double extent_of(const motion::Skeleton& rig) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& position : motion::zero_pose(rig).positions) box.extend(position);
+  return box.sizes().maxCoeff();
+}
+
+/// Turns and scales everything that has a place.
+void transform(Character& character, const Quat& turn, double scale) {
+  for (motion::Joint& joint : character.rig.joints) joint.offset = scale * (turn * joint.offset);
+  for (SkinnedMesh& mesh : character.meshes) {
+    for (Vec3& position : mesh.positions) position = scale * (turn * position);
+    for (Vec3& normal : mesh.normals) normal = turn * normal;
+  }
+}
+
+motion::BodyMapping recognised(const motion::Recording& recording, const std::string& name) {
+  try {
+    return motion::recognise(recording);
+  } catch (const Error&) {
+    throw Error({name},
+                "its " + std::to_string(recording.skeleton.size()) +
+                    " joints are not recognised as a human figure",
+                "name them as Mixamo, VRM or Rigify do (LeftUpLeg, LeftLeg, LeftFoot, LeftArm, …)");
+  }
+}
+
+/// How each joint of the body is turned in the bind pose, which has identity rotations in the rig.
+std::array<Quat, motion::body_joint_count> bind_rotations_of(const motion::Recording& recording,
+                                                             const motion::BodyMapping& mapping) {
+  const motion::RigMotion rig = motion::rig_motion(recording, mapping.joints, mapping.to_y_up);
+  std::array<Quat, motion::body_joint_count> rotations;
+  rotations.fill(Quat::Identity());
+  for (int j = 0; j < motion::body_joint_count; ++j) {
+    const auto joint = BodyJoint(j);
+    if (!rig.turns(joint)) continue;
+    rotations[joint] =
+        motion::canonical_rotation(rig, rig.frames.front(), joint, mapping.calibration[joint]);
+  }
+  return rotations;
+}
+
+/// Which joint of the body each joint of the rig stands for; names the mesh's parts.
+std::vector<int> body_joint_of(const Character& character) {
+  std::vector<int> owner(character.rig.joints.size(), -1);
+  for (int b = 0; b < motion::body_joint_count; ++b) {
+    for (const int joint : character.joints[static_cast<size_t>(b)].group) {
+      if (!character.joints[static_cast<size_t>(b)].at_tip) owner[static_cast<size_t>(joint)] = b;
+    }
+  }
+  for (size_t j = 0; j < owner.size(); ++j) {
+    const int parent = character.rig.joints[j].parent;
+    if (owner[j] < 0) owner[j] = parent < 0 ? 0 : owner[static_cast<size_t>(parent)];
+  }
+  return owner;
+}
+
+void name_parts(Character& character) {
+  const std::vector<int> owner = body_joint_of(character);
+  for (SkinnedMesh& mesh : character.meshes) {
+    for (const auto& triangle : mesh.triangles) {
+      const int joint = mesh.influences[static_cast<size_t>(triangle[0])].front().joint;
+      mesh.triangle_parts.push_back(owner[static_cast<size_t>(joint)]);
+    }
+  }
+}
+
+/// Standing at rest: a T-pose, feet flat.
+motion::Pose rest_pose(const Character& character) {
+  motion::Pose pose;
+  pose.rotations.assign(character.body.joints.size(), Quat::Identity());
+  return pose;
+}
+
+Eigen::AlignedBox3f box_of(const std::vector<render::Mesh>& meshes) {
+  Eigen::AlignedBox3f box;
+  for (const render::Mesh& mesh : meshes) {
+    for (const render::Vec3& position : mesh.positions) box.extend(position);
+  }
+  return box;
+}
+
+/// Lets the body reach up to the crown, or hat, of the mesh and says how far the mesh reaches below
+/// the body's soles at rest.
+void measure_stature(Character& character) {
+  const motion::Pose rest = rest_pose(character);
+  const motion::JointTransforms world = motion::world_transforms(character.body, rest);
+  const Eigen::AlignedBox3f box = box_of(posed(character, rest));
+  const double crown = box.max().y() - world.positions[motion::Head].y();
+  if (crown > 0.0) character.body.joints[motion::Head].tip = Vec3(0.0, crown, 0.0);
+  const double sole = std::min(motion::sole_points(character.body, world, true).ball.y(),
+                               motion::sole_points(character.body, world, false).ball.y());
+  character.sole_depth = sole - box.min().y();
+}
+
+/// Numbers that were finite in the file may be so no more in the bind pose.
+void check_meshes(const CharacterFile& file, const Character& character) {
+  try {
+    for (const SkinnedMesh& mesh : character.meshes) validate(mesh, character.rig.size());
+  } catch (const std::invalid_argument& wrong) {
+    motion::refuse(file.gltf, std::string("its meshes are faulty: ") + wrong.what(),
+                   "export or download the file again");
+  }
+}
+
+Character character_of(const CharacterFile& file) {
+  Character character;
+  character.name = std::filesystem::path(file.gltf.name).stem().string();
+  const BoundRig rig = bound_rig(file, character.warnings);
+  character.rig = rig.skeleton;
+  character.meshes = character_meshes(file, rig, character.warnings);
+  CharacterPaint paint = character_paint(file, character.warnings);
+  character.materials = std::move(paint.materials);
+  character.textures = std::move(paint.textures);
+  const double extent = extent_of(character.rig);
+  if (!(extent > 1e-9)) {
+    motion::refuse(file.gltf, "all joints lie in one place", "export the figure in its bind pose");
+  }
+  motion::Recording recording = bind_recording(rig, file.gltf.name);
+  for (motion::Joint& joint : recording.skeleton.joints) joint.offset *= assumed_extent / extent;
+  recording.poses.front().root_position *= assumed_extent / extent;
+  const motion::BodyMapping mapping = recognised(recording, file.gltf.name);
+  character.warnings.insert(character.warnings.end(), mapping.warnings.begin(),
+                            mapping.warnings.end());
+  character.joints = mapping.joints;
+  character.body = mapping.body;
+  character.bind_rotations = bind_rotations_of(recording, mapping);
+  transform(character, mapping.to_y_up, mapping.metres_per_unit * assumed_extent / extent);
+  check_meshes(file, character);
+  name_parts(character);
+  measure_stature(character);
+  return character;
+}
+
+CharacterFile read_file(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  return parse_character_file(motion::read_contents(path), path.string(), folder);
+}
+
+}  // namespace
+
+Character parse_character(std::string_view bytes, const std::string& file_name) {
+  return character_of(parse_character_file(bytes, file_name, std::nullopt));
+}
+
+Character read_character(const std::filesystem::path& path) {
+  return character_of(read_file(path));
+}
+
+std::vector<std::filesystem::path> parts_of_character(const std::filesystem::path& path) {
+  const CharacterFile file = read_file(path);
+  std::vector<std::filesystem::path> parts;
+  for (const char* list : {"buffers", "images"}) {
+    for (const nlohmann::json& entry : list_in(file.json, list)) {
+      const auto uri = entry.is_object() ? entry.find("uri") : entry.end();
+      if (!entry.is_object() || uri == entry.end() || !uri->is_string()) continue;
+      const auto text = uri->get<std::string>();
+      if (!text.starts_with("data:"))
+        parts.push_back(*file.folder / motion::path_of_gltf_uri(text));
+    }
+  }
+  return parts;
+}
+
+Character fitted(Character character, const motion::Skeleton& body) {
+  const double scale = motion::leg_length(body) / motion::leg_length(character.body);
+  transform(character, Quat::Identity(), scale);
+  for (motion::Joint& joint : character.body.joints) {
+    joint.offset *= scale;
+    if (joint.tip) *joint.tip *= scale;
+  }
+  character.sole_depth *= scale;
+  return character;
+}
+
+motion::Clip worn_by(const Character& character, const motion::Clip& clip) {
+  motion::Clip worn = motion::retarget(clip, character.body);
+  for (motion::Pose& pose : worn.poses) pose.root_position.y() += character.sole_depth;
+  return worn;
+}
+
+motion::JointTransforms rig_in(const Character& character, const motion::Pose& pose) {
+  const motion::JointTransforms body = motion::world_transforms(character.body, pose);
+  const motion::JointTransforms bind = bind_of(character.rig);
+  std::vector<int> turned_by(character.rig.joints.size(), -1);
+  for (int b = 0; b < motion::body_joint_count; ++b) {
+    const motion::MappedJoint& mapped = character.joints[static_cast<size_t>(b)];
+    if (mapped.rotation() < 0) continue;
+    turned_by[static_cast<size_t>(mapped.rotation())] = b;
+    // Joints of a spine that stand for one turn together.
+    if (!motion::is_aimed(mapped)) continue;
+    for (const int joint : mapped.group) turned_by[static_cast<size_t>(joint)] = b;
+  }
+  const auto turn_of = [&](size_t b) -> Quat {
+    return (body.rotations[b] * character.bind_rotations[b].conjugate()).normalized();
+  };
+  motion::JointTransforms now = bind;
+  for (size_t j = 0; j < bind.positions.size(); ++j) {
+    const auto parent = static_cast<size_t>(std::max(0, character.rig.joints[j].parent));
+    // What is above the pelvis goes with it.
+    now.rotations[j] = turned_by[j] >= 0 ? turn_of(static_cast<size_t>(turned_by[j]))
+                       : j == 0          ? turn_of(motion::Pelvis)
+                                         : now.rotations[parent];
+    if (j == 0) continue;
+    now.positions[j] =
+        now.positions[parent] + now.rotations[parent] * character.rig.joints[j].offset;
+  }
+  const auto pelvis = static_cast<size_t>(character.joints[motion::Pelvis].position);
+  const Vec3 shift = body.positions[motion::Pelvis] - now.positions[pelvis];
+  for (Vec3& position : now.positions) position += shift;
+  return now;
+}
+
+std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose) {
+  const JointMotions motions = joint_motions(bind_of(character.rig), rig_in(character, pose));
+  std::vector<render::Mesh> meshes;
+  for (const SkinnedMesh& mesh : character.meshes) {
+    meshes.push_back(skinned_linearly(mesh, motions));
+  }
+  return meshes;
+}
+
+void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose) {
+  const auto first_material = static_cast<int>(scene.materials.size());
+  const auto first_texture = static_cast<int>(scene.textures.size());
+  const auto first_part = static_cast<int>(scene.parts.size());
+  const auto figure = static_cast<int>(scene.figures.size()) - 1;
+  for (render::Material material : character.materials) {
+    if (material.texture >= 0) material.texture += first_texture;
+    if (material.normal_map >= 0) material.normal_map += first_texture;
+    scene.materials.push_back(material);
+  }
+  for (const render::Texture& texture : character.textures) scene.textures.push_back(&texture);
+  for (const motion::Joint& joint : character.body.joints) {
+    scene.parts.push_back({joint.name, figure});
+  }
+  for (render::Mesh& mesh : posed(character, pose)) {
+    mesh.material += first_material;
+    for (int& part : mesh.triangle_parts) part += first_part;
+    scene.solids.meshes.push_back(std::move(mesh));
+  }
+}
+
+}  // namespace mien::scenes

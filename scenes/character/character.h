@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/body_mapping.h"
+#include "motion/clip.h"
+#include "render/scene/scene.h"
+#include "scenes/skinning/skinned_model.h"
+
+namespace mien::scenes {
+
+/// A skinned figure out of a glTF file, ready to be driven by motions of the canonical body.
+///
+/// Everything is in its bind pose: +Y up, joint frames parallel to the world's.
+struct Character {
+  std::string name;
+  motion::Skeleton rig;             ///< its own joints; joint 0 sits at its offset
+  motion::MappedJoints joints;      ///< which of them stand for each joint of the body
+  motion::Skeleton body;            ///< the canonical body with its bone lengths, metres
+  std::vector<SkinnedMesh> meshes;  ///< influences are the rig's joints
+  std::vector<render::Material> materials;
+  std::vector<render::Texture> textures;
+
+  /// Rotation of each joint of the body in the bind pose, world space: a T-pose has none.
+  std::array<motion::Quat, motion::body_joint_count> bind_rotations;
+
+  /// How far the mesh's soles lie below those of the body (motion/sole.h) when it stands at rest.
+  double sole_depth = 0.0;
+
+  std::vector<std::string> warnings;  ///< what of the file is not drawn; plain sentences
+};
+
+/// Reads a text or binary glTF 2.0 file (.gltf, .glb, .vrm) with its buffers and pictures.
+///
+/// - All primitives of triangles of skinned meshes, and meshes that hang on a joint without a skin.
+///   Base colour factors and textures, and normal maps (PNG, JPEG). Vertex colours, morph targets
+///   and transparency are left out with a warning.
+/// - Joints are known by the names of common rigs (motion/rig_names.h), by the humanoid bones of
+///   VRM 0 and 1, or else by the shape of their tree. The bind pose, T-pose or A-pose, tells how
+///   the joints lie on the bones.
+/// - The bind pose is that of the inverse bind matrices; it does not matter how the file's nodes
+///   are posed.
+///
+/// Throws mien::Error naming the file for everything that is no such figure: no skin, no human
+/// figure, indices out of range, numbers that are not finite, circles, pictures that are missing.
+Character read_character(const std::filesystem::path& path);
+
+/// As above, of a file in memory that holds all of its buffers and pictures.
+Character parse_character(std::string_view bytes, const std::string& file_name);
+
+/// The files that a glTF file refers to, buffers and pictures, in its order, whether they are there
+/// or not. Throws mien::Error when it cannot be read.
+std::vector<std::filesystem::path> parts_of_character(const std::filesystem::path& path);
+
+/// The character scaled as a whole so that its legs are as long as those of `body`: the motion's
+/// steps are then its own.
+Character fitted(Character character, const motion::Skeleton& body);
+
+/// The motion on the character's body: same rotations, soles on the floor.
+motion::Clip worn_by(const Character& character, const motion::Clip& clip);
+
+/// Where the rig's joints are in a pose of the character's body. Rotations are from the bind pose.
+/// Rig joints that stand for a joint of the body turn as it does, all others go with their parent.
+motion::JointTransforms rig_in(const Character& character, const motion::Pose& pose);
+
+/// The meshes in a pose of the character's body (linear blend skinning); materials are the
+/// character's.
+std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose);
+
+/// Appends them to a scene with their materials and textures, belonging to the scene's last figure;
+/// parts are called like the body's joints. The character has to outlive the scene.
+void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose);
+
+}  // namespace mien::scenes

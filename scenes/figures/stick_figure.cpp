@@ -1,0 +1,188 @@
+#include "scenes/figures/stick_figure.h"
+
+#include <array>
+
+namespace mien::scenes {
+
+namespace {
+
+using motion::BodyJoint;
+
+/// Radii at a stature of 1.75 m: of the joint's sphere, and of its bone at the far end.
+struct Thickness {
+  double joint;
+  double far;
+};
+
+constexpr double drawn_stature = 1.75;
+constexpr double plain_radius = 0.022;
+constexpr double head_radius = 0.092;
+
+Thickness thickness_of(BodyJoint joint) {
+  switch (joint) {
+    case motion::Pelvis:
+      return {0.062, 0.058};
+    case motion::Spine:
+      return {0.058, 0.062};
+    case motion::Chest:
+      return {0.064, 0.036};
+    case motion::Neck:
+      return {0.034, 0.034};
+    case motion::Head:
+      return {0.036, 0.036};
+    case motion::LeftClavicle:
+    case motion::RightClavicle:
+      return {0.036, 0.042};
+    case motion::LeftShoulder:
+    case motion::RightShoulder:
+      return {0.044, 0.033};
+    case motion::LeftElbow:
+    case motion::RightElbow:
+      return {0.035, 0.025};
+    case motion::LeftWrist:
+    case motion::RightWrist:
+      return {0.027, 0.024};
+    case motion::LeftHip:
+    case motion::RightHip:
+      return {0.060, 0.043};
+    case motion::LeftKnee:
+    case motion::RightKnee:
+      return {0.046, 0.031};
+    case motion::LeftAnkle:
+    case motion::RightAnkle:
+      return {0.034, 0.026};
+    default:
+      return {0.027, 0.020};
+  }
+}
+
+/// Material indices of the shades, appended to the scene.
+struct Shades {
+  int middle;
+  int left;
+  int right;
+  int visor;
+
+  int of(BodyJoint joint) const {
+    if (motion::is_left(joint)) return left;
+    return motion::is_right(joint) ? right : middle;
+  }
+};
+
+Shades add_materials(render::Scene& scene, const FigureColours& colours) {
+  const auto add = [&](const render::Color& albedo) {
+    scene.materials.push_back({albedo, 0.03f, 0.55f});
+    return static_cast<int>(scene.materials.size()) - 1;
+  };
+  const int middle = add(colours.middle);
+  const int left = add(colours.left);
+  const int right = add(colours.right);
+  const int visor = add(0.2f * colours.middle);
+  return {middle, left, right, visor};
+}
+
+render::Vec3 to_render(const motion::Vec3& point) { return point.cast<float>(); }
+
+void add_capsule(render::Scene& scene, const motion::Vec3& start, const motion::Vec3& end,
+                 double start_radius, double end_radius, int material, int part) {
+  scene.solids.capsules.push_back({to_render(start), to_render(end),
+                                   static_cast<float>(start_radius), static_cast<float>(end_radius),
+                                   material, part});
+}
+
+void add_sphere(render::Scene& scene, const motion::Vec3& centre, double radius, int material,
+                int part) {
+  scene.solids.spheres.push_back({to_render(centre), static_cast<float>(radius), material, part});
+}
+
+/// A part of the scene's last figure for each joint, with the bones that it turns. Returns the
+/// first's index.
+int add_parts(render::Scene& scene, const motion::Skeleton& skeleton) {
+  const auto first = static_cast<int>(scene.parts.size());
+  const auto figure = static_cast<int>(scene.figures.size()) - 1;
+  for (const motion::Joint& joint : skeleton.joints) scene.parts.push_back({joint.name, figure});
+  return first;
+}
+
+/// A dark band before the eyes, which says where the head looks.
+void add_visor(render::Scene& scene, const motion::Vec3& eyes, const motion::Quat& head,
+               double head_radius_m, int shade, int part) {
+  const motion::Vec3 front = eyes + head * motion::Vec3(0.0, 0.0, 0.84 * head_radius_m);
+  const motion::Vec3 aside = head * motion::Vec3(0.44 * head_radius_m, 0.0, 0.0);
+  add_capsule(scene, front + aside, front - aside, 0.24 * head_radius_m, 0.24 * head_radius_m,
+              shade, part);
+}
+
+void add_body(render::Scene& scene, const motion::Skeleton& body,
+              const motion::JointTransforms& world, const Shades& shades, double scale,
+              int first_part) {
+  for (size_t j = 0; j < motion::body_joint_count; ++j) {
+    const auto joint = BodyJoint(j);
+    const Thickness own = thickness_of(joint);
+    const int shade = shades.of(joint);
+    const int part = first_part + static_cast<int>(j);
+    if (joint != motion::Head) {
+      add_sphere(scene, world.positions[j], own.joint * scale, shade, part);
+    }
+    if (j > 0) {
+      const auto parent = static_cast<size_t>(motion::body_parents[j]);
+      const Thickness from = thickness_of(BodyJoint(parent));
+      // Hips and clavicles branch off the trunk: their bone takes their own side and thickness.
+      const bool branches = joint == motion::LeftHip || joint == motion::RightHip ||
+                            joint == motion::LeftClavicle || joint == motion::RightClavicle;
+      const double far = branches ? own.joint : from.far;
+      add_capsule(scene, world.positions[parent], world.positions[j],
+                  (branches ? own.joint : from.joint) * scale, far * scale,
+                  branches ? shade : shades.of(BodyJoint(parent)),
+                  first_part + static_cast<int>(parent));
+    }
+    const auto& tip = body.joints[j].tip;
+    if (!tip || tip->norm() < 1e-6) continue;
+    const motion::Vec3 end = world.positions[j] + world.rotations[j] * *tip;
+    if (joint == motion::Head) {
+      const double radius = std::min(head_radius * scale, 0.6 * tip->norm());
+      const motion::Vec3 up = (end - world.positions[j]).normalized();
+      add_capsule(scene, world.positions[j] + up * (0.4 * radius), end - up * radius, 0.82 * radius,
+                  radius, shade, part);
+      add_visor(scene, end - up * (1.05 * radius), world.rotations[j], radius, shades.visor, part);
+    } else {
+      add_capsule(scene, world.positions[j], end, own.joint * scale, own.far * scale, shade, part);
+    }
+  }
+}
+
+void add_any_skeleton(render::Scene& scene, const motion::Skeleton& skeleton,
+                      const motion::JointTransforms& world, int shade, double scale,
+                      int first_part) {
+  const double radius = plain_radius * scale;
+  for (size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const motion::Joint& joint = skeleton.joints[j];
+    const int part = first_part + static_cast<int>(j);
+    add_sphere(scene, world.positions[j], 1.3 * radius, shade, part);
+    if (joint.parent >= 0) {
+      add_capsule(scene, world.positions[static_cast<size_t>(joint.parent)], world.positions[j],
+                  radius, radius, shade, first_part + joint.parent);
+    }
+    if (joint.tip && joint.tip->norm() > 1e-6) {
+      add_capsule(scene, world.positions[j], world.positions[j] + world.rotations[j] * *joint.tip,
+                  radius, 0.8 * radius, shade, part);
+    }
+  }
+}
+
+}  // namespace
+
+void add_stick_figure(render::Scene& scene, const motion::Skeleton& skeleton,
+                      const motion::Pose& pose, const FigureColours& colours, double height_m) {
+  const Shades shades = add_materials(scene, colours);
+  const motion::JointTransforms world = motion::world_transforms(skeleton, pose);
+  const double scale = height_m / drawn_stature;
+  const int first_part = add_parts(scene, skeleton);
+  if (motion::is_body(skeleton)) {
+    add_body(scene, skeleton, world, shades, scale, first_part);
+  } else {
+    add_any_skeleton(scene, skeleton, world, shades.middle, scale, first_part);
+  }
+}
+
+}  // namespace mien::scenes

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/clip.h"
+#include "render/scene/scene.h"
+#include "scenes/figures/figure_colour.h"
+
+namespace mien::scenes {
+
+/// Appends a stick figure to a scene: a round cone a bone and a sphere a joint, as thick as the
+/// limbs are long, for a body of `height_m` metres; a visor says where the head looks.
+///
+/// `skeleton` is usually the canonical body, whose left and right limbs get their own shades; any
+/// other skeleton, in metres, is drawn in one shade with even thickness. Each joint is a part of
+/// the scene's last figure, with the bones that it turns.
+void add_stick_figure(render::Scene& scene, const motion::Skeleton& skeleton,
+                      const motion::Pose& pose, const FigureColours& colours, double height_m);
+
+}  // namespace mien::scenes

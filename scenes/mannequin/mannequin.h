@@ -1,0 +1,36 @@
+#pragma once
+
+#include "motion/body.h"
+#include "motion/pose.h"
+#include "render/scene/scene.h"
+#include "scenes/figures/figure_colour.h"
+#include "scenes/mannequin/mannequin_flesh.h"
+#include "scenes/skinning/skinned_model.h"
+
+namespace mien::scenes {
+
+/// A smooth body on the bones of one skeleton.
+struct Mannequin {
+  SkinnedMesh mesh;  ///< uv: the place in `paint`; triangle_parts: joints of the body
+  motion::JointTransforms bind;
+  render::Texture paint;
+};
+
+/// Makes a mannequin on the canonical body (`is_body`) with its own bone lengths, once a shot.
+///
+/// Its colours are those of the stick figure: left limbs lighter, right ones darker, but less so;
+/// the face stands out, so that one can read where it looks.
+Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
+                         const FigureColours& colours);
+
+/// Appends the mannequin in a pose of the body that it was made for (dual quaternion skinning), its
+/// parts called like the body's joints and belonging to the scene's last figure. The mannequin has
+/// to outlive the scene.
+void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motion::Skeleton& body,
+                   const motion::Pose& pose);
+
+/// As above, as a mesh: material 0, parts the joints of the body.
+render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
+                   const motion::Pose& pose);
+
+}  // namespace mien::scenes

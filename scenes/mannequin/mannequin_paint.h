@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "motion/pose.h"
+#include "motion/skeleton.h"
+#include "render/scene/scene.h"
+#include "scenes/figures/figure_colour.h"
+#include "scenes/skinning/skinned_model.h"
+
+namespace mien::scenes {
+
+/// A mannequin is painted by two numbers a vertex: u says which side of the body it is (0 right …
+/// 0.5 middle … 1 left), v how far it is inside the face (above 0.5) or outside (below). Both
+/// change smoothly over the surface, and the texture has sharp borders across them: the borders on
+/// the body are clean curves however large its triangles are.
+render::Texture mannequin_paint(const FigureColours& colours);
+
+/// (u, v) of a vertex as modelled.
+std::array<float, 2> place_in_paint(const motion::Skeleton& body,
+                                    const motion::JointTransforms& pose, const motion::Vec3& point,
+                                    const std::vector<Influence>& influences);
+
+}  // namespace mien::scenes

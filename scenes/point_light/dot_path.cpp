@@ -1,0 +1,89 @@
+#include "scenes/point_light/dot_path.h"
+
+#include <algorithm>
+
+namespace mien::scenes {
+
+namespace {
+
+using motion::Vec3;
+
+/// The path with `change` done to each of its points.
+template <class Change>
+DotPath changed(const DotPath& path, Change change) {
+  DotPath result;
+  result.reserve(path.size());
+  std::transform(path.begin(), path.end(), std::back_inserter(result), change);
+  return result;
+}
+
+}  // namespace
+
+DotPath reversed(const DotPath& path) { return {path.rbegin(), path.rend()}; }
+
+DotPath at_constant_speed(const DotPath& path) {
+  const double length = length_of(path);
+  if (length <= 0.0) return path;
+  DotPath even;
+  std::size_t next = 1;
+  double before = 0.0;  // arc length up to point next − 1
+  const auto steps = static_cast<double>(path.size() - 1);
+  for (std::size_t f = 0; f + 1 < path.size(); ++f) {
+    const double wanted = length * static_cast<double>(f) / steps;
+    double segment = (path[next] - path[next - 1]).norm();
+    while (before + segment < wanted && next + 1 < path.size()) {
+      before += segment;
+      ++next;
+      segment = (path[next] - path[next - 1]).norm();
+    }
+    const double share = segment > 0.0 ? std::min((wanted - before) / segment, 1.0) : 0.0;
+    even.push_back(path[next - 1] + share * (path[next] - path[next - 1]));
+  }
+  even.push_back(path.back());
+  return even;
+}
+
+DotPath begun_later(const DotPath& path, int frames) {
+  DotPath later = path;
+  if (path.empty()) return later;
+  const auto count = static_cast<int>(path.size());
+  const int first = ((frames % count) + count) % count;
+  std::rotate(later.begin(), later.begin() + first, later.end());
+  return later;
+}
+
+DotPath without_travel(const DotPath& path, const Vec3& step) { return with_travel(path, -step); }
+
+DotPath with_travel(const DotPath& path, const Vec3& step) {
+  double frame = 0.0;
+  return changed(path, [&](const Vec3& point) -> Vec3 { return point + frame++ * step; });
+}
+
+DotPath shifted(const DotPath& path, const Vec3& shift) {
+  return changed(path, [&](const Vec3& point) -> Vec3 { return point + shift; });
+}
+
+DotPath mirrored(const DotPath& path, const Vec3& centre, const Vec3& across) {
+  return changed(path, [&](const Vec3& point) -> Vec3 {
+    return point - 2.0 * (point - centre).dot(across) * across;
+  });
+}
+
+DotPath inverted(const DotPath& path, double height) {
+  return changed(path, [&](const Vec3& point) {
+    return Vec3(point.x(), 2.0 * height - point.y(), point.z());
+  });
+}
+
+DotPath rotated(const DotPath& path, const Vec3& centre, double degrees) {
+  const motion::Quat turn(Eigen::AngleAxisd(degrees * motion::radians_per_degree, Vec3::UnitY()));
+  return changed(path, [&](const Vec3& point) -> Vec3 { return centre + turn * (point - centre); });
+}
+
+double length_of(const DotPath& path) {
+  double length = 0.0;
+  for (std::size_t f = 1; f < path.size(); ++f) length += (path[f] - path[f - 1]).norm();
+  return length;
+}
+
+}  // namespace mien::scenes

@@ -1,0 +1,241 @@
+#include "scenes/point_light/point_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/error.h"
+#include "motion/random_number.h"
+#include "scenes/point_light/dot_joints.h"
+
+namespace mien::scenes {
+
+namespace {
+
+using motion::Vec3;
+
+/// In [0, 1).
+double uniform(std::uint64_t seed, const std::string& name, std::size_t index) {
+  const double number = motion::random_number(seed, name, index);
+  return std::min(0.5 * (number + 1.0), std::nextafter(1.0, 0.0));
+}
+
+std::vector<Dot> joint_dots(const motion::Clip& clip, const std::vector<DotJoint>& joints) {
+  std::vector<Dot> dots;
+  for (const DotJoint& joint : joints) dots.push_back({joint.name, {}});
+  for (const motion::Pose& pose : clip.poses) {
+    const motion::JointTransforms world = motion::world_transforms(clip.body, pose);
+    for (std::size_t d = 0; d < joints.size(); ++d) {
+      const auto j = static_cast<std::size_t>(joints[d].joint);
+      const auto& tip = clip.body.joints[j].tip;
+      const Vec3 aside = joints[d].along * tip.value_or(Vec3::Zero());
+      dots[d].path.push_back(world.positions[j] + world.rotations[j] * aside);
+    }
+  }
+  return dots;
+}
+
+/// The room that a figure on the spot takes: along the picture, upwards, and in depth.
+struct Extent {
+  Vec3 least = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 most = -least;
+  Eigen::Matrix3d axes;  ///< columns: across, up, depth
+
+  Vec3 place(const Vec3& share) const { return axes * (least + share.cwiseProduct(most - least)); }
+  Vec3 share_of(const Vec3& point) const {
+    const Vec3 size = (most - least).cwiseMax(1e-9);
+    return (axes.transpose() * point - least).cwiseQuotient(size);
+  }
+};
+
+Extent extent_of(const std::vector<Dot>& dots, const DotStage& stage) {
+  Extent extent;
+  extent.axes.col(0) = stage.across;
+  extent.axes.col(1) = Vec3::UnitY();
+  extent.axes.col(2) = stage.across.cross(Vec3::UnitY());
+  for (const Dot& dot : dots) {
+    for (const Vec3& point : without_travel(dot.path, stage.step)) {
+      const Vec3 inside = extent.axes.transpose() * point;
+      extent.least = extent.least.cwiseMin(inside);
+      extent.most = extent.most.cwiseMax(inside);
+    }
+  }
+  return extent;
+}
+
+Vec3 mean_of(const DotPath& path) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& point : path) sum += point;
+  return sum / static_cast<double>(path.size());
+}
+
+/// A random place in the extent.
+Vec3 random_place(const Extent& extent, std::uint64_t seed, const std::string& name,
+                  std::size_t index) {
+  return extent.place({uniform(seed, name + " across", index), uniform(seed, name + " up", index),
+                       uniform(seed, name + " depth", index)});
+}
+
+/// The path whose mean, travel aside, is at `place`.
+DotPath put_at(const DotPath& path, const Vec3& place, const Vec3& step) {
+  return shifted(path, place - mean_of(without_travel(path, step)));
+}
+
+/// The path made to end where it begins: what is missing is made up for evenly on the way.
+DotPath closed(DotPath path) {
+  if (path.size() < 3) return path;
+  const std::size_t last = path.size() - 1;
+  const Vec3 next = 2.0 * path[last] - path[last - 1];
+  const Vec3 gap = next - path.front();
+  for (std::size_t f = 0; f < path.size(); ++f) {
+    path[f] -= static_cast<double>(f) / static_cast<double>(path.size()) * gap;
+  }
+  return path;
+}
+
+DotPath begun_at_random(const DotPath& path, const Vec3& step, std::uint64_t seed,
+                        const std::string& name, std::size_t index) {
+  const auto count = static_cast<double>(path.size());
+  const int later = static_cast<int>(uniform(seed, name, index) * count);
+  return with_travel(begun_later(closed(without_travel(path, step)), later), step);
+}
+
+void change_timing(std::vector<Dot>& dots, const PointLightOptions& options, const DotStage& stage,
+                   std::uint64_t seed) {
+  for (std::size_t d = 0; d < dots.size(); ++d) {
+    DotPath& path = dots[d].path;
+    if (options.constant_speed) path = at_constant_speed(path);
+    if (options.phase_scrambled) path = begun_at_random(path, stage.step, seed, "phase", d);
+    if (options.reversed) path = reversed(path);
+  }
+}
+
+void change_places(std::vector<Dot>& dots, const PointLightOptions& options,
+                   const DotStage& stage) {
+  const Extent extent = extent_of(dots, stage);
+  const double middle = 0.5 * (extent.least.y() + extent.most.y());
+  for (Dot& dot : dots) {
+    if (options.rotated_degrees != 0.0) {
+      dot.path = rotated(dot.path, stage.centre, options.rotated_degrees);
+    }
+    if (options.mirrored) dot.path = mirrored(dot.path, stage.centre, stage.across);
+    if (options.inverted) dot.path = inverted(dot.path, middle);
+  }
+}
+
+/// The dots with limited lifetimes. The display has as many dots as before; each life is spent at a
+/// random place of a random limb, and the lives of the dots begin one after the other.
+std::vector<Dot> mortal(const std::vector<Dot>& dots, const std::vector<DotJoint>& joints,
+                        int lifetime, std::uint64_t seed) {
+  std::vector<std::size_t> limbs;
+  for (std::size_t d = 0; d < joints.size(); ++d) {
+    if (joints[d].limb >= 0) limbs.push_back(d);
+  }
+  if (limbs.empty()) {
+    throw Error("these dots have no limbs to spend a limited lifetime on",
+                "name both ends of a limb, LeftElbow and LeftWrist for example, or leave lifetime "
+                "out");
+  }
+  std::vector<Dot> result = dots;
+  for (std::size_t d = 0; d < dots.size(); ++d) {
+    result[d].kind = "limb";
+    const auto head_start = static_cast<int>(d * static_cast<std::size_t>(lifetime) / dots.size());
+    for (std::size_t f = 0; f < dots[d].path.size(); ++f) {
+      const auto life =
+          (f + static_cast<std::size_t>(head_start)) / static_cast<std::size_t>(lifetime);
+      const std::string name = "life of " + std::to_string(d);
+      const double pick = uniform(seed, name + " limb", life) * static_cast<double>(limbs.size());
+      const std::size_t near = limbs[static_cast<std::size_t>(pick)];
+      const auto far = static_cast<std::size_t>(joints[near].limb);
+      const double along = uniform(seed, name + " along", life);
+      result[d].path[f] = (1.0 - along) * dots[near].path[f] + along * dots[far].path[f];
+    }
+  }
+  return result;
+}
+
+/// 0 … 1 … 0 … as `way` grows: a wall at each end.
+double between_walls(double way) {
+  const double turn = way - 2.0 * std::floor(0.5 * way);
+  return turn <= 1.0 ? turn : 2.0 - turn;
+}
+
+/// Goes straight, in the plane of the picture, as fast as the figure's dots do on average, and
+/// turns back at the ends of the extent.
+Dot noise_dot(const Extent& extent, const Vec3& step, double speed, std::size_t frames,
+              std::uint64_t seed, std::size_t index) {
+  const Vec3 start = extent.share_of(random_place(extent, seed, "noise", index));
+  const double heading = 2.0 * motion::pi * uniform(seed, "noise heading", index);
+  const Vec3 size = (extent.most - extent.least).cwiseMax(1e-9);
+  const Vec3 pace = speed * Vec3(std::cos(heading) / size.x(), std::sin(heading) / size.y(), 0.0);
+  Dot dot{"noise", {}};
+  for (std::size_t f = 0; f < frames; ++f) {
+    const Vec3 share = start + static_cast<double>(f) * pace;
+    dot.path.push_back(extent.place(
+        {between_walls(share.x()), between_walls(share.y()), between_walls(share.z())}));
+  }
+  dot.path = with_travel(dot.path, step);
+  return dot;
+}
+
+/// In the plane of the picture, metres a frame.
+double mean_speed(const std::vector<Dot>& dots, const Vec3& step, const Vec3& depth) {
+  double way = 0.0;
+  for (const Dot& dot : dots) {
+    DotPath path = without_travel(dot.path, step);
+    for (Vec3& point : path) point -= point.dot(depth) * depth;
+    way += length_of(path);
+  }
+  const auto steps = static_cast<double>(std::max<std::size_t>(dots.front().path.size(), 2) - 1);
+  return way / (steps * static_cast<double>(dots.size()));
+}
+
+}  // namespace
+
+DotPath changed_way(DotPath way, const PointLightOptions& options, const DotStage& stage) {
+  if (options.reversed) way = reversed(way);
+  if (options.rotated_degrees != 0.0) way = rotated(way, stage.centre, options.rotated_degrees);
+  if (options.mirrored) way = mirrored(way, stage.centre, stage.across);
+  return way;
+}
+
+Vec3 changed_step(const PointLightOptions& options, const DotStage& stage) {
+  const DotPath way = changed_way({Vec3::Zero(), stage.step}, options, stage);
+  return way[1] - way[0];
+}
+
+std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& options,
+                             const DotStage& stage) {
+  if (options.scrambled && options.lifetime > 0) {
+    throw Error("scrambled dots have no limbs to spend a limited lifetime on",
+                "leave scrambled or lifetime out");
+  }
+  const std::uint64_t seed = options.seed.value_or(stage.seed);
+  const std::vector<DotJoint> joints = dot_joints(clip.body, options);
+  std::vector<Dot> dots = joint_dots(clip, joints);
+  change_timing(dots, options, stage, seed);
+  change_places(dots, options, stage);
+  DotStage changed = stage;
+  changed.step = changed_step(options, stage);
+  const Extent extent = extent_of(dots, changed);
+  const std::vector<Dot> figure = dots;
+  if (options.scrambled) {
+    for (std::size_t d = 0; d < dots.size(); ++d) {
+      dots[d].path = put_at(dots[d].path, random_place(extent, seed, "scrambled", d), changed.step);
+    }
+  }
+  if (options.lifetime > 0) dots = mortal(dots, joints, options.lifetime, seed);
+  const double speed = mean_speed(figure, changed.step, extent.axes.col(2));
+  for (std::size_t n = 0; n < static_cast<std::size_t>(options.noise); ++n) {
+    dots.push_back(noise_dot(extent, changed.step, speed, clip.poses.size(), seed, n));
+  }
+  for (std::size_t n = 0; n < static_cast<std::size_t>(options.mask); ++n) {
+    const DotPath& path = figure[n % figure.size()].path;
+    const Vec3 place = random_place(extent, seed, "mask", n);
+    const DotPath begun = begun_at_random(path, changed.step, seed, "mask phase", n);
+    dots.push_back({"mask", put_at(begun, place, changed.step)});
+  }
+  return dots;
+}
+
+}  // namespace mien::scenes

@@ -1,0 +1,228 @@
+#include "scenes/stage/shot.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "motion/error.h"
+#include "motion/rotation.h"
+#include "scenes/cameras/stereo.h"
+#include "scenes/stage/trail_figure.h"
+#include "scenes/stage/travel.h"
+
+namespace mien::scenes {
+
+namespace {
+
+using motion::Vec3;
+
+constexpr double lane_m = 1.1;
+
+/// The clip turned about the vertical through `from` and put down at `to`.
+motion::Clip moved(motion::Clip clip, const motion::Quat& turn, const Vec3& from, const Vec3& to) {
+  for (motion::Pose& pose : clip.poses) {
+    const double height = pose.root_position.y();
+    pose.root_position = to + turn * (pose.root_position - from);
+    pose.root_position.y() = height;
+    pose.rotations.front() = turn * pose.rotations.front();
+  }
+  return clip;
+}
+
+Vec3 on_floor(const Vec3& point) { return {point.x(), 0.0, point.z()}; }
+
+/// The clips where the layout wants them: all begin where the first one does.
+std::vector<Performance> laid_out(std::vector<Performance> performances, Layout layout) {
+  const Vec3 forward = action_of(performances.front().clip).forward;
+  const Vec3 start = on_floor(performances.front().clip.poses.front().root_position);
+  const Vec3 right = forward.cross(Vec3::UnitY());
+  const auto count = static_cast<double>(performances.size());
+  for (std::size_t i = 1; i < performances.size(); ++i) {
+    motion::Clip& clip = performances[i].clip;
+    const motion::Quat turn =
+        motion::heading(forward) * motion::heading(action_of(clip).forward).conjugate();
+    clip = moved(clip, turn, on_floor(clip.poses.front().root_position), start);
+  }
+  if (layout == Layout::superimposed) return performances;
+  for (std::size_t i = 0; i < performances.size(); ++i) {
+    // The figures face the camera: what is at their right is at the left of the picture.
+    const double lane = 0.5 * (count - 1.0) - static_cast<double>(i);
+    for (motion::Pose& pose : performances[i].clip.poses) {
+      pose.root_position += lane * lane_m * right;
+    }
+  }
+  return performances;
+}
+
+/// On the floor, of the box around all points.
+Vec3 centre_of(const std::vector<std::vector<Vec3>>& points) {
+  Vec3 least = points.front().front();
+  Vec3 most = least;
+  for (const auto& frame : points) {
+    for (const Vec3& point : frame) {
+      least = least.cwiseMin(point);
+      most = most.cwiseMax(point);
+    }
+  }
+  return on_floor(0.5 * (least + most));
+}
+
+/// What has to be in the picture of all actors together.
+Action shared_action(const std::vector<Actor>& actors) {
+  Action action = action_of(actors.front().clip);
+  for (std::size_t i = 1; i < actors.size(); ++i) {
+    const Action more = action_of(actors[i].clip);
+    const std::size_t count = std::max(action.points.size(), more.points.size());
+    for (std::size_t f = 0; f < count; ++f) {
+      const auto& points = more.points[std::min(f, more.points.size() - 1)];
+      if (f >= action.points.size()) action.points.push_back(action.points.back());
+      action.points[f].insert(action.points[f].end(), points.begin(), points.end());
+    }
+    action.height_m = std::max(action.height_m, more.height_m);
+  }
+  action.centre = centre_of(action.points);
+  return action;
+}
+
+/// The belt has to be in the picture too.
+void include(const Belt& belt, const Place& place, Action& action) {
+  constexpr double frame_m = 0.12;  // round the belt
+  const Vec3 corner(0.5 * belt.width_m + frame_m, 0.0, 0.5 * belt.length_m + frame_m);
+  for (const double x : {-1.0, 1.0}) {
+    for (const double z : {-1.0, 1.0}) {
+      action.points.front().push_back(place.at({x * corner.x(), 0.0, z * corner.z()}));
+    }
+  }
+}
+
+DotStage dot_stage(const Shot& shot, const motion::Clip& clip, std::uint64_t seed) {
+  const render::CameraFrame frame = render::frame_of(shot.cameras.at(0));
+  DotStage stage;
+  stage.centre = shot.place.centre;
+  stage.across = on_floor(frame.step_right.cast<double>()).normalized();
+  stage.step = mean_step(clip);
+  stage.seed = seed;
+  return stage;
+}
+
+void place_dots(Shot& shot, const PointLightOptions& options, std::uint64_t seed) {
+  shot.tone.shoulder = 1.0f;
+  const DotStage stage = dot_stage(shot, shot.actors.front().clip, seed);
+  if (shot.set.in_place) {
+    DotStage going = stage;
+    going.step = shot.step;
+    shot.step = changed_step(options, going);
+  }
+  for (Actor& actor : shot.actors) {
+    actor.dots = point_light(actor.clip, options, dot_stage(shot, actor.clip, seed));
+  }
+}
+
+/// What has to be in the picture when the figures' dots are where their options put them. Of dots
+/// that keep their places it is the given action.
+Action dotted_action(const Shot& shot, const PointLightOptions& options, Action action,
+                     std::uint64_t seed) {
+  if (!options.reversed && !options.mirrored && options.rotated_degrees == 0.0) return action;
+  for (auto& points : action.points) points.clear();
+  for (const Actor& actor : shot.actors) {
+    DotPath way;
+    for (const motion::Pose& pose : actor.clip.poses) way.push_back(pose.root_position);
+    way = changed_way(way, options, dot_stage(shot, actor.clip, seed));
+    for (std::size_t f = 0; f < action.points.size(); ++f) {
+      const std::size_t shown = std::min(f, way.size() - 1);
+      action.points[f].push_back(way[shown]);
+      for (const Dot& dot : actor.dots) action.points[f].push_back(dot.path[shown]);
+    }
+  }
+  action.centre = centre_of(action.points);
+  if (shot.set.belt) include(*shot.set.belt, shot.place, action);
+  return action;
+}
+
+}  // namespace
+
+bool looks_along_lanes(const CameraSettings& camera) {
+  return camera.view == "side" && camera.path.empty() && !camera.position;
+}
+
+int Shot::frame_count() const {
+  int most = 0;
+  for (const Actor& actor : actors) most = std::max(most, actor.clip.frame_count());
+  return most;
+}
+
+Shot stage(const motion::Clip& clip, const Look& look) {
+  return stage(std::vector<Performance>{{.clip = clip, .role = look.role}}, look);
+}
+
+Shot stage(const std::vector<Performance>& performances, const Look& given) {
+  Look look = given;
+  const bool together = performances.size() > 1;
+  if (together && std::holds_alternative<PointLightOptions>(look.figure)) {
+    throw Error("the point lights of several motions cannot be told apart",
+                "give them another figure, or render each alone");
+  }
+  if (together && look.layout == Layout::side_by_side && looks_along_lanes(look.camera)) {
+    throw Error("side by side, figures hide each other from a camera at their side",
+                "choose front, three-quarter or follow, or layout: superimposed");
+  }
+  if (auto* dots = std::get_if<PointLightOptions>(&look.figure)) dots->size_px *= look.pixel_scale;
+  if (look.camera.figure_px) *look.camera.figure_px *= look.pixel_scale;
+  Shot shot;
+  shot.set = look.set;
+  shot.size = look.size;
+  for (const Performance& one : laid_out(performances, look.layout)) {
+    shot.actors.push_back(cast(one.clip, look.figure, one.role));
+    shot.actors.back().name = one.name;
+    shot.actors.back().opacity = one.opacity;
+  }
+  shot.place.forward = action_of(shot.actors.front().clip).forward;
+  if (look.in_place || look.set.in_place) {
+    shot.step = mean_step(shot.actors.front().clip);
+    for (Actor& actor : shot.actors) {
+      const Vec3 step = mean_step(actor.clip);
+      actor.clip = on_the_spot(std::move(actor.clip), step);
+    }
+  }
+  Action action = shared_action(shot.actors);
+  action.forward = shot.place.forward;
+  shot.place.centre = action.centre;
+  if (shot.set.belt) include(*shot.set.belt, shot.place, action);
+  shot.standing = standing_set(shot.set, shot.place);
+  shot.cameras = make_camera_rig(look.camera, action, look.size);
+  for (Actor& actor : shot.actors) {
+    if (actor.trail) actor.traces = traces_of(actor.clip, *actor.trail);
+  }
+  if (const auto* dots = std::get_if<PointLightOptions>(&look.figure)) {
+    place_dots(shot, *dots, look.seed);
+    // The cameras see the dots, which may go elsewhere than the figure would.
+    const Action seen = dotted_action(shot, *dots, action, look.seed);
+    shot.cameras = make_camera_rig(look.camera, seen, look.size);
+  }
+  for (render::Camera& camera : shot.cameras.cameras) camera.window = look.window;
+  return shot;
+}
+
+render::Scene scene_at(const Shot& shot, int frame) { return scene_at(shot, frame, frame); }
+
+render::Scene scene_at(const Shot& shot, int frame, int made_at) {
+  render::Scene scene = shot.standing;
+  const render::Camera& camera = shot.cameras.at(frame);
+  add_walls(scene, shot.set, shot.place, camera.position.cast<double>());
+  if (shot.set.in_place) {
+    add_moving_ground(scene, shot.set, shot.place, -frame * shot.step, -made_at * shot.step);
+  }
+  for (const Actor& actor : shot.actors) add_actor(scene, actor, frame, made_at, camera);
+  return scene;
+}
+
+std::vector<render::Camera> cameras_at(const Shot& shot, int frame) {
+  const CameraRig& rig = shot.cameras;
+  if (rig.stereo_separation_m <= 0.0) return {rig.at(frame)};
+  const auto [left, right] = stereo_pair(rig.at(frame), rig.stereo_separation_m, rig.convergence_m);
+  return {left, right};
+}
+
+const render::Camera& camera_at(const Shot& shot, int frame) { return shot.cameras.at(frame); }
+
+}  // namespace mien::scenes
