@@ -8,7 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "motion/singular_values.h"
+#include "motion/math/singular_values.h"
 
 namespace mien::motion {
 

@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "motion/error.h"
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/code_identity.h"
 #include "pipeline/task_graph.h"
 

@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "motion/motion_file.h"
-#include "motion/nearest_word.h"
+#include "motion/formats/motion_file.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/command_motion.h"
 #include "pipeline/example_source.h"
 #include "pipeline/repertoire.h"

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "motion/body_mapping.h"
-#include "motion/distance.h"
-#include "motion/make_example.h"
-#include "motion/motion_file.h"
+#include "motion/examples/make_example.h"
+#include "motion/formats/motion_file.h"
+#include "motion/measures/distance.h"
+#include "motion/rig/body_mapping.h"
 #include "pipeline/command_motion.h"
 
 namespace mien::pipeline {

@@ -4,9 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "motion/body_mapping.h"
 #include "motion/error.h"
-#include "motion/motion_file.h"
+#include "motion/formats/motion_file.h"
+#include "motion/rig/body_mapping.h"
 #include "pipeline/command_motion.h"
 
 namespace mien::pipeline {

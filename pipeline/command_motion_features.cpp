@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "motion/body_mapping.h"
-#include "motion/make_example.h"
-#include "motion/motion_features.h"
-#include "motion/motion_file.h"
+#include "motion/examples/make_example.h"
+#include "motion/formats/motion_file.h"
+#include "motion/measures/motion_features.h"
+#include "motion/rig/body_mapping.h"
 #include "pipeline/command_motion.h"
 #include "pipeline/csv.h"
 

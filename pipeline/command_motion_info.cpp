@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "motion/motion_file.h"
-#include "motion/summary.h"
+#include "motion/formats/motion_file.h"
+#include "motion/measures/summary.h"
 #include "pipeline/command_motion.h"
 
 namespace mien::pipeline {

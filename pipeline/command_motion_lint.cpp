@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/formats/motion_file.h"
 #include "motion/lint/lint.h"
-#include "motion/motion_file.h"
 #include "pipeline/command_motion.h"
 #include "pipeline/csv.h"
 #include "pipeline/files.h"

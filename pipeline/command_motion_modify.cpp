@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "motion/motion_file.h"
+#include "motion/formats/motion_file.h"
 #include "pipeline/command_motion.h"
 #include "pipeline/files.h"
 #include "pipeline/manifest_reader.h"

@@ -12,7 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "motion/motion_file.h"
+#include "motion/formats/motion_file.h"
 #include "pipeline/cli.h"
 #include "pipeline/files.h"
 #include "pipeline/film.h"

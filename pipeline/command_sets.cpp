@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "motion/error.h"
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/cli.h"
 #include "pipeline/set_file.h"
 

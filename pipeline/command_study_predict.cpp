@@ -8,10 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "motion/body_mapping.h"
-#include "motion/make_example.h"
-#include "motion/motion_file.h"
-#include "motion/retarget.h"
+#include "motion/examples/make_example.h"
+#include "motion/formats/motion_file.h"
+#include "motion/rig/body_mapping.h"
+#include "motion/rig/retarget.h"
 #include "pipeline/command_study.h"
 #include "pipeline/csv.h"
 #include "pipeline/feature_regression.h"

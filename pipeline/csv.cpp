@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/utf8.h"
 
 namespace mien::pipeline {

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 
 namespace mien::pipeline {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/motion_features.h"
+#include "motion/measures/motion_features.h"
 #include "pipeline/manifest.h"
 #include "pipeline/motions.h"
 

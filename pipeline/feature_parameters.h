@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/example.h"
-#include "motion/feature_scale.h"
+#include "motion/measures/feature_scale.h"
+#include "motion/skeleton/example.h"
 #include "pipeline/parameter_table.h"
 
 namespace mien::pipeline {

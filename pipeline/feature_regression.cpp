@@ -5,7 +5,7 @@
 #include <map>
 
 #include "motion/error.h"
-#include "motion/percentile.h"
+#include "motion/math/percentile.h"
 #include "pipeline/csv.h"
 #include "pipeline/parameter_label.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <functional>
 
-#include "motion/body.h"
+#include "motion/skeleton/body.h"
 
 namespace mien::pipeline {
 

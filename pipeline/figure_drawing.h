@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "motion/pose.h"
+#include "motion/skeleton/pose.h"
 #include "pipeline/drawing.h"
 #include "pipeline/palette.h"
 

@@ -1,6 +1,6 @@
 #include "pipeline/film_shot.h"
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 #include "pipeline/look_checks.h"
 #include "pipeline/synthesis.h"
 

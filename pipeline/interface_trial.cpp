@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/blend.h"
+#include "motion/interpolation/blend.h"
 #include "pipeline/named_random.h"
 
 namespace mien::pipeline {

@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "motion/distance.h"
-#include "motion/interpolation.h"
+#include "motion/interpolation/interpolation.h"
+#include "motion/measures/distance.h"
 #include "pipeline/repertoire.h"
 
 namespace mien::pipeline {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <glib.h>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/yaml_json.h"
 
 namespace mien::pipeline {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/fault_list.h"
 #include "pipeline/set_file.h"
 #include "scenes/character/character.h"

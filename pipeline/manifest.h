@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "motion/blend.h"
-#include "motion/interpolation_options.h"
-#include "motion/time_warp.h"
+#include "motion/interpolation/blend.h"
+#include "motion/interpolation/interpolation_options.h"
+#include "motion/interpolation/time_warp.h"
 #include "pipeline/expectation.h"
 #include "pipeline/look.h"
 #include "pipeline/modification.h"

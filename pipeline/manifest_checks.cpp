@@ -9,9 +9,9 @@
 #include <utility>
 #include <variant>
 
-#include "motion/interpolation_options.h"
-#include "motion/motion_file.h"
-#include "motion/nearest_word.h"
+#include "motion/formats/motion_file.h"
+#include "motion/interpolation/interpolation_options.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/fault_list.h"
 #include "pipeline/modification_checks.h"
 #include "pipeline/output_checks.h"

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "motion/body.h"
+#include "motion/skeleton/body.h"
 #include "pipeline/look_checks.h"
 #include "pipeline/manifest_builder.h"
 #include "pipeline/manifest_checks.h"

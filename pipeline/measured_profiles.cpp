@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "motion/measured_style.h"
+#include "motion/measures/measured_style.h"
 
 namespace mien::pipeline {
 

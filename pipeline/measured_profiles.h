@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "motion/example.h"
+#include "motion/skeleton/example.h"
 #include "pipeline/simulated_raters.h"
 
 namespace mien::pipeline {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "motion/motion_file.h"
+#include "motion/formats/motion_file.h"
 #include "pipeline/json_assign.h"
 #include "pipeline/yaml_json.h"
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "motion/formats/motion_file.h"
 #include "motion/lint/lint.h"
-#include "motion/motion_file.h"
 #include "pipeline/csv.h"
 #include "pipeline/recording_clip.h"
 #include "pipeline/style_transfer.h"

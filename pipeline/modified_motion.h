@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "motion/example.h"
 #include "motion/lint/finding.h"
+#include "motion/skeleton/example.h"
 #include "pipeline/manifest.h"
 #include "pipeline/repertoire.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 #include "pipeline/synthesis.h"
 
 namespace mien::pipeline {

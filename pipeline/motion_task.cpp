@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/motion_file.h"
+#include "motion/formats/motion_file.h"
 #include "pipeline/code_identity.h"
 #include "pipeline/determinants.h"
 #include "pipeline/files.h"

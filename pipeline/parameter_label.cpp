@@ -1,6 +1,6 @@
 #include "pipeline/parameter_label.h"
 
-#include "motion/motion_features.h"
+#include "motion/measures/motion_features.h"
 
 namespace mien::pipeline {
 

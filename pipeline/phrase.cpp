@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/utf8.h"
 
 namespace mien::pipeline {

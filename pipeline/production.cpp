@@ -4,7 +4,7 @@
 #include <thread>
 #include <utility>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/determinants.h"
 #include "pipeline/film_dots.h"
 #include "pipeline/film_equalized.h"

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/fault.h"
 #include "pipeline/json_assign.h"
 #include "pipeline/modification_json.h"

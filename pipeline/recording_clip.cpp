@@ -1,6 +1,6 @@
 #include "pipeline/recording_clip.h"
 
-#include "motion/body_mapping.h"
+#include "motion/rig/body_mapping.h"
 
 namespace mien::pipeline {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "motion/clip.h"
-#include "motion/recording.h"
+#include "motion/skeleton/clip.h"
+#include "motion/skeleton/recording.h"
 
 namespace mien::pipeline {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "motion/builtin_sets.h"
-#include "motion/example_set.h"
-#include "motion/settled_feet.h"
+#include "motion/examples/example_set.h"
+#include "motion/examples/settled_feet.h"
+#include "motion/procedural/builtin_sets.h"
 #include "pipeline/measured_profiles.h"
 #include "pipeline/simulated_raters.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/example.h"
+#include "motion/skeleton/example.h"
 #include "pipeline/feature_parameters.h"
 #include "pipeline/impressions.h"
 #include "pipeline/manifest.h"

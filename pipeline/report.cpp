@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "motion/distance.h"
-#include "motion/interpolation_options.h"
+#include "motion/interpolation/interpolation_options.h"
+#include "motion/measures/distance.h"
 #include "pipeline/code_identity.h"
 #include "pipeline/feature_changes.h"
 #include "pipeline/lint_timeline.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "motion/adjective_pairs.h"
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/environment.h"
 #include "pipeline/fault.h"
 #include "pipeline/schema.h"

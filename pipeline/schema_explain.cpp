@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/csv.h"
 #include "pipeline/schema.h"
 #include "pipeline/utf8.h"

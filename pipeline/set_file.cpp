@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/colour_json.h"
 #include "pipeline/fault.h"
 #include "pipeline/json_assign.h"

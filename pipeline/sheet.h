@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "motion/distance.h"
-#include "motion/example.h"
+#include "motion/measures/distance.h"
+#include "motion/skeleton/example.h"
 
 namespace mien::pipeline {
 

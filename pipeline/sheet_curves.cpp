@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 #include "pipeline/sheet_parts.h"
 
 namespace mien::pipeline {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 #include "pipeline/figure_drawing.h"
 #include "pipeline/sheet_parts.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/body.h"
+#include "motion/skeleton/body.h"
 
 namespace mien::pipeline {
 

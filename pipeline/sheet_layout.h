@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/distance.h"
+#include "motion/measures/distance.h"
 #include "pipeline/drawing.h"
 
 namespace mien::pipeline {

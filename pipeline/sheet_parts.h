@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "motion/body.h"
+#include "motion/skeleton/body.h"
 #include "pipeline/drawing.h"
 #include "pipeline/sheet.h"
 #include "pipeline/sheet_layout.h"

@@ -5,18 +5,18 @@
 
 #include <fmt/format.h>
 
-#include "motion/classic/displacement_map.h"
-#include "motion/classic/drives.h"
-#include "motion/classic/emotion_transform.h"
-#include "motion/classic/fourier_style.h"
-#include "motion/classic/lti_style.h"
-#include "motion/classic/motion_warp.h"
-#include "motion/classic/style_components.h"
-#include "motion/classic/waveshape.h"
-#include "motion/contact.h"
 #include "motion/error.h"
-#include "motion/foot_lock.h"
-#include "motion/retarget.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
+#include "motion/rig/retarget.h"
+#include "motion/style_transfer/displacement_map.h"
+#include "motion/style_transfer/drives.h"
+#include "motion/style_transfer/emotion_transform.h"
+#include "motion/style_transfer/fourier_style.h"
+#include "motion/style_transfer/lti_style.h"
+#include "motion/style_transfer/motion_warp.h"
+#include "motion/style_transfer/style_components.h"
+#include "motion/style_transfer/waveshape.h"
 
 namespace mien::pipeline {
 

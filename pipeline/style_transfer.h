@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/example.h"
+#include "motion/skeleton/example.h"
 #include "pipeline/repertoire.h"
 #include "pipeline/style_step.h"
 

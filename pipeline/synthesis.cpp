@@ -5,15 +5,15 @@
 
 #include <fmt/format.h>
 
-#include "motion/blend.h"
-#include "motion/body_mapping.h"
-#include "motion/contact.h"
 #include "motion/error.h"
-#include "motion/foot_lock.h"
-#include "motion/interpolation.h"
+#include "motion/formats/motion_file.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
+#include "motion/interpolation/blend.h"
+#include "motion/interpolation/interpolation.h"
 #include "motion/lint/lint.h"
-#include "motion/motion_file.h"
-#include "motion/straighten.h"
+#include "motion/rig/body_mapping.h"
+#include "motion/skeleton/straighten.h"
 #include "pipeline/modified_motion.h"
 
 namespace mien::pipeline {

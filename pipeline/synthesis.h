@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "motion/example.h"
 #include "motion/lint/finding.h"
+#include "motion/skeleton/example.h"
 #include "pipeline/manifest.h"
 #include "pipeline/repertoire.h"
 

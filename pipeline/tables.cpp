@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/distance.h"
-#include "motion/interpolation_options.h"
+#include "motion/interpolation/interpolation_options.h"
+#include "motion/measures/distance.h"
 #include "pipeline/csv.h"
 #include "pipeline/feature_changes.h"
 #include "pipeline/parameter_label.h"

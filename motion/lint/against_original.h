@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "motion/lint/subject.h"
+#include "motion/biomechanics/subject.h"
 
 namespace mien::motion {
 

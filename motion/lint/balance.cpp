@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/gait_events.h"
+#include "motion/gait/gait_events.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
 

@@ -4,7 +4,7 @@
 
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
-#include "motion/percentile.h"
+#include "motion/math/percentile.h"
 
 namespace mien::motion {
 

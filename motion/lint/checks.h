@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "motion/lint/body_on_floor.h"
+#include "motion/biomechanics/body_on_floor.h"
+#include "motion/biomechanics/subject.h"
 #include "motion/lint/finding.h"
 #include "motion/lint/lint_options.h"
-#include "motion/lint/subject.h"
 
 namespace mien::motion {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/contact.h"
+#include "motion/gait/contact.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
 

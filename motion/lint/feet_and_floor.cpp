@@ -2,12 +2,12 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/body_mass.h"
-#include "motion/contact.h"
+#include "motion/biomechanics/body_mass.h"
+#include "motion/gait/contact.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
-#include "motion/singular_values.h"
-#include "motion/sole.h"
+#include "motion/math/singular_values.h"
+#include "motion/skeleton/sole.h"
 
 namespace mien::motion {
 

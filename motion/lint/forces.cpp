@@ -1,8 +1,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/biomechanics/inverse_dynamics.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/inverse_dynamics.h"
 #include "motion/lint/stretches.h"
 
 namespace mien::motion {

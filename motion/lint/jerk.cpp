@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/filter.h"
 #include "motion/lint/against_original.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
-#include "motion/percentile.h"
+#include "motion/math/filter.h"
+#include "motion/math/percentile.h"
 
 namespace mien::motion {
 

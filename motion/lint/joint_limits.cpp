@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/biomechanics/joint_angles.h"
 #include "motion/lint/checks.h"
-#include "motion/lint/joint_angles.h"
 #include "motion/lint/stretches.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 
 namespace mien::motion {
 

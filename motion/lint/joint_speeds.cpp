@@ -2,7 +2,7 @@
 
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 
 namespace mien::motion {
 

@@ -4,8 +4,8 @@
 
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
-#include "motion/percentile.h"
-#include "motion/rotation.h"
+#include "motion/math/percentile.h"
+#include "motion/math/rotation.h"
 
 namespace mien::motion {
 

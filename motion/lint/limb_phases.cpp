@@ -5,7 +5,7 @@
 #include "motion/lint/against_original.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
-#include "motion/percentile.h"
+#include "motion/math/percentile.h"
 
 namespace mien::motion {
 

@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/clip.h"
 #include "motion/lint/finding.h"
 #include "motion/lint/lint_options.h"
+#include "motion/skeleton/clip.h"
 
 namespace mien::motion {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "motion/lint/body_capsules.h"
+#include "motion/biomechanics/body_capsules.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/contact.h"
+#include "motion/gait/contact.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/slip.h"
 #include "motion/lint/stretches.h"

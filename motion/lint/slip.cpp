@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/filter.h"
-#include "motion/percentile.h"
-#include "motion/sole.h"
+#include "motion/math/filter.h"
+#include "motion/math/percentile.h"
+#include "motion/skeleton/sole.h"
 
 namespace mien::motion {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "motion/foot_lock.h"
-#include "motion/lint/subject.h"
+#include "motion/biomechanics/subject.h"
+#include "motion/gait/foot_lock.h"
 
 namespace mien::motion {
 

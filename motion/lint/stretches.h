@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/biomechanics/subject.h"
 #include "motion/lint/finding.h"
 #include "motion/lint/lint_options.h"
-#include "motion/lint/subject.h"
 
 namespace mien::motion {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/foot_path.h"
-#include "motion/foot_placement.h"
+#include "motion/gait/foot_path.h"
+#include "motion/gait/foot_placement.h"
+#include "motion/math/rotation.h"
+#include "motion/math/smooth_envelope.h"
 #include "motion/modify/hip_shift.h"
-#include "motion/rotation.h"
-#include "motion/smooth_envelope.h"
-#include "motion/sole.h"
-#include "motion/two_bone_ik.h"
+#include "motion/skeleton/sole.h"
+#include "motion/skeleton/two_bone_ik.h"
 
 namespace mien::motion {
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <optional>
 
-#include "motion/filter.h"
-#include "motion/foot_path.h"
-#include "motion/sole.h"
-#include "motion/straighten.h"
+#include "motion/gait/foot_path.h"
+#include "motion/math/filter.h"
+#include "motion/skeleton/sole.h"
+#include "motion/skeleton/straighten.h"
 
 namespace mien::motion {
 

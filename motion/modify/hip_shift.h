@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "motion/clip.h"
-#include "motion/foot_lock.h"
+#include "motion/gait/foot_lock.h"
+#include "motion/skeleton/clip.h"
 
 namespace mien::motion {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "motion/clip.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
+#include "motion/skeleton/clip.h"
 
 namespace mien::motion {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "motion/filter.h"
-#include "motion/joint_transform.h"
+#include "motion/math/filter.h"
 #include "motion/modify/joint_curve.h"
+#include "motion/skeleton/joint_transform.h"
 
 namespace mien::motion {
 

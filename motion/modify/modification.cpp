@@ -4,15 +4,15 @@
 #include <cmath>
 #include <cstdio>
 
-#include "motion/contact.h"
 #include "motion/error.h"
+#include "motion/gait/contact.h"
+#include "motion/math/rotation.h"
 #include "motion/modify/foot_repair.h"
 #include "motion/modify/nine_grid.h"
 #include "motion/modify/soft_limits.h"
 #include "motion/modify/tempo.h"
 #include "motion/modify/variation.h"
-#include "motion/rotation.h"
-#include "motion/straighten.h"
+#include "motion/skeleton/straighten.h"
 
 namespace mien::motion {
 

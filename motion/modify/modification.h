@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "motion/clip.h"
-#include "motion/foot_lock.h"
+#include "motion/gait/foot_lock.h"
 #include "motion/modify/posture.h"
+#include "motion/skeleton/clip.h"
 
 namespace mien::motion {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/math/pyramid.h"
 #include "motion/modify/joint_curve.h"
-#include "motion/modify/pyramid.h"
 
 namespace mien::motion {
 

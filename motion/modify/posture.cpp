@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/filter.h"
+#include "motion/math/filter.h"
+#include "motion/math/rotation.h"
 #include "motion/modify/posture_units.h"
-#include "motion/rotation.h"
 
 namespace mien::motion {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/body.h"
-#include "motion/clip.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/clip.h"
 
 namespace mien::motion {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 
 namespace mien::motion {
 

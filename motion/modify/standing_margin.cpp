@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "motion/body_mass.h"
+#include "motion/biomechanics/body_mass.h"
 #include "motion/modify/posture.h"
 
 namespace mien::motion {

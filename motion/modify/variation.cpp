@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "motion/math/random_number.h"
 #include "motion/modify/joint_curve.h"
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/path_length.h"
-#include "motion/random_number.h"
 
 namespace mien::motion {
 

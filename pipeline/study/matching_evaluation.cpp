@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "motion/distance.h"
+#include "motion/measures/distance.h"
 #include "pipeline/study/holm.h"
 
 namespace mien::pipeline {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/distance.h"
+#include "motion/measures/distance.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/nearest_word.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/word_answers.h"
 
 namespace mien::pipeline {

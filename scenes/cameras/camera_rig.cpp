@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "motion/error.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 #include "scenes/cameras/camera_path.h"
 #include "scenes/cameras/framing.h"
 #include "scenes/figures/figure_height.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 #include "render/scene/camera.h"
 #include "scenes/cameras/camera_settings.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/geometry.h"
+#include "motion/math/geometry.h"
 
 namespace mien::scenes {
 

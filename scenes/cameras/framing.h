@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "motion/geometry.h"
+#include "motion/math/geometry.h"
 #include "render/scene/camera.h"
 
 namespace mien::scenes {

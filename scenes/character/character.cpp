@@ -4,11 +4,11 @@
 #include <stdexcept>
 
 #include "motion/error.h"
-#include "motion/file_contents.h"
-#include "motion/proportions.h"
-#include "motion/retarget.h"
-#include "motion/rig_motion.h"
-#include "motion/sole.h"
+#include "motion/rig/proportions.h"
+#include "motion/rig/retarget.h"
+#include "motion/rig/rig_motion.h"
+#include "motion/skeleton/sole.h"
+#include "motion/text/file_contents.h"
 #include "scenes/character/character_file.h"
 
 namespace mien::scenes {

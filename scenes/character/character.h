@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/body_mapping.h"
-#include "motion/clip.h"
+#include "motion/rig/body_mapping.h"
+#include "motion/skeleton/clip.h"
 #include "render/scene/scene.h"
 #include "scenes/skinning/skinned_model.h"
 

@@ -8,9 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/gltf_library.h"
-#include "motion/gltf_nodes.h"
-#include "motion/skeleton.h"
+#include "motion/formats/gltf_library.h"
+#include "motion/formats/gltf_nodes.h"
+#include "motion/skeleton/skeleton.h"
 #include "render/scene/scene.h"
 #include "scenes/skinning/skinned_model.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/gltf_accessor.h"
+#include "motion/formats/gltf_accessor.h"
 #include "scenes/character/character_file.h"
 
 namespace mien::scenes {

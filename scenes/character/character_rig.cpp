@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "motion/gltf_accessor.h"
+#include "motion/formats/gltf_accessor.h"
 #include "scenes/character/character_file.h"
 
 namespace mien::scenes {

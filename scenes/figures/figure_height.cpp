@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "motion/body.h"
+#include "motion/skeleton/body.h"
 
 namespace mien::scenes {
 

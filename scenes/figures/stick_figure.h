@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 #include "render/scene/scene.h"
 #include "scenes/figures/figure_colour.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "motion/body.h"
-#include "motion/pose.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/pose.h"
 #include "render/scene/scene.h"
 #include "scenes/figures/figure_colour.h"
 #include "scenes/mannequin/mannequin_flesh.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 
 namespace mien::scenes {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "motion/body.h"
-#include "motion/pose.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/pose.h"
 #include "scenes/figures/figure.h"
 #include "scenes/mannequin/lump.h"
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "motion/pose.h"
-#include "motion/skeleton.h"
+#include "motion/skeleton/pose.h"
+#include "motion/skeleton/skeleton.h"
 #include "render/scene/scene.h"
 #include "scenes/figures/figure_colour.h"
 #include "scenes/skinning/skinned_model.h"

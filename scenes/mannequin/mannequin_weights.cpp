@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "motion/body.h"
+#include "motion/skeleton/body.h"
 
 namespace mien::scenes {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "motion/pose.h"
-#include "motion/skeleton.h"
+#include "motion/skeleton/pose.h"
+#include "motion/skeleton/skeleton.h"
 #include "scenes/mannequin/mannequin_flesh.h"
 #include "scenes/skinning/skinned_model.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "motion/geometry.h"
+#include "motion/math/geometry.h"
 #include "scenes/figures/hex_colour.h"
 
 namespace mien::scenes {

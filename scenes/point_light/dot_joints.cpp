@@ -3,9 +3,9 @@
 #include <array>
 #include <map>
 
-#include "motion/body.h"
 #include "motion/error.h"
-#include "motion/nearest_word.h"
+#include "motion/skeleton/body.h"
+#include "motion/text/nearest_word.h"
 
 namespace mien::scenes {
 

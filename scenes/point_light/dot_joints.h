@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/skeleton.h"
+#include "motion/skeleton/skeleton.h"
 #include "scenes/figures/point_light_options.h"
 
 namespace mien::scenes {

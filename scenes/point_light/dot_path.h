@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "motion/geometry.h"
+#include "motion/math/geometry.h"
 
 namespace mien::scenes {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "motion/error.h"
-#include "motion/random_number.h"
+#include "motion/math/random_number.h"
 #include "scenes/point_light/dot_joints.h"
 
 namespace mien::scenes {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 #include "scenes/figures/point_light_options.h"
 #include "scenes/point_light/dot_path.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/geometry.h"
+#include "motion/math/geometry.h"
 
 namespace mien::scenes {
 

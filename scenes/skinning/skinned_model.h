@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "motion/geometry.h"
-#include "motion/pose.h"
+#include "motion/math/geometry.h"
+#include "motion/skeleton/pose.h"
 #include "render/scene/scene.h"
 
 namespace mien::scenes {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "motion/body.h"
 #include "motion/error.h"
+#include "motion/skeleton/body.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure_height.h"
 #include "scenes/figures/stick_figure.h"

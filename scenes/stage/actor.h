@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"
 #include "scenes/figures/figure.h"

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "motion/error.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 #include "scenes/cameras/stereo.h"
 #include "scenes/stage/trail_figure.h"
 #include "scenes/stage/travel.h"

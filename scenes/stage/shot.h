@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 #include "render/image/tone.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"

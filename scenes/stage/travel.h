@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 
 namespace mien::scenes {
 

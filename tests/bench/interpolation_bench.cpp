@@ -6,10 +6,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "motion/builtin_sets.h"
-#include "motion/contact.h"
-#include "motion/foot_lock.h"
-#include "motion/interpolation.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
+#include "motion/interpolation/interpolation.h"
+#include "motion/procedural/builtin_sets.h"
 
 namespace {
 

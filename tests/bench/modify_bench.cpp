@@ -6,12 +6,12 @@
 
 #include <benchmark/benchmark.h>
 
-#include "motion/contact.h"
+#include "motion/gait/contact.h"
 #include "motion/modify/foot_repair.h"
 #include "motion/modify/modification.h"
 #include "motion/modify/nine_grid.h"
 #include "motion/modify/path_length.h"
-#include "motion/walker.h"
+#include "motion/procedural/walker.h"
 
 namespace {
 

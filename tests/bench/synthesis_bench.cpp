@@ -4,11 +4,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "motion/blend.h"
-#include "motion/builtin_sets.h"
-#include "motion/cardinal_basis.h"
-#include "motion/contact.h"
-#include "motion/foot_lock.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
+#include "motion/interpolation/blend.h"
+#include "motion/interpolation/cardinal_basis.h"
+#include "motion/procedural/builtin_sets.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "motion/acclaim.h"
 #include "motion/error.h"
+#include "motion/formats/acclaim.h"
 
 using namespace mien::motion;
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "motion/bvh.h"
 #include "motion/error.h"
+#include "motion/formats/bvh.h"
 #include "motion/random_recording.h"
 
 using namespace mien::motion;

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "motion/error.h"
-#include "motion/gltf.h"
+#include "motion/formats/gltf.h"
 #include "motion/random_recording.h"
 
 using namespace mien::motion;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "motion/example.h"
-#include "motion/foot_roll.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
+#include "motion/procedural/foot_roll.h"
+#include "motion/skeleton/example.h"
 
 namespace mien::motion::test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "motion/skeleton.h"
+#include "motion/skeleton/skeleton.h"
 
 namespace mien::test {
 

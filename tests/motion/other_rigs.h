@@ -3,9 +3,9 @@
 #include <array>
 #include <random>
 
-#include "motion/clip.h"
-#include "motion/recording.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
+#include "motion/skeleton/clip.h"
+#include "motion/skeleton/recording.h"
 
 namespace mien::test {
 

@@ -4,8 +4,8 @@
 #include <random>
 #include <string>
 
-#include "motion/example.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
+#include "motion/skeleton/example.h"
 
 namespace mien::test {
 

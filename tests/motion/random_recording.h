@@ -4,8 +4,8 @@
 #include <random>
 #include <string>
 
-#include "motion/recording.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
+#include "motion/skeleton/recording.h"
 
 namespace mien::test {
 

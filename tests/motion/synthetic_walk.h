@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "motion/clip.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
+#include "motion/skeleton/clip.h"
 
 namespace mien::test {
 

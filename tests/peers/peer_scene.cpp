@@ -16,8 +16,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/builtin_sets.h"
-#include "motion/pose.h"
+#include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/pose.h"
 #include "render/tracer/tracer.h"
 
 namespace {

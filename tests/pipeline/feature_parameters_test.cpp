@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/builtin_sets.h"
-#include "motion/distance.h"
+#include "motion/measures/distance.h"
+#include "motion/procedural/builtin_sets.h"
 #include "pipeline/csv.h"
 #include "pipeline/sheet_content.h"
 #include "pipeline/synthesis.h"

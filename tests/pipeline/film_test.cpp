@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/builtin_sets.h"
+#include "motion/procedural/builtin_sets.h"
 #include "pipeline/film_frames.h"
 #include "pipeline/film_recorder.h"
 #include "pipeline/task_graph.h"

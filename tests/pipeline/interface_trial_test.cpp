@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/builtin_sets.h"
+#include "motion/procedural/builtin_sets.h"
 #include "pipeline/csv.h"
 #include "pipeline/interface_evaluation.h"
 #include "pipeline/synthesis.h"

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/builtin_sets.h"
-#include "motion/distance.h"
 #include "motion/error.h"
+#include "motion/examples/settled_feet.h"
 #include "motion/lint/lint.h"
-#include "motion/settled_feet.h"
+#include "motion/measures/distance.h"
+#include "motion/procedural/builtin_sets.h"
 
 namespace mien::pipeline {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/builtin_sets.h"
+#include "motion/procedural/builtin_sets.h"
 
 namespace mien::pipeline {
 namespace {

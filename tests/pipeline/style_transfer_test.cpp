@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/builtin_sets.h"
-#include "motion/distance.h"
 #include "motion/error.h"
-#include "motion/settled_feet.h"
+#include "motion/examples/settled_feet.h"
+#include "motion/measures/distance.h"
+#include "motion/procedural/builtin_sets.h"
 #include "pipeline/manifest_reader.h"
 #include "pipeline/modified_motion.h"
 

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/blend.h"
-#include "motion/contact.h"
-#include "motion/distance.h"
-#include "motion/foot_lock.h"
-#include "motion/rotation.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
+#include "motion/interpolation/blend.h"
+#include "motion/math/rotation.h"
+#include "motion/measures/distance.h"
 
 #include "real_data.h"
 

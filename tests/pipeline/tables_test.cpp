@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/distance.h"
+#include "motion/measures/distance.h"
 #include "pipeline/csv.h"
 
 namespace mien::pipeline {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "motion/example.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
+#include "motion/skeleton/example.h"
 
 namespace mien::test {
 

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 
 namespace mien::test {
 

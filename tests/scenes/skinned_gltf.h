@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/body.h"
-#include "motion/pose.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/pose.h"
 
 namespace mien::test {
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "motion/body.h"
-#include "motion/clip.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/clip.h"
 
 namespace mien::scenes::test {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "motion/lint/support.h"
+#include "motion/biomechanics/support.h"
 
 #include "injected_faults.h"
 

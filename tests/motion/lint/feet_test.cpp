@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "motion/contact.h"
-#include "motion/straighten.h"
+#include "motion/gait/contact.h"
+#include "motion/skeleton/straighten.h"
 
 #include "injected_faults.h"
 

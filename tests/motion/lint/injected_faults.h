@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "motion/body.h"
-#include "motion/builtin_sets.h"
-#include "motion/clip.h"
-#include "motion/foot_lock.h"
+#include "motion/gait/foot_lock.h"
 #include "motion/lint/lint.h"
-#include "motion/rotation.h"
-#include "motion/two_bone_ik.h"
+#include "motion/math/rotation.h"
+#include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/clip.h"
+#include "motion/skeleton/two_bone_ik.h"
 
 namespace mien::test {
 

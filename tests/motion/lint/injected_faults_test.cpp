@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/contact.h"
+#include "motion/gait/contact.h"
 #include "motion/lint/lint.h"
 
 // Every fault put into every built-in walk, at random places, is found.

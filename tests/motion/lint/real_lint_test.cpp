@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/body_mapping.h"
-#include "motion/motion_file.h"
+#include "motion/formats/motion_file.h"
+#include "motion/rig/body_mapping.h"
 
 #include "injected_faults.h"
 #include "real_data.h"

@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/contact.h"
-#include "motion/foot_path.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_path.h"
+#include "motion/math/rotation.h"
 #include "motion/modify/hip_shift.h"
 #include "motion/modify/path_length.h"
-#include "motion/rotation.h"
-#include "motion/sole.h"
+#include "motion/procedural/walker.h"
+#include "motion/skeleton/sole.h"
 #include "motion/synthetic_walk.h"
-#include "motion/walker.h"
 
 #include "path_measures.h"
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/rotation.h"
-#include "motion/walker.h"
+#include "motion/math/rotation.h"
+#include "motion/procedural/walker.h"
 
 #include "path_measures.h"
 #include "real_takes.h"

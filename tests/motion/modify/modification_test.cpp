@@ -5,15 +5,15 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/builtin_sets.h"
-#include "motion/contact.h"
-#include "motion/make_example.h"
-#include "motion/mirror.h"
+#include "motion/examples/make_example.h"
+#include "motion/gait/contact.h"
+#include "motion/math/rotation.h"
+#include "motion/procedural/builtin_sets.h"
+#include "motion/procedural/walker.h"
 #include "motion/random_motion.h"
 #include "motion/refusal.h"
-#include "motion/rotation.h"
-#include "motion/straighten.h"
-#include "motion/walker.h"
+#include "motion/skeleton/mirror.h"
+#include "motion/skeleton/straighten.h"
 
 #include "path_measures.h"
 #include "real_takes.h"

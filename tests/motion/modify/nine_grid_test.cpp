@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/contact.h"
-#include "motion/walker.h"
+#include "motion/gait/contact.h"
+#include "motion/procedural/walker.h"
 
 #include "path_measures.h"
 

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/loop.h"
-#include "motion/rotation.h"
-#include "motion/straighten.h"
-#include "motion/walker.h"
+#include "motion/gait/loop.h"
+#include "motion/math/rotation.h"
+#include "motion/procedural/walker.h"
+#include "motion/skeleton/straighten.h"
 
 #include "path_measures.h"
 

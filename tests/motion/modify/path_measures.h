@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "motion/clip.h"
+#include "motion/skeleton/clip.h"
 
 namespace mien::test {
 

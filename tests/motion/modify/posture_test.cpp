@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/mirror.h"
-#include "motion/rotation.h"
-#include "motion/walker.h"
+#include "motion/math/rotation.h"
+#include "motion/procedural/walker.h"
+#include "motion/skeleton/mirror.h"
 
 #include "path_measures.h"
 #include "real_takes.h"

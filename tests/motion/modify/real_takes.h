@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "motion/body_mapping.h"
-#include "motion/clip.h"
-#include "motion/motion_file.h"
+#include "motion/formats/motion_file.h"
+#include "motion/rig/body_mapping.h"
+#include "motion/skeleton/clip.h"
 
 #include "real_data.h"
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/math/rotation.h"
 #include "motion/modify/posture.h"
-#include "motion/rotation.h"
-#include "motion/walker.h"
+#include "motion/procedural/walker.h"
 
 #include "path_measures.h"
 

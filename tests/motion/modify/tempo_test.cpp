@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/contact.h"
+#include "motion/gait/contact.h"
+#include "motion/procedural/walker.h"
 #include "motion/random_motion.h"
-#include "motion/walker.h"
 
 #include "path_measures.h"
 

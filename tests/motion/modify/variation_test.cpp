@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/walker.h"
+#include "motion/procedural/walker.h"
 
 #include "path_measures.h"
 

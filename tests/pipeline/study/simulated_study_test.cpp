@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/builtin_sets.h"
+#include "motion/procedural/builtin_sets.h"
 #include "pipeline/measured_profiles.h"
 #include "pipeline/repertoire.h"
 #include "pipeline/study/analysis.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 
 namespace mien::scenes {
 namespace {

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "motion/error.h"
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 #include "scenes/mannequin/mannequin_flesh.h"
 
 #include "skinned_gltf.h"

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/body_mapping.h"
-#include "motion/floor.h"
-#include "motion/motion_file.h"
+#include "motion/formats/motion_file.h"
+#include "motion/rig/body_mapping.h"
+#include "motion/skeleton/floor.h"
 #include "scenes/character/character.h"
 #include "scenes/mannequin/mannequin.h"
 

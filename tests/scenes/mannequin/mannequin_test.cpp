@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/rotation.h"
-#include "motion/sole.h"
+#include "motion/math/rotation.h"
+#include "motion/skeleton/sole.h"
 #include "scenes/mannequin/mannequin_paint.h"
 
 #include "closed_surface.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/rotation.h"
+#include "motion/math/rotation.h"
 #include "scenes/skinning/dual_quaternion.h"
 
 namespace mien::scenes {

@@ -1,0 +1,94 @@
+#include "motion/biomechanics/subject.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/gait/contact.h"
+#include "motion/skeleton/straighten.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr int laps = 3;
+constexpr double slowest_walk = 0.15;       // m/s
+constexpr double slowest_treadmill = 0.25;  // m/s
+
+/// What passes under the planted feet of a motion that gets nowhere; zero for all others.
+Vec3 floor_under(const Clip& motion) {
+  if (motion.loops) return floor_velocity(motion);
+  if (motion.frame_count() < 3) return Vec3::Zero();
+  Vec3 travel = motion.poses.back().root_position - motion.poses.front().root_position;
+  travel.y() = 0.0;
+  if (travel.norm() > slowest_walk * motion.duration_seconds()) return Vec3::Zero();
+  Clip round = motion;
+  round.loops = true;
+  round.cycle_displacement = Vec3::Zero();
+  return floor_velocity(round);
+}
+
+Clip on_its_way(Clip motion) {
+  const Vec3 floor = floor_under(motion);
+  if (floor.norm() < slowest_treadmill) return motion;
+  const double step_seconds = 1.0 / motion.frames_per_second;
+  for (int t = 0; t < motion.frame_count(); ++t) {
+    motion.poses[t].root_position -= t * step_seconds * floor;
+  }
+  if (motion.loops) motion.cycle_displacement = -motion.duration_seconds() * floor;
+  return motion;
+}
+
+}  // namespace
+
+std::vector<Vec3> LintSubject::path(int joint) const {
+  std::vector<Vec3> positions;
+  positions.reserve(world.size());
+  for (const JointTransforms& frame : world) positions.push_back(frame.positions[joint]);
+  return positions;
+}
+
+LintSubject lint_subject(const Clip& motion) {
+  LintSubject subject;
+  subject.frames = motion.frame_count();
+  subject.was_loop = motion.loops;
+  subject.clip = motion;
+  for (Pose& pose : subject.clip.poses) {
+    for (Quat& rotation : pose.rotations) rotation.normalize();
+  }
+  const bool is_human = is_body(motion.body);
+  if (is_human) {
+    subject.clip = on_its_way(std::move(subject.clip));
+    subject.scale = standing_height(motion.body) / 1.73;  // 1.75 m less what is below the toes
+  }
+  if (motion.loops) {
+    subject.clip = repeated(subject.clip, laps);
+    subject.start = subject.frames;
+  }
+  subject.world.reserve(subject.clip.poses.size());
+  for (const Pose& pose : subject.clip.poses) {
+    subject.world.push_back(world_transforms(subject.clip.body, pose));
+  }
+  return subject;
+}
+
+namespace {
+
+/// Of the motion that was given, in frames.
+double duration_frames(const LintSubject& subject) {
+  return subject.was_loop ? subject.frames : std::max(subject.frames - 1, 1);
+}
+
+}  // namespace
+
+double corresponding_frame(const LintSubject& subject, double frame, const LintSubject& other) {
+  const double share = (frame - subject.start) / duration_frames(subject);
+  const double there = other.start + share * duration_frames(other);
+  return std::clamp(there, 0.0, other.frame_count() - 1.0);
+}
+
+double pace(const LintSubject& subject, const LintSubject& other) {
+  const double seconds = duration_frames(subject) / subject.rate();
+  return duration_frames(other) / other.rate() / seconds;
+}
+
+}  // namespace mien::motion

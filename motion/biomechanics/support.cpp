@@ -1,0 +1,119 @@
+#include "motion/biomechanics/support.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "motion/gait/contact.h"
+#include "motion/skeleton/sole.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double sole_width = 0.09;  // m at 1.75 m
+constexpr double bearing = 0.03;     // m
+
+Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
+
+std::vector<Vec3> bearing_corners(const SolePoints& sole, double scale) {
+  const double lowest = std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
+  const Vec3 along = level(sole.ball - sole.heel);
+  const Vec3 side = 0.5 * sole_width * scale * Vec3(along.z(), 0.0, -along.x()).normalized();
+  std::vector<Vec3> corners;
+  for (const Vec3& point : {sole.heel, sole.ball, sole.tip}) {
+    if (point.y() > lowest + bearing * scale) continue;
+    corners.push_back(level(point) + side);
+    corners.push_back(level(point) - side);
+  }
+  return corners;
+}
+
+double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b.x() - a.x()) * (c.z() - a.z()) - (b.z() - a.z()) * (c.x() - a.x());
+}
+
+/// Convex hull in the plane, counter-clockwise as seen with x right and z up (Andrew 1979).
+std::vector<Vec3> hull(std::vector<Vec3> points) {
+  const auto before = [](const Vec3& a, const Vec3& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.z() < b.z();
+  };
+  std::sort(points.begin(), points.end(), before);
+  std::vector<Vec3> result;
+  const auto add_chain = [&](auto first, auto last, size_t kept) {
+    for (auto point = first; point != last; ++point) {
+      while (result.size() > kept + 1 &&
+             turn(result[result.size() - 2], result.back(), *point) <= 0.0) {
+        result.pop_back();
+      }
+      result.push_back(*point);
+    }
+    result.pop_back();
+  };
+  if (points.size() < 3) return points;
+  add_chain(points.begin(), points.end(), 0);
+  add_chain(points.rbegin(), points.rend(), result.size());
+  return result;
+}
+
+Vec3 nearest_on_edge(const Vec3& point, const Vec3& a, const Vec3& b) {
+  const Vec3 edge = b - a;
+  const double squared = edge.squaredNorm();
+  const double share = squared > 0.0 ? std::clamp((point - a).dot(edge) / squared, 0.0, 1.0) : 0.0;
+  return a + share * edge;
+}
+
+struct Nearest {
+  Vec3 point;
+  double distance = std::numeric_limits<double>::infinity();
+  bool is_inside = true;
+};
+
+Nearest nearest(const Vec3& point, const std::vector<Vec3>& corners) {
+  const std::vector<Vec3> edges = hull(corners);
+  Nearest result;
+  result.is_inside = edges.size() >= 3;
+  for (size_t i = 0; i < edges.size(); ++i) {
+    const Vec3& a = edges[i];
+    const Vec3& b = edges[(i + 1) % edges.size()];
+    if (turn(a, b, point) < 0.0) result.is_inside = false;
+    const Vec3 candidate = nearest_on_edge(level(point), a, b);
+    const double distance = (level(point) - candidate).norm();
+    if (distance < result.distance) {
+      result.distance = distance;
+      result.point = candidate;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Vec3> Support::all() const {
+  std::vector<Vec3> corners = left;
+  corners.insert(corners.end(), right.begin(), right.end());
+  return corners;
+}
+
+std::vector<Support> supports(const LintSubject& subject) {
+  std::vector<Support> result(subject.world.size());
+  for (const FootPlant& plant : foot_plants(subject.clip)) {
+    const int last = std::min(plant.last, subject.frame_count() - 1);
+    for (int t = plant.first; t <= last; ++t) {
+      const SolePoints sole = sole_points(subject.clip.body, subject.world[t], plant.left);
+      (plant.left ? result[t].left : result[t].right) = bearing_corners(sole, subject.scale);
+    }
+  }
+  return result;
+}
+
+double distance_outside(const Vec3& point, const std::vector<Vec3>& corners) {
+  const Nearest found = nearest(point, corners);
+  return found.is_inside ? -found.distance : found.distance;
+}
+
+Vec3 nearest_in(const Vec3& point, const std::vector<Vec3>& corners) {
+  const Nearest found = nearest(point, corners);
+  return found.is_inside ? level(point) : found.point;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/biomechanics/subject.h"
+
+namespace mien::motion {
+
+/// The parts of both soles on the floor in one frame: corners, world space, y = 0. A foot that is
+/// not planted (contact.h) has none.
+struct Support {
+  std::vector<Vec3> left;
+  std::vector<Vec3> right;
+
+  bool empty() const { return left.empty() && right.empty(); }
+  std::vector<Vec3> all() const;
+};
+
+/// The support in every frame. Of a planted foot all of the sole counts that is within 0.03 m of
+/// its lowest point, 0.09 m wide.
+std::vector<Support> supports(const LintSubject& subject);
+
+/// Horizontal distance, metres, of a point from the convex hull of the corners; negative inside.
+/// `corners` must not be empty.
+double distance_outside(const Vec3& point, const std::vector<Vec3>& corners);
+
+/// The point of the convex hull that is nearest to `point`, on the floor.
+Vec3 nearest_in(const Vec3& point, const std::vector<Vec3>& corners);
+
+}  // namespace mien::motion

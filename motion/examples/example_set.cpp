@@ -1,0 +1,155 @@
+#include "motion/examples/example_set.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "motion/error.h"
+#include "motion/examples/file_labels.h"
+#include "motion/formats/motion_file.h"
+#include "motion/rig/body_mapping.h"
+#include "motion/rig/retarget.h"
+#include "motion/text/nearest_word.h"
+
+namespace mien::motion {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Mappings of all recordings, calibrated over those that share a rig.
+std::vector<BodyMapping> mappings_of(const std::vector<Recording>& recordings) {
+  std::vector<BodyMapping> mappings(recordings.size());
+  std::vector<bool> done(recordings.size(), false);
+  for (size_t i = 0; i < recordings.size(); ++i) {
+    if (done[i]) continue;
+    std::vector<Recording> rig;
+    std::vector<size_t> members;
+    for (size_t k = i; k < recordings.size(); ++k) {
+      if (done[k] || !same_rig(recordings[i].skeleton, recordings[k].skeleton)) continue;
+      rig.push_back(recordings[k]);
+      members.push_back(k);
+      done[k] = true;
+    }
+    const BodyMapping mapping = recognise(rig);
+    for (const size_t k : members) mappings[k] = mapping;
+  }
+  return mappings;
+}
+
+std::vector<std::string> names_of(const ExampleFolder& folder,
+                                  const std::vector<std::string>& stems) {
+  std::vector<std::string> names = folder.shorten_names ? labels_from_names(stems) : stems;
+  const std::map<std::string, std::string> given(folder.names.begin(), folder.names.end());
+  std::set<std::string> seen;
+  for (size_t i = 0; i < stems.size(); ++i) {
+    if (const auto name = given.find(stems[i]); name != given.end()) names[i] = name->second;
+    if (seen.insert(names[i]).second) continue;
+    throw Error({folder.path.string(), 0, 0}, "two motions are called \"" + names[i] + "\"",
+                "give one another label");
+  }
+  return names;
+}
+
+/// Keytimes by hand in the order of the files; empty ones when none are given.
+std::vector<std::vector<double>> keytimes_of(const ExampleFolder& folder,
+                                             const std::vector<std::string>& stems) {
+  std::vector<std::vector<double>> keytimes(stems.size());
+  if (folder.keytimes.empty()) return keytimes;
+  const Place place{folder.path.string()};
+  for (const auto& [stem, times] : folder.keytimes) {
+    const auto found = std::find(stems.begin(), stems.end(), stem);
+    if (found == stems.end()) {
+      throw Error(place, "there are keytimes of \"" + stem + "\" and no such file",
+                  did_you_mean(stem, stems));
+    }
+    keytimes[static_cast<size_t>(found - stems.begin())] = times;
+  }
+  for (size_t i = 0; i < stems.size(); ++i) {
+    if (!keytimes[i].empty()) continue;
+    throw Error(place, "\"" + stems[i] + "\" has no keytimes and others have",
+                "give it some, or leave it out with exclude");
+  }
+  return keytimes;
+}
+
+/// One number of keytimes, one body. Throws Error where keytimes differ.
+void make_blendable(const ExampleFolder& folder, LoadedExamples& loaded) {
+  std::vector<Example>& examples = loaded.set.examples;
+  const bool any_loops = std::any_of(examples.begin(), examples.end(),
+                                     [](const Example& example) { return example.clip.loops; });
+  if (!any_loops && folder.keytimes.empty()) even_keytimes(examples);
+  const size_t key_count = examples.front().keytimes.size();
+  for (size_t i = 0; i < examples.size(); ++i) {
+    if (examples[i].keytimes.size() != key_count) {
+      throw Error({(folder.path / loaded.file_stems[i]).string(), 0, 0},
+                  "\"" + examples[i].name + "\" has " +
+                      std::to_string(examples[i].keytimes.size()) + " keytimes and \"" +
+                      examples[0].name + "\" has " + std::to_string(key_count),
+                  "leave it out with exclude, take all motions whole with cycle: whole, or use "
+                  "each for itself with blend: false");
+    }
+    if (i > 0) examples[i].clip = retarget(examples[i].clip, examples.front().clip.body);
+  }
+}
+
+}  // namespace
+
+std::vector<fs::path> example_files(const ExampleFolder& folder) {
+  std::error_code failed;
+  fs::directory_iterator entries(folder.path, failed);
+  if (failed) {
+    throw Error({folder.path.string(), 0, 0}, "is no folder that can be read",
+                "name the folder that holds the motion files");
+  }
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : entries) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_regular_file() || !is_motion_file(entry.path())) continue;
+    if (!matches_glob(folder.include, name)) continue;
+    if (!folder.exclude.empty() && matches_glob(folder.exclude, name)) continue;
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  if (files.empty()) {
+    throw Error({folder.path.string(), 0, 0},
+                "holds no motion file that matches \"" + folder.include + "\"",
+                "BVH, AMC and glTF files are taken; mind upper and lower case");
+  }
+  return files;
+}
+
+std::vector<std::string> example_names(const ExampleFolder& folder) {
+  std::vector<std::string> stems;
+  for (const fs::path& file : example_files(folder)) stems.push_back(file.stem().string());
+  return names_of(folder, stems);
+}
+
+LoadedExamples load_examples(const ExampleFolder& folder) {
+  std::vector<Recording> recordings;
+  LoadedExamples loaded;
+  for (const fs::path& file : example_files(folder)) {
+    recordings.push_back(read_motion(file));
+    loaded.file_stems.push_back(file.stem().string());
+  }
+  const std::vector<std::string> names = names_of(folder, loaded.file_stems);
+  const std::vector<BodyMapping> mappings = mappings_of(recordings);
+  const std::vector<std::vector<double>> keytimes = keytimes_of(folder, loaded.file_stems);
+  loaded.set.name = folder.path.filename().string();
+  for (size_t i = 0; i < recordings.size(); ++i) {
+    PreparedExample prepared = prepare_example(to_body(recordings[i], mappings[i]),
+                                               {.cycle = folder.cycle, .keytimes = keytimes[i]});
+    prepared.example.name = names[i];
+    if (prepared.cycle) {
+      for (const std::string& warning : prepared.cycle->warnings) {
+        loaded.warnings.push_back(names[i] + ": " + warning);
+      }
+    }
+    loaded.set.examples.push_back(std::move(prepared.example));
+  }
+  loaded.set.blendable = folder.blendable;
+  if (folder.blendable) make_blendable(folder, loaded);
+  return loaded;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/formats/acclaim_skeleton.h"
+#include "motion/text/text_cursor.h"
+
+namespace mien::motion {
+
+/// The rotation of an axis line, in the file's unit of angles.
+struct AsfAxis {
+  Vec3 angles = Vec3::Zero();  ///< about x, y and z
+  std::string order = "XYZ";   ///< the first letter's turn is the innermost
+};
+
+/// A bone as its begin … end block says.
+struct AsfBone {
+  std::string name;
+  size_t place = 0;  ///< index of the block in the text
+  std::optional<Vec3> direction;
+  std::optional<double> length;
+  std::optional<AsfAxis> axis;
+  std::vector<AcclaimFreedom> freedoms;
+  int parent = -1;
+  std::vector<int> children;
+};
+
+/// The statements of an ASF file, in its own units.
+struct AsfFile {
+  std::vector<AsfBone> bones;  ///< the root, then those of :bonedata
+  Vec3 root_position = Vec3::Zero();
+  double length_unit = 1.0;
+  double radians_per_unit = radians_per_degree;
+};
+
+/// Reads the text to its end. Every bone has a name, direction, length and axis, and at most one
+/// parent. Throws mien::Error.
+AsfFile take_asf(TextCursor& cursor);
+
+}  // namespace mien::motion

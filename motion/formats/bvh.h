@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "motion/skeleton/recording.h"
+
+namespace mien::motion {
+
+/// Reads a BVH file (Biovision hierarchy): one ROOT, joints in any order, one to six channels in
+/// any order on any joint or none at all. Offsets stay in the file's unit and axes; angles are
+/// degrees.
+///
+/// - A joint's rotation is the product of its rotation channels in CHANNELS order.
+/// - Position channels replace OFFSET, each the one coordinate it names. The root's give
+///   `root_position`; when another joint has any, every pose gets `offsets`.
+/// - A frame time is taken for the frame rate that it was rounded from (frame_rate.h).
+///
+/// Throws mien::Error with file, line and column for everything that is not a BVH motion of at
+/// least one frame: among others a second ROOT, numbers that are not finite, a frame with more or
+/// fewer numbers than there are channels, and a `Frames:` that differs from the frames there are.
+Recording read_bvh(const std::filesystem::path& path);
+
+/// As `read_bvh`, of a text in memory; `file_name` serves error messages and the recording's name.
+Recording parse_bvh(std::string_view text, const std::string& file_name);
+
+/// The recording as BVH text: joints depth first, channels X, Y, Z position then Z, X, Y rotation
+/// on the root, Z, X, Y rotation on the others, and all six on a joint whose offset changes over
+/// the poses. Angles run on over ±180° so that curves between frames do not jump. Positions have 7
+/// decimals, angles 9. Control characters and braces in names become '_'.
+///
+/// The recording has at least one pose. The same recording gives the same text.
+std::string to_bvh(const Recording& recording);
+
+/// Writes `to_bvh`. Throws mien::Error when the file cannot be written.
+void write_bvh(const Recording& recording, const std::filesystem::path& path);
+
+}  // namespace mien::motion

@@ -1,0 +1,221 @@
+#include "motion/formats/bvh_hierarchy.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace mien::motion {
+
+namespace {
+
+/// A joint whose closing brace has not come yet.
+struct OpenJoint {
+  int joint = -1;
+  size_t place = 0;
+  bool has_offset = false;
+  bool has_channels = false;
+};
+
+std::optional<BvhChannel> channel_named(std::string_view word) {
+  static constexpr std::array<std::pair<std::string_view, Axis>, 3> axes = {
+      {{"X", Axis::x}, {"Y", Axis::y}, {"Z", Axis::z}}};
+  for (const auto& [letter, axis] : axes) {
+    if (!same_word(word.substr(0, 1), letter)) continue;
+    if (same_word(word.substr(1), "position")) return BvhChannel{0, axis, false};
+    if (same_word(word.substr(1), "rotation")) return BvhChannel{0, axis, true};
+  }
+  return std::nullopt;
+}
+
+void expect_brace(TextCursor& cursor, std::string_view brace, std::string_view after) {
+  skip_space(cursor);
+  const size_t place = cursor.at;
+  const std::string_view word = take_word(cursor);
+  if (word == brace) return;
+  fail(cursor, place,
+       "expected \"" + std::string(brace) + "\" after " + std::string(after) + ", found " +
+           (word.empty() ? "the end" : in_quotes(word)),
+       "check that the file is complete and its braces match");
+}
+
+/// Names may hold spaces: a name runs to the brace or the end of its line.
+std::string take_name(TextCursor& cursor, std::string_view keyword) {
+  skip_space(cursor);
+  const size_t start = cursor.at;
+  while (!at_line_end(cursor) && cursor.text[cursor.at] != '{') ++cursor.at;
+  std::string_view name = cursor.text.substr(start, cursor.at - start);
+  while (!name.empty() && (name.back() == ' ' || name.back() == '\t')) name.remove_suffix(1);
+  if (name.empty()) {
+    fail(cursor, start, std::string(keyword) + " has no name", "write the joint's name after it");
+  }
+  return std::string(name);
+}
+
+Vec3 take_offset(TextCursor& cursor) {
+  const double x = take_number(cursor, "x of OFFSET");
+  const double y = take_number(cursor, "y of OFFSET");
+  const double z = take_number(cursor, "z of OFFSET");
+  return {x, y, z};
+}
+
+Vec3 take_end_site(TextCursor& cursor) {
+  while (!at_end(cursor) && cursor.text[cursor.at] != '{') ++cursor.at;
+  expect_brace(cursor, "{", "End Site");
+  skip_space(cursor);
+  const size_t place = cursor.at;
+  if (!same_word(take_word(cursor), "OFFSET")) {
+    fail(cursor, place, "End Site holds no OFFSET", "write \"OFFSET x y z\" between its braces");
+  }
+  const Vec3 tip = take_offset(cursor);
+  expect_brace(cursor, "}", "the OFFSET of End Site");
+  return tip;
+}
+
+class HierarchyReader {
+ public:
+  explicit HierarchyReader(TextCursor& cursor) : cursor_(cursor) {}
+
+  BvhHierarchy read() {
+    expect_heading();
+    while (take_statement()) {
+    }
+    return std::move(hierarchy_);
+  }
+
+ private:
+  std::vector<Joint>& joints() { return hierarchy_.skeleton.joints; }
+
+  void expect_heading() {
+    skip_space(cursor_);
+    const size_t place = cursor_.at;
+    if (!same_word(take_word(cursor_), "HIERARCHY")) {
+      fail(cursor_, place, "a BVH file starts with HIERARCHY", "check that this is a BVH file");
+    }
+  }
+
+  /// False after MOTION.
+  bool take_statement() {
+    skip_space(cursor_);
+    const size_t place = cursor_.at;
+    const std::string_view word = take_word(cursor_);
+    if (open_.empty()) return take_outer_statement(word, place);
+    if (same_word(word, "OFFSET")) {
+      take_joint_offset(place);
+    } else if (same_word(word, "CHANNELS")) {
+      take_channels(place);
+    } else if (same_word(word, "JOINT")) {
+      open_joint("JOINT", place);
+    } else if (same_word(word, "End")) {
+      const Vec3 tip = take_end_site(cursor_);
+      Joint& joint = joints()[static_cast<size_t>(open_.back().joint)];
+      if (!joint.tip) joint.tip = tip;
+    } else if (word == "}") {
+      close_joint();
+    } else {
+      refuse_in_joint(word, place);
+    }
+    return true;
+  }
+
+  bool take_outer_statement(std::string_view word, size_t place) {
+    if (same_word(word, "ROOT")) {
+      if (!joints().empty()) {
+        fail(cursor_, place, "a second ROOT", "keep one figure a file: split it at the roots");
+      }
+      open_joint("ROOT", place);
+      return true;
+    }
+    if (same_word(word, "MOTION") && !joints().empty()) return false;
+    const std::string expected = joints().empty() ? "ROOT" : "MOTION";
+    fail(cursor_, place,
+         "expected " + expected + ", found " + (word.empty() ? "the end" : in_quotes(word)),
+         word.empty() ? "the file was cut short: get it again" : "check the braces above");
+  }
+
+  [[noreturn]] void refuse_in_joint(std::string_view word, size_t place) {
+    const std::string name = in_quotes(joints()[static_cast<size_t>(open_.back().joint)].name);
+    if (word.empty() || same_word(word, "MOTION")) {
+      fail(cursor_, place, "joint " + name + " is not closed by \"}\"",
+           word.empty() ? "the file was cut short: get it again" : "add the closing brace");
+    }
+    if (channel_named(word)) {
+      fail(cursor_, place, "joint " + name + " names more channels than CHANNELS counts",
+           "make the count after CHANNELS that of the names");
+    }
+    fail(cursor_, place, "unknown word " + in_quotes(word) + " in joint " + name,
+         "a joint holds OFFSET, CHANNELS, JOINT and End Site");
+  }
+
+  void open_joint(std::string_view keyword, size_t place) {
+    Joint joint;
+    joint.name = take_name(cursor_, keyword);
+    joint.parent = open_.empty() ? -1 : open_.back().joint;
+    expect_brace(cursor_, "{", std::string(keyword) + " " + in_quotes(joint.name));
+    open_.push_back({static_cast<int>(joints().size()), place});
+    joints().push_back(std::move(joint));
+  }
+
+  void close_joint() {
+    const OpenJoint& closed = open_.back();
+    if (!closed.has_offset) {
+      fail(
+          cursor_, closed.place,
+          "joint " + in_quotes(joints()[static_cast<size_t>(closed.joint)].name) + " has no OFFSET",
+          "write \"OFFSET x y z\" between its braces");
+    }
+    open_.pop_back();
+  }
+
+  void take_joint_offset(size_t place) {
+    OpenJoint& joint = open_.back();
+    if (std::exchange(joint.has_offset, true)) {
+      fail(cursor_, place, "a second OFFSET in one joint", "remove one");
+    }
+    joints()[static_cast<size_t>(joint.joint)].offset = take_offset(cursor_);
+  }
+
+  void take_channels(size_t place) {
+    OpenJoint& joint = open_.back();
+    if (std::exchange(joint.has_channels, true)) {
+      fail(cursor_, place, "a second CHANNELS in one joint", "remove one");
+    }
+    skip_space(cursor_);
+    const size_t count_place = cursor_.at;
+    const long count = take_count(cursor_, "the number of channels");
+    if (count > 6) {
+      fail(cursor_, count_place, std::to_string(count) + " channels on one joint",
+           "a joint has at most 6");
+    }
+    std::array<bool, 3> moved = {};
+    for (long i = 0; i < count; ++i) take_channel(joint.joint, moved);
+  }
+
+  void take_channel(int joint, std::array<bool, 3>& moved) {
+    skip_space(cursor_);
+    const size_t place = cursor_.at;
+    const std::string_view word = take_word(cursor_);
+    std::optional<BvhChannel> channel = channel_named(word);
+    if (!channel) {
+      fail(cursor_, place,
+           "expected a channel name, found " + (word.empty() ? "the end" : in_quotes(word)),
+           "channels are Xposition Yposition Zposition Xrotation Yrotation Zrotation, as many as "
+           "CHANNELS counts");
+    }
+    if (!channel->rotation && std::exchange(moved[static_cast<size_t>(channel->axis)], true)) {
+      fail(cursor_, place, in_quotes(word) + " stands twice in one joint", "remove one");
+    }
+    channel->joint = joint;
+    hierarchy_.channels.push_back(*channel);
+  }
+
+  TextCursor& cursor_;
+  BvhHierarchy hierarchy_;
+  std::vector<OpenJoint> open_;
+};
+
+}  // namespace
+
+BvhHierarchy take_bvh_hierarchy(TextCursor& cursor) { return HierarchyReader(cursor).read(); }
+
+}  // namespace mien::motion

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/math/rotation.h"
+#include "motion/skeleton/skeleton.h"
+#include "motion/text/text_cursor.h"
+
+namespace mien::motion {
+
+/// One number of each BVH frame.
+struct BvhChannel {
+  int joint = 0;
+  Axis axis = Axis::x;
+  bool rotation = false;  ///< degrees about the axis; else the coordinate along it
+};
+
+/// The upper half of a BVH file.
+struct BvhHierarchy {
+  Skeleton skeleton;
+  std::vector<BvhChannel> channels;  ///< in the order of a frame's numbers
+};
+
+/// Reads from HIERARCHY up to and with MOTION. Throws mien::Error.
+BvhHierarchy take_bvh_hierarchy(TextCursor& cursor);
+
+}  // namespace mien::motion

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cmath>
+
+#include "motion/formats/bvh.h"
+#include "motion/formats/bvh_hierarchy.h"
+#include "motion/formats/frame_rate.h"
+#include "motion/formats/recording_limits.h"
+#include "motion/text/file_contents.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// Takes a label such as "Frame Time:", however it is spaced; the colon may be missing.
+void expect_label(TextCursor& cursor, std::string_view label) {
+  skip_space(cursor);
+  const size_t start = cursor.at;
+  for (const char c : label) {
+    if (c == ' ') {
+      skip_blanks(cursor);
+    } else if (same_word(cursor.text.substr(cursor.at, 1), {&c, 1})) {
+      ++cursor.at;
+    } else {
+      fail(cursor, start, "expected \"" + std::string(label) + ":\"",
+           at_end(cursor) ? "the file was cut short: get it again"
+                          : "MOTION is followed by Frames: and Frame Time:");
+    }
+  }
+  skip_blanks(cursor);
+  if (!at_end(cursor) && cursor.text[cursor.at] == ':') ++cursor.at;
+}
+
+void expect_line_end(TextCursor& cursor) {
+  skip_blanks(cursor);
+  if (at_line_end(cursor)) return;
+  fail(cursor, cursor.at, "nothing more is expected on this line", "start a new line here");
+}
+
+double take_frame_rate(TextCursor& cursor) {
+  expect_label(cursor, "Frame Time");
+  skip_space(cursor);
+  const size_t place = cursor.at;
+  const double seconds = take_number(cursor, "seconds a frame");
+  if (!(seconds >= 1e-5 && seconds <= 3600.0)) {
+    fail(cursor, place,
+         "a frame time of " + std::string(in_quotes(cursor.text.substr(place, cursor.at - place))) +
+             " seconds",
+         "give the seconds between two frames, e.g. 0.0333333");
+  }
+  expect_line_end(cursor);
+  return snapped_frame_rate(1.0 / seconds);
+}
+
+/// rotation · (turn about a coordinate axis).
+Quat turned(const Quat& rotation, Axis axis, double degrees) {
+  const double half = 0.5 * degrees * radians_per_degree;
+  const double c = std::cos(half);
+  const double s = std::sin(half);
+  const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
+  switch (axis) {
+    case Axis::x:
+      return {w * c - x * s, x * c + w * s, y * c + z * s, z * c - y * s};
+    case Axis::y:
+      return {w * c - y * s, x * c - z * s, y * c + w * s, z * c + x * s};
+    case Axis::z:
+      return {w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s};
+  }
+  return rotation;
+}
+
+bool moves_other_joints(const BvhHierarchy& hierarchy) {
+  return std::any_of(hierarchy.channels.begin(), hierarchy.channels.end(),
+                     [](const BvhChannel& c) { return !c.rotation && c.joint > 0; });
+}
+
+Pose pose_before_channels(const BvhHierarchy& hierarchy) {
+  const std::vector<Joint>& joints = hierarchy.skeleton.joints;
+  Pose pose;
+  pose.root_position = joints.front().offset;
+  pose.rotations.assign(joints.size(), Quat::Identity());
+  if (moves_other_joints(hierarchy)) {
+    for (const Joint& joint : joints) pose.offsets.push_back(joint.offset);
+  }
+  return pose;
+}
+
+/// Reads one frame: the numbers of one line.
+void take_frame(TextCursor& cursor, const BvhHierarchy& hierarchy, Pose& pose) {
+  size_t taken = 0;
+  for (const BvhChannel& channel : hierarchy.channels) {
+    skip_blanks(cursor);
+    if (at_line_end(cursor)) {
+      fail(cursor, cursor.at,
+           "this frame ends after " + std::to_string(taken) + " of " +
+               std::to_string(hierarchy.channels.size()) + " numbers",
+           at_end(cursor) ? "the file was cut short: get it again"
+                          : "give each frame one line with a number for every channel");
+    }
+    const double value = take_number(cursor, "one a channel");
+    const auto joint = static_cast<size_t>(channel.joint);
+    if (channel.rotation) {
+      pose.rotations[joint] = turned(pose.rotations[joint], channel.axis, value);
+    } else if (joint == 0) {
+      pose.root_position[static_cast<int>(channel.axis)] = value;
+    } else {
+      pose.offsets[joint][static_cast<int>(channel.axis)] = value;
+    }
+    ++taken;
+  }
+  skip_blanks(cursor);
+  if (!at_line_end(cursor)) {
+    fail(cursor, cursor.at, "this frame has more than " + std::to_string(taken) + " numbers",
+         "give each frame one line with a number for every channel");
+  }
+  for (Quat& rotation : pose.rotations) rotation.normalize();
+}
+
+std::vector<Pose> take_frames(TextCursor& cursor, const BvhHierarchy& hierarchy, size_t count,
+                              size_t count_place) {
+  const Pose before = pose_before_channels(hierarchy);
+  // The count is only a claim: what can be there is at least two characters a number.
+  const size_t possible = (cursor.text.size() - cursor.at) / (2 * hierarchy.channels.size()) + 1;
+  std::vector<Pose> poses;
+  poses.reserve(std::min(count, possible));
+  for (skip_space(cursor); !at_end(cursor); skip_space(cursor)) {
+    if (poses.size() == count) {
+      fail(cursor, cursor.at, "more frames than the " + std::to_string(count) + " of \"Frames:\"",
+           "correct the number after Frames: or remove the surplus");
+    }
+    poses.push_back(before);
+    take_frame(cursor, hierarchy, poses.back());
+  }
+  if (poses.size() < count) {
+    fail(cursor, count_place,
+         "\"Frames:\" says " + std::to_string(count) + ", but the file holds " +
+             std::to_string(poses.size()),
+         "correct the number, or get the file again if it was cut short");
+  }
+  return poses;
+}
+
+}  // namespace
+
+Recording parse_bvh(std::string_view text, const std::string& file_name) {
+  TextCursor cursor = start_of(text, file_name);
+  BvhHierarchy hierarchy = take_bvh_hierarchy(cursor);
+  expect_label(cursor, "Frames");
+  skip_space(cursor);
+  const size_t count_place = cursor.at;
+  const auto count = static_cast<size_t>(take_count(cursor, "the number of frames"));
+  expect_line_end(cursor);
+  if (count == 0) {
+    fail(cursor, count_place, "there are no frames", "give a motion of at least one frame");
+  }
+  if (hierarchy.channels.empty()) {
+    fail(cursor, count_place, "no joint has channels", "give the joints CHANNELS");
+  }
+  require_reasonable_size(place_at(cursor, count_place), hierarchy.skeleton.joints.size(), count);
+  Recording recording;
+  recording.name = std::filesystem::path(file_name).stem().string();
+  recording.format = "bvh";
+  recording.frames_per_second = take_frame_rate(cursor);
+  recording.poses = take_frames(cursor, hierarchy, count, count_place);
+  recording.skeleton = std::move(hierarchy.skeleton);
+  return recording;
+}
+
+Recording read_bvh(const std::filesystem::path& path) {
+  return parse_bvh(read_contents(path), path.string());
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+#include "motion/formats/bvh.h"
+#include "motion/math/rotation.h"
+#include "motion/text/file_contents.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr std::array<Axis, 3> rotation_order = {Axis::z, Axis::x, Axis::y};
+constexpr int position_decimals = 7;
+constexpr int angle_decimals = 9;
+
+/// Fixed notation, rounded to `decimals`, trailing zeros left out.
+void append_number(std::string& text, double value, int decimals) {
+  std::array<char, 400> digits;
+  const std::to_chars_result result = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                                    value, std::chars_format::fixed, decimals);
+  std::string_view number(digits.data(), static_cast<size_t>(result.ptr - digits.data()));
+  number = number.substr(0, number.find_last_not_of('0') + 1);
+  if (number.ends_with('.')) number.remove_suffix(1);
+  text += number == "-0" ? "0" : number;
+}
+
+void append_vector(std::string& text, const Vec3& vector, int decimals) {
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) text += ' ';
+    append_number(text, vector[i], decimals);
+  }
+}
+
+std::string writable_name(const std::string& name, size_t joint) {
+  std::string written = name;
+  for (char& c : written) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == '{' || c == '}') c = '_';
+  }
+  const size_t first = written.find_first_not_of(' ');
+  if (first == std::string::npos) return "joint_" + std::to_string(joint);
+  return written.substr(first, written.find_last_not_of(' ') - first + 1);
+}
+
+/// Which joints stand elsewhere on their parent in some pose than the skeleton says.
+std::vector<bool> moving_joints(const Recording& recording) {
+  const std::vector<Joint>& joints = recording.skeleton.joints;
+  std::vector<bool> moving(joints.size(), false);
+  for (const Pose& pose : recording.poses) {
+    for (size_t j = 1; j < pose.offsets.size(); ++j) {
+      if (pose.offsets[j] != joints[j].offset) moving[j] = true;
+    }
+  }
+  return moving;
+}
+
+/// A joint of the text and how many joints are open around it.
+struct WrittenJoint {
+  size_t joint = 0;
+  size_t depth = 0;
+};
+
+/// Joints as they stand in the text: each before its children, subtrees whole.
+std::vector<WrittenJoint> depth_first(const Skeleton& skeleton) {
+  const std::vector<std::vector<int>> children = children_of(skeleton);
+  std::vector<WrittenJoint> order;
+  std::vector<WrittenJoint> waiting = {{0, 0}};
+  while (!waiting.empty()) {
+    const WrittenJoint next = waiting.back();
+    waiting.pop_back();
+    order.push_back(next);
+    const std::vector<int>& own = children[next.joint];
+    for (auto child = own.rbegin(); child != own.rend(); ++child) {
+      waiting.push_back({static_cast<size_t>(*child), next.depth + 1});
+    }
+  }
+  return order;
+}
+
+void append_line(std::string& text, size_t depth, std::string_view line) {
+  text.append(depth, '\t').append(line) += '\n';
+}
+
+void append_offset(std::string& text, size_t depth, const Vec3& offset) {
+  text.append(depth, '\t') += "OFFSET ";
+  append_vector(text, offset, position_decimals);
+  text += '\n';
+}
+
+void append_joint(std::string& text, const Joint& joint, const WrittenJoint& written,
+                  bool with_position) {
+  const size_t depth = written.depth;
+  append_line(text, depth,
+              (depth == 0 ? "ROOT " : "JOINT ") + writable_name(joint.name, written.joint));
+  append_line(text, depth, "{");
+  append_offset(text, depth + 1, joint.offset);
+  append_line(text, depth + 1,
+              with_position
+                  ? "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation"
+                  : "CHANNELS 3 Zrotation Xrotation Yrotation");
+  if (!joint.tip) return;
+  append_line(text, depth + 1, "End Site");
+  append_line(text, depth + 1, "{");
+  append_offset(text, depth + 2, *joint.tip);
+  append_line(text, depth + 1, "}");
+}
+
+void append_hierarchy(std::string& text, const Skeleton& skeleton,
+                      const std::vector<WrittenJoint>& order, const std::vector<bool>& moving) {
+  text += "HIERARCHY\n";
+  for (size_t i = 0; i < order.size(); ++i) {
+    const size_t j = order[i].joint;
+    append_joint(text, skeleton.joints[j], order[i], j == 0 || moving[j]);
+    const size_t depth_after = i + 1 < order.size() ? order[i + 1].depth : 0;
+    for (size_t depth = order[i].depth + 1; depth > depth_after; --depth) {
+      append_line(text, depth - 1, "}");
+    }
+  }
+}
+
+/// The angle plus the whole turns that bring it nearest to `previous`.
+double continued(double angle, double previous) {
+  return angle + 2.0 * pi * std::round((previous - angle) / (2.0 * pi));
+}
+
+Vec3 continued(const Vec3& angles, const Vec3& previous) {
+  return {continued(angles[0], previous[0]), continued(angles[1], previous[1]),
+          continued(angles[2], previous[2])};
+}
+
+/// Of the two triples of angles that make a rotation, the one nearer to the previous frame's.
+Vec3 angles_near(const Quat& rotation, const Vec3& previous) {
+  const Vec3 angles = to_euler(rotation_order, rotation);
+  const Vec3 one = continued(angles, previous);
+  const Vec3 other = continued({angles[0] + pi, pi - angles[1], angles[2] + pi}, previous);
+  return (one - previous).lpNorm<1>() <= (other - previous).lpNorm<1>() ? one : other;
+}
+
+void append_frame(std::string& text, const Recording& recording, const Pose& pose,
+                  const std::vector<WrittenJoint>& order, const std::vector<bool>& moving,
+                  std::vector<Vec3>& angles) {
+  for (const WrittenJoint& written : order) {
+    const size_t j = written.joint;
+    if (j == 0) {
+      append_vector(text, pose.root_position, position_decimals);
+    } else if (moving[j]) {
+      const Vec3& offset =
+          pose.offsets.empty() ? recording.skeleton.joints[j].offset : pose.offsets[j];
+      append_vector(text += ' ', offset, position_decimals);
+    }
+    angles[j] = angles_near(pose.rotations[j], angles[j]);
+    append_vector(text += ' ', angles[j] / radians_per_degree, angle_decimals);
+  }
+  text += '\n';
+}
+
+}  // namespace
+
+std::string to_bvh(const Recording& recording) {
+  assert(is_well_formed(recording.skeleton) && !recording.poses.empty());
+  const std::vector<WrittenJoint> order = depth_first(recording.skeleton);
+  const std::vector<bool> moving = moving_joints(recording);
+  std::string text;
+  append_hierarchy(text, recording.skeleton, order, moving);
+  text += "MOTION\nFrames: " + std::to_string(recording.poses.size()) + "\nFrame Time: ";
+  append_number(text, 1.0 / recording.frames_per_second, 12);
+  text += '\n';
+  std::vector<Vec3> angles(order.size(), Vec3::Zero());
+  for (const Pose& pose : recording.poses) {
+    append_frame(text, recording, pose, order, moving, angles);
+  }
+  return text;
+}
+
+void write_bvh(const Recording& recording, const std::filesystem::path& path) {
+  write_contents(path, to_bvh(recording));
+}
+
+}  // namespace mien::motion

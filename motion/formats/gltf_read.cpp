@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <cmath>
+
+#include "motion/formats/gltf.h"
+#include "motion/formats/gltf_library.h"
+#include "motion/formats/gltf_nodes.h"
+#include "motion/formats/gltf_track.h"
+#include "motion/formats/recording_limits.h"
+#include "motion/text/file_contents.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// Where a node is in the world. `linear` has the scales that `rotation` leaves out.
+struct NodeInWorld {
+  Vec3 position = Vec3::Zero();
+  Quat rotation = Quat::Identity();
+  Mat3 linear = Mat3::Identity();
+};
+
+NodeInWorld child_of(const NodeInWorld& parent, const NodeTransform& local) {
+  return {parent.position + parent.linear * local.translation,
+          (parent.rotation * local.rotation).normalized(),
+          parent.linear * local.rotation.toRotationMatrix() * local.scale.asDiagonal()};
+}
+
+/// The position of `point` in the frame of a node without its scales.
+Vec3 seen_from(const NodeInWorld& node, const Vec3& point) {
+  return node.rotation.conjugate() * (point - node.position);
+}
+
+/// Which nodes make the figure.
+struct Figure {
+  std::vector<int> above;    ///< the root's ancestors, topmost first
+  std::vector<int> joints;   ///< depth first
+  std::vector<int> parents;  ///< of each joint, as the skeleton counts; −1 for the root
+};
+
+std::vector<int> wanted_nodes(const GltfFile& file, const std::vector<GltfTrack>& tracks) {
+  std::vector<int> wanted;
+  if (!file.model.skins.empty()) wanted = file.model.skins.front().joints;
+  for (const int joint : wanted) {
+    if (joint < 0 || static_cast<size_t>(joint) >= file.model.nodes.size()) {
+      refuse(file, "the skin has a joint that does not exist", "export the file again");
+    }
+  }
+  if (wanted.empty()) {
+    for (const GltfTrack& track : tracks) wanted.push_back(track.node);
+  }
+  if (wanted.empty()) {
+    refuse(file, "there is neither a skin nor an animation", "export the armature with its motion");
+  }
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  return wanted;
+}
+
+Figure figure_of(const GltfFile& file, const GltfNodes& nodes, const std::vector<int>& wanted) {
+  Figure figure;
+  const int root = common_root(file, nodes, wanted);
+  figure.joints = nodes_between(nodes, root, wanted);
+  for (int node = nodes.parents[static_cast<size_t>(root)]; node >= 0;
+       node = nodes.parents[static_cast<size_t>(node)]) {
+    figure.above.push_back(node);
+  }
+  std::reverse(figure.above.begin(), figure.above.end());
+  std::vector<int> joint_of_node(nodes.parents.size(), -1);
+  for (const int node : figure.joints) {
+    const int parent = nodes.parents[static_cast<size_t>(node)];
+    figure.parents.push_back(parent < 0 ? -1 : joint_of_node[static_cast<size_t>(parent)]);
+    joint_of_node[static_cast<size_t>(node)] = static_cast<int>(figure.parents.size()) - 1;
+  }
+  return figure;
+}
+
+std::vector<NodeInWorld> in_world(const Figure& figure, const std::vector<NodeTransform>& nodes) {
+  NodeInWorld top;
+  for (const int node : figure.above) top = child_of(top, nodes[static_cast<size_t>(node)]);
+  std::vector<NodeInWorld> joints;
+  joints.reserve(figure.joints.size());
+  for (size_t j = 0; j < figure.joints.size(); ++j) {
+    const NodeInWorld& parent = j == 0 ? top : joints[static_cast<size_t>(figure.parents[j])];
+    joints.push_back(child_of(parent, nodes[static_cast<size_t>(figure.joints[j])]));
+  }
+  return joints;
+}
+
+void require_usable(const GltfFile& file, const Vec3& position) {
+  if (!position.allFinite() || position.cwiseAbs().maxCoeff() > 1e9) {
+    refuse(file, "a joint lies further away than any motion goes", "check the scales of the nodes");
+  }
+}
+
+Pose pose_of(const GltfFile& file, const Figure& figure, const std::vector<NodeTransform>& nodes) {
+  const std::vector<NodeInWorld> joints = in_world(figure, nodes);
+  Pose pose;
+  pose.root_position = joints.front().position;
+  pose.rotations.push_back(joints.front().rotation);
+  pose.offsets.push_back(pose.root_position);
+  for (size_t j = 1; j < joints.size(); ++j) {
+    pose.rotations.push_back(nodes[static_cast<size_t>(figure.joints[j])].rotation);
+    const NodeInWorld& parent = joints[static_cast<size_t>(figure.parents[j])];
+    pose.offsets.push_back(seen_from(parent, joints[j].position));
+  }
+  for (const NodeInWorld& joint : joints) require_usable(file, joint.position);
+  return pose;
+}
+
+std::vector<bool> moved_nodes(const GltfNodes& nodes, const std::vector<GltfTrack>& tracks) {
+  std::vector<bool> moved(nodes.parents.size(), false);
+  for (const GltfTrack& track : tracks) moved[static_cast<size_t>(track.node)] = true;
+  return moved;
+}
+
+/// The node at the end of a last joint's bone, or −1.
+int tip_node(const GltfFile& file, const GltfNodes& nodes, const std::vector<bool>& moved,
+             int joint) {
+  const std::vector<int>& children = nodes.children[static_cast<size_t>(joint)];
+  if (children.size() != 1) return -1;
+  const auto child = static_cast<size_t>(children.front());
+  const tinygltf::Node& node = file.model.nodes[child];
+  const bool is_empty = nodes.children[child].empty() && node.mesh < 0 && node.camera < 0;
+  return is_empty && !moved[child] ? children.front() : -1;
+}
+
+Skeleton skeleton_of(const GltfFile& file, const GltfNodes& nodes, const Figure& figure,
+                     const std::vector<GltfTrack>& tracks) {
+  const std::vector<NodeInWorld> at_rest = in_world(figure, nodes.at_rest);
+  const Pose rest = pose_of(file, figure, nodes.at_rest);
+  Skeleton skeleton;
+  for (size_t j = 0; j < figure.joints.size(); ++j) {
+    const int node = figure.joints[j];
+    Joint joint;
+    joint.name = file.model.nodes[static_cast<size_t>(node)].name;
+    if (joint.name.empty()) joint.name = "joint_" + std::to_string(j);
+    joint.parent = figure.parents[j];
+    joint.offset = rest.offsets[j];
+    skeleton.joints.push_back(std::move(joint));
+  }
+  const auto children = children_of(skeleton);
+  const std::vector<bool> moved = moved_nodes(nodes, tracks);
+  for (size_t j = 0; j < figure.joints.size(); ++j) {
+    const int tip = children[j].empty() ? tip_node(file, nodes, moved, figure.joints[j]) : -1;
+    if (tip < 0) continue;
+    const NodeInWorld end = child_of(at_rest[j], nodes.at_rest[static_cast<size_t>(tip)]);
+    require_usable(file, end.position);
+    skeleton.joints[j].tip = seen_from(at_rest[j], end.position);
+  }
+  return skeleton;
+}
+
+std::vector<Pose> sampled(const GltfFile& file, const GltfNodes& nodes, const Figure& figure,
+                          const std::vector<GltfTrack>& tracks, const TrackTiming& timing) {
+  if (!(timing.last - timing.first <= 3600.0)) {
+    refuse(file, "the animation is longer than an hour", "cut the motion into shorter files");
+  }
+  const size_t frames = frame_count(timing);
+  require_reasonable_size({file.name}, figure.joints.size(), frames);
+  std::vector<NodeTransform> transforms = nodes.at_rest;
+  std::vector<Pose> poses;
+  poses.reserve(frames);
+  for (size_t f = 0; f < frames; ++f) {
+    const double time = seconds_of_frame(timing, f);
+    for (const GltfTrack& track : tracks) {
+      apply(track, time, transforms[static_cast<size_t>(track.node)]);
+    }
+    poses.push_back(pose_of(file, figure, transforms));
+  }
+  return poses;
+}
+
+/// Gives the skeleton the offsets that do not change; takes them out of the poses when none does.
+void settle_offsets(Recording& recording) {
+  std::vector<Joint>& joints = recording.skeleton.joints;
+  const std::vector<Vec3> first = recording.poses.front().offsets;
+  double longest = 0.0;
+  std::vector<double> changes(joints.size(), 0.0);
+  for (const Pose& pose : recording.poses) {
+    for (size_t j = 1; j < joints.size(); ++j) {
+      longest = std::max(longest, pose.offsets[j].norm());
+      changes[j] = std::max(changes[j], (pose.offsets[j] - first[j]).norm());
+    }
+  }
+  const double least = 1e-6 * longest;
+  for (size_t j = 1; j < joints.size(); ++j) {
+    if (changes[j] <= least) joints[j].offset = first[j];
+  }
+  const bool any_moves = *std::max_element(changes.begin(), changes.end()) > least;
+  for (Pose& pose : recording.poses) {
+    if (!any_moves) pose.offsets = {};
+    for (size_t j = 0; j < pose.offsets.size(); ++j) {
+      if (changes[j] <= least) pose.offsets[j] = joints[j].offset;
+    }
+  }
+}
+
+void keep_tracks_of(const Figure& figure, const GltfNodes& nodes, std::vector<GltfTrack>& tracks) {
+  std::vector<bool> counts(nodes.parents.size(), false);
+  for (const int node : figure.joints) counts[static_cast<size_t>(node)] = true;
+  for (const int node : figure.above) counts[static_cast<size_t>(node)] = true;
+  std::erase_if(tracks,
+                [&](const GltfTrack& track) { return !counts[static_cast<size_t>(track.node)]; });
+}
+
+Recording recording_of(const GltfFile& file) {
+  const GltfNodes nodes = take_nodes(file);
+  std::vector<GltfTrack> tracks = take_tracks(file);
+  const std::vector<int> wanted = wanted_nodes(file, tracks);
+  const Figure figure = figure_of(file, nodes, wanted);
+  require_reasonable_size({file.name}, figure.joints.size(), 1);
+  Recording recording;
+  recording.name = std::filesystem::path(file.name).stem().string();
+  recording.format = "gltf";
+  recording.skeleton = skeleton_of(file, nodes, figure, tracks);
+  keep_tracks_of(figure, nodes, tracks);
+  if (tracks.empty()) {
+    recording.poses = {pose_of(file, figure, nodes.at_rest)};
+  } else {
+    const TrackTiming timing = timing_of(tracks);
+    recording.frames_per_second = timing.frames_per_second;
+    recording.poses = sampled(file, nodes, figure, tracks, timing);
+  }
+  settle_offsets(recording);
+  return recording;
+}
+
+}  // namespace
+
+Recording parse_gltf(std::string_view bytes, const std::string& file_name) {
+  return recording_of(parse_gltf_file(bytes, file_name, std::nullopt));
+}
+
+Recording read_gltf(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  return recording_of(parse_gltf_file(read_contents(path), path.string(), folder));
+}
+
+}  // namespace mien::motion

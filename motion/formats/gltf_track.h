@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/formats/gltf_library.h"
+#include "motion/formats/gltf_nodes.h"
+
+namespace mien::motion {
+
+/// How one part of one node's transform changes over time.
+struct GltfTrack {
+  enum class Part { translation, rotation, scale };
+  enum class Interpolation { step, linear, cubic_spline };
+
+  int node = 0;
+  Part part = Part::translation;
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<double> times;  ///< seconds, increasing, at least one
+
+  /// For each time 3 numbers or the 4 of a quaternion (x, y, z, w); for cubic splines three times
+  /// as many: in-tangent, value, out-tangent.
+  std::vector<double> numbers;
+};
+
+/// The tracks of the first animation that moves any node; none when there is no such animation.
+/// Throws mien::Error: key times that do not increase or are negative, more or fewer values than
+/// keys, two tracks for one part, rotations of length zero, and whatever `accessor_numbers`
+/// refuses.
+std::vector<GltfTrack> take_tracks(const GltfFile& file);
+
+/// Puts the track's value at a time into the transform; before the first key and after the last one
+/// it is theirs. Appendix C of the glTF 2.0 specification.
+void apply(const GltfTrack& track, double seconds, NodeTransform& transform);
+
+/// When to sample tracks.
+struct TrackTiming {
+  double first = 0.0;  ///< seconds of the first key of all tracks
+  double last = 0.0;   ///< and of the last one
+  double frames_per_second = 30.0;
+  std::vector<double> keys;  ///< of evenly spaced keys that span all tracks, their own times
+};
+
+/// At least one track. The rate is that of the track with most keys when they are evenly spaced at
+/// 10 to 1000 a second, else 30.
+TrackTiming timing_of(const std::vector<GltfTrack>& tracks);
+
+/// Number of frames from the first key to the last.
+size_t frame_count(const TrackTiming& timing);
+
+/// Seconds at which a frame is sampled. Key times are rounded: where frames are keys, it is the
+/// key's time, so that the frame is that key.
+double seconds_of_frame(const TrackTiming& timing, size_t frame);
+
+}  // namespace mien::motion

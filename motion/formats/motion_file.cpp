@@ -1,0 +1,46 @@
+#include "motion/formats/motion_file.h"
+
+#include <algorithm>
+#include <string>
+
+#include "motion/error.h"
+#include "motion/formats/acclaim.h"
+#include "motion/formats/bvh.h"
+#include "motion/formats/gltf.h"
+
+namespace mien::motion {
+
+namespace {
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace
+
+bool is_motion_file(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".bvh" || extension == ".amc" || extension == ".gltf" || extension == ".glb";
+}
+
+Recording read_motion(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".bvh") return read_bvh(path);
+  if (extension == ".amc") return read_amc(path);
+  if (extension == ".gltf" || extension == ".glb") return read_gltf(path);
+  throw Error({path.string(), 0, 0}, "is no motion file that can be read",
+              "BVH (.bvh), Acclaim (.amc) and glTF (.gltf, .glb) can");
+}
+
+void write_motion(const Recording& recording, const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".bvh") return write_bvh(recording, path);
+  if (extension == ".glb") return write_glb(recording, path);
+  throw Error({path.string(), 0, 0}, "is no motion file that can be written",
+              "BVH (.bvh) and binary glTF (.glb) can");
+}
+
+}  // namespace mien::motion

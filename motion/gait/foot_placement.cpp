@@ -1,0 +1,204 @@
+#include "motion/gait/foot_placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "motion/gait/foot_path.h"
+#include "motion/math/rotation.h"
+#include "motion/math/smooth_envelope.h"
+#include "motion/skeleton/two_bone_ik.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// What is added to the foot at one frame: translation, and rotation vector from the left.
+struct Correction {
+  Vec3 translation = Vec3::Zero();
+  Vec3 turn = Vec3::Zero();
+};
+
+/// 1 at 0, 0 at and beyond 1, level at both.
+double fade(double x) {
+  if (x <= 0.0) return 1.0;
+  if (x >= 1.0) return 0.0;
+  return 2.0 * x * x * x - 3.0 * x * x + 1.0;
+}
+
+/// A correction at the end of a stretch.
+struct Edge {
+  int frame;
+  Correction correction;
+  Correction outwards;  ///< its change from one frame to the next, away from the stretch
+
+  Correction at(int frames_away) const {
+    return {correction.translation + frames_away * outwards.translation,
+            correction.turn + frames_away * outwards.turn};
+  }
+};
+
+Correction operator-(const Correction& a, const Correction& b) {
+  return {a.translation - b.translation, a.turn - b.turn};
+}
+
+/// Corrections of one foot for every frame: exact in its stretches, fading between them.
+std::vector<Correction> corrections(const FootPath& path,
+                                    const std::vector<PlacedStretch>& stretches, bool left,
+                                    double reach, bool keep_velocity) {
+  const int count = path.frame_count();
+  std::vector<Correction> result(static_cast<size_t>(count));
+  std::vector<bool> placed(static_cast<size_t>(count), false);
+  std::vector<Edge> starts, ends;
+  for (const PlacedStretch& stretch : stretches) {
+    if (stretch.left != left || stretch.places.empty()) continue;
+    const int last = stretch.first + static_cast<int>(stretch.places.size()) - 1;
+    for (int f = stretch.first; f <= last; ++f) {
+      const FootPlace& place = stretch.places[static_cast<size_t>(f - stretch.first)];
+      const auto at = static_cast<size_t>(path.wrapped(f));
+      result[at] = {place.ankle - path.ankle_at(f),
+                    log(place.rotation * path.rotation_at(f).conjugate())};
+      placed[at] = true;
+    }
+    const auto added = [&](int f) { return result[static_cast<size_t>(path.wrapped(f))]; };
+    starts.push_back({stretch.first, added(stretch.first), {}});
+    ends.push_back({last, added(last), {}});
+    if (keep_velocity && last > stretch.first) {
+      starts.back().outwards = added(stretch.first) - added(stretch.first + 1);
+      ends.back().outwards = added(last) - added(last - 1);
+    }
+  }
+  const auto frames_after = [&](int from, int to) {
+    return path.loops ? ((to - from) % count + count) % count : to - from;
+  };
+  for (int f = 0; f < count; ++f) {
+    if (placed[static_cast<size_t>(f)]) continue;
+    const Edge* before = nullptr;
+    const Edge* after = nullptr;
+    for (const Edge& end : ends) {
+      const int since = frames_after(end.frame, f);
+      if (since > 0 && (!before || since < frames_after(before->frame, f))) before = &end;
+    }
+    for (const Edge& start : starts) {
+      const int until = frames_after(f, start.frame);
+      if (until > 0 && (!after || until < frames_after(f, after->frame))) after = &start;
+    }
+    double fade_out = reach;
+    if (before && after) {
+      fade_out =
+          std::min(reach, 0.5 * (frames_after(before->frame, f) + frames_after(f, after->frame)));
+    }
+    Correction& correction = result[static_cast<size_t>(f)];
+    if (before) {
+      const int away = frames_after(before->frame, f);
+      const double share = fade(away / fade_out);
+      correction.translation += share * before->at(away).translation;
+      correction.turn += share * before->at(away).turn;
+    }
+    if (after) {
+      const int away = frames_after(f, after->frame);
+      const double share = fade(away / fade_out);
+      correction.translation += share * after->at(away).translation;
+      correction.turn += share * after->at(away).turn;
+    }
+  }
+  return result;
+}
+
+/// One leg's targets, by frame.
+struct LegTargets {
+  LegJoints joints;
+  std::vector<FootPlace> places;
+};
+
+LegTargets leg_targets(const Clip& clip, const std::vector<PlacedStretch>& stretches, bool left,
+                       double lowered, const FootLockOptions& options) {
+  const FootPath path = foot_path(clip, left);
+  const auto added = corrections(
+      path, stretches, left, options.blend_seconds * clip.frames_per_second, options.keep_velocity);
+  const Vec3 down(0.0, -lowered, 0.0);
+  LegTargets targets{leg_joints(left), {}};
+  for (size_t f = 0; f < added.size(); ++f) {
+    targets.places.push_back({path.ankle[f] + added[f].translation + down,
+                              (exp(added[f].turn) * path.rotation[f]).normalized()});
+  }
+  return targets;
+}
+
+/// How far the hip must sink so that the leg reaches its target.
+double needed_drop(const TwoBoneLimb& limb, const Vec3& target, double extension) {
+  const double length = (limb.middle - limb.root).norm() + (limb.end - limb.middle).norm();
+  const double before = (limb.end - limb.root).norm() / length;
+  const double longest = length * std::min(0.9995, std::max(extension, before));
+  const Vec3 reach = target - limb.root;
+  if (reach.norm() <= longest) return 0.0;
+  const double across = std::hypot(reach.x(), reach.z());
+  if (across >= longest) return 0.0;
+  return std::max(0.0, -reach.y() - std::sqrt(longest * longest - across * across));
+}
+
+TwoBoneLimb limb_of(const JointTransforms& world, const LegJoints& leg) {
+  return {world.positions[static_cast<size_t>(leg.hip)],
+          world.positions[static_cast<size_t>(leg.knee)],
+          world.positions[static_cast<size_t>(leg.ankle)]};
+}
+
+/// Bends a knee that is bent backwards to the front by as much. The turns of the two bones, from
+/// the left.
+std::pair<Quat, Quat> knee_to_the_front(TwoBoneLimb& limb, const Vec3& forward) {
+  const Vec3 line = (limb.end - limb.root).normalized();
+  const Vec3 bend = limb.middle - limb.root - line.dot(limb.middle - limb.root) * line;
+  if (bend.dot(forward) >= 0.0) return {Quat::Identity(), Quat::Identity()};
+  const Vec3 front = limb.middle - 2.0 * bend;
+  const std::pair turns = {turn_between(limb.middle - limb.root, front - limb.root),
+                           turn_between(limb.end - limb.middle, limb.end - front)};
+  limb.middle = front;
+  return turns;
+}
+
+void place_leg(Pose& pose, const JointTransforms& world, const LegJoints& leg,
+               const FootPlace& place, double drop) {
+  TwoBoneLimb limb = limb_of(world, leg);
+  const Vec3 down(0.0, -drop, 0.0);
+  limb = {limb.root + down, limb.middle + down, limb.end + down};
+  const Vec3 forward = world.rotations[static_cast<size_t>(leg.hip)] * Vec3::UnitZ();
+  const auto [upper, lower] = knee_to_the_front(limb, forward);
+  const TwoBoneSolution solution = solve_two_bone(limb, place.ankle, forward);
+  const Quat thigh = solution.upper_turn * upper * world.rotations[static_cast<size_t>(leg.hip)];
+  const Quat shank = solution.lower_turn * lower * world.rotations[static_cast<size_t>(leg.knee)];
+  pose.rotations[static_cast<size_t>(leg.hip)] =
+      (world.rotations[Pelvis].conjugate() * thigh).normalized();
+  pose.rotations[static_cast<size_t>(leg.knee)] = (thigh.conjugate() * shank).normalized();
+  pose.rotations[static_cast<size_t>(leg.ankle)] =
+      (shank.conjugate() * place.rotation).normalized();
+}
+
+}  // namespace
+
+Clip with_feet_placed(const Clip& clip, const std::vector<PlacedStretch>& stretches,
+                      const FootLockOptions& options, const std::array<double, 2>& lowered) {
+  const std::array legs = {leg_targets(clip, stretches, true, lowered[0], options),
+                           leg_targets(clip, stretches, false, lowered[1], options)};
+  std::vector<double> needed(clip.poses.size(), 0.0);
+  std::vector<JointTransforms> worlds;
+  for (size_t f = 0; f < clip.poses.size(); ++f) {
+    worlds.push_back(world_transforms(clip.body, clip.poses[f]));
+    for (const LegTargets& leg : legs) {
+      needed[f] = std::max(needed[f], needed_drop(limb_of(worlds[f], leg.joints),
+                                                  leg.places[f].ankle, options.extension));
+    }
+  }
+  const int half_width = static_cast<int>(std::lround(0.125 * clip.frames_per_second));
+  const std::vector<double> drop = smooth_envelope(needed, half_width, clip.loops);
+
+  Clip locked = clip;
+  for (size_t f = 0; f < clip.poses.size(); ++f) {
+    for (const LegTargets& leg : legs) {
+      place_leg(locked.poses[f], worlds[f], leg.joints, leg.places[f], drop[f]);
+    }
+    locked.poses[f].root_position.y() -= drop[f];
+  }
+  return locked;
+}
+
+}  // namespace mien::motion

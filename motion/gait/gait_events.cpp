@@ -1,0 +1,152 @@
+#include "motion/gait/gait_events.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/gait/contact.h"
+#include "motion/gait/flight.h"
+#include "motion/math/filter.h"
+#include "motion/math/peaks.h"
+#include "motion/math/percentile.h"
+#include "motion/math/rotation.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double slowest_travel = 0.2;  // m/s below which the direction is where the pelvis faces
+constexpr double confirm_seconds = 0.1;
+constexpr double settle_seconds = 0.25;
+constexpr double margin_seconds = 0.15;  // from either end of a clip
+
+/// Contact for telling when feet meet and leave the floor, also in running, where they rest for
+/// less than a tenth of a second and never quite stand still.
+ContactOptions event_contact() {
+  ContactOptions options;
+  options.on_speed = 0.4;
+  options.off_speed = 0.6;
+  options.shortest_plant = 0.05;
+  return options;
+}
+
+Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
+
+std::vector<double> along(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
+                          const std::vector<Vec3>& directions, double rate) {
+  std::vector<double> progress;
+  for (size_t t = 0; t < from.size(); ++t) progress.push_back((to[t] - from[t]).dot(directions[t]));
+  return low_pass(progress, gait_cutoff_hz(rate), rate);
+}
+
+/// First or last frames of the stretches in which the foot touches.
+std::vector<int> contact_edges(const std::vector<FootPlant>& plants, bool left, bool starts) {
+  std::vector<int> edges;
+  for (const FootPlant& plant : plants) {
+    if (plant.left == left) edges.push_back(starts ? plant.first : plant.last);
+  }
+  return edges;
+}
+
+void add_events(std::vector<GaitEvent>& events, std::vector<double> progress, bool left,
+                GaitEvent::Kind kind, const std::vector<FootPlant>& plants, double rate) {
+  if (kind == GaitEvent::Kind::toe_off) {
+    for (double& value : progress) value = -value;
+  }
+  const double range = percentile(progress, 95) - percentile(progress, 5);
+  const std::vector<int> edges = contact_edges(plants, left, kind == GaitEvent::Kind::heel_strike);
+  for (const Peak& peak :
+       prominent_peaks(progress, std::max(0.05, 0.3 * range), margin_seconds * rate)) {
+    const bool confirmed = std::any_of(edges.begin(), edges.end(), [&](int edge) {
+      return std::abs(edge - peak.place) <= confirm_seconds * rate + 0.5;
+    });
+    events.push_back({kind, left, peak.place, confirmed});
+  }
+}
+
+/// Moves the toe off before and the heel strike after each flight to where contact ends and begins.
+void settle_by_flights(std::vector<GaitEvent>& events, const std::vector<Flight>& flights,
+                       double rate) {
+  const auto settle = [&](GaitEvent::Kind kind, bool left, double frame) {
+    GaitEvent* nearest = nullptr;
+    for (GaitEvent& event : events) {
+      if (event.kind != kind || event.left != left) continue;
+      const double distance = std::abs(event.frame - frame);
+      if (distance > settle_seconds * rate) continue;
+      if (!nearest || distance < std::abs(nearest->frame - frame)) nearest = &event;
+    }
+    if (!nearest) return;
+    nearest->frame = frame;
+    nearest->confirmed = true;
+  };
+  for (const Flight& flight : flights) {
+    settle(GaitEvent::Kind::toe_off, flight.takes_off_left, flight.first - 0.5);
+    settle(GaitEvent::Kind::heel_strike, flight.lands_left, flight.last + 0.5);
+  }
+}
+
+std::vector<GaitEvent> events_of_take(const Clip& clip, const std::vector<FootPlant>& plants) {
+  const FootProgress progress = foot_progress(clip);
+  const double rate = clip.frames_per_second;
+  std::vector<GaitEvent> events;
+  add_events(events, progress.left_heel, true, GaitEvent::Kind::heel_strike, plants, rate);
+  add_events(events, progress.right_heel, false, GaitEvent::Kind::heel_strike, plants, rate);
+  add_events(events, progress.left_toe, true, GaitEvent::Kind::toe_off, plants, rate);
+  add_events(events, progress.right_toe, false, GaitEvent::Kind::toe_off, plants, rate);
+  settle_by_flights(events, flights(clip, plants), rate);
+  std::stable_sort(events.begin(), events.end(),
+                   [](const GaitEvent& a, const GaitEvent& b) { return a.frame < b.frame; });
+  return events;
+}
+
+}  // namespace
+
+std::vector<Vec3> walking_directions(const Clip& clip) {
+  std::vector<Vec3> pelvis;
+  std::vector<Vec3> facing;
+  for (const Pose& pose : clip.poses) {
+    pelvis.push_back(level(pose.root_position));
+    facing.push_back(level(pose.rotations[Pelvis] * Vec3::UnitZ()));
+  }
+  const double rate = clip.frames_per_second;
+  const std::vector<Vec3> velocity = derivative(low_pass(pelvis, 1.0, rate), rate);
+  const std::vector<Vec3> attitude = low_pass(facing, 1.0, rate);
+  std::vector<Vec3> directions;
+  for (size_t t = 0; t < pelvis.size(); ++t) {
+    const Vec3& direction = velocity[t].norm() > slowest_travel ? velocity[t] : attitude[t];
+    directions.push_back(direction.norm() > 1e-9 ? Vec3(direction.normalized())
+                                                 : Vec3(Vec3::UnitZ()));
+  }
+  return directions;
+}
+
+FootProgress foot_progress(const Clip& clip) {
+  const std::vector<Vec3> directions = walking_directions(clip);
+  std::array<std::vector<Vec3>, body_joint_count> paths;
+  for (const Pose& pose : clip.poses) {
+    const std::vector<Vec3> positions = world_positions(clip.body, pose);
+    for (const BodyJoint joint : {Pelvis, LeftAnkle, RightAnkle, LeftToe, RightToe}) {
+      paths[joint].push_back(positions[joint]);
+    }
+  }
+  const double rate = clip.frames_per_second;
+  return {along(paths[Pelvis], paths[LeftAnkle], directions, rate),
+          along(paths[Pelvis], paths[RightAnkle], directions, rate),
+          along(paths[Pelvis], paths[LeftToe], directions, rate),
+          along(paths[Pelvis], paths[RightToe], directions, rate)};
+}
+
+std::vector<GaitEvent> gait_events(const Clip& clip) {
+  ContactOptions options = event_contact();
+  if (!clip.loops) return events_of_take(clip, foot_plants(clip, options));
+  options.floor_velocity = floor_velocity(clip);
+  const Clip laps = repeated(clip, 3);
+  const int frames = clip.frame_count();
+  std::vector<GaitEvent> events;
+  for (GaitEvent event : events_of_take(laps, foot_plants(laps, options))) {
+    event.frame -= frames;
+    if (event.frame >= 0.0 && event.frame < frames) events.push_back(event);
+  }
+  return events;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/skeleton/clip.h"
+
+namespace mien::motion {
+
+struct GaitEvent {
+  enum class Kind { heel_strike, toe_off };
+  Kind kind = Kind::heel_strike;
+  bool left = true;
+  double frame = 0.0;      ///< between frames, by a parabola through the three nearest
+  bool confirmed = false;  ///< the foot's contact begins (heel strike) or ends within 0.1 s of it
+};
+
+/// How far each foot is before the pelvis along the direction of walking, metres, frame by frame,
+/// without marker noise (`gait_cutoff_hz`).
+struct FootProgress {
+  std::vector<double> left_heel;  ///< ankle joint
+  std::vector<double> right_heel;
+  std::vector<double> left_toe;
+  std::vector<double> right_toe;
+};
+
+/// Horizontal unit vectors along which the body walks, frame by frame: the pelvis' velocity below
+/// 1 Hz where that is more than 0.2 m/s, else where the pelvis faces.
+std::vector<Vec3> walking_directions(const Clip& clip);
+
+FootProgress foot_progress(const Clip& clip);
+
+/// Heel strikes and toe offs by time (Zeni et al. 2008): a heel strike is where the heel is
+/// farthest before the pelvis, a toe off where the toe is farthest behind it. Works in place and
+/// travelling. Events of a looping clip lie in [0, frames).
+std::vector<GaitEvent> gait_events(const Clip& clip);
+
+}  // namespace mien::motion

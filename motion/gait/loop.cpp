@@ -1,0 +1,218 @@
+#include "motion/gait/loop.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "motion/gait/gait_events.h"
+#include "motion/math/rotation.h"
+#include "motion/skeleton/mirror.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double fade_seconds = 0.2;
+
+/// A displacement of unit speed at time 0 that is back at rest after `fade`: b(s³ − 2s² + s).
+double fading(double seconds, double fade) {
+  const double s = std::min(seconds / fade, 1.0);
+  return fade * (s * s * s - 2.0 * s * s + s);
+}
+
+/// Share of a difference at the seam that sample `i` of n takes: ½ at the start, −½ at the end.
+double offset_share(int i, int n) { return 0.5 - static_cast<double>(i) / (n - 1); }
+
+/// The two fades of a speed change of 1 at the seam: ½ of it after the start, ½ before the end.
+struct Fade {
+  double after_start = 0.0;
+  double before_end = 0.0;
+};
+
+Fade fade_share(int i, int n, double rate) {
+  const double duration = (n - 1) / rate;
+  // Two fades must not overlap by more than half a short cycle.
+  const double b = std::min(fade_seconds, 0.5 * duration);
+  return {0.5 * fading(i / rate, b), 0.5 * fading(duration - i / rate, b)};
+}
+
+/// How the velocities at the ends of a cycle are measured. Where the clip goes on beyond both ends,
+/// central differences at both: of a motion that repeats they are equal, however it accelerates.
+struct Stencil {
+  int before = -1;  ///< frames from the end
+  int after = 1;
+};
+
+struct EndStencils {
+  Stencil start;
+  Stencil end;
+};
+
+EndStencils end_stencils(const Clip& clip, int start, int end) {
+  const bool goes_before = start > 0;
+  const bool goes_after = end + 1 < clip.frame_count();
+  if (goes_before && goes_after) return {};
+  if (goes_after) return {{0, 1}, {0, 1}};
+  if (goes_before) return {{-1, 0}, {-1, 0}};
+  return {{0, 1}, {-1, 0}};
+}
+
+Vec3 turning(const Clip& clip, int frame, int joint, const Stencil& stencil) {
+  const Quat& from = clip.poses[frame + stencil.before].rotations[joint];
+  const Quat& to = clip.poses[frame + stencil.after].rotations[joint];
+  return log(to * from.conjugate()) * (clip.frames_per_second / (stencil.after - stencil.before));
+}
+
+Vec3 root_velocity(const Clip& clip, int frame, const Stencil& stencil) {
+  return (clip.poses[frame + stencil.after].root_position -
+          clip.poses[frame + stencil.before].root_position) *
+         (clip.frames_per_second / (stencil.after - stencil.before));
+}
+
+void close_rotations(std::vector<Pose>& poses, int joint, const Clip& clip, int start, int end) {
+  const int n = static_cast<int>(poses.size());
+  const EndStencils stencils = end_stencils(clip, start, end);
+  const Vec3 difference =
+      log(poses.back().rotations[joint] * poses.front().rotations[joint].conjugate());
+  // Offsets turn the velocities at the ends along.
+  const Vec3 change = exp(-0.5 * difference) * turning(clip, end, joint, stencils.end) -
+                      exp(0.5 * difference) * turning(clip, start, joint, stencils.start);
+  for (int i = 0; i < n; ++i) {
+    const Fade fade = fade_share(i, n, clip.frames_per_second);
+    Quat& rotation = poses[i].rotations[joint];
+    rotation = (exp((fade.after_start + fade.before_end) * change) *
+                exp(offset_share(i, n) * difference) * rotation)
+                   .normalized();
+  }
+}
+
+/// Closes what `travel` does not explain: the way along it stays.
+void close_root(std::vector<Pose>& poses, const Vec3& travel, const Clip& clip, int start,
+                int end) {
+  const int n = static_cast<int>(poses.size());
+  const EndStencils stencils = end_stencils(clip, start, end);
+  const Vec3 difference = poses.back().root_position - poses.front().root_position - travel;
+  const Vec3 change =
+      root_velocity(clip, end, stencils.end) - root_velocity(clip, start, stencils.start);
+  for (int i = 0; i < n; ++i) {
+    const Fade fade = fade_share(i, n, clip.frames_per_second);
+    poses[i].root_position +=
+        offset_share(i, n) * difference + (fade.after_start + fade.before_end) * change;
+  }
+}
+
+/// What a step's end must lose to meet the mirror image of its start: of each joint's rotation and
+/// of the root's place.
+struct StepMismatch {
+  std::array<Vec3, body_joint_count> turns;
+  Vec3 place;
+};
+
+/// Adds `at_end` times the mismatch, and `at_start` times its mirror image on the other side.
+void correct(Pose& pose, const StepMismatch& mismatch, double at_start, double at_end) {
+  for (int j = 0; j < body_joint_count; ++j) {
+    const Vec3 image = mirrored_turn(mismatch.turns[mirrored(BodyJoint(j))]);
+    pose.rotations[j] =
+        (exp(at_start * image + at_end * mismatch.turns[j]) * pose.rotations[j]).normalized();
+  }
+  pose.root_position += at_start * mirrored_place(mismatch.place) + at_end * mismatch.place;
+}
+
+/// Makes the end of a step along +Z meet the mirror image of its start, `travel` on. A correction
+/// at the start shows at the seam as its mirror image, on the other side.
+void close_step(std::vector<Pose>& poses, double travel, const Clip& clip, int start, int end) {
+  const int n = static_cast<int>(poses.size());
+  const EndStencils stencils = end_stencils(clip, start, end);
+  const Pose image = mirrored(poses.front());
+  StepMismatch poses_differ;
+  StepMismatch speeds_differ;
+  for (int j = 0; j < body_joint_count; ++j) {
+    const auto other = mirrored(BodyJoint(j));
+    poses_differ.turns[j] = log(poses.back().rotations[j] * image.rotations[j].conjugate());
+    speeds_differ.turns[j] = turning(clip, end, j, stencils.end) -
+                             mirrored_turn(turning(clip, start, other, stencils.start));
+  }
+  poses_differ.place = poses.back().root_position - image.root_position - Vec3(0, 0, travel);
+  speeds_differ.place = root_velocity(clip, end, stencils.end) -
+                        mirrored_place(root_velocity(clip, start, stencils.start));
+  for (int i = 0; i < n; ++i) {
+    const double share = static_cast<double>(i) / (n - 1);
+    const Fade fade = fade_share(i, n, clip.frames_per_second);
+    correct(poses[i], poses_differ, 0.5 * (1.0 - share), -0.5 * share);
+    correct(poses[i], speeds_differ, fade.after_start, fade.before_end);
+  }
+}
+
+/// The clip turned so that frames `start` to `end` walk along +Z, half of their sway on either side
+/// of x = 0.
+Clip along_z(const Clip& clip, int start, int end) {
+  const std::vector<Vec3> directions = walking_directions(clip);
+  Vec3 direction = Vec3::Zero();
+  for (int t = start; t <= end; ++t) direction += directions[t];
+  const Quat turn = heading(direction).conjugate();
+  const Vec3 middle =
+      turn * (0.5 * (clip.poses[start].root_position + clip.poses[end].root_position));
+  Clip turned = clip;
+  for (Pose& pose : turned.poses) {
+    pose.root_position = turn * pose.root_position - Vec3(middle.x(), 0.0, 0.0);
+    pose.rotations[Pelvis] = turn * pose.rotations[Pelvis];
+  }
+  return turned;
+}
+
+}  // namespace
+
+Clip closed_ends(const Clip& clip, int start, int end) {
+  assert(!clip.loops && start >= 0 && end < clip.frame_count() && end - start >= 3);
+  Clip closed = clip;
+  closed.poses.assign(clip.poses.begin() + start, clip.poses.begin() + end + 1);
+  Vec3 travel = closed.poses.back().root_position - closed.poses.front().root_position;
+  travel.y() = 0.0;
+  for (int j = 0; j < body_joint_count; ++j) {
+    close_rotations(closed.poses, j, clip, start, end);
+  }
+  close_root(closed.poses, travel, clip, start, end);
+  return closed;
+}
+
+Clip closed_loop(const Clip& clip, int start, int end) {
+  Clip loop = closed_ends(clip, start, end);
+  loop.cycle_displacement = loop.poses.back().root_position - loop.poses.front().root_position;
+  loop.cycle_displacement.y() = 0.0;
+  loop.poses.pop_back();
+  loop.loops = true;
+  return loop;
+}
+
+Clip mirrored_loop(const Clip& clip, int start, int end) {
+  assert(!clip.loops && start >= 0 && end < clip.frame_count() && end - start >= 3);
+  const Clip turned = along_z(clip, start, end);
+  Clip loop = turned;
+  loop.poses.assign(turned.poses.begin() + start, turned.poses.begin() + end + 1);
+  const double travel = loop.poses.back().root_position.z() - loop.poses.front().root_position.z();
+  close_step(loop.poses, travel, turned, start, end);
+  loop.poses.pop_back();
+  const size_t half = loop.poses.size();
+  for (size_t i = 0; i < half; ++i) {
+    loop.poses.push_back(mirrored(loop.poses[i]));
+    loop.poses.back().root_position.z() += travel;
+  }
+  loop.loops = true;
+  loop.cycle_displacement = Vec3(0.0, 0.0, 2.0 * travel);
+  return loop;
+}
+
+Clip shifted_loop(const Clip& loop, int frames) {
+  assert(loop.loops);
+  const int count = loop.frame_count();
+  Clip result = loop;
+  for (int i = 0; i < count; ++i) {
+    const int from = i + frames;
+    const int lap = from >= 0 ? from / count : -((-from + count - 1) / count);
+    result.poses[i] = loop.poses[from - lap * count];
+    result.poses[i].root_position += lap * loop.cycle_displacement;
+  }
+  return result;
+}
+
+}  // namespace mien::motion

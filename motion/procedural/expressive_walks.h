@@ -1,0 +1,43 @@
+#pragma once
+
+#include "motion/procedural/walk_style.h"
+
+namespace mien::motion {
+
+/// Expressive walks. What tells each from an ordinary walk is taken from studies of emotional gait;
+/// how much, in degrees and metres, is ours where they give no numbers.
+
+/// An ordinary walk, fast.
+WalkStyle brisk_walk();
+
+/// An ordinary walk, slow.
+WalkStyle slow_walk();
+
+/// Fast, upright, much arm swing and vertical movement, a light step (Montepare et al. 1987;
+/// Michalak et al. 2009).
+WalkStyle happy_walk();
+
+/// Slow, little arm swing, head hanging, slumped, more lateral and less vertical movement (Michalak
+/// et al. 2009; Roether et al. 2009).
+WalkStyle sad_walk();
+
+/// Fast, long strides, elbows flexed, leaning forward, heavy-footed (Montepare et al. 1987; Roether
+/// et al. 2009; Barliya et al. 2013).
+WalkStyle angry_walk();
+
+/// Upright, chest out, chin up, arms and feet apart: expansive (Montepare et al. 1987; Gross, Crane
+/// and Fredrickson 2012).
+WalkStyle proud_walk();
+
+/// Slow, short steps, elbows and knees flexed and held, shoulders raised: contracted (Roether et
+/// al. 2009; Barliya et al. 2013).
+WalkStyle afraid_walk();
+
+/// Slow, dragging and heavy, arms hanging, head and trunk bent, swaying.
+WalkStyle tired_walk();
+
+/// Unhurried, loose: late, floating forearms, a slight backward lean, a soft sway (Crane and Gross
+/// 2013 on contentment).
+WalkStyle relaxed_walk();
+
+}  // namespace mien::motion

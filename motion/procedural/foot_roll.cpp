@@ -1,0 +1,67 @@
+#include "motion/procedural/foot_roll.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double foot_flat_share = 0.10;  // of the cycle, at the normal heel-strike angle
+
+}  // namespace
+
+FootShape foot_shape(const Skeleton& body, BodyJoint ankle) {
+  const BodyJoint toe = ankle == LeftAnkle ? LeftToe : RightToe;
+  const double scale = standing_height(body) / 1.73;  // 1.75 m less the 0.02 m below the toe joint
+  const Joint& joint = body.joints[static_cast<size_t>(toe)];
+  FootShape shape;
+  shape.ball = joint.offset;
+  shape.ball_height = 0.02 * scale;
+  shape.ankle_height = shape.ball_height - joint.offset.y();
+  shape.heel = Vec3(joint.offset.x(), -shape.ankle_height, -0.045 * scale);
+  shape.toe_length = joint.tip ? joint.tip->norm() : 0.06 * scale;
+  return shape;
+}
+
+Quat foot_rotation(const FootPose& foot) {
+  return Quat(Eigen::AngleAxisd(foot.yaw, Vec3::UnitY()) *
+              Eigen::AngleAxisd(-foot.pitch, Vec3::UnitX()));
+}
+
+double stance_pitch(const WalkStyle& style, double phase) {
+  const double flat = foot_flat_share * std::clamp(style.heel_strike_deg / 20.0, 0.5, 1.5);
+  const double rise = style.heel_rise_share;
+  if (phase < flat) {
+    const double left = 1.0 - phase / flat;
+    return radians_per_degree * style.heel_strike_deg * left * left;
+  }
+  if (phase <= rise) return 0.0;
+  const double risen = (phase - rise) / (style.stance_share - rise);
+  return -radians_per_degree * style.toe_off_deg * std::pow(risen, 5.0) * (2.5 - 1.5 * risen);
+}
+
+FootPose stance_foot(const FootShape& shape, const WalkStyle& style, const Vec3& print, double yaw,
+                     double phase) {
+  FootPose foot;
+  foot.yaw = yaw;
+  foot.pitch = stance_pitch(style, phase);
+  foot.toe_extension = std::max(0.0, -foot.pitch);
+  const Vec3& pivot = foot.pitch > 0.0 ? shape.heel : shape.ball;
+  const Quat flat(Eigen::AngleAxisd(yaw, Vec3::UnitY()));
+  const Vec3 flat_ankle = print + Vec3(0, shape.ankle_height, 0);
+  foot.ankle = flat_ankle + flat * pivot - foot_rotation(foot) * pivot;
+  return foot;
+}
+
+double toe_clearance(const FootShape& shape, const FootPose& foot) {
+  const double ball = (foot.ankle + foot_rotation(foot) * shape.ball).y() - shape.ball_height;
+  const double tip = ball + shape.toe_length * std::sin(foot.pitch + foot.toe_extension);
+  return std::min(ball, tip);
+}
+
+double heel_clearance(const FootShape& shape, const FootPose& foot) {
+  return (foot.ankle + foot_rotation(foot) * shape.heel).y();
+}
+
+}  // namespace mien::motion

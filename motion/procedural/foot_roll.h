@@ -1,0 +1,52 @@
+#pragma once
+
+#include "motion/procedural/walk_style.h"
+#include "motion/skeleton/body.h"
+
+namespace mien::motion {
+
+/// The points of a foot that touch the floor, in the ankle's frame (sole flat, toes along +Z), and
+/// how high the joints stand when it does. Metres.
+struct FootShape {
+  double ankle_height;  ///< above the floor, sole flat
+  Vec3 heel;            ///< the edge the foot rolls on after heel strike
+  Vec3 ball;            ///< the toe joint, about which the heel rises
+  double ball_height;   ///< above the floor, sole flat
+  double toe_length;    ///< from the toe joint to the tip
+};
+
+/// Measured from the body's `ankle` and the toe joint below it. The skeleton has neither sole nor
+/// heel: the toe joint lies 0.02 m above the sole and the heel's edge 0.045 m behind the ankle, for
+/// a stature of 1.75 m.
+FootShape foot_shape(const Skeleton& body, BodyJoint ankle);
+
+/// A foot at one moment. Angles in radians.
+struct FootPose {
+  Vec3 ankle = Vec3::Zero();   ///< position
+  double yaw = 0.0;            ///< about +Y from +Z
+  double pitch = 0.0;          ///< of the sole, toes up
+  double toe_extension = 0.0;  ///< of the toes on the foot, up
+};
+
+/// The foot's rotation in the world.
+Quat foot_rotation(const FootPose& foot);
+
+/// Pitch of the sole through the stance, radians: from toes up at heel strike to flat, then heel up
+/// to toe off. Continuous with its first derivative; at phase 0 and at the end of stance it has the
+/// slopes that the swing must meet.
+double stance_pitch(const WalkStyle& style, double phase);
+
+/// The foot while it is on the floor, rolling without slipping: on the heel's edge, then flat, then
+/// on the ball with the toes left flat. `phase` ∈ [0, stance_share] counts from the heel strike;
+/// `print` is where the ankle's plumb line meets the floor while the sole is flat.
+FootPose stance_foot(const FootShape& shape, const WalkStyle& style, const Vec3& print, double yaw,
+                     double phase);
+
+/// Height of the toes (the lower of toe joint and tip) above their height when the foot stands
+/// flat, metres.
+double toe_clearance(const FootShape& shape, const FootPose& foot);
+
+/// Height of the heel's edge above the floor, metres.
+double heel_clearance(const FootShape& shape, const FootPose& foot);
+
+}  // namespace mien::motion

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "motion/procedural/foot_roll.h"
+#include "motion/procedural/gait_curves.h"
+#include "motion/procedural/pelvis_path.h"
+
+namespace mien::motion {
+
+/// The line from hip to ankle, as a knee angle and two deviations: what a leg does, apart from
+/// where the body is.
+struct LegLine {
+  double knee_flexion = 0.0;  ///< radians, 0 is straight
+  double swing = 0.0;         ///< angle from the vertical in the sagittal plane, forward, radians
+  double outward = 0.0;       ///< ankle outside of the hip, metres
+};
+
+/// A curve over the swing phase that continues the stance at both ends with its value and slope.
+struct SwingCurve {
+  CurveEnd toe_off;
+  CurveEnd heel_strike;
+};
+
+/// One leg through the gait cycle, its foot fixed to the floor during stance.
+struct LegCycle {
+  PelvisPath pelvis;
+  double side = 1.0;          ///< +1 left, −1 right
+  double phase_offset = 0.0;  ///< cycle phase of this leg's heel strike: 0 left, ½ right
+  Vec3 hip_offset;            ///< in the pelvis frame
+  double thigh_m = 0.0;
+  double shank_m = 0.0;
+  FootShape foot;
+  double ahead_m = 0.0;  ///< from the pelvis at heel strike to the print, forward
+
+  // The swing, found by `fit_swing`.
+  SwingCurve knee_correction;  ///< added to the normal knee curve, radians
+  SwingCurve swing_angle;
+  SwingCurve outward;
+  SwingCurve pitch;
+  SwingCurve toe_extension;
+  double knee_peak = 0.0;  ///< added in early swing for the style's peak knee flexion, radians
+  double lift = 0.0;       ///< knee flexion added in mid-swing to clear the floor, radians
+  double landing = 0.0;    ///< knee flexion added in late swing to come down from above, radians
+};
+
+/// Hip–ankle distance at a knee flexion (radians), and the reverse; a distance out of reach gives a
+/// straight or a fully bent knee.
+double leg_length_at(const LegCycle& leg, double knee_flexion);
+double knee_flexion_at(const LegCycle& leg, double distance);
+
+/// Position of the hip joint at a cycle phase.
+Vec3 hip_position(const LegCycle& leg, double cycle_phase);
+
+/// The foot during the stance that begins with heel strike at `phase` 0 of the leg's own cycle;
+/// `phase` may leave [0, stance_share] a little, for derivatives.
+FootPose planted_foot(const LegCycle& leg, double phase);
+
+/// The leg with the curves of its swing: they leave the stance at toe off and meet the next stance
+/// at heel strike without a jump in speed or acceleration, and keep the foot clear of the floor.
+LegCycle fit_swing(LegCycle leg);
+
+/// The foot at any phase of the cycle (phase 0 is left heel strike; 1 is a stride further on).
+FootPose foot_at(const LegCycle& leg, double cycle_phase);
+
+}  // namespace mien::motion

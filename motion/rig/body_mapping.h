@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "motion/rig/mapped_joint.h"
+#include "motion/skeleton/clip.h"
+#include "motion/skeleton/recording.h"
+
+namespace mien::motion {
+
+/// How the joints of a rig become the canonical body (body.h). Made by `recognise`.
+struct BodyMapping {
+  std::string rig;      ///< "cmu-bvh", "acclaim", "bandai-namco", …, "by names", "by topology"
+  MappedJoints joints;  ///< which rig joints stand for each canonical joint, and how surely
+  std::array<Quat, body_joint_count> calibration;  ///< A_j: G_canonical = G_rig · A_j
+  Skeleton body;                    ///< canonical body with the performer's bone lengths, metres
+  Quat to_y_up = Quat::Identity();  ///< the file's axes → +Y up
+  std::string up = "+Y";            ///< the file's up axis: "+Y", "+Z", "-X", …
+  double metres_per_unit = 1.0;
+  double confidence = 0.0;            ///< mean over the joints, 0–1
+  std::vector<std::string> warnings;  ///< plain sentences
+};
+
+/// Recognises a human rig by joint names, else by topology (rig_topology.h), and calibrates it.
+/// Throws Error when it is no human rig that could be followed, saying what is missing.
+BodyMapping recognise(const Recording& recording);
+
+/// As above, calibrated over several recordings of one rig together: what is measured (twist of the
+/// limbs, flat feet) is then the same for all of them. All must have the first one's skeleton
+/// (`same_rig`); throws Error naming one that has not.
+BodyMapping recognise(std::span<const Recording> recordings);
+
+/// Whether two skeletons have the same joint names, parents and offsets.
+bool same_rig(const Skeleton& a, const Skeleton& b);
+
+/// The recording as a motion of the canonical body: +Y up, metres, the floor at y = 0; where it is
+/// and where it heads stay as recorded. Joint positions are those of the rig, exactly where rig
+/// joints correspond one to one and keep their offsets.
+///
+/// The floor is the level of the feet's lowest points while they rest (third percentile), so that a
+/// few frames of noise or a foot in the ground do not move it. A floor that slopes in the recording
+/// is levelled first (floor.h). Throws Error when the recording has
+/// another rig than the mapping.
+Clip to_body(const Recording& recording, const BodyMapping& mapping);
+
+/// `to_body` with a mapping of its own.
+Clip to_body(const Recording& recording);
+
+/// What can be said of any recording, human or not, so that it can still be drawn as a stick
+/// figure.
+struct RigSketch {
+  std::optional<BodyMapping> human;  ///< empty when it was not recognised
+  std::string why_not;               ///< then: the reason, a plain sentence
+  Quat to_y_up = Quat::Identity();
+  std::string up = "+Y";
+  double metres_per_unit = 1.0;  ///< without a human: makes the figure about 1.7 m tall or long
+  double floor = 0.0;            ///< height of the lowest point, metres, after the turn to +Y
+};
+
+RigSketch sketch(const Recording& recording);
+
+}  // namespace mien::motion

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "motion/rig/rig_motion.h"
+
+namespace mien::motion {
+
+/// A foot while it stands flat, as its own joint frames see the world. Vectors are means over the
+/// flat frames, not unit; those of the toe are zero when the rig has no turning toe joint.
+struct FootRest {
+  Vec3 up = Vec3::Zero();           ///< world up in the ankle's frame
+  Vec3 forward = Vec3::Zero();      ///< ankle to toe in the ankle's frame; zero without a toe
+  Vec3 toe_up = Vec3::Zero();       ///< world up in the toe's frame
+  Vec3 toe_forward = Vec3::Zero();  ///< ankle to toe in the toe's frame
+  int frames = 0;                   ///< how many flat frames there were
+};
+
+/// Frames in which the foot of `ankle` stands flat: ankle and toe both low and slow. When there are
+/// none, the lowest tenth of the frames.
+std::vector<int> flat_frames(const RigMotion& motion, BodyJoint ankle);
+
+FootRest foot_rest(std::span<const RigMotion> motions, BodyJoint ankle);
+
+}  // namespace mien::motion

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "motion/rig/mapped_joint.h"
+#include "motion/skeleton/recording.h"
+
+namespace mien::motion {
+
+/// World transforms of every frame of a recording, in the file's unit and axes.
+std::vector<JointTransforms> world_frames(const Recording& recording);
+
+/// A recording seen as a moving human body: still the rig's own joints and unit, but turned so that
+/// +Y is up.
+struct RigMotion {
+  const Skeleton& rig;
+  const MappedJoints& joints;
+  std::vector<JointTransforms> frames;
+  double frames_per_second = 30.0;
+
+  bool has(BodyJoint joint) const { return joints[joint].position >= 0; }
+  bool turns(BodyJoint joint) const { return joints[joint].rotation() >= 0; }
+
+  /// Where a canonical joint is; it must be one that the rig has.
+  Vec3 point(const JointTransforms& frame, BodyJoint joint) const;
+
+  /// How the rig joint that the canonical joint follows is turned; it must turn.
+  const Quat& rotation(const JointTransforms& frame, BodyJoint joint) const;
+};
+
+/// Turns the frames so that `to_y_up` of the file's up is +Y.
+RigMotion rig_motion(const Recording& recording, const MappedJoints& joints, const Quat& to_y_up);
+
+/// The rig with all rotations zero, as one frame.
+JointTransforms zero_pose(const Skeleton& rig);
+
+/// Thigh plus shank, mean of both sides and all frames, in the rig's unit.
+double leg_length(const RigMotion& motion);
+
+/// The present joint that the bone of `joint` leads to: its main child, or the next one down that
+/// chain that the rig has; none for the ends (head, wrists, toes).
+std::optional<BodyJoint> next_present(const RigMotion& motion, BodyJoint joint);
+
+/// The farthest end of what hangs on the joint that `joint` follows (tips, fingers, crown), mean
+/// over the frames, in that rig joint's frame. Zero when nothing does.
+Vec3 far_end(const RigMotion& motion, BodyJoint joint);
+
+/// The axis (±X, ±Y, ±Z) that points from feet to chest, averaged over the frames.
+struct UpAxis {
+  Vec3 axis = Vec3::UnitY();
+  double clearness = 1.0;  ///< length of the mean unit vector along the axis: 1 always upright
+};
+UpAxis up_axis(const std::vector<JointTransforms>& world, const MappedJoints& joints);
+
+/// The shortest rotation that takes an axis to +Y; half a turn about X when it is −Y.
+Quat turn_to_y_up(const Vec3& axis);
+
+}  // namespace mien::motion

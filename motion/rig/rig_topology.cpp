@@ -1,0 +1,289 @@
+#include "motion/rig/rig_topology.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/math/rotation.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// The tree with its mean bone lengths. A joint's bone leads to it from its parent.
+struct BoneTree {
+  const Skeleton& rig;
+  std::vector<std::vector<int>> children;
+  std::vector<double> bone;   ///< length of the bone that leads to the joint
+  std::vector<double> reach;  ///< length of the longest way from the joint to an end
+  double size = 0.0;          ///< longest way from a fork to an end
+
+  double tip_length(int joint) const {
+    return rig.joints[joint].tip ? rig.joints[joint].tip->norm() : 0.0;
+  }
+};
+
+BoneTree bone_tree(const Skeleton& rig, const std::vector<JointTransforms>& world) {
+  BoneTree tree{rig, children_of(rig), {}, {}, 0.0};
+  tree.bone.assign(rig.joints.size(), 0.0);
+  tree.reach.assign(rig.joints.size(), 0.0);
+  const size_t stride = std::max<size_t>(1, world.size() / 32);
+  for (int j = 1; j < rig.size(); ++j) {
+    int count = 0;
+    for (size_t t = 0; t < world.size(); t += stride, ++count) {
+      const auto& positions = world[t].positions;
+      tree.bone[j] += (positions[j] - positions[rig.joints[j].parent]).norm();
+    }
+    tree.bone[j] /= std::max(1, count);
+  }
+  for (int j = rig.size() - 1; j >= 0; --j) {
+    tree.reach[j] = std::max(tree.reach[j], tree.tip_length(j));
+    const int parent = rig.joints[j].parent;
+    if (parent >= 0)
+      tree.reach[parent] = std::max(tree.reach[parent], tree.bone[j] + tree.reach[j]);
+  }
+  // From forks only: a rig may hang on a root that stays behind while the body walks away.
+  for (int j = 0; j < rig.size(); ++j) {
+    if (tree.children[j].size() > 1) tree.size = std::max(tree.size, tree.reach[j]);
+  }
+  return tree;
+}
+
+/// The joint and then always the child with the longest way to go.
+std::vector<int> longest_chain(const BoneTree& tree, int joint) {
+  std::vector<int> chain;
+  while (joint >= 0) {
+    chain.push_back(joint);
+    int next = -1;
+    double farthest = -1.0;
+    for (int child : tree.children[joint]) {
+      if (tree.bone[child] + tree.reach[child] > farthest) {
+        farthest = tree.bone[child] + tree.reach[child];
+        next = child;
+      }
+    }
+    joint = next;
+  }
+  return chain;
+}
+
+/// Two chains of one fork with the same bones.
+struct Pair {
+  int fork = -1;
+  std::vector<int> a;
+  std::vector<int> b;
+  double length = 0.0;
+};
+
+bool mirror_like(const BoneTree& tree, const std::vector<int>& a, const std::vector<int>& b) {
+  if (a.size() != b.size()) return false;
+  for (size_t i = 0; i < a.size(); ++i) {
+    const double la = tree.bone[a[i]];
+    const double lb = tree.bone[b[i]];
+    if (std::abs(la - lb) > 0.15 * std::max(la, lb) + 0.01 * tree.size) return false;
+  }
+  return true;
+}
+
+/// The mirrored pairs long enough to be limbs, longest first.
+std::vector<Pair> limb_pairs(const BoneTree& tree) {
+  std::vector<Pair> pairs;
+  for (int fork = 0; fork < tree.rig.size(); ++fork) {
+    const auto& children = tree.children[fork];
+    for (size_t i = 0; i < children.size(); ++i) {
+      for (size_t k = i + 1; k < children.size(); ++k) {
+        Pair pair{fork, longest_chain(tree, children[i]), longest_chain(tree, children[k]),
+                  tree.bone[children[i]] + tree.reach[children[i]]};
+        const bool long_enough = pair.length > 0.25 * tree.size && pair.a.size() >= 3;
+        if (long_enough && mirror_like(tree, pair.a, pair.b)) pairs.push_back(std::move(pair));
+      }
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& p, const Pair& q) { return p.length > q.length; });
+  return pairs;
+}
+
+bool is_leaf_that_never_turns(const Recording& recording, const BoneTree& tree, int joint) {
+  if (!tree.children[joint].empty() || tree.rig.joints[joint].tip) return false;
+  const Quat& first = recording.poses.front().rotations[joint];
+  return std::all_of(recording.poses.begin(), recording.poses.end(), [&](const Pose& pose) {
+    return angle_between(first, pose.rotations[joint]) < 1e-6;
+  });
+}
+
+/// The longest single chain from the fork of the arms that is neither arm nor the way to the legs.
+std::vector<int> head_chain(const Recording& recording, const BoneTree& tree, const Pair& arms,
+                            int legs_fork) {
+  int start = -1;
+  for (int child : tree.children[arms.fork]) {
+    const bool to_legs = common_ancestor(tree.rig, child, legs_fork) == child;
+    if (child == arms.a.front() || child == arms.b.front() || to_legs) continue;
+    if (start < 0 || tree.bone[child] + tree.reach[child] > tree.bone[start] + tree.reach[start]) {
+      start = child;
+    }
+  }
+  if (start < 0) return {};
+  std::vector<int> chain = longest_chain(tree, start);
+  if (chain.size() > 2 && is_leaf_that_never_turns(recording, tree, chain.back())) chain.pop_back();
+  return chain;
+}
+
+/// Index in `a` of the proximal joint of the two longest bones in a row, both off the midline; −1
+/// when there are no two. Joints where both chains coincide lie on the midline.
+int first_long_bone(const BoneTree& tree, const JointTransforms& world, const Pair& pair) {
+  int best = -1;
+  double longest = 0.0;
+  for (size_t i = 0; i + 2 < pair.a.size() + 1; ++i) {
+    const bool on_midline =
+        (world.positions[pair.a[i]] - world.positions[pair.b[i]]).norm() < 0.02 * tree.size;
+    if (on_midline || i + 1 >= pair.a.size()) continue;
+    const double upper = tree.bone[pair.a[i + 1]];
+    const bool has_joint_below = i + 2 < pair.a.size();
+    const double lower =
+        has_joint_below ? tree.bone[pair.a[i + 2]] : tree.tip_length(pair.a[i + 1]);
+    if (upper + lower > longest) {
+      longest = upper + lower;
+      best = static_cast<int>(i);
+    }
+  }
+  return best;
+}
+
+int at_or_none(const std::vector<int>& chain, int index) {
+  return index >= 0 && index < static_cast<int>(chain.size()) ? chain[index] : -1;
+}
+
+void put_arm(KeyLimbs& limbs, const std::vector<int>& chain, int first) {
+  limbs.upper_arm = at_or_none(chain, first);
+  limbs.forearm = at_or_none(chain, first + 1);
+  limbs.wrist = at_or_none(chain, first + 2);
+}
+
+void put_leg(KeyLimbs& limbs, const std::vector<int>& chain, int first) {
+  limbs.thigh = at_or_none(chain, first);
+  limbs.shank = at_or_none(chain, first + 1);
+  limbs.ankle = at_or_none(chain, first + 2);
+  limbs.toe = at_or_none(chain, first + 3);
+}
+
+/// Where the middle joint of a limb lies off the line between its ends, unit; zero when the limb is
+/// bent less than 15°.
+Vec3 bend_direction(const Vec3& proximal, const Vec3& middle, const Vec3& distal) {
+  const Vec3 upper = (middle - proximal).normalized();
+  const Vec3 lower = (distal - middle).normalized();
+  const bool bent = upper.dot(lower) < std::cos(15 * radians_per_degree);
+  return bent ? Vec3((upper - lower).normalized()) : Vec3(Vec3::Zero());
+}
+
+/// What one leg and one arm say for `forward`: knees bend forward (±2), toes point there (±1), and
+/// elbows bend the other way (±1). 0 where there is nothing to see.
+double limb_votes(const Skeleton& rig, const JointTransforms& world, const KeyLimbs& limbs,
+                  const Vec3& forward) {
+  const auto& p = world.positions;
+  double votes = 0.0;
+  if (limbs.ankle >= 0) {
+    Vec3 foot = Vec3::Zero();
+    if (limbs.toe >= 0) foot = p[limbs.toe] - p[limbs.ankle];
+    if (limbs.toe < 0 && rig.joints[limbs.ankle].tip) {
+      foot = world.rotations[limbs.ankle] * *rig.joints[limbs.ankle].tip;
+    }
+    const double leg = (p[limbs.ankle] - p[limbs.thigh]).norm();
+    if (foot.norm() > 1e-3 * leg) votes += foot.normalized().dot(forward);
+    votes += 2.0 * bend_direction(p[limbs.thigh], p[limbs.shank], p[limbs.ankle]).dot(forward);
+  }
+  if (limbs.wrist >= 0) {
+    votes -= bend_direction(p[limbs.upper_arm], p[limbs.forearm], p[limbs.wrist]).dot(forward);
+  }
+  return votes;
+}
+
+/// Puts the arm on the left of the chest that lies to the left of the hips.
+void sort_arms(const std::vector<JointTransforms>& world, KeyJoints& keys) {
+  double same_side = 0.0;
+  for (const JointTransforms& frame : world) {
+    const auto& p = frame.positions;
+    same_side += (p[keys.left.upper_arm] - p[keys.right.upper_arm])
+                     .dot(p[keys.left.thigh] - p[keys.right.thigh]);
+  }
+  if (same_side >= 0) return;
+  std::swap(keys.left.upper_arm, keys.right.upper_arm);
+  std::swap(keys.left.forearm, keys.right.forearm);
+  std::swap(keys.left.wrist, keys.right.wrist);
+}
+
+std::optional<KeyJoints> keys_of(const Recording& recording, const BoneTree& tree,
+                                 const JointTransforms& world, const Pair& legs, const Pair& arms) {
+  const int first_leg = first_long_bone(tree, world, legs);
+  const int first_arm = first_long_bone(tree, world, arms);
+  if (first_leg < 0 || first_arm < 0) return std::nullopt;
+  KeyJoints keys;
+  keys.pelvis = legs.fork;
+  keys.chest = arms.fork;
+  const std::vector<int> neck = head_chain(recording, tree, arms, legs.fork);
+  if (!neck.empty()) keys.head = neck.back();
+  put_leg(keys.left, legs.a, first_leg);
+  put_leg(keys.right, legs.b, first_leg);
+  put_arm(keys.left, arms.a, first_arm);
+  put_arm(keys.right, arms.b, first_arm);
+  return keys;
+}
+
+/// The two longest pairs at different forks, as (legs, arms).
+std::optional<std::pair<Pair, Pair>> legs_and_arms(const Recording& recording,
+                                                   const BoneTree& tree) {
+  const std::vector<Pair> pairs = limb_pairs(tree);
+  for (size_t i = 1; i < pairs.size(); ++i) {
+    const int meeting = common_ancestor(tree.rig, pairs[0].fork, pairs[i].fork);
+    if (pairs[0].fork == pairs[i].fork) continue;
+    if (meeting != pairs[0].fork && meeting != pairs[i].fork) continue;
+    const Pair& upper = meeting == pairs[0].fork ? pairs[0] : pairs[i];
+    const Pair& lower = meeting == pairs[0].fork ? pairs[i] : pairs[0];
+    // Usually the root is the pelvis and the neck leaves where the deeper fork is.
+    const bool neck_is_deep = !head_chain(recording, tree, lower, upper.fork).empty();
+    return neck_is_deep ? std::pair(upper, lower) : std::pair(lower, upper);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double forward_votes(const Recording& recording, const std::vector<JointTransforms>& world,
+                     const KeyJoints& keys) {
+  double votes = 0.0;
+  const size_t stride = std::max<size_t>(1, world.size() / 64);
+  int count = 0;
+  for (size_t t = 0; t < world.size(); t += stride, ++count) {
+    const auto& p = world[t].positions;
+    const Vec3 hips = 0.5 * (p[keys.left.thigh] + p[keys.right.thigh]);
+    const Vec3 up = (p[keys.chest] - hips).normalized();
+    const Vec3 forward = (p[keys.left.thigh] - p[keys.right.thigh]).cross(up).normalized();
+    votes += limb_votes(recording.skeleton, world[t], keys.left, forward);
+    votes += limb_votes(recording.skeleton, world[t], keys.right, forward);
+    const size_t next = std::min(t + stride, world.size() - 1);
+    const Vec3 travel = world[next].positions[keys.pelvis] - p[keys.pelvis];
+    const double leg =
+        (p[keys.left.ankle < 0 ? keys.left.shank : keys.left.ankle] - p[keys.left.thigh]).norm();
+    votes += std::clamp(travel.dot(forward) / (0.2 * leg + 1e-12), -1.0, 1.0);
+  }
+  return votes / std::max(1, count);
+}
+
+std::optional<TopologyGuess> key_joints_by_topology(const Recording& recording,
+                                                    const std::vector<JointTransforms>& world) {
+  if (world.empty()) return std::nullopt;
+  const BoneTree tree = bone_tree(recording.skeleton, world);
+  const auto pairs = legs_and_arms(recording, tree);
+  if (!pairs) return std::nullopt;
+  std::optional<KeyJoints> keys =
+      keys_of(recording, tree, world.front(), pairs->first, pairs->second);
+  // The body hangs from the pelvis: a rig rooted at the chest cannot be followed.
+  if (!keys || path_down(recording.skeleton, keys->pelvis, keys->chest).empty()) {
+    return std::nullopt;
+  }
+  sort_arms(world, *keys);
+  const double votes = forward_votes(recording, world, *keys);
+  if (votes < 0) std::swap(keys->left, keys->right);
+  return TopologyGuess{*keys, std::clamp(0.5 + 0.15 * std::abs(votes), 0.5, 0.9)};
+}
+
+}  // namespace mien::motion

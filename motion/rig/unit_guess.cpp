@@ -1,0 +1,21 @@
+#include "motion/rig/unit_guess.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace mien::motion {
+
+UnitGuess guess_unit(double height, const std::string& format) {
+  const bool is_metric = format == "gltf" || format == "glb";
+  if (is_metric && height > 0.5 && height < 3.0) return {};
+  for (const double metres : {1.0, 0.01, 0.001, 0.0254, 0.0254 / 0.45, 0.1, 0.3048}) {
+    const double tall = height * metres;
+    if (tall >= 1.2 && tall <= 2.2) return {metres, ""};
+  }
+  std::ostringstream warning;
+  warning << "The figure stands " << std::setprecision(4) << height
+          << " units tall, which fits no known unit of length; it is scaled to 1.70 m.";
+  return {1.7 / height, warning.str()};
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,28 @@
+#include "motion/skeleton/mirror.h"
+
+namespace mien::motion {
+
+Pose mirrored(const Pose& pose) {
+  Pose result = pose;
+  result.root_position = mirrored_place(pose.root_position);
+  for (int j = 0; j < body_joint_count; ++j) {
+    const Quat& q = pose.rotations[mirrored(BodyJoint(j))];
+    result.rotations[j] = Quat(q.w(), q.x(), -q.y(), -q.z());
+  }
+  return result;
+}
+
+Clip mirrored(const Clip& clip) {
+  Clip result = clip;
+  for (int j = 0; j < body_joint_count; ++j) {
+    const Joint& other = clip.body.joints[mirrored(BodyJoint(j))];
+    result.body.joints[j].offset = mirrored_place(other.offset);
+    result.body.joints[j].tip = other.tip;
+    if (other.tip) result.body.joints[j].tip = mirrored_place(*other.tip);
+  }
+  for (Pose& pose : result.poses) pose = mirrored(pose);
+  result.cycle_displacement = mirrored_place(clip.cycle_displacement);
+  return result;
+}
+
+}  // namespace mien::motion

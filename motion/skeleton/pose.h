@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/math/geometry.h"
+#include "motion/skeleton/skeleton.h"
+
+namespace mien::motion {
+
+/// One moment of a skeleton.
+struct Pose {
+  Vec3 root_position = Vec3::Zero();  ///< of joint 0, world space
+  std::vector<Quat> rotations;        ///< joint frame → parent frame, unit, one per joint
+  std::vector<Vec3>
+      offsets;  ///< per-frame joint offsets that replace the skeleton's; usually empty
+};
+
+/// Where each joint is, and how it is turned, in world space.
+struct JointTransforms {
+  std::vector<Vec3> positions;
+  std::vector<Quat> rotations;
+};
+
+/// Forward kinematics. The root stands at `pose.root_position`; its skeleton offset is not added.
+JointTransforms world_transforms(const Skeleton& skeleton, const Pose& pose);
+
+/// As `world_transforms`, positions only.
+std::vector<Vec3> world_positions(const Skeleton& skeleton, const Pose& pose);
+
+/// Slerp of the rotations and linear interpolation of the positions; t in [0, 1].
+Pose interpolate(const Pose& from, const Pose& to, double t);
+
+}  // namespace mien::motion

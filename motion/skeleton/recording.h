@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/skeleton/pose.h"
+#include "motion/skeleton/skeleton.h"
+
+namespace mien::motion {
+
+/// A motion as a file holds it: any rig, in the file's own unit and axes.
+///
+/// `to_body` (body_mapping.h) turns it into a Clip of the canonical body.
+struct Recording {
+  std::string name;    ///< file name without folder and extension
+  std::string format;  ///< "bvh", "amc", "gltf"
+  Skeleton skeleton;
+  double frames_per_second = 30.0;
+  std::vector<Pose> poses;
+
+  int frame_count() const { return static_cast<int>(poses.size()); }
+};
+
+}  // namespace mien::motion

@@ -1,0 +1,66 @@
+#include "motion/skeleton/straighten.h"
+
+#include <cassert>
+
+#include "motion/math/rotation.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double slowest_walk = 0.1;  // m/s
+
+Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
+
+Vec3 displacement(const Clip& clip) {
+  if (clip.loops) return level(clip.cycle_displacement);
+  return level(clip.poses.back().root_position - clip.poses.front().root_position);
+}
+
+}  // namespace
+
+Vec3 mean_direction(const Clip& clip) {
+  const Vec3 travel = displacement(clip);
+  if (travel.norm() > slowest_walk * clip.duration_seconds()) return travel.normalized();
+  Vec3 facing = Vec3::Zero();
+  for (const Pose& pose : clip.poses) facing += level(pose.rotations[Pelvis] * Vec3::UnitZ());
+  return facing.norm() > 1e-9 ? Vec3(facing.normalized()) : Vec3(Vec3::UnitZ());
+}
+
+Clip straightened(const Clip& clip) {
+  Clip result = clip;
+  if (clip.poses.empty()) return result;
+  const Quat turn = heading(mean_direction(clip)).conjugate();
+  double sideways = 0.0;
+  for (Pose& pose : result.poses) {
+    pose.root_position = turn * pose.root_position;
+    pose.rotations[Pelvis] = (turn * pose.rotations[Pelvis]).normalized();
+    sideways += pose.root_position.x() / clip.frame_count();
+  }
+  result.cycle_displacement = turn * clip.cycle_displacement;
+  // A turned straight line is straight to rounding; what is left sideways would add up over cycles.
+  if (clip.loops) result.cycle_displacement.x() = 0.0;
+  const Vec3 start = result.poses.front().root_position;
+  const Vec3 origin(clip.loops ? sideways : start.x(), 0.0, start.z());
+  for (Pose& pose : result.poses) pose.root_position -= origin;
+  return result;
+}
+
+Clip in_place(const Clip& loop) {
+  Clip result = travelling(loop, -loop.cycle_displacement);
+  result.cycle_displacement = Vec3::Zero();
+  return result;
+}
+
+Clip travelling(const Clip& loop, const Vec3& displacement_per_cycle) {
+  assert(loop.loops);
+  Clip result = loop;
+  const double count = loop.frame_count();
+  for (size_t i = 0; i < result.poses.size(); ++i) {
+    result.poses[i].root_position += static_cast<double>(i) / count * displacement_per_cycle;
+  }
+  result.cycle_displacement += displacement_per_cycle;
+  return result;
+}
+
+}  // namespace mien::motion

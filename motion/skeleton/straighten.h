@@ -1,0 +1,24 @@
+#pragma once
+
+#include "motion/skeleton/clip.h"
+
+namespace mien::motion {
+
+/// Horizontal unit vector along which the clip walks as a whole: the way from its first to its last
+/// frame (a loop: its displacement) or, when that is slower than 0.1 m/s, where the pelvis faces on
+/// the average.
+Vec3 mean_direction(const Clip& clip);
+
+/// The clip turned about the vertical and moved so that it walks along +Z and begins at z = 0. A
+/// loop's path lies on the line x = 0 on the average; another clip starts at x = 0. Heights stay.
+Clip straightened(const Clip& clip);
+
+/// A loop without its way forward: the displacement is taken off evenly over the cycle, so that the
+/// sway and surge within it stay.
+Clip in_place(const Clip& loop);
+
+/// A loop in place sent on its way: `displacement` a cycle, metres, horizontal, evenly. The inverse
+/// of `in_place`.
+Clip travelling(const Clip& loop, const Vec3& displacement);
+
+}  // namespace mien::motion

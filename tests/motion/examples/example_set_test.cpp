@@ -1,0 +1,122 @@
+#include "motion/examples/example_set.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "real_data.h"
+#include "refusal.h"
+
+namespace mien::motion {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(ExampleSet, OfNoFolderOrNoMatchIsRefused) {
+  ExampleFolder folder;
+  folder.path = fs::temp_directory_path() / "mien-no-such-folder";
+  EXPECT_NE(test::refusal_of([&] { load_examples(folder); }).find("is no folder"),
+            std::string::npos);
+  folder.path = fs::path(testing::TempDir()) / "mien-empty-folder";
+  fs::create_directories(folder.path);
+  std::ofstream(folder.path / "notes.txt") << "no motion";
+  EXPECT_NE(test::refusal_of([&] { load_examples(folder); }).find("no motion file that matches"),
+            std::string::npos);
+}
+
+class RealExamples : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto data = test::real_data();
+    if (!data) GTEST_SKIP() << "no motion capture here: set MIEN_DATA to the folder that has it";
+    mocap = *data / "mocap";
+  }
+
+  LoadedExamples load(const std::string& folder, const std::string& include) const {
+    ExampleFolder source;
+    source.path = mocap / folder;
+    source.include = include;
+    return load_examples(source);
+  }
+
+  fs::path mocap;
+};
+
+TEST_F(RealExamples, OfThirtyWalksStandOnOneBody) {
+  const LoadedExamples loaded = load("bandai-namco-1", "*walk*.bvh");
+  const std::vector<Example>& examples = loaded.set.examples;
+  ASSERT_EQ(examples.size(), 30u);
+  EXPECT_EQ(examples[0].name, "active_001");
+  EXPECT_EQ(examples[0].clip.name, "dataset-1_walk_active_001");
+  EXPECT_EQ(loaded.file_stems[0], "dataset-1_walk_active_001");
+  for (const Example& example : examples) {
+    EXPECT_EQ(example.keytimes.size(), 7u) << example.name;
+    EXPECT_TRUE(example.clip.loops) << example.name;
+    for (int j = 0; j < body_joint_count; ++j) {
+      EXPECT_EQ(example.clip.body.joints[j].offset, examples[0].clip.body.joints[j].offset);
+    }
+  }
+}
+
+TEST_F(RealExamples, OfTwoActorsStandOnOneBody) {
+  const LoadedExamples loaded = load("aalto-two-actors", "*.bvh");
+  EXPECT_EQ(loaded.set.examples.size(), 24u);
+  for (const Example& example : loaded.set.examples) EXPECT_EQ(example.keytimes.size(), 7u);
+}
+
+TEST_F(RealExamples, OfFarewellsKeepAsManyPausesAsAllHave) {
+  const LoadedExamples loaded = load("bandai-namco-1", "*bye*.bvh");
+  ASSERT_EQ(loaded.set.examples.size(), 15u);
+  EXPECT_EQ(loaded.set.examples[0].name, "active");
+  for (const Example& example : loaded.set.examples) {
+    EXPECT_FALSE(example.clip.loops) << example.name;
+    EXPECT_EQ(example.keytimes.size(), loaded.set.examples[0].keytimes.size()) << example.name;
+    EXPECT_GE(example.keytimes.size(), 3u);
+  }
+}
+
+TEST_F(RealExamples, OfFarewellsHaveAPeak) {
+  ExampleFolder source;
+  source.path = mocap / "bandai-namco-1";
+  source.include = "*bye*.bvh";
+  source.cycle = CycleChoice::start_peak_end;
+  const LoadedExamples loaded = load_examples(source);
+  ASSERT_EQ(loaded.set.examples.size(), 15u);
+  for (const Example& example : loaded.set.examples) {
+    EXPECT_EQ(example.keytimes.size(), 3u) << example.name;
+  }
+}
+
+TEST_F(RealExamples, WithKeytimesByHandNeedThemForEveryFileAndNoOther) {
+  ExampleFolder source;
+  source.path = mocap / "bandai-namco-1";
+  source.include = "*bye_*o*d*_001.bvh";
+  source.keytimes = {{"dataset-1_bye_proud_001", {2.07, 2.27, 2.5}}};
+  EXPECT_NE(test::refusal_of([&] {
+              load_examples(source);
+            }).find("\"dataset-1_bye_not-confident_001\" has no keytimes"),
+            std::string::npos);
+  source.keytimes.emplace_back("dataset-1_bye_not-confidnt_001", std::vector{1.0, 2.0, 3.0});
+  EXPECT_NE(test::refusal_of([&] {
+              load_examples(source);
+            }).find("did you mean \"dataset-1_bye_not-confident_001\"?"),
+            std::string::npos);
+  source.keytimes.back() = {"dataset-1_bye_not-confident_001", {1.87, 2.03, 2.23}};
+  source.keytimes.emplace_back("dataset-1_bye_old_001", std::vector{0.67, 1.33, 2.1});
+  const LoadedExamples loaded = load_examples(source);
+  ASSERT_EQ(loaded.set.examples.size(), 3u);
+  for (const Example& example : loaded.set.examples) {
+    EXPECT_FALSE(example.clip.loops);
+    EXPECT_EQ(example.keytimes.size(), 3u) << example.name;
+    EXPECT_NEAR(example.keytimes.back(), example.clip.duration_seconds(), 1e-12);
+  }
+}
+
+TEST_F(RealExamples, OfWalksAndFarewellsMixedAreRefused) {
+  EXPECT_NE(test::refusal_of([&] { load("bandai-namco-1", "*_sad_*.bvh"); }).find("keytimes"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien::motion

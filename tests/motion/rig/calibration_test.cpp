@@ -1,0 +1,95 @@
+#include "motion/rig/calibration.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/rig/rest_calibration.h"
+#include "motion/rig/rig_names.h"
+
+#include "other_rigs.h"
+#include "synthetic_walk.h"
+
+namespace mien::motion {
+namespace {
+
+using namespace mien::test;
+
+const double degree = radians_per_degree;
+
+MappedJoints joints_of(const Recording& recording) {
+  return groups_of(recording.skeleton, *key_joints_by_name(recording.skeleton), 1.0, "name");
+}
+
+Calibration calibration_of(const Recording& recording) {
+  const MappedJoints joints = joints_of(recording);
+  const RigMotion motion = rig_motion(recording, joints, Quat::Identity());
+  return calibrate(std::span(&motion, 1));
+}
+
+Clip walk() { return synthetic_clip(steady_walk(1.2, 3.0)); }
+
+TEST(Calibration, TakesATPoseAsItIs) {
+  const Calibration calibration = calibration_of(to_recording(walk()));
+  EXPECT_TRUE(calibration.from_rest_pose);
+  for (const Quat& constant : calibration.to_body) {
+    EXPECT_LT(angle_between(constant, Quat::Identity()), 1e-6);
+  }
+}
+
+TEST(Calibration, TakesAFigureWithSpreadLegsForOneThatStands) {
+  // As the CMU skeletons: thighs, shanks and feet 20° outward when all rotations are zero.
+  FrameTurns turns;
+  turns.fill(Quat::Identity());
+  for (const int hip : {LeftHip, RightHip}) {
+    const double outward = hip == LeftHip ? -20 * degree : 20 * degree;
+    for (int j = hip; j < hip + 4; ++j) turns[j] = about(Vec3::UnitZ(), outward);
+  }
+  const Calibration calibration = calibration_of(on_other_rig(walk(), turns));
+  EXPECT_TRUE(calibration.from_rest_pose);
+  for (int j = 0; j < body_joint_count; ++j) {
+    EXPECT_LT(angle_between(calibration.to_body[j], turns[j].conjugate()), 1e-6)
+        << name_of(BodyJoint(j));
+  }
+}
+
+TEST(Calibration, MeasuresWhatTheZeroPoseHasWrong) {
+  // Upper arm and forearm twisted by 50° about their bone in an otherwise proper T-pose.
+  FrameTurns turns;
+  turns.fill(Quat::Identity());
+  for (const int j : {LeftShoulder, LeftElbow}) turns[j] = about(Vec3::UnitX(), 50 * degree);
+  const Recording recording = on_other_rig(walk(), turns);
+  const Calibration calibration = calibration_of(recording);
+  EXPECT_TRUE(calibration.from_rest_pose);
+  for (const int j : {LeftShoulder, LeftElbow, RightShoulder, RightElbow}) {
+    EXPECT_LT(angle_between(calibration.to_body[j], turns[j].conjugate()), 1.0 * degree)
+        << name_of(BodyJoint(j));
+  }
+}
+
+TEST(Calibration, DoesNotTakeALineOfBonesForAFigure) {
+  const Recording recording = on_other_rig(walk(), bones_along_x());
+  const MappedJoints joints = joints_of(recording);
+  const RigMotion motion = rig_motion(recording, joints, Quat::Identity());
+  EXPECT_FALSE(rest_calibration(motion));
+  const Calibration calibration = calibrate(std::span(&motion, 1));
+  EXPECT_FALSE(calibration.from_rest_pose);
+  const FrameTurns turns = bones_along_x();
+  for (int j = 0; j < body_joint_count; ++j) {
+    EXPECT_LT(angle_between(calibration.to_body[j], turns[j].conjugate()), 1.0 * degree)
+        << name_of(BodyJoint(j));
+  }
+}
+
+TEST(Calibration, GivesTheBodyItsProportions) {
+  Clip clip = walk();
+  clip.body.joints[LeftElbow].offset *= 1.07;
+  clip.body.joints[RightKnee].offset *= 0.96;
+  const Calibration calibration = calibration_of(on_other_rig(clip, random_turns(8)));
+  for (int j = Spine; j < body_joint_count; ++j) {
+    EXPECT_NEAR(calibration.body.joints[j].offset.norm(), clip.body.joints[j].offset.norm(), 1e-9)
+        << name_of(BodyJoint(j));
+  }
+  EXPECT_TRUE(is_body(calibration.body));
+}
+
+}  // namespace
+}  // namespace mien::motion

@@ -1,0 +1,67 @@
+#include "motion/skeleton/floor.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/skeleton/sole.h"
+
+#include "synthetic_walk.h"
+
+namespace mien::motion {
+namespace {
+
+using namespace mien::test;
+
+TEST(Sole, OfTheStandardBodyLiesAtTheFloor) {
+  Pose pose;
+  pose.rotations.assign(body_joint_count, Quat::Identity());
+  pose.root_position = Vec3(0, 0.96, 0);
+  const Skeleton body = standard_body();
+  const SolePoints left = sole_points(body, world_transforms(body, pose), true);
+  EXPECT_NEAR(left.heel.y(), 0.0, 1e-9);
+  EXPECT_NEAR(left.ball.y(), 0.0, 1e-9);
+  EXPECT_NEAR(left.tip.y(), 0.0, 1e-9);
+  EXPECT_GT(left.heel.x(), 0.0);
+  EXPECT_LT(left.heel.z(), left.ball.z());
+  EXPECT_LT(left.ball.z(), left.tip.z());
+}
+
+TEST(Floor, IsWhereFeetRest) {
+  Clip clip = synthetic_clip(steady_walk(1.2, 3.0));
+  EXPECT_NEAR(floor_height(clip), 0.0, 1e-3);
+  for (Pose& pose : clip.poses) pose.root_position.y() += 0.37;
+  EXPECT_NEAR(floor_height(clip), 0.37, 1e-3);
+}
+
+TEST(Floor, IsNotMovedByAFewBadFrames) {
+  Clip clip = synthetic_clip(steady_walk(1.2, 5.0));
+  for (int t = 200; t < 204; ++t) clip.poses[t].root_position.y() -= 0.5;
+  EXPECT_NEAR(floor_height(clip), 0.0, 5e-3);
+}
+
+TEST(Floor, ThatSlopesIsLevelled) {
+  for (const double degrees : {-4.0, -2.6, 2.0, 5.0}) {
+    SyntheticWalk walk = steady_walk(1.2, 5.0);
+    walk.heading = 0.8;
+    Clip clip = synthetic_clip(walk);
+    const Vec3 direction(std::sin(0.8), 0, std::cos(0.8));
+    const Quat tilt = about(direction.cross(Vec3::UnitY()), degrees * radians_per_degree);
+    for (Pose& pose : clip.poses) {
+      pose.root_position = tilt * pose.root_position;
+      pose.rotations[Pelvis] = tilt * pose.rotations[Pelvis];
+    }
+    const Quat levelling = floor_levelling(clip);
+    EXPECT_LT(angle_between(levelling * tilt, Quat::Identity()), 0.3 * radians_per_degree)
+        << degrees;
+  }
+}
+
+TEST(Floor, ThatIsLevelStays) {
+  const Clip clip = synthetic_clip(steady_walk(1.2, 5.0));
+  EXPECT_EQ(floor_levelling(clip).coeffs(), Quat::Identity().coeffs());
+  SyntheticWalk still;
+  still.distance.assign(300, 0.3);
+  EXPECT_EQ(floor_levelling(synthetic_clip(still)).coeffs(), Quat::Identity().coeffs());
+}
+
+}  // namespace
+}  // namespace mien::motion
