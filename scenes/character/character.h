@@ -28,7 +28,8 @@ struct Character {
   /// Rotation of each joint of the body in the bind pose, world space: a T-pose has none.
   std::array<motion::Quat, motion::body_joint_count> bind_rotations;
 
-  /// How far the mesh's soles lie below those of the body (motion/sole.h) when it stands at rest.
+  /// How far the mesh's soles lie below those of the body (motion/skeleton/sole.h) when it stands
+  /// at rest.
   double sole_depth = 0.0;
 
   std::vector<std::string> warnings;  ///< what of the file is not drawn; plain sentences
@@ -39,7 +40,8 @@ struct Character {
 /// - All primitives of triangles of skinned meshes, and meshes that hang on a joint without a skin.
 ///   Base colour factors and textures, and normal maps (PNG, JPEG). Vertex colours, morph targets
 ///   and transparency are left out with a warning.
-/// - Joints are known by the names of common rigs (motion/rig_names.h), by the humanoid bones of
+/// - Joints are known by the names of common rigs (motion/rig/rig_names.h), by the humanoid bones
+/// of
 ///   VRM 0 and 1, or else by the shape of their tree. The bind pose, T-pose or A-pose, tells how
 ///   the joints lie on the bones.
 /// - The bind pose is that of the inverse bind matrices; it does not matter how the file's nodes

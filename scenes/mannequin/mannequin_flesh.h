@@ -32,7 +32,7 @@ double signed_distance(const Flesh& flesh, const motion::Vec3& point);
 motion::Pose modelling_pose(const motion::Skeleton& body);
 
 /// Flesh for a body in that pose: breadths and bulges of an adult, modelled by eye, at the body's
-/// own stature and on its own bones. The soles lie where motion/sole.h has them.
+/// own stature and on its own bones. The soles lie where motion/skeleton/sole.h has them.
 Flesh flesh_of(const motion::Skeleton& body, const motion::JointTransforms& pose,
                const MannequinOptions& options);
 

@@ -11,8 +11,8 @@
 #include <benchmark/benchmark.h>
 #include <stdlib.h>
 
-#include "pipeline/checked_manifest.h"
-#include "pipeline/run.h"
+#include "pipeline/manifest/checked_manifest.h"
+#include "pipeline/production/run.h"
 
 namespace {
 

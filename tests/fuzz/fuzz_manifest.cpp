@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/fault.h"
-#include "pipeline/manifest_checks.h"
-#include "pipeline/manifest_reader.h"
-#include "pipeline/scales.h"
+#include "pipeline/documents/fault.h"
+#include "pipeline/manifest/manifest_checks.h"
+#include "pipeline/manifest/manifest_reader.h"
+#include "pipeline/ratings/scales.h"
 
 using namespace mien::pipeline;
 

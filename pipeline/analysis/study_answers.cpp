@@ -1,0 +1,175 @@
+#include "pipeline/analysis/study_answers.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/text/nearest_word.h"
+#include "pipeline/ratings/word_answers.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// A name in the table that means nothing, and how many rows use it.
+struct UnknownName {
+  CsvField field;
+  int rows = 0;
+};
+
+/// The same sentence as a fault.
+Fault fault_of(const Error& error) {
+  const std::string place = to_string(error.place());
+  return {error.place(), "", std::string(error.what()).substr(place.size() + 2), ""};
+}
+
+/// Reads the rows one by one; gathers faults and warnings.
+class RowReader {
+ public:
+  RowReader(const CsvTable& table, const ScaleSet& scales,
+            const std::vector<RatedExample>& examples)
+      : table_(table), scales_(scales_by_id(scales)) {
+    for (const Scale& scale : scales.scales) scale_ids_.push_back(scale.id);
+    for (const RatedExample& example : examples) {
+      stimulus_names_.push_back(example.name);
+      examples_.emplace(example.name, example.name);
+      if (!example.file_stem.empty()) examples_.emplace(example.file_stem, example.name);
+    }
+    stimulus_ = require_column(table, "stimulus");
+    scale_ = require_column(table, "scale");
+    value_ = require_column(table, "value");
+    participant_ = find_column(table, "participant");
+    rt_ms_ = find_column(table, "rt_ms");
+    order_ = find_column(table, "order");
+    comment_ = find_column(table, "comment");
+    simulated_ = find_column(table, "simulated");
+  }
+
+  void read(const std::vector<CsvField>& row) {
+    const CsvField& stimulus = row[static_cast<size_t>(stimulus_)];
+    const CsvField& scale_name = row[static_cast<size_t>(scale_)];
+    const auto example = examples_.find(stimulus.text);
+    const auto known = scales_.find(scale_name.text);
+    const Scale* scale = known == scales_.end() ? nullptr : known->second;
+    if (example == examples_.end()) note(stimulus, unknown_stimuli_);
+    if (scale == nullptr) note(scale_name, unknown_scales_);
+    if (example == examples_.end() || scale == nullptr) return;
+    StudyAnswer answer;
+    answer.participant = text_of(row, participant_);
+    answer.stimulus = example->second;
+    answer.scale = scale->id;
+    answer.comment = text_of(row, comment_);
+    if (text_of(row, simulated_) != "" && text_of(row, simulated_) != "0") result.simulated = true;
+    const CsvField& value = row[static_cast<size_t>(value_)];
+    answer.place = place_of(table_, value);
+    try {
+      answer.rt_ms = optional_number(row, rt_ms_);
+      answer.order = optional_number(row, order_);
+      check_time(row, answer);
+      if (value.text.empty() || value.text == "NA") {
+        left_empty.push_back(answer);
+        return;
+      }
+      answer.value = value_in(value, *scale);
+      result.answers.push_back(std::move(answer));
+    } catch (const Error& error) {
+      faults.push_back(fault_of(error));
+    }
+  }
+
+  void report_unknown(AnswerRules::Unknown rule) {
+    report(unknown_stimuli_, "stimulus", stimulus_names_, rule);
+    report(unknown_scales_, "scale", scale_ids_, rule);
+  }
+
+  StudyAnswers result;
+  std::vector<StudyAnswer> left_empty;
+  std::vector<Fault> faults;
+
+ private:
+  using UnknownNames = std::map<std::string, UnknownName>;
+
+  static std::string text_of(const std::vector<CsvField>& row, int column) {
+    return column < 0 ? std::string() : row[static_cast<size_t>(column)].text;
+  }
+
+  std::optional<double> optional_number(const std::vector<CsvField>& row, int column) const {
+    const std::string text = text_of(row, column);
+    if (text.empty() || text == "NA") return std::nullopt;
+    return number_in(table_, row[static_cast<size_t>(column)]);
+  }
+
+  void check_time(const std::vector<CsvField>& row, const StudyAnswer& answer) const {
+    if (!answer.rt_ms || *answer.rt_ms >= 0.0) return;
+    throw Error(place_of(table_, row[static_cast<size_t>(rt_ms_)]),
+                fmt::format("{} ms is no response time", *answer.rt_ms),
+                "write milliseconds from 0 up, or leave the field empty");
+  }
+
+  double value_in(const CsvField& field, const Scale& scale) const {
+    const double value = number_in(table_, field);
+    if (value >= scale.least && value <= scale.most) return value;
+    throw Error(place_of(table_, field),
+                fmt::format("{} is outside the range of \"{}\"", field.text, scale.id),
+                fmt::format("answers go from {} to {}; state another range in the scales file",
+                            scale.least, scale.most));
+  }
+
+  static void note(const CsvField& field, UnknownNames& names) {
+    UnknownName& name = names[field.text];
+    if (name.rows++ == 0) name.field = field;
+  }
+
+  void report(const UnknownNames& names, const std::string& what,
+              const std::vector<std::string>& known, AnswerRules::Unknown rule) {
+    for (const auto& [text, name] : names) {
+      const std::string wrong = fmt::format("unknown {} \"{}\" ({} row{})", what, text, name.rows,
+                                            name.rows == 1 ? "" : "s");
+      if (rule == AnswerRules::Unknown::refuse) {
+        faults.push_back({place_of(table_, name.field), "", wrong,
+                          motion::did_you_mean(text, known) + " (--unknown ignore leaves it out)"});
+      } else {
+        result.warnings.push_back(
+            {"unknown-" + what, place_of(table_, name.field), wrong + " left out"});
+      }
+    }
+  }
+
+  const CsvTable& table_;
+  std::unordered_map<std::string_view, const Scale*> scales_;
+  std::vector<std::string> scale_ids_;
+  std::vector<std::string> stimulus_names_;
+  std::map<std::string, std::string> examples_;
+  int stimulus_, scale_, value_, participant_, rt_ms_, order_, comment_, simulated_;
+  UnknownNames unknown_stimuli_;
+  UnknownNames unknown_scales_;
+};
+
+}  // namespace
+
+StudyAnswers study_answers(const CsvTable& table, const ScaleSet& scales,
+                           const std::vector<RatedExample>& examples, const AnswerRules& rules) {
+  if (holds_words(table)) {
+    throw Error(place_of(table, table.header.front()), "words, not answers on scales",
+                "turn them into answers with mien study words");
+  }
+  RowReader reader(table, scales, examples);
+  for (const auto& row : table.rows) reader.read(row);
+  reader.report_unknown(rules.unknown);
+  StudyAnswers study = std::move(reader.result);
+  settle_repeated(study, rules.repeated, reader.faults);
+  settle_missing(study, reader.left_empty, rules.missing, reader.faults);
+  settle_constant(study, scales, rules.constant);
+  if (!reader.faults.empty()) throw Faults(reader.faults);
+  return study;
+}
+
+StudyAnswers read_study_answers(const std::filesystem::path& file, const ScaleSet& scales,
+                                const std::vector<RatedExample>& examples,
+                                const AnswerRules& rules) {
+  return study_answers(read_csv(file), scales, examples, rules);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,120 @@
+#include "pipeline/commands/cli.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "motion/error.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/tasks/code_identity.h"
+#include "pipeline/tasks/task_graph.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr char description[] =
+    "mien makes human motion stimuli: from adjectives to walks, videos and comparison sheets.";
+
+constexpr char examples[] = R"(
+Examples:
+  mien check manifests/quickstart.yaml     what is wrong with a manifest, if anything
+  mien run manifests/quickstart.yaml       make everything it asks for
+  mien render walk.bvh                     a video of any motion file
+  mien motion info walk.bvh                what is in a motion file
+
+Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted.
+Progress and faults go to standard error, results to standard output.)";
+
+std::vector<std::string> names_of_subcommands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : app.get_subcommands(nullptr)) {
+    names.push_back(subcommand->get_name());
+  }
+  return names;
+}
+
+/// The first word where a command should stand that is none, in a sentence; empty when all are.
+std::string unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* at = &app;
+  for (const std::string& word : words) {
+    const std::vector<std::string> known = names_of_subcommands(*at);
+    if (known.empty() || word.starts_with('-')) return "";
+    if (std::find(known.begin(), known.end(), word) == known.end()) {
+      return "unknown command \"" + word + "\"; " + motion::did_you_mean(word, known);
+    }
+    at = at->get_subcommand(word);
+  }
+  return "";
+}
+
+/// `mien help render` means `mien render --help`.
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  return words;
+}
+
+int parse(CLI::App& app, std::vector<std::string> words, const Console& console) {
+  if (words.empty()) {
+    console.err << app.help();
+    return exit_bad_input;
+  }
+  if (const std::string fault = unknown_command(app, words); !fault.empty()) {
+    console.err << fault << '\n';
+    return exit_bad_input;
+  }
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  try {
+    app.parse(std::move(words));
+    return exit_done;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, console.out, console.err) == exit_done ? exit_done : exit_bad_input;
+  }
+}
+
+int perform(const Command& command, const Console& console) {
+  try {
+    return command(console);
+  } catch (const Interrupted&) {
+    console.err << "interrupted\n";
+    return exit_interrupted;
+  } catch (const Error& error) {
+    console.err << error.what() << '\n';
+    return exit_bad_input;
+  } catch (const std::exception& error) {
+    console.err << "mien: " << error.what() << '\n';
+    return exit_failed;
+  }
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv, const Console& console) {
+  CLI::App app(description, "mien");
+  app.footer(examples);
+  app.set_version_flag("--version", "mien " + std::string(program_version()));
+  app.require_subcommand(1);
+  Command chosen;
+  add_run_command(app, chosen);
+  add_check_command(app, chosen);
+  add_plan_command(app, chosen);
+  add_render_command(app, chosen);
+  add_motion_command(app, chosen);
+  add_sets_command(app, chosen);
+  add_study_command(app, chosen);
+  add_version_command(app, chosen);
+  if (const int code = parse(app, words_of(argc, argv), console); code != exit_done || !chosen)
+    return code;
+  return perform(chosen, console);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "motion/formats/motion_file.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/commands/motion/motion.h"
+#include "pipeline/manifest/example_source.h"
+#include "pipeline/synthesis/repertoire.h"
+#include "pipeline/synthesis/synthesis.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct BlendCommandOptions {
+  std::string examples;
+  std::string weights;
+  std::string out;
+  double fps = 30.0;
+  int cycles = 1;
+  bool in_place = false;
+  bool no_foot_lock = false;
+};
+
+void refuse_unknown(const NamedValues& weights, const std::vector<std::string>& names) {
+  for (const auto& [name, value] : weights) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw Error("--weights: there is no example \"" + name + "\"",
+                motion::did_you_mean(name, names));
+  }
+}
+
+int blend(const BlendCommandOptions& options, const Console& console) {
+  Manifest manifest;
+  manifest.examples = parse_examples(options.examples);
+  Stimulus stimulus;
+  stimulus.id = "blend";
+  stimulus.weights = parse_weights(options.weights);
+  stimulus.output.fps = options.fps;
+  stimulus.output.cycles = options.cycles;
+  stimulus.output.in_place = options.in_place;
+  stimulus.interpolation.foot_lock = !options.no_foot_lock;
+  refuse_unknown(stimulus.weights, example_names(manifest));
+
+  const Synthesis synthesis = synthesize(stimulus, load_repertoire(manifest));
+  const motion::Clip shown = shown_clip(synthesis, stimulus.output);
+  motion::write_motion(motion::to_recording(shown), options.out);
+  for (const std::string& warning : synthesis.warnings) {
+    console.err << "warning: " << warning << '\n';
+  }
+  console.out << options.out << ": " << shown.frame_count() << " frames\n";
+  return exit_done;
+}
+
+}  // namespace
+
+void add_motion_blend_command(CLI::App& motion, Command& chosen) {
+  CLI::App* command = motion.add_subcommand("blend", "Mix motions by weights");
+  const auto options = std::make_shared<BlendCommandOptions>();
+  command->add_option("--examples", options->examples, examples_help)->required();
+  command->add_option("--weights", options->weights, "Shares by name: normal=0.6,proud=0.4")
+      ->required();
+  command->add_option("-o,--output", options->out, "File to write: .bvh or .glb")->required();
+  command->add_option("--fps", options->fps, "Frames per second")
+      ->check(CLI::Range(1.0, 240.0))
+      ->capture_default_str();
+  command->add_option("--cycles", options->cycles, "Repetitions of a loop")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_flag("--in-place", options->in_place, "Walk on the spot");
+  command->add_flag("--no-foot-lock", options->no_foot_lock, "Leave planted feet as blended");
+  command->footer(
+      "\nExample:\n  mien motion blend --examples builtin:walks-10 --weights happy=0.7,tired=0.3 "
+      "-o mix.bvh");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return blend(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,125 @@
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "motion/examples/make_example.h"
+#include "motion/formats/motion_file.h"
+#include "motion/measures/distance.h"
+#include "motion/rig/body_mapping.h"
+#include "pipeline/commands/motion/motion.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct CompareOptions {
+  std::string target;
+  std::string created;
+  std::string align = "pelvis";
+  bool json = false;
+};
+
+/// One gait cycle where there is one, else all of the motion.
+motion::Example example_in(const std::string& file) {
+  return motion::make_example(motion::to_body(motion::read_motion(file)));
+}
+
+std::string joint_name(std::size_t row) {
+  return std::string(motion::name_of(static_cast<motion::BodyJoint>(row + 1)));
+}
+
+/// What of a motion is compared.
+const char* basis_of(const motion::Example& example) {
+  return example.clip.loops ? "gait cycle" : "whole duration";
+}
+
+/// The two bases, and a warning where they differ.
+struct Basis {
+  std::string target;
+  std::string created;
+
+  std::string warning() const {
+    if (target == created) return "";
+    return "a gait cycle is compared with a motion that has none: the distance says little";
+  }
+};
+
+ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
+  ordered_json per_joint = ordered_json::object();
+  const auto by_joint = distance.by_joint();
+  for (std::size_t j = 0; j < by_joint.size(); ++j) per_joint[joint_name(j)] = by_joint[j];
+  return {{"D", distance.mean},
+          {"D_sum", distance.sum},
+          {"threshold", motion::distance_threshold_m},
+          {"match", distance.matches()},
+          {"mpjpe_m", distance.mpjpe},
+          {"per_joint", per_joint},
+          {"per_time", distance.by_time()},
+          {"basis", {{"target", basis.target}, {"created", basis.created}}},
+          {"warnings", basis.warning().empty() ? ordered_json::array()
+                                               : ordered_json::array({basis.warning()})}};
+}
+
+void show_text(const motion::Distance& distance, const Basis& basis, const Console& console) {
+  console.out << fmt::format("D        {:.4f} m, {} the threshold of {:.2f} m: {}\n", distance.mean,
+                             distance.matches() ? "below" : "not below",
+                             motion::distance_threshold_m,
+                             distance.matches() ? "the motions match" : "the motions do not match");
+  console.out << fmt::format("D_sum    {:.3f} m\nMPJPE    {:.1f} mm\n", distance.sum,
+                             1000.0 * distance.mpjpe);
+  console.out << fmt::format("over     {} of the target, {} of the other\n", basis.target,
+                             basis.created);
+  if (!basis.warning().empty()) console.out << "warning: " << basis.warning() << '\n';
+  const auto by_joint = distance.by_joint();
+  for (std::size_t j = 0; j < by_joint.size(); ++j) {
+    console.out << fmt::format("  {:14} {:.4f} m\n", joint_name(j), by_joint[j]);
+  }
+  const auto by_time = distance.by_time();
+  for (std::size_t t = 0; t < by_time.size(); ++t) {
+    console.out << fmt::format("  at {:3} %       {:.4f} m\n", 10 * t, by_time[t]);
+  }
+}
+
+int compare(const CompareOptions& options, const Console& console) {
+  const auto alignment =
+      options.align == "world" ? motion::Alignment::world : motion::Alignment::pelvis;
+  const motion::Example target = example_in(options.target);
+  const motion::Example created = example_in(options.created);
+  const motion::Distance distance = motion::distance(target, created, alignment);
+  const Basis basis{basis_of(target), basis_of(created)};
+  if (options.json) {
+    console.out << as_json(distance, basis).dump(2) << '\n';
+  } else {
+    show_text(distance, basis, console);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_motion_compare_command(CLI::App& motion, Command& chosen) {
+  CLI::App* command = motion.add_subcommand("compare", "Measure the distance between two motions");
+  const auto options = std::make_shared<CompareOptions>();
+  command->add_option("target", options->target, "Motion file that was to be matched")->required();
+  command->add_option("created", options->created, "Motion file that was made")->required();
+  command
+      ->add_option("--align", options->align,
+                   "pelvis: place and heading removed in every frame; world: at the start only")
+      ->check(CLI::IsMember({"pelvis", "world"}))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "As JSON");
+  command->footer(
+      "\nWalks are compared over their steadiest gait cycle, keytime by keytime; motions without "
+      "a cycle over their whole duration. D is the mean distance of 20 joints at 11 times.\n\n"
+      "Example:\n  mien motion compare captured.bvh made.bvh --json");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return compare(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,52 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "motion/error.h"
+#include "motion/formats/motion_file.h"
+#include "motion/rig/body_mapping.h"
+#include "pipeline/commands/motion/motion.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct ConvertOptions {
+  std::string in;
+  std::string out;
+  bool body = false;
+};
+
+int convert(const ConvertOptions& options, const Console& console) {
+  std::error_code unknown;
+  if (std::filesystem::equivalent(options.in, options.out, unknown)) {
+    throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
+  }
+  motion::Recording recording = motion::read_motion(options.in);
+  if (options.body) recording = motion::to_recording(motion::to_body(recording));
+  motion::write_motion(recording, options.out);
+  console.out << options.out << ": " << recording.frame_count() << " frames, "
+              << recording.skeleton.size() << " joints\n";
+  return exit_done;
+}
+
+}  // namespace
+
+void add_motion_convert_command(CLI::App& motion, Command& chosen) {
+  CLI::App* command = motion.add_subcommand("convert", "Write a motion in another format");
+  const auto options = std::make_shared<ConvertOptions>();
+  command->add_option("in", options->in, "Motion file")->required();
+  command->add_option("out", options->out, "File to write: .bvh or .glb")->required();
+  command->add_flag("--body", options->body,
+                    "Map it onto the canonical body: 21 joints, metres, +Y up");
+  command->footer(
+      "\nExamples:\n  mien motion convert walk.bvh walk.glb\n"
+      "  mien motion convert 02_01.amc walk.bvh --body");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return convert(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

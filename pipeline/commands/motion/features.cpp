@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "motion/examples/make_example.h"
+#include "motion/formats/motion_file.h"
+#include "motion/measures/motion_features.h"
+#include "motion/rig/body_mapping.h"
+#include "pipeline/commands/motion/motion.h"
+#include "pipeline/documents/csv.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct FeaturesOptions {
+  std::vector<std::string> files;
+  std::string masses = "male";
+  std::string sideways = "outward";
+  bool json = false;
+  bool csv = false;
+};
+
+/// A motion file, what was measured, and over which frames.
+struct MeasuredFile {
+  std::string file;
+  std::string name;
+  motion::PreparedExample prepared;
+  motion::FeatureValues values;
+};
+
+motion::FeatureOptions feature_options(const FeaturesOptions& options) {
+  motion::FeatureOptions result;
+  result.outward = options.sideways == "outward";
+  if (options.masses == "female") result.masses = motion::MassModel::de_leva_female;
+  if (options.masses == "winter") result.masses = motion::MassModel::winter;
+  return result;
+}
+
+MeasuredFile measured(const std::string& file, const motion::FeatureOptions& options) {
+  const motion::Clip clip = motion::to_body(motion::read_motion(file));
+  motion::PreparedExample prepared = motion::prepare_example(clip);
+  const motion::FeatureValues values = motion::measure_features(prepared.example, options);
+  return {file, std::filesystem::path(file).stem().string(), std::move(prepared), values};
+}
+
+std::vector<std::string> warnings_of(const MeasuredFile& measured) {
+  if (!measured.prepared.cycle) {
+    return {"No gait cycle was found: the whole motion is measured, without steps."};
+  }
+  return measured.prepared.cycle->warnings;
+}
+
+ordered_json as_json(const MeasuredFile& measured) {
+  ordered_json values = ordered_json::object();
+  for (std::size_t i = 0; i < measured.values.size(); ++i) {
+    ordered_json& value = values[std::string(motion::motion_features()[i].id)];
+    if (std::isfinite(measured.values[i])) value = measured.values[i];
+  }
+  ordered_json cycle = nullptr;
+  if (const auto& found = measured.prepared.cycle) {
+    cycle = {{"start_frame", found->start_frame}, {"end_frame", found->end_frame}};
+  }
+  return {{"file", measured.file},
+          {"cycle", cycle},
+          {"features", values},
+          {"warnings", warnings_of(measured)}};
+}
+
+ordered_json as_json(const motion::MotionFeature& feature) {
+  return {{"id", feature.id},
+          {"name", feature.name},
+          {"name_ja", feature.japanese},
+          {"unit", motion::symbol_of(feature.unit)},
+          {"group", motion::id_of(feature.group)},
+          {"reconstructed", feature.reconstructed}};
+}
+
+void show_json(const std::vector<MeasuredFile>& all, const Console& console) {
+  ordered_json features = ordered_json::array();
+  for (const motion::MotionFeature& feature : motion::motion_features()) {
+    features.push_back(as_json(feature));
+  }
+  ordered_json motions = ordered_json::array();
+  for (const MeasuredFile& one : all) motions.push_back(as_json(one));
+  const ordered_json result = {{"features", features}, {"motions", motions}};
+  console.out << result.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+}
+
+void show_csv(const std::vector<MeasuredFile>& all, const Console& console) {
+  CsvWriter table(
+      {"motion", "feature", "value", "unit", "group", "reconstructed", "name", "name_ja"});
+  for (const MeasuredFile& one : all) {
+    for (std::size_t i = 0; i < one.values.size(); ++i) {
+      const motion::MotionFeature& feature = motion::motion_features()[i];
+      table.row({one.name, std::string(feature.id),
+                 std::isfinite(one.values[i]) ? shortest(one.values[i]) : "",
+                 std::string(motion::symbol_of(feature.unit)),
+                 std::string(motion::id_of(feature.group)), feature.reconstructed ? "1" : "0",
+                 std::string(feature.name), std::string(feature.japanese)});
+    }
+  }
+  console.out << table.text();
+}
+
+std::string shown(double value, motion::FeatureUnit unit) {
+  if (!std::isfinite(value)) return "–";
+  return fmt::format("{:.{}f}", value, unit == motion::FeatureUnit::degrees ? 1 : 3);
+}
+
+void show_row(std::size_t i, const std::vector<MeasuredFile>& all, const Console& console) {
+  const motion::MotionFeature& feature = motion::motion_features()[i];
+  console.out << fmt::format("  {:25}", feature.id);
+  for (const MeasuredFile& one : all) {
+    console.out << fmt::format(" {:>9}", shown(one.values[i], feature.unit));
+  }
+  console.out << fmt::format(" {:3}  {}{} {}\n", motion::symbol_of(feature.unit), feature.name,
+                             feature.reconstructed ? " *" : "", feature.japanese);
+}
+
+void show_table(const std::vector<MeasuredFile>& all, const Console& console) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    console.out << fmt::format("{:2}  {}\n", i + 1, all[i].file);
+    for (const std::string& warning : warnings_of(all[i])) {
+      console.out << "    warning: " << warning << '\n';
+    }
+  }
+  for (int g = 0; g < motion::feature_group_count; ++g) {
+    const auto group = static_cast<motion::FeatureGroup>(g);
+    console.out << fmt::format("\n{:27}", motion::id_of(group));
+    for (std::size_t i = 0; i < all.size(); ++i) console.out << fmt::format(" {:>9}", i + 1);
+    console.out << fmt::format("      {} {}\n", motion::name_of(group),
+                               motion::japanese_name_of(group));
+    for (std::size_t i = 0; i < motion::motion_features().size(); ++i) {
+      if (motion::motion_features()[i].group == group) show_row(i, all, console);
+    }
+  }
+  console.out << "\n* not legible in the published tables and reconstructed\n";
+}
+
+int show_features(const FeaturesOptions& options, const Console& console) {
+  std::vector<MeasuredFile> all;
+  for (const std::string& file : options.files) {
+    all.push_back(measured(file, feature_options(options)));
+  }
+  if (options.json) {
+    show_json(all, console);
+  } else if (options.csv) {
+    show_csv(all, console);
+  } else {
+    show_table(all, console);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_motion_features_command(CLI::App& motion, Command& chosen) {
+  CLI::App* command = motion.add_subcommand(
+      "features", "Measure the 51 features of a walk that motions can be made from");
+  const auto options = std::make_shared<FeaturesOptions>();
+  command->add_option("files", options->files, "Motion files")->required();
+  command
+      ->add_option("--masses", options->masses,
+                   "Masses of the body's segments: male, female (de Leva 1996), winter (Winter "
+                   "2009)")
+      ->check(CLI::IsMember({"male", "female", "winter"}))
+      ->capture_default_str();
+  command
+      ->add_option("--sideways", options->sideways,
+                   "Sideways angles of arms, legs and feet count outward from the body, or all to "
+                   "the left")
+      ->check(CLI::IsMember({"outward", "left"}))
+      ->capture_default_str();
+  CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--csv", options->csv, "As a table with a row a motion and feature")
+      ->excludes(json);
+  command->footer(
+      "\nMeasures the steadiest gait cycle; the whole motion where there is none. \"mu\" is a "
+      "mean, "
+      "\"sigma\" a standard deviation over the cycle; fb is forward and backward, lr left and "
+      "right, v up and down.\n\n"
+      "Examples:\n"
+      "  mien motion features walk.bvh\n"
+      "  mien motion features --csv captures/*.bvh > features.csv");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return show_features(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

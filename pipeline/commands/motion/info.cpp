@@ -1,0 +1,134 @@
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "motion/formats/motion_file.h"
+#include "motion/measures/summary.h"
+#include "pipeline/commands/motion/motion.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct InfoOptions {
+  std::string file;
+  bool json = false;
+};
+
+/// Seconds and metres to a tenth of a millimetre say all that a capture knows.
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
+ordered_json as_json(const motion::GaitCycle& cycle) {
+  ordered_json keytimes = ordered_json::array();
+  for (const double seconds : cycle.keytimes) keytimes.push_back(rounded(seconds));
+  return {{"start_frame", cycle.start_frame},
+          {"end_frame", cycle.end_frame},
+          {"keytimes_s", keytimes},
+          {"speed_m_s", rounded(cycle.speed_m_s)},
+          {"steadiness", rounded(cycle.steadiness)}};
+}
+
+ordered_json as_json(const motion::JointSummary& joint) {
+  return {{"joint", joint.joint},
+          {"from", joint.rig_joints},
+          {"found_by", joint.found_by},
+          {"confidence", rounded(joint.confidence)}};
+}
+
+ordered_json as_json(const motion::MotionSummary& summary) {
+  ordered_json mapping = ordered_json::array();
+  for (const motion::JointSummary& joint : summary.joints) mapping.push_back(as_json(joint));
+  ordered_json cycles = ordered_json::array();
+  for (const motion::GaitCycle& cycle : summary.cycles) cycles.push_back(as_json(cycle));
+  ordered_json result = {{"frames", summary.frames},
+                         {"fps", rounded(summary.frames_per_second)},
+                         {"duration_s", rounded(summary.duration_seconds)},
+                         {"joints", summary.joint_names},
+                         {"rig", summary.rig},
+                         {"human", summary.is_human},
+                         {"confidence", rounded(summary.confidence)},
+                         {"height_m", rounded(summary.height_m)},
+                         {"unit_m", summary.unit_m},
+                         {"up", summary.up},
+                         {"speed_m_s", rounded(summary.speed_m_s)},
+                         {"cycles", cycles}};
+  result["steadiest_cycle"] = nullptr;
+  if (summary.steadiest >= 0) result["steadiest_cycle"] = summary.steadiest;
+  result["mapping"] = mapping;
+  result["warnings"] = summary.warnings;
+  return result;
+}
+
+void show_mapping(const motion::MotionSummary& summary, const Console& console) {
+  for (const motion::JointSummary& joint : summary.joints) {
+    console.out << fmt::format("  {:14} {:28} {:10} {:3.0f} %\n", joint.joint,
+                               fmt::format("{}", fmt::join(joint.rig_joints, " + ")),
+                               joint.found_by, 100.0 * joint.confidence);
+  }
+}
+
+void show_cycles(const motion::MotionSummary& summary, const Console& console) {
+  if (summary.cycles.empty()) {
+    console.out << "gait     no complete cycle\n";
+    return;
+  }
+  console.out << fmt::format("gait     {} cycles\n", summary.cycles.size());
+  for (std::size_t i = 0; i < summary.cycles.size(); ++i) {
+    const motion::GaitCycle& cycle = summary.cycles[i];
+    const bool is_steadiest = static_cast<int>(i) == summary.steadiest;
+    console.out << fmt::format("  frames {:5} to {:5}  {:.2f} s  {:.2f} m/s  steadiness {:.2f}{}\n",
+                               cycle.start_frame, cycle.end_frame, cycle.keytimes.back(),
+                               cycle.speed_m_s, cycle.steadiness,
+                               is_steadiest ? "  (an example would be made of this one)" : "");
+  }
+}
+
+void show_text(const motion::MotionSummary& summary, const Console& console) {
+  console.out << fmt::format("frames   {} at {:.4g} frames per second, {:.2f} s\n", summary.frames,
+                             summary.frames_per_second, summary.duration_seconds);
+  console.out << fmt::format("rig      {}, {} joints", summary.rig, summary.joint_names.size());
+  if (summary.is_human) {
+    console.out << fmt::format(", recognised with {:.0f} % confidence", 100.0 * summary.confidence);
+  }
+  console.out << fmt::format("\nunit     {:.6g} m, up {}\n", summary.unit_m, summary.up);
+  if (summary.is_human) {
+    console.out << fmt::format("figure   {:.2f} m tall, moving at {:.2f} m/s\n", summary.height_m,
+                               summary.speed_m_s);
+    show_mapping(summary, console);
+    show_cycles(summary, console);
+  }
+  for (const std::string& warning : summary.warnings) console.out << "warning: " << warning << '\n';
+}
+
+int show_info(const InfoOptions& options, const Console& console) {
+  const motion::MotionSummary summary = motion::summarise(motion::read_motion(options.file));
+  if (options.json) {
+    console.out << as_json(summary).dump(2, ' ', false, ordered_json::error_handler_t::replace)
+                << '\n';
+  } else {
+    show_text(summary, console);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_motion_info_command(CLI::App& motion, Command& chosen) {
+  CLI::App* command =
+      motion.add_subcommand("info", "Show what is in a motion file and how it was recognised");
+  const auto options = std::make_shared<InfoOptions>();
+  command->add_option("file", options->file, "Motion file")->required();
+  command->add_flag("--json", options->json, "As JSON");
+  command->footer("\nExample:\n  mien motion info walk.bvh --json | jq .speed_m_s");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return show_info(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,253 @@
+#include "motion/lint/lint.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "motion/formats/motion_file.h"
+#include "motion/rig/recording_clip.h"
+#include "pipeline/commands/motion/motion.h"
+#include "pipeline/documents/csv.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/report/lint_timeline.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct LintCommand {
+  std::vector<std::string> files;
+  std::string original;
+  std::string timeline;
+  double mass_kg = motion::LintOptions().body_mass_kg;
+  bool loop = false;
+  bool errors_only = false;
+  bool json = false;
+  bool csv = false;
+};
+
+/// A motion file and what was found in it.
+struct LintedFile {
+  std::string file;
+  bool is_human = false;
+  LintedMotion motion;
+};
+
+/// The recording as one cycle of a loop: its last frame is followed by its first, one step on.
+motion::Clip as_loop(motion::Clip clip) {
+  if (clip.frame_count() < 3) {
+    throw Error(fmt::format("\"{}\" has {} frames", clip.name, clip.frame_count()),
+                "a loop has 3 at least; leave --loop out");
+  }
+  const motion::Vec3& last = clip.poses.back().root_position;
+  motion::Vec3 way = 2.0 * last - clip.poses[clip.poses.size() - 2].root_position -
+                     clip.poses.front().root_position;
+  way.y() = 0.0;
+  // What is left of a walk in place is sway, not a way.
+  constexpr double slowest = 0.15;  // m/s
+  clip.loops = true;
+  clip.cycle_displacement =
+      way.norm() > slowest * clip.duration_seconds() ? way : motion::Vec3::Zero();
+  return clip;
+}
+
+motion::Clip clip_in(const std::string& file, bool loop) {
+  const motion::Clip clip = clip_of(motion::read_motion(file));
+  return loop ? as_loop(clip) : clip;
+}
+
+LintedFile linted(const std::string& file, const LintCommand& command,
+                  const motion::Clip* original) {
+  motion::LintOptions options;
+  options.body_mass_kg = command.mass_kg;
+  const motion::Recording recording = motion::read_motion(file);
+  const motion::Clip read = clip_of(recording);
+  const motion::Clip clip = command.loop ? as_loop(read) : read;
+  LintedFile result;
+  result.file = file;
+  result.is_human = motion::is_body(clip.body);
+  result.motion = {fs::path(file).stem().string(),
+                   clip.frame_count(),
+                   clip.frames_per_second,
+                   original != nullptr,
+                   {},
+                   clip.loops};
+  std::vector<motion::Finding>& findings = result.motion.findings;
+  // Putting it on the canonical body hides what its own bones do.
+  if (result.is_human) findings = motion::lint(recording, options);
+  const std::vector<motion::Finding> more = motion::lint(clip, options, original);
+  findings.insert(findings.end(), more.begin(), more.end());
+  if (command.errors_only) {
+    std::erase_if(findings, [](const motion::Finding& finding) {
+      return finding.severity != motion::Severity::error;
+    });
+  }
+  return result;
+}
+
+long errors_in(const LintedFile& linted) {
+  const auto& findings = linted.motion.findings;
+  return std::count_if(findings.begin(), findings.end(), [](const motion::Finding& finding) {
+    return finding.severity == motion::Severity::error;
+  });
+}
+
+ordered_json as_json(const motion::Finding& finding) {
+  return {{"check", finding.check},       {"joint", finding.joint},
+          {"first", finding.first},       {"last", finding.last},
+          {"measured", finding.measured}, {"threshold", finding.threshold},
+          {"unit", finding.unit},         {"severity", motion::name_of(finding.severity)},
+          {"sentence", finding.sentence}};
+}
+
+void show_json(const std::vector<LintedFile>& all, const Console& console) {
+  ordered_json motions = ordered_json::array();
+  for (const LintedFile& one : all) {
+    ordered_json findings = ordered_json::array();
+    for (const motion::Finding& finding : one.motion.findings) findings.push_back(as_json(finding));
+    motions.push_back({{"file", one.file},
+                       {"human", one.is_human},
+                       {"frames", one.motion.frames},
+                       {"frames_per_second", one.motion.frames_per_second},
+                       {"errors", errors_in(one)},
+                       {"findings", findings}});
+  }
+  const ordered_json result = {{"motions", motions}};
+  console.out << result.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+}
+
+void show_csv(const std::vector<LintedFile>& all, const Console& console) {
+  CsvWriter table({"motion", "check", "joint", "first", "last", "measured", "threshold", "unit",
+                   "severity", "sentence"});
+  for (const LintedFile& one : all) {
+    for (const motion::Finding& finding : one.motion.findings) {
+      table.row({one.motion.name, finding.check, finding.joint, std::to_string(finding.first),
+                 std::to_string(finding.last), shortest(finding.measured),
+                 shortest(finding.threshold), finding.unit,
+                 std::string(motion::name_of(finding.severity)), finding.sentence});
+    }
+  }
+  console.out << table.text();
+}
+
+std::string counted(long count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+void show_table(const std::vector<LintedFile>& all, const Console& console) {
+  for (const LintedFile& one : all) {
+    const long errors = errors_in(one);
+    const long warnings = static_cast<long>(one.motion.findings.size()) - errors;
+    console.out << fmt::format("{}: {}, {} ({} frames, {:.1f} s)\n", one.file,
+                               counted(errors, "error"), counted(warnings, "warning"),
+                               one.motion.frames, one.motion.frames / one.motion.frames_per_second);
+    if (!one.is_human) {
+      console.out << "  no human was recognised: only the data was checked\n";
+    }
+    for (const motion::Finding& finding : one.motion.findings) {
+      console.out << fmt::format("  {:7}  {:>11}  {:18} {}\n", motion::name_of(finding.severity),
+                                 fmt::format("{}–{}", finding.first, finding.last), finding.check,
+                                 finding.sentence);
+    }
+  }
+}
+
+void draw_timeline(const LintCommand& command, const LintedFile& linted) {
+  const Figure figure = lint_timeline(linted.motion);
+  const bool is_svg = fs::path(command.timeline).extension() == ".svg";
+  write_file(command.timeline, is_svg ? as_svg(figure) : as_png(figure, 144.0));
+}
+
+void require_timeline(const LintCommand& command) {
+  if (command.timeline.empty()) return;
+  const std::string extension = fs::path(command.timeline).extension().string();
+  if (extension != ".png" && extension != ".svg") {
+    throw Error(fmt::format("cannot draw \"{}\"", command.timeline),
+                "timelines are .png or .svg files");
+  }
+  if (command.files.size() == 1) return;
+  throw Error(fmt::format("--timeline draws one motion, and there are {}", command.files.size()),
+              "draw them one by one");
+}
+
+int show_findings(const LintCommand& command, const Console& console) {
+  require_timeline(command);
+  std::optional<motion::Clip> original;
+  if (!command.original.empty()) {
+    original = clip_in(command.original, command.loop);
+    if (!motion::is_body(original->body)) {
+      throw Error(fmt::format("no human was recognised in \"{}\"", command.original),
+                  "the original must be a motion of a human");
+    }
+  }
+  std::vector<LintedFile> all;
+  for (const std::string& file : command.files) {
+    all.push_back(linted(file, command, original ? &*original : nullptr));
+  }
+  if (command.json) {
+    show_json(all, console);
+  } else if (command.csv) {
+    show_csv(all, console);
+  } else {
+    show_table(all, console);
+  }
+  if (!command.timeline.empty()) draw_timeline(command, all.front());
+  const bool is_clean = std::all_of(all.begin(), all.end(),
+                                    [](const LintedFile& one) { return errors_in(one) == 0; });
+  return is_clean ? exit_done : exit_failed;
+}
+
+std::string footer() {
+  std::string text = "\nRules:\n";
+  for (const motion::LintCheck& check : motion::lint_checks()) {
+    text += fmt::format("  {:18} {}{}\n", check.id, check.what,
+                        check.needs_original ? " (--original)" : "");
+  }
+  return text +
+         "\nExit code: 0 when nothing is worse than a warning, 1 when there are errors, 2 for bad "
+         "input.\n\n"
+         "Examples:\n"
+         "  mien motion lint captures/*.bvh\n"
+         "  mien motion lint sad.bvh --original walk.bvh --timeline faults.png\n"
+         "  mien motion lint --csv out/*/clips/*.bvh > faults.csv";
+}
+
+}  // namespace
+
+void add_motion_lint_command(CLI::App& motion, Command& chosen) {
+  CLI::App* command =
+      motion.add_subcommand("lint", "Find what no body does: faults of motions, where and how bad");
+  const auto options = std::make_shared<LintCommand>();
+  command->add_option("files", options->files, "Motion files")->required();
+  command->add_option("--original", options->original,
+                      "The motion before it was modified: what it did already counts less, and "
+                      "timing is compared");
+  command
+      ->add_option("--mass", options->mass_kg,
+                   "Of the body, kg; joints of heavier bodies may give more torque")
+      ->check(CLI::Range(1.0, 500.0))
+      ->capture_default_str();
+  command->add_flag(
+      "--loop", options->loop,
+      "The files hold one cycle each, which goes on from the last frame to the first");
+  command->add_flag("--errors-only", options->errors_only, "Leave warnings out");
+  command->add_option("--timeline", options->timeline, "Draw the findings over time: .png or .svg");
+  CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--csv", options->csv, "As a table with a row a finding")->excludes(json);
+  command->footer(footer());
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return show_findings(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

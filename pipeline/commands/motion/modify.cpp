@@ -1,0 +1,168 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "motion/formats/motion_file.h"
+#include "pipeline/commands/motion/motion.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/manifest/manifest_reader.h"
+#include "pipeline/manifest/recipes.h"
+#include "pipeline/synthesis/modified_motion.h"
+#include "pipeline/synthesis/synthesis.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ModifyOptions {
+  std::string in;
+  std::string out;
+  std::string change;
+  std::string recipes = "builtin";
+  std::string on_fault = "warn";
+  double fps = 0.0;
+};
+
+/// A manifest of one stimulus says the same, so it is what is checked and made. Names of files are
+/// variables in it: whatever stands in them, YAML does not see it.
+std::string manifest_of(const ModifyOptions& options) {
+  std::string change = options.change;
+  if (!change.starts_with('{') && !change.starts_with('[')) {
+    change =
+        change.find(':') == std::string::npos ? "{emotion: " + change + "}" : "{" + change + "}";
+  }
+  return fmt::format(
+      "mien: 1\nstudy: modify\nrecipes: '${{MIEN_RECIPES}}'\non_fault: {}\n"
+      "stimuli:\n- id: motion\n  clip: '${{MIEN_MOTION}}'\n  modify: {}\n",
+      options.on_fault, change);
+}
+
+Environment environment_of(const ModifyOptions& options) {
+  return [&options](const std::string& name) -> std::optional<std::string> {
+    if (name == "MIEN_MOTION") return options.in;
+    if (name == "MIEN_RECIPES") return options.recipes;
+    return process_environment()(name);
+  };
+}
+
+/// As somebody reads it who has written no manifest.
+Fault without_manifest(Fault fault, const fs::path& manifest) {
+  constexpr std::string_view stimulus = "stimuli[0].";
+  if (fault.place.file == manifest.string()) fault.place = {};
+  if (fault.path.starts_with(stimulus)) fault.path.erase(0, stimulus.size());
+  return fault;
+}
+
+int modify_file(const ModifyOptions& options, const Console& console) {
+  std::error_code unknown;
+  if (fs::equivalent(options.in, options.out, unknown)) {
+    throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
+  }
+  const fs::path here = fs::current_path() / "command line";
+  ManifestReading reading = parse_manifest(manifest_of(options), here, environment_of(options));
+  if (!reading.faults.empty()) {
+    for (Fault& fault : reading.faults) fault = without_manifest(std::move(fault), here);
+    throw Faults(std::move(reading.faults));
+  }
+  Stimulus& stimulus = reading.manifest.stimuli.front();
+  stimulus.output.fps =
+      options.fps > 0.0 ? options.fps : motion::read_motion(options.in).frames_per_second;
+  const Synthesis made = synthesize(stimulus, {});
+  motion::write_motion(motion::to_recording(made.motion.clip), options.out);
+  console.out << fmt::format("{}: {}{}, {} frames\n", options.out, made.modified,
+                             share_text(made.modified_share), made.motion.clip.frame_count());
+  for (const std::string& note : made.notes) console.out << "  " << note << '\n';
+  for (const std::string& warning : made.warnings) console.err << "warning: " << warning << '\n';
+  return exit_done;
+}
+
+void list_emotions(const RecipeBook& book, const Console& console) {
+  if (!book.name.empty()) console.out << book.name << "\n";
+  for (const Recipe& recipe : book.recipes) {
+    ModificationStep step;
+    step.edit = recipe.edit;
+    console.out << fmt::format("  {:15} {}{}\n", recipe.name, described(step),
+                               recipe.note.empty() ? "" : " (" + recipe.note + ")");
+  }
+}
+
+int emotions(const std::string& recipes, bool as_yaml, bool posture, const Console& console) {
+  if (posture) {
+    for (const motion::PostureUnitName& unit : motion::posture_units()) {
+      console.out << fmt::format("{:28} {}\n", unit.name, unit.description);
+    }
+    return exit_done;
+  }
+  const RecipeBook book = read_recipes(recipes, recipes);
+  const std::string_view text = builtin_recipes_text(recipes);
+  if (as_yaml) {
+    console.out << (text.empty() ? read_file(recipes) : std::string(text));
+  } else {
+    list_emotions(book, console);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_motion_modify_command(CLI::App& motion, Command& chosen) {
+  CLI::App* command =
+      motion.add_subcommand("modify", "Change the emotional content of a captured motion");
+  const auto options = std::make_shared<ModifyOptions>();
+  command->add_option("in", options->in, "Motion file")->required();
+  command
+      ->add_option("change", options->change,
+                   "An emotion, or what stands behind `modify:` in a manifest")
+      ->required();
+  command->add_option("out", options->out, "File to write: .bvh or .glb")->required();
+  command->add_option("--recipes", options->recipes, "builtin, fig29, or a file of recipes")
+      ->capture_default_str();
+  command->add_option("--on-fault", options->on_fault, "When the change breaks the motion")
+      ->check(CLI::IsMember({"warn", "fail", "revert", "reduce"}))
+      ->capture_default_str();
+  command->add_option("--fps", options->fps, "Frames per second to write; the file's without it")
+      ->check(CLI::Range(1.0, 1000.0));
+  command->footer(
+      "\nThe result is of the canonical body (21 joints, metres, +Y up). What names examples "
+      "(method:, "
+      "pose: of\nan example) needs a manifest. Examples:\n"
+      "  mien motion modify walk.bvh sad sad.bvh\n"
+      "  mien motion modify walk.bvh 'emotion: angry, strength: 0.6' angry.glb\n"
+      "  mien motion modify walk.bvh '[{emotion: sad}, {tempo: 1.2}]' brisk-sad.bvh\n"
+      "  mien motion modify walk.bvh 'paths: 1.4, posture: {head-flexion: 12}' longer.bvh");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return modify_file(*options, console); };
+  });
+}
+
+void add_motion_emotions_command(CLI::App& motion, Command& chosen) {
+  struct Options {
+    std::string recipes = "builtin";
+    bool yaml = false;
+    bool posture = false;
+  };
+  CLI::App* command = motion.add_subcommand("emotions", "List the emotions that motions can get");
+  const auto options = std::make_shared<Options>();
+  command->add_option("--recipes", options->recipes, "builtin, fig29, or a file of recipes")
+      ->capture_default_str();
+  command->add_flag("--yaml", options->yaml, "Print the recipes as the file that they are");
+  command->add_flag("--posture", options->posture, "List the turns that posture: may name");
+  command->footer(
+      "\nA file of recipes of your own:\n"
+      "  mien motion emotions --yaml > my.recipes.yaml");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) {
+      return emotions(options->recipes, options->yaml, options->posture, console);
+    };
+  });
+}
+
+}  // namespace mien::pipeline

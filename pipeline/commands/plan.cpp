@@ -1,0 +1,86 @@
+#include <memory>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/cli.h"
+#include "pipeline/commands/production_options.h"
+#include "pipeline/manifest/checked_manifest.h"
+#include "pipeline/tasks/progress.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string_view word_for(TaskState state) {
+  return state == TaskState::cached ? "cached" : state == TaskState::due ? "due" : "waiting";
+}
+
+double cost_of(const TaskGraph& graph, const std::vector<TaskOutcome>& planned) {
+  double cost = 0.0;
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    if (planned[i].state != TaskState::cached) cost += graph.tasks[i].cost_seconds;
+  }
+  return cost;
+}
+
+ordered_json as_json(const Task& task, const TaskOutcome& planned) {
+  ordered_json products = ordered_json::array();
+  for (const Product& product : task.products) products.push_back(product.path);
+  return {{"id", task.id},         {"kind", task.kind},    {"state", word_for(planned.state)},
+          {"inputs", task.inputs}, {"products", products}, {"cost_s", task.cost_seconds}};
+}
+
+void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
+               const std::string& study, const std::string& folder, const Console& console) {
+  ordered_json tasks = ordered_json::array();
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    tasks.push_back(as_json(graph.tasks[i], planned[i]));
+  }
+  const ordered_json result = {
+      {"study", study}, {"folder", folder}, {"cost_s", cost_of(graph, planned)}, {"tasks", tasks}};
+  console.out << result.dump(2) << '\n';
+}
+
+void show_table(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
+                const Console& console) {
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    const Task& task = graph.tasks[i];
+    console.out << fmt::format("{:8}{:>9}  {}\n", word_for(planned[i].state),
+                               as_duration(task.cost_seconds), task.id);
+  }
+  console.out << fmt::format("about {} on one processor\n", as_duration(cost_of(graph, planned)));
+}
+
+int show_plan(const ProductionArguments& arguments, const Console& console) {
+  const Production production(load_manifest(arguments.manifest, process_environment()),
+                              options_of(arguments));
+  const std::filesystem::path folder = folder_of(arguments, production.manifest());
+  const std::vector<TaskOutcome> planned = plan(production.graph(), folder);
+  if (arguments.json) {
+    show_json(production.graph(), planned, production.manifest().study, folder.string(), console);
+  } else {
+    show_table(production.graph(), planned, console);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("plan", "Show what a run would do, without doing it");
+  const auto arguments = std::make_shared<ProductionArguments>();
+  add_production_options(*command, *arguments);
+  command->footer(
+      "\ncached: present and unchanged; due: will be made; waiting: depends on what is due. Times "
+      "are estimates.\n\nExample:\n  mien plan manifests/quickstart.yaml");
+  command->callback([&chosen, arguments] {
+    chosen = [arguments](const Console& console) { return show_plan(*arguments, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,278 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "motion/formats/motion_file.h"
+#include "motion/rig/recording_clip.h"
+#include "pipeline/commands/cli.h"
+#include "pipeline/commands/render_options.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/film/film.h"
+#include "pipeline/film/film_dots.h"
+#include "pipeline/film/shot_files.h"
+#include "pipeline/look/look_checks.h"
+#include "pipeline/look/look_options.h"
+#include "pipeline/tasks/progress.h"
+#include "render/error.h"
+#include "scenes/stage/shot.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float superimposed_opacity = 0.75f;
+constexpr double small_figure = 0.25;  // of the picture's height
+
+/// A number within limits; CLI::Range lets "nan" pass.
+CLI::Validator between(double least, double most) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) {
+          return std::string();
+        }
+        return fmt::format("{} is not a number from {} to {}", text, least, most);
+      },
+      fmt::format("{} to {}", least, most));
+}
+
+/// The whole film as one task, for the progress bar.
+TaskGraph one_task(const std::string& name) {
+  TaskGraph graph;
+  Task task;
+  task.id = name;
+  task.products.push_back({name, {}});
+  task.cost_seconds = 1.0;
+  graph.add(std::move(task));
+  return graph;
+}
+
+/// The name, or one made of it that is not taken yet; it is from now on.
+std::string name_among(std::set<std::string>& names, const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; !names.insert(name).second; ++number) {
+    name = fmt::format("{}-{}", wanted, number);
+  }
+  return name;
+}
+
+/// One motion in neutral colours, or a target, what was created after it, and a reference.
+std::vector<scenes::Performance> performances_of(const RenderOptions& options) {
+  constexpr std::array roles = {scenes::Role::target, scenes::Role::created,
+                                scenes::Role::reference};
+  const bool is_alone = options.files.size() == 1;
+  const bool is_clear = is_alone || layout_of(options) == scenes::Layout::side_by_side;
+  std::set<std::string> names;
+  std::vector<scenes::Performance> performances;
+  for (std::size_t i = 0; i < options.files.size(); ++i) {
+    performances.push_back(
+        {.name = name_among(names, fs::path(options.files[i]).stem().string()),
+         .clip = motion::resampled(clip_of(motion::read_motion(options.files[i])), options.fps),
+         .role = is_alone ? scenes::Role::neutral : roles[i],
+         .opacity = is_clear ? 1.0f : superimposed_opacity});
+  }
+  return performances;
+}
+
+render::Background background_of(const RenderOptions& options) {
+  return options.background == "shadow"        ? render::Background::shadow
+         : options.background == "transparent" ? render::Background::transparent
+                                               : render::Background::shown;
+}
+
+/// The frame of a still: a trail is whole at the end, other figures are in mid-motion in the
+/// middle.
+int still_frame(const scenes::Shot& shot, const RenderOptions& options) {
+  const int last = shot.frame_count() - 1;
+  const std::string moment = options.still.value_or("middle");
+  if (moment == "middle") return shot.actors.front().trail ? last : last / 2;
+  double seconds = -1.0;
+  const char* end = moment.data() + moment.size();
+  const auto [stop, error] = std::from_chars(moment.data(), end, seconds);
+  if (error != std::errc{} || stop != end ||
+      !(seconds >= 0.0 && seconds * options.fps < last + 1.0)) {
+    throw Error(fmt::format("--still: \"{}\" is no moment of the motion", moment),
+                fmt::format("write seconds from 0 to {:.2f}, or no number", last / options.fps));
+  }
+  return std::min(static_cast<int>(std::lround(seconds * options.fps)), last);
+}
+
+/// How large the figure comes out, where that is worth a word.
+void tell_size(const scenes::Shot& shot, const Look& look, const Console& console) {
+  const render::Camera& camera = camera_at(shot, 0);
+  const double pixels = scenes::figure_pixels(shot.cameras);
+  if (look.camera.screen) {
+    console.out << fmt::format("  standing figure: {:.1f} degrees of visual angle, {:.0f} pixels\n",
+                               scenes::visual_degrees(shot.cameras), pixels);
+  } else if (shot.cameras.cameras.size() == 1 && pixels < small_figure * camera.height &&
+             shot.step.isZero() && !look.camera.figure_px && !look.camera.position) {
+    console.err << fmt::format(
+        "note: the figure is {:.0f} of {} pixels tall because its way has to "
+        "be in the picture; --camera follow or --in-place show it larger\n",
+        pixels, camera.height);
+  }
+}
+
+void write_dots(const scenes::Shot& shot, const fs::path& file) {
+  const DraftFile draft(file);
+  write_file(draft.file(), dots_csv(shot));
+  draft.publish();
+}
+
+int render_file(const RenderOptions& options, const Console& console) {
+  FilmSettings settings = settings_of(options);
+  const fs::path out = output_of(options);
+  settings.output.video.clear();
+  if (!is_picture(out)) settings.output.video = {*render::video_kind_of(out)};
+  check_size(out, settings.output);
+  const Look look = look_of(options.look);
+  const scenes::Shot shot =
+      scenes::stage(performances_of(options), {.set = set_of(look),
+                                               .figure = look.figure,
+                                               .camera = look.camera,
+                                               .size = settings.output.whole_size(),
+                                               .window = settings.output.window(),
+                                               .pixel_scale = settings.output.scale,
+                                               .in_place = options.in_place,
+                                               .layout = layout_of(options),
+                                               .seed = options.seed});
+  const bool is_still =
+      options.still.has_value() || (shot.actors.front().trail && out.extension() == ".png");
+  check_kind(options, look, out, is_still);
+  if (!options.dots.empty() && shot.actors.front().dots.empty()) {
+    throw Error("--dots: only a point-light figure has dots", "add --figure point-light");
+  }
+  for (const scenes::Actor& actor : shot.actors) {
+    for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
+  }
+  const TaskGraph graph = one_task(out.string());
+  const DraftFile draft(out);
+  std::string found;
+  {
+    Progress bar(console.err, console.err_is_terminal, graph, std::vector<TaskOutcome>(1),
+                 steady_seconds);
+    const RunObserver observer = bar.observer();
+    const ShotWork work{shot, settings, console.stop,
+                        [&](double share) { observer.progressed(graph.tasks[0], share); }};
+    try {
+      if (is_still) {
+        const int frame = still_frame(shot, options);
+        write_still(work, frame, background_of(options), draft.file());
+        found = fmt::format("frame {}", frame);
+      } else {
+        found = (is_picture(out) ? write_contact_sheet : write_video)(work, draft.file());
+      }
+    } catch (const render::Error& wrong) {
+      throw render::Error(draft.told(wrong.what()));
+    }
+  }
+  draft.publish();
+  if (!options.dots.empty()) write_dots(shot, options.dots);
+  console.out << out.string() << ": " << shot.frame_count() << " frames, "
+              << fmt::format("{:.2f} s, {}\n", shot.frame_count() / options.fps, found);
+  tell_size(shot, look, console);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("render", "Make a video of a motion file");
+  const auto options = std::make_shared<RenderOptions>();
+  command
+      ->add_option(
+          "files", options->files,
+          "Motion file: BVH, AMC, glTF, GLB; or two or three in one scene: target (green), "
+          "created (blue), reference (red)")
+      ->required()
+      ->expected(1, 3);
+  command->add_option("--layout", options->layout, "Of several motions")
+      ->check(CLI::IsMember({"superimposed", "side-by-side"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->out,
+                      "Video (" + video_endings() +
+                          ") or contact sheet (.png), in a folder that is made if need be; "
+                          "<file>.mp4 in this folder without it");
+  command->add_flag("--repeat", options->repeat,
+                    "Animated pictures (webp, gif, apng): repeat for ever instead of playing once");
+  command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+  command
+      ->add_option("--scale", options->scale,
+                   "Draw everything so many times as large: 0.5 for a quick look, 2 for print")
+      ->check(between(0.05, 16.0))
+      ->capture_default_str();
+  command
+      ->add_option("--crop", options->crop,
+                   "Draw a part only: pixels from the left, from the top, width, height")
+      ->delimiter(',')
+      ->expected(4);
+  command->add_option("--fps", options->fps, "Frames per second")
+      ->check(between(1.0, 240.0))
+      ->capture_default_str();
+  command
+      ->add_option("--camera", options->look.camera,
+                   "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
+      ->capture_default_str();
+  command
+      ->add_option("--figure", options->look.figure,
+                   "stick, mannequin, point-light or trail, options (\"point-light: {scrambled: "
+                   "true}\"), or a character's file (.glb, .gltf, .vrm)")
+      ->capture_default_str();
+  command->add_option("--scene", options->look.scene,
+                      "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see "
+                      "mien sets); studio, or void for point lights, without it");
+  command->add_flag("--in-place", options->in_place, "Walk on the spot instead of travelling");
+  command
+      ->add_option(
+          "--still", options->still,
+          "One picture (.png) instead of a contact sheet: of that moment in seconds, or of "
+          "the middle (a trail's end) without a number")
+      ->expected(0, 1)
+      ->default_str("middle");
+  command->add_option("--dots", options->dots, "Also write where the point lights are (CSV)");
+  command->add_option("--seed", options->seed, "Of what is random about point lights")
+      ->capture_default_str();
+  command
+      ->add_option("--shutter", options->shutter,
+                   "Motion blur: degrees of 360 for which the shutter is open")
+      ->check(between(0.0, 360.0))
+      ->capture_default_str();
+  command
+      ->add_option("--background", options->background,
+                   "Of a still: shown, transparent, or shadow (the figure and its shadow alone)")
+      ->check(CLI::IsMember({"shown", "transparent", "shadow"}))
+      ->capture_default_str();
+  command->add_option("--quality", options->quality, "Samples per pixel")
+      ->check(CLI::IsMember({"draft", "standard", "final"}))
+      ->capture_default_str();
+  command->add_option("--jobs,-j", options->jobs, "Threads (default: one a processor)")
+      ->check(CLI::Range(1, 1024));
+  command->footer(
+      "\nUnits, up axis, ground and camera are found by themselves.\n\nExamples:\n"
+      "  mien render walk.bvh\n  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080\n"
+      "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
+      "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
+      "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"
+      "Endings: .mp4 is H.264, .lossless.mp4 H.264 in lossless RGB, .webm VP9, .av1.webm AV1, "
+      ".mkv\n"
+      "FFV1 (lossless); .webp, .gif and .apng are animated pictures. Each file is decoded again "
+      "and\n"
+      "held against the frames.");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return render_file(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,142 @@
+#include "pipeline/production/run.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/cli.h"
+#include "pipeline/commands/production_options.h"
+#include "pipeline/manifest/checked_manifest.h"
+#include "pipeline/tasks/progress.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// Each error once, with the tasks that it stopped.
+void tell_faults(const TaskGraph& graph, const RunResult& result, const Console& console) {
+  std::map<std::string, std::string> tasks_by_error;
+  for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
+    if (result.outcomes[i].state != TaskState::failed) continue;
+    std::string& tasks = tasks_by_error[result.outcomes[i].error];
+    tasks += (tasks.empty() ? "" : ", ") + graph.tasks[i].id;
+  }
+  for (const auto& [error, tasks] : tasks_by_error) {
+    console.err << error << "\n  (" << tasks << ")\n";
+  }
+  for (const std::string& warning : result.warnings) console.err << "warning: " << warning << '\n';
+  for (const Nondeterminism& met : result.nondeterminism) {
+    console.err << met.path << ": made twice from the same inputs with different bytes ("
+                << met.before << ", now " << met.now << "); please report this\n";
+  }
+}
+
+void tell_summary(const RunResult& result, const fs::path& folder, const Console& console) {
+  const int made = result.count(TaskState::made);
+  const int cached = result.count(TaskState::cached);
+  if (result.is_complete() && made == 0) {
+    console.out << folder.string() << ": nothing to do, all " << cached << " tasks are done\n";
+    return;
+  }
+  console.out << folder.string() << ": " << made << " tasks done";
+  if (cached > 0) console.out << ", " << cached << " were done before";
+  if (const int failed = result.count(TaskState::failed))
+    console.out << ", " << failed << " failed";
+  if (const int skipped = result.count(TaskState::skipped)) {
+    console.out << ", " << skipped << " not begun because of that";
+  }
+  if (result.was_interrupted) console.out << "; interrupted, the same command goes on from here";
+  console.out << '\n';
+}
+
+ordered_json tasks_in(const TaskGraph& graph, const RunResult& result, TaskState state) {
+  ordered_json ids = ordered_json::array();
+  for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
+    if (result.outcomes[i].state == state) ids.push_back(graph.tasks[i].id);
+  }
+  return ids;
+}
+
+void tell_json(const Production& production, const RunResult& result, const fs::path& folder,
+               const Console& console) {
+  ordered_json failed = ordered_json::array();
+  ordered_json artifacts = ordered_json::array();
+  for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
+    const TaskOutcome& outcome = result.outcomes[i];
+    if (outcome.state == TaskState::failed) {
+      failed.push_back({{"task", production.graph().tasks[i].id}, {"error", outcome.error}});
+    }
+    for (const Receipt& product : outcome.products) {
+      if (product.path.starts_with(".mien/")) continue;
+      artifacts.push_back({{"path", product.path}, {"hash", product.hash}, {"size", product.size}});
+    }
+  }
+  ordered_json differing = ordered_json::array();
+  for (const Nondeterminism& met : result.nondeterminism) differing.push_back(met.path);
+  const ordered_json summary = {{"study", production.manifest().study},
+                                {"folder", folder.string()},
+                                {"made", tasks_in(production.graph(), result, TaskState::made)},
+                                {"cached", tasks_in(production.graph(), result, TaskState::cached)},
+                                {"failed", failed},
+                                {"interrupted", result.was_interrupted},
+                                {"warnings", result.warnings},
+                                {"nondeterminism", differing},
+                                {"artifacts", artifacts}};
+  console.out << summary.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+}
+
+int exit_code(const RunResult& result) {
+  if (result.was_interrupted) return exit_interrupted;
+  bool is_bad_input = false;
+  for (const TaskOutcome& outcome : result.outcomes) {
+    if (outcome.state != TaskState::failed) continue;
+    if (!outcome.is_bad_input) return exit_failed;
+    is_bad_input = true;
+  }
+  if (is_bad_input) return exit_bad_input;
+  return result.nondeterminism.empty() ? exit_done : exit_failed;
+}
+
+int run_production(const ProductionArguments& arguments, const Console& console) {
+  Production production(load_manifest(arguments.manifest, process_environment()),
+                        options_of(arguments));
+  const fs::path folder = folder_of(arguments, production.manifest());
+  RunResult result;
+  {
+    Progress progress(console.err, console.err_is_terminal, production.graph(),
+                      plan(production.graph(), folder), steady_seconds);
+    result = run(production, folder, jobs_of(arguments), console.stop, progress.observer());
+  }
+  tell_faults(production.graph(), result, console);
+  if (arguments.json) {
+    tell_json(production, result, folder, console);
+  } else {
+    tell_summary(result, folder, console);
+  }
+  return exit_code(result);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("run", "Make everything that a manifest asks for");
+  const auto arguments = std::make_shared<ProductionArguments>();
+  add_production_options(*command, *arguments);
+  command->footer(
+      "\nWhat is there and unchanged is not made again; an interrupted run goes on where it "
+      "stopped.\n\nExamples:\n"
+      "  mien run manifests/quickstart.yaml\n"
+      "  mien run manifests/quickstart.yaml --only target-1,guess-1 --quality draft");
+  command->callback([&chosen, arguments] {
+    chosen = [arguments](const Console& console) { return run_production(*arguments, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,42 @@
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "motion/error.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/commands/cli.h"
+#include "pipeline/look/set_file.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+int show_set(const std::string& name, const Console& console) {
+  if (name.empty()) {
+    for (const std::string& each : set_names()) console.out << each << '\n';
+    return exit_done;
+  }
+  const std::string_view text = builtin_set_text(name);
+  if (text.empty()) {
+    throw Error("there is no set \"" + name + "\"", motion::did_you_mean(name, set_names()));
+  }
+  console.out << text;
+  return exit_done;
+}
+
+}  // namespace
+
+void add_sets_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("sets", "List the sets for looks, or print one to change");
+  const auto name = std::make_shared<std::string>();
+  command->add_option("name", *name, "Set whose file is printed");
+  command->footer(
+      "\nExample:\n  mien sets studio > my.set.yaml\n"
+      "  mien render walk.bvh --scene my.set.yaml");
+  command->callback([&chosen, name] {
+    chosen = [name](const Console& console) { return show_set(*name, console); };
+  });
+}
+
+}  // namespace mien::pipeline

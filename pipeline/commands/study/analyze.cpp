@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/analysis/analysis_report.h"
+#include "pipeline/analysis/cluster_names.h"
+#include "pipeline/commands/study/study.h"
+#include "pipeline/commands/study/study_subject.h"
+#include "pipeline/manifest/example_source.h"
+#include "pipeline/synthesis/repertoire.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct AnalyzeOptions {
+  std::string answers;
+  std::string examples;
+  std::string scales;
+  std::string out;
+  std::string clusters = "4";
+  AnalysisOptions analysis;
+  AnswerRules rules;
+  bool json = false;
+};
+
+std::optional<int> cluster_count(const std::string& text) {
+  if (text == "gap") return std::nullopt;
+  const bool digits = !text.empty() && text.size() <= 4 &&
+                      text.find_first_not_of("0123456789") == std::string::npos;
+  const int count = digits ? std::stoi(text) : 0;
+  if (count >= 1) return count;
+  throw Error("--clusters: \"" + text + "\" is neither a number nor \"gap\"",
+              "write how many clusters there shall be, or gap for as many as the largest gap "
+              "suggests");
+}
+
+void show_warnings(const std::vector<StudyWarning>& warnings, const fs::path& folder,
+                   const Console& console) {
+  constexpr int shown = 3;
+  std::map<std::string, int> counts;
+  for (const StudyWarning& warning : warnings) {
+    if (++counts[warning.kind] > shown) continue;
+    const std::string place = to_string(warning.place);
+    console.err << (place.empty() ? "" : place + ": ") << warning.text << '\n';
+  }
+  for (const auto& [kind, count] : counts) {
+    if (count <= shown) continue;
+    console.err << fmt::format("… {} more warnings of the kind \"{}\" in {}\n", count - shown, kind,
+                               (folder / "warnings.csv").string());
+  }
+}
+
+void show_text(const Analysis& analysis, const ScaleSet& scales, const fs::path& folder,
+               const Console& console) {
+  const auto count = [&](auto condition) {
+    return std::ranges::count_if(analysis.quantities, condition);
+  };
+  console.out << fmt::format("{} of {} scales kept; {} neutral, {} disagreed on\n",
+                             count([](const Quantity& q) { return q.kept(); }),
+                             analysis.quantities.size(),
+                             count([](const Quantity& q) { return q.neutral; }),
+                             count([](const Quantity& q) { return q.disputed; }));
+  console.out << fmt::format("{} clusters of {} scales; the largest gap suggests {}\n",
+                             analysis.clusters.size(), analysis.none_kept ? "all" : "the kept",
+                             analysis.suggested_clusters);
+  for (const ScaleCluster& cluster : analysis.clusters) {
+    console.out << fmt::format("  {:14} {:3} scale{} around {}\n", cluster.name,
+                               cluster.members.size(), cluster.members.size() == 1 ? " " : "s",
+                               central_words(analysis, cluster, scales));
+  }
+  for (const PublishedComparison& c : compare_with_published(analysis)) {
+    console.out << fmt::format(
+        "{}: {} pairs kept in both, {} only here, {} only there; Rand {:.3f}, adjusted {:.3f}\n",
+        c.table, c.kept_in_both, c.kept_only_here, c.kept_only_there, c.rand, c.adjusted_rand);
+  }
+  if (analysis.impressions.simulated) console.out << "simulated ratings\n";
+  console.out << folder.string() << '\n';
+}
+
+ordered_json as_json(const Analysis& analysis, const ScaleSet& scales, const fs::path& folder) {
+  ordered_json clusters = ordered_json::array();
+  for (const ScaleCluster& cluster : analysis.clusters) {
+    ordered_json members = ordered_json::array();
+    for (const int row : cluster.members) {
+      members.push_back(analysis.impressions.scales[static_cast<size_t>(row)]);
+    }
+    clusters.push_back({{"name", cluster.name},
+                        {"scales", members},
+                        {"around", central_words(analysis, cluster, scales)}});
+  }
+  ordered_json published = ordered_json::array();
+  for (const PublishedComparison& c : compare_with_published(analysis)) {
+    published.push_back({{"table", c.table},
+                         {"kept_in_both", c.kept_in_both},
+                         {"rand", c.rand},
+                         {"adjusted_rand", c.adjusted_rand}});
+  }
+  return {{"folder", folder.string()},
+          {"ratings", analysis.impressions.simulated ? "simulated" : "given"},
+          {"scales", analysis.quantities.size()},
+          {"kept", std::ranges::count_if(analysis.quantities, &Quantity::kept)},
+          {"clusters_are_of", analysis.none_kept ? "all" : "kept"},
+          {"suggested_clusters", analysis.suggested_clusters},
+          {"clusters", clusters},
+          {"published", published},
+          {"warnings", analysis.warnings.size()}};
+}
+
+int analyze(AnalyzeOptions options, const Console& console) {
+  options.analysis.clusters = cluster_count(options.clusters);
+  const Manifest subject = manifest_of({options.examples, "", options.scales});
+  const ScaleSet scales =
+      subject.scales.file.empty() ? builtin_scales() : read_scales(subject.scales.file);
+  const std::vector<RatedExample> examples = rated_examples(subject);
+  const StudyAnswers answers = read_study_answers(options.answers, scales, examples, options.rules);
+  const Analysis analysis = analyse(answers, scales, examples, options.analysis);
+  const fs::path folder =
+      options.out.empty() ? "out" / fs::path(options.answers).stem() : fs::path(options.out);
+  write_analysis(analysis, scales, options.analysis.thresholds, folder);
+  show_warnings(analysis.warnings, folder, console);
+  if (options.json) {
+    console.out << as_json(analysis, scales, folder).dump(2) << '\n';
+  } else {
+    show_text(analysis, scales, folder, console);
+  }
+  return exit_done;
+}
+
+template <class Enum>
+void add_rule(CLI::App& command, const char* name, Enum& rule, const std::string& usual,
+              const std::map<std::string, Enum>& choices, const std::string& help) {
+  std::string words;
+  for (const auto& [word, value] : choices) words += (words.empty() ? "" : "|") + word;
+  command.add_option(name, rule, help + " [" + usual + "]")
+      ->transform(CLI::CheckedTransformer(choices).description(""))
+      ->type_name(words);
+}
+
+void add_rules(CLI::App& command, AnalyzeOptions& options) {
+  using Rules = AnswerRules;
+  add_rule<Rules::Repeated>(command, "--repeated", options.rules.repeated, "error",
+                            {{"error", Rules::Repeated::refuse},
+                             {"first", Rules::Repeated::first},
+                             {"last", Rules::Repeated::last},
+                             {"mean", Rules::Repeated::mean}},
+                            "A participant's further answer about the same");
+  add_rule<Rules::Unknown>(command, "--unknown", options.rules.unknown, "error",
+                           {{"error", Rules::Unknown::refuse}, {"ignore", Rules::Unknown::ignore}},
+                           "Answers about stimuli or on scales that are not known");
+  add_rule<Rules::Constant>(command, "--constant", options.rules.constant, "keep",
+                            {{"keep", Rules::Constant::keep}, {"drop", Rules::Constant::drop}},
+                            "Participants who answer the same to everything");
+  add_rule<Rules::Missing>(command, "--missing", options.rules.missing, "ignore",
+                           {{"ignore", Rules::Missing::ignore}, {"error", Rules::Missing::refuse}},
+                           "Missing answers");
+}
+
+}  // namespace
+
+void add_study_analyze_command(CLI::App& study, Command& chosen) {
+  CLI::App* command =
+      study.add_subcommand("analyze", "From answers to clusters of scales: primary parameters");
+  const auto options = std::make_shared<AnalyzeOptions>();
+  command
+      ->add_option("answers", options->answers,
+                   "CSV with the columns participant, stimulus, scale, value and, if you like, "
+                   "rt_ms, order, comment")
+      ->required();
+  command
+      ->add_option("--examples", options->examples,
+                   "What was rated: " + std::string(examples_help) + ", or a manifest")
+      ->required();
+  command->add_option("--scales", options->scales,
+                      "Scales file (YAML); the manifest's, or the 41 built-in adjective pairs, "
+                      "without one");
+  command->add_option("-o,--output", options->out,
+                      "Folder for the results; out/<name of the answers> without it");
+  command
+      ->add_option(
+          "--max-mean", options->analysis.thresholds.largest_mean,
+          "Remove scales whose largest |mean| over the examples is below this. For answers "
+          "from -2 to 2; other ranges in proportion")
+      ->check(CLI::Range(0.0, 2.0))
+      ->capture_default_str();
+  command
+      ->add_option("--max-sd", options->analysis.thresholds.mean_deviation,
+                   "Remove scales whose mean SD over the examples is above this. For answers from "
+                   "-2 to 2; other ranges in proportion")
+      ->check(CLI::Range(0.0, 4.0))
+      ->capture_default_str();
+  add_rule<Deviation>(*command, "--sd", options->analysis.deviation, "population",
+                      {{"population", Deviation::population}, {"sample", Deviation::sample}},
+                      "Divide the variance of an example's answers by n or by n - 1");
+  command->add_option("--clusters", options->clusters, "How many clusters, or gap")
+      ->capture_default_str();
+  command
+      ->add_option("--names", options->analysis.names,
+                   "Names of the clusters in the order of clusters.csv")
+      ->delimiter(',');
+  add_rules(*command, *options);
+  command->add_flag("--json", options->json, "Results as JSON on standard output");
+  command->footer(
+      "\nWrites quantification.csv, thresholds.csv, impressions.csv, linkage.csv, clusters.csv, "
+      "primary.csv, agreement.csv, warnings.csv, clusters.scales.yaml (for `scales:` in a "
+      "manifest), dendrogram and thresholds as .pdf, .svg, .png; for the built-in adjective pairs "
+      "also published.csv, a comparison with the published clusters.\n\nExamples:\n"
+      "  mien study analyze answers.csv --examples builtin:walks-27\n"
+      "  mien study analyze answers.csv --examples study.yaml --clusters gap --unknown ignore");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return analyze(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

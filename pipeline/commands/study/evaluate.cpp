@@ -1,0 +1,115 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/study/study.h"
+#include "pipeline/matching/matching_tables.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct EvaluateOptions {
+  std::string results;
+  std::string out;
+  double limit_s = 300.0;
+  bool json = false;
+};
+
+void show_text(const MatchingEvaluation& evaluation, const Console& console) {
+  for (const MatchingMean& m : evaluation.means) {
+    if (!m.target.empty()) continue;
+    console.out << fmt::format("{:14} {:12} mean {:.4g}, SD {:.4g}, n = {}\n", name_of(m.measure),
+                               m.interface, m.mean, m.sd, m.n);
+  }
+  for (const MatchingShare& s : evaluation.shares) {
+    console.out << fmt::format("{}: {} of {} first guesses matched, {} of {} trials failed\n",
+                               s.interface, s.near_guesses, s.guesses, s.failures, s.trials);
+  }
+  for (const MatchingComparison& c : evaluation.comparisons) {
+    console.out << fmt::format(
+        "{:14} {} − {}: {:.4g}, Wilcoxon p = {:.4f} (Holm {:.4f}), exact {:.4f} (Holm {:.4f})\n",
+        name_of(c.measure), c.first, c.second, c.difference.mean, c.paper.p, c.paper_holm,
+        c.exact.p, c.exact_holm);
+  }
+}
+
+ordered_json as_json(const MatchingEvaluation& evaluation, bool simulated, const fs::path& folder) {
+  ordered_json means = ordered_json::array();
+  for (const MatchingMean& m : evaluation.means) {
+    means.push_back({{"measure", name_of(m.measure)},
+                     {"interface", m.interface},
+                     {"target", m.target.empty() ? "all" : m.target},
+                     {"n", m.n},
+                     {"mean", m.mean},
+                     {"sd", m.sd}});
+  }
+  ordered_json comparisons = ordered_json::array();
+  for (const MatchingComparison& c : evaluation.comparisons) {
+    comparisons.push_back({{"measure", name_of(c.measure)},
+                           {"first", c.first},
+                           {"second", c.second},
+                           {"mean_difference", c.difference.mean},
+                           {"p_paper", c.paper.p},
+                           {"p_paper_holm", c.paper_holm},
+                           {"p_exact", c.exact.p},
+                           {"p_exact_holm", c.exact_holm}});
+  }
+  return {{"folder", folder.string()},
+          {"sessions", simulated ? "simulated" : "given"},
+          {"means", means},
+          {"comparisons", comparisons}};
+}
+
+int run_evaluation(const EvaluateOptions& options, const Console& console) {
+  const MatchingResults results = read_matching_results(options.results, options.limit_s);
+  const MatchingEvaluation evaluation = evaluate(results);
+  const fs::path folder =
+      options.out.empty() ? "out" / fs::path(options.results).stem() : fs::path(options.out);
+  write_evaluation(evaluation, results, folder);
+  if (options.json) {
+    console.out << as_json(evaluation, results.simulated, folder).dump(2) << '\n';
+    return exit_done;
+  }
+  show_text(evaluation, console);
+  if (results.simulated) console.out << "simulated sessions\n";
+  console.out << folder.string() << '\n';
+  return exit_done;
+}
+
+}  // namespace
+
+void add_study_evaluate_command(CLI::App& study, Command& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "evaluate", "From matching sessions to means, tests and figures that compare interfaces");
+  const auto options = std::make_shared<EvaluateOptions>();
+  command
+      ->add_option("results", options->results,
+                   "CSV with the columns participant, target, interface, first_guess_d, time_s, "
+                   "success")
+      ->required();
+  command->add_option("-o,--output", options->out,
+                      "Folder for the results; out/<name of the file> without it");
+  command
+      ->add_option("--limit", options->limit_s,
+                   "Seconds allowed for a match; trials without success count as that long")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Results as JSON on standard output");
+  command->footer(
+      "\nWrites means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures "
+      "first_guess_d, first_guess_success, time, time_saved and failures as .pdf, .svg and .png.\n"
+      "\nExample:\n  mien study evaluate sessions.csv -o evaluation");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return run_evaluation(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

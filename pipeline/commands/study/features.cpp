@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "pipeline/analysis/feature_clusters.h"
+#include "pipeline/commands/study/study.h"
+#include "pipeline/commands/study/study_subject.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/manifest/example_source.h"
+#include "pipeline/synthesis/repertoire.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct FeaturesOptions {
+  StudySubject subject;
+  int clusters = motion::feature_group_count;
+  motion::FeatureScaling scaling = motion::FeatureScaling::min_max;
+  std::string out;
+};
+
+std::map<std::string, motion::FeatureScaling> scalings_by_name() {
+  return {{"min-max", motion::FeatureScaling::min_max},
+          {"z-score", motion::FeatureScaling::z_score}};
+}
+
+void write_all(const FeatureClusters& clusters, const Repertoire& repertoire,
+               const std::filesystem::path& folder) {
+  std::vector<std::string> examples;
+  for (const RatedExample& example : repertoire.names) examples.push_back(example.name);
+  make_folder(folder);
+  write_file(folder / "features.csv", scaled_features_csv(clusters, examples));
+  write_file(folder / "linkage.csv", feature_linkage_csv(clusters));
+  write_file(folder / "clusters.csv", feature_clusters_csv(clusters));
+  write_figure(dendrogram_figure(dendrogram_of(clusters)), folder, "dendrogram");
+}
+
+int cluster(const FeaturesOptions& options, const Console& console) {
+  Manifest manifest = manifest_of(options.subject);
+  manifest.ratings.source = Ratings::Source::none;
+  const Repertoire repertoire = load_repertoire(manifest);
+  const FeatureClusters clusters =
+      cluster_features(repertoire.features, options.clusters, options.scaling);
+  write_all(clusters, repertoire, options.out);
+  fmt::memory_buffer text;
+  const auto out = fmt::appender(text);
+  fmt::format_to(out, "{} clusters of {} features; the largest gap suggests {}\n",
+                 clusters.partition.groups, clusters.features.size(), clusters.suggested_clusters);
+  for (int c = 0; c < clusters.partition.groups; ++c) {
+    const auto members =
+        std::count(clusters.partition.group.begin(), clusters.partition.group.end(), c);
+    fmt::format_to(out, "  {:18} {:2} features\n", clusters.names[static_cast<std::size_t>(c)],
+                   members);
+  }
+  fmt::format_to(out, "published groups: Rand {:.3f}, adjusted {:.3f}\n{}\n", clusters.rand,
+                 clusters.adjusted_rand, options.out);
+  console.out << fmt::to_string(text);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_study_features_command(CLI::App& study, Command& chosen) {
+  CLI::App* command =
+      study.add_subcommand("features", "Cluster the motion features of a set of examples");
+  const auto options = std::make_shared<FeaturesOptions>();
+  command
+      ->add_option("--examples", options->subject.examples,
+                   std::string("Examples: a manifest, ") + examples_help)
+      ->required();
+  command->add_option("--clusters", options->clusters, "How many clusters")
+      ->check(CLI::Range(1, motion::motion_feature_count))
+      ->capture_default_str();
+  command
+      ->add_option("--scaling", options->scaling,
+                   "Scale features over the examples to 0 … 1, or to z scores [min-max]")
+      ->transform(CLI::CheckedTransformer(scalings_by_name()).description(""))
+      ->type_name("min-max|z-score");
+  command->add_option("-o,--output", options->out, "Folder for the results")->required();
+  command->footer(
+      "\nWrites features.csv, linkage.csv, clusters.csv and dendrogram.pdf, .svg, .png, and says "
+      "how far the\nclusters agree with the four published groups, which manifests use. Example:\n"
+      "  mien study features --examples builtin:walks-27 -o out/features");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return cluster(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "pipeline/commands/study/study.h"
+#include "pipeline/commands/study/study_subject.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/matching/interface_evaluation.h"
+#include "pipeline/matching/interface_figure.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct InterfacesCommand {
+  StudySubject subject;
+  int targets = 5;
+  EvaluationOptions evaluation;
+  std::optional<std::uint64_t> seed;
+  std::string out;
+};
+
+/// Those that take parameters; shares of the examples are an interface of their own.
+std::map<std::string, motion::InterpolationMethod> methods_by_name() {
+  using enum motion::InterpolationMethod;
+  std::map<std::string, motion::InterpolationMethod> methods;
+  for (const auto method : {cardinal, nearest, inverse_distance, grid, kriging, pca, incremental}) {
+    methods.emplace(motion::name_of(method), method);
+  }
+  return methods;
+}
+
+void show(const std::vector<InterfaceSummary>& summaries, const Console& console) {
+  console.out << "Simulated: no person took part.\n\n";
+  console.out << fmt::format("{:17} {:11} {:>12} {:>6} {:>17} {:>8} {:>17} {:>8} {:>6}\n", "method",
+                             "interface", "way", "count", "D, first (m)", "matches", "D, last (m)",
+                             "failed", "looks");
+  for (const InterfaceSummary& s : summaries) {
+    const std::string way = s.step > 0.0 ? fmt::format("nearest {:g}", s.step) : "user";
+    console.out << fmt::format(
+        "{:17} {:11} {:>12} {:6} {:8.4f} ± {:6.4f} {:6.0f} % {:8.4f} ± {:6.4f} {:6.0f} % {:6.1f}\n",
+        motion::name_of(s.method), name_of(s.kind), way, s.count, s.mean_first, s.sd_first,
+        100.0 * s.first_success, s.mean_last, s.sd_last, 100.0 * s.failure, s.mean_looks);
+  }
+}
+
+void write_all(const fs::path& folder, const std::vector<InterfaceResult>& results,
+               const std::vector<InterfaceSummary>& summaries, double threshold,
+               const Console& console) {
+  make_folder(folder);
+  write_file(folder / "interface_trials.csv", results_csv(results));
+  write_file(folder / "interface_summary.csv", summary_csv(summaries));
+  std::vector<motion::InterpolationMethod> methods;
+  for (const InterfaceSummary& s : summaries) {
+    if (std::find(methods.begin(), methods.end(), s.method) == methods.end()) {
+      methods.push_back(s.method);
+    }
+  }
+  for (const motion::InterpolationMethod method : methods) {
+    std::vector<InterfaceSummary> own;
+    std::copy_if(summaries.begin(), summaries.end(), std::back_inserter(own),
+                 [&](const InterfaceSummary& s) { return s.method == method; });
+    const std::string suffix =
+        methods.size() == 1 ? "" : "-" + std::string(motion::name_of(method));
+    write_figure(interface_figure(own, threshold), folder, "interfaces" + suffix);
+  }
+  console.out << "\ntables and figure in " << folder.string() << '\n';
+}
+
+int evaluate(InterfacesCommand command, const Console& console) {
+  const Manifest manifest = manifest_of(command.subject);
+  const Repertoire repertoire = load_repertoire(manifest);
+  command.evaluation.seed = command.seed.value_or(manifest.seed);
+  const SliderInterface first = interfaces_of(repertoire).front();
+  const bool by_features = first.kind == InterfaceKind::features;
+  const auto targets =
+      sample_targets(by_features ? repertoire.features.table : repertoire.parameters, first.sliders,
+                     {.targets = command.targets, .practice = 0, .seed = command.evaluation.seed});
+  const auto results =
+      evaluate_interfaces(repertoire, targets, manifest.interpolation, command.evaluation);
+  const auto summaries = summarise(results);
+  show(summaries, console);
+  if (!command.out.empty()) {
+    write_all(command.out, results, summaries, command.evaluation.threshold, console);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_study_interfaces_command(CLI::App& study, Command& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "interfaces", "Try sliders for adjectives, features and weights on targets, without people");
+  const auto options = std::make_shared<InterfacesCommand>();
+  add_subject_options(*command, options->subject);
+  command->add_option("--targets", options->targets, "Targets")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command
+      ->add_option("--users", options->evaluation.users,
+                   "Simulated users for each target and interface")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--steps", options->evaluation.steps,
+                   "Slider grids whose nearest settings are tried, with commas")
+      ->delimiter(',')
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str();
+  command
+      ->add_option("--threshold", options->evaluation.threshold,
+                   "Distance D below which motions match, metres")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--methods", options->evaluation.methods,
+                   "Methods of interpolation to try, with commas: cardinal, knn, "
+                   "inverse-distance, grid, kriging, incremental; the manifest's without it")
+      ->delimiter(',')
+      ->transform(CLI::CheckedTransformer(methods_by_name(), CLI::ignore_case))
+      ->option_text("METHOD,...");
+  command->add_option("--seed", options->seed, "Seed; the manifest's without it");
+  command->add_option("-o,--output", options->out, "Folder for the tables and the figure");
+  command->footer(
+      "\nFor every target (sampled as by mien study targets) and interface: the distance D of the "
+      "nearest setting of the sliders, and of simulated users. Such a user reads the settings off "
+      "the target with an error of 0.15 (SD), then moves one slider at a time up and down by 0.2, "
+      "later by less, keeping what looks better, with an error of 10 % in seeing distances; at "
+      "most 100 motions are looked at. It shows what the interfaces allow, not what people do with "
+      "them: nobody reads the shares of examples off a motion as well as its quickness.\n\n"
+      "Example:\n  mien study interfaces --examples builtin:walks-27 -o out/interfaces");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return evaluate(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

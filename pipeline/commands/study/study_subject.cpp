@@ -1,0 +1,29 @@
+#include "pipeline/commands/study/study_subject.h"
+
+#include <filesystem>
+
+#include "pipeline/documents/environment.h"
+#include "pipeline/manifest/checked_manifest.h"
+#include "pipeline/manifest/example_source.h"
+
+namespace mien::pipeline {
+
+Manifest manifest_of(const StudySubject& subject) {
+  const std::filesystem::path file(subject.examples);
+  Manifest manifest;
+  if (file.extension() == ".yaml" || file.extension() == ".yml") {
+    manifest = load_manifest(file, process_environment());
+    refuse_unblendable(manifest.examples);
+  } else {
+    manifest.examples = parse_examples(subject.examples);
+    if (!manifest.examples.builtin.empty()) manifest.ratings.source = Ratings::Source::builtin;
+  }
+  if (!subject.ratings.empty()) {
+    manifest.ratings.source = Ratings::Source::file;
+    manifest.ratings.file = subject.ratings;
+  }
+  if (!subject.scales.empty()) manifest.scales.file = subject.scales;
+  return manifest;
+}
+
+}  // namespace mien::pipeline

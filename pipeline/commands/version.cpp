@@ -1,0 +1,39 @@
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/cli.h"
+#include "pipeline/tasks/code_identity.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+int show_versions(bool as_json, const Console& console) {
+  if (!as_json) {
+    console.out << "mien " << program_version() << '\n';
+    for (const auto& [name, version] : library_versions()) {
+      console.out << "  " << name << ' ' << version << '\n';
+    }
+    return exit_done;
+  }
+  nlohmann::ordered_json libraries;
+  for (const auto& [name, version] : library_versions()) libraries[name] = version;
+  nlohmann::ordered_json result = {{"mien", program_version()}, {"libraries", libraries}};
+  console.out << result.dump(2) << '\n';
+  return exit_done;
+}
+
+}  // namespace
+
+void add_version_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("version", "Show the versions of mien and its libraries");
+  const auto as_json = std::make_shared<bool>(false);
+  command->add_flag("--json", *as_json, "As JSON");
+  command->callback([&chosen, as_json] {
+    chosen = [as_json](const Console& console) { return show_versions(*as_json, console); };
+  });
+}
+
+}  // namespace mien::pipeline

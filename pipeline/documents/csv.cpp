@@ -1,0 +1,243 @@
+#include "pipeline/documents/csv.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/text/nearest_word.h"
+#include "pipeline/documents/utf8.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Reads fields one after the other and keeps count of lines and columns (in characters).
+class CsvScanner {
+ public:
+  CsvScanner(std::string_view text, const std::string& file) : text_(text), file_(file) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+  }
+
+  bool at_end() const { return position_ == text_.size(); }
+
+  /// The fields up to the end of the line; nothing for an empty line.
+  std::vector<CsvField> row() {
+    std::vector<CsvField> fields;
+    if (skip_line_end()) return fields;
+    while (true) {
+      fields.push_back(field());
+      if (at_end() || skip_line_end()) return fields;
+      take();  // the comma
+    }
+  }
+
+ private:
+  char peek() const { return text_[position_]; }
+
+  char take() {
+    const char c = text_[position_++];
+    if (c == '\n') {
+      ++line_;
+      column_ = 1;
+    } else if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) {
+      ++column_;
+    }
+    return c;
+  }
+
+  bool at_line_end() const {
+    return peek() == '\n' || text_.substr(position_, 2) == "\r\n" ||
+           (peek() == '\r' && position_ + 1 == text_.size());
+  }
+
+  bool skip_line_end() {
+    if (at_end() || !at_line_end()) return false;
+    if (take() == '\r' && !at_end()) take();
+    return true;
+  }
+
+  CsvField field() {
+    CsvField field{"", line_, column_};
+    if (!at_end() && peek() == '"') {
+      quoted(field);
+    } else {
+      while (!at_end() && peek() != ',' && !at_line_end()) {
+        refuse_quote();
+        field.text += take();
+      }
+    }
+    return field;
+  }
+
+  void quoted(CsvField& field) {
+    take();
+    while (true) {
+      if (at_end()) {
+        throw Error({file_, field.line, field.column}, "a quote that is not closed",
+                    "add the closing \"");
+      }
+      const char c = take();
+      if (c != '"') {
+        field.text += c;
+      } else if (!at_end() && peek() == '"') {
+        field.text += take();
+      } else {
+        break;
+      }
+    }
+    if (at_end() || peek() == ',' || at_line_end()) return;
+    throw Error({file_, line_, column_}, "text after a closing quote",
+                "write a quote inside a quoted field as \"\"");
+  }
+
+  void refuse_quote() const {
+    if (peek() != '"') return;
+    throw Error({file_, line_, column_}, "a quote in the middle of a field",
+                "quote the whole field and write the quote as \"\"");
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  std::size_t position_ = 0;
+  int line_ = 1;
+  int column_ = 1;
+};
+
+void refuse_repeated_columns(const CsvTable& table) {
+  for (auto field = table.header.begin(); field != table.header.end(); ++field) {
+    const auto same = [&](const CsvField& other) { return other.text == field->text; };
+    if (std::none_of(table.header.begin(), field, same)) continue;
+    throw Error(place_of(table, *field), "the column \"" + field->text + "\" is there twice",
+                "rename one of the two");
+  }
+}
+
+bool needs_quotes(const std::string& field) {
+  return field.find_first_of(",\"\r\n") != std::string::npos || field.starts_with(' ') ||
+         field.ends_with(' ');
+}
+
+std::string quoted(const std::string& field) {
+  std::string text = "\"";
+  for (const char c : field) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + "\"";
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw Error({file.string(), 0, 0}, "cannot be read", "name a CSV file");
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+CsvTable read_csv(const std::filesystem::path& file) {
+  return parse_csv(read_text(file), file.string());
+}
+
+CsvTable parse_csv(std::string_view text, const std::string& file) {
+  if (const auto position = first_invalid_utf8(text)) {
+    throw Error({file, position->line, position->column}, "not UTF-8 text", "save it as UTF-8");
+  }
+  CsvTable table;
+  table.file = file;
+  CsvScanner scanner(text, table.file);
+  while (!scanner.at_end()) {
+    std::vector<CsvField> row = scanner.row();
+    if (row.empty()) continue;
+    if (table.header.empty()) {
+      table.header = std::move(row);
+      refuse_repeated_columns(table);
+    } else if (row.size() == table.header.size()) {
+      table.rows.push_back(std::move(row));
+    } else {
+      throw Error(place_of(table, row.front()),
+                  fmt::format("{} fields where the header has {}", row.size(), table.header.size()),
+                  "give every row as many fields as the header");
+    }
+  }
+  if (table.header.empty()) {
+    throw Error({file, 0, 0}, "the table is empty", "begin with a line of column names");
+  }
+  return table;
+}
+
+int find_column(const CsvTable& table, std::string_view name) {
+  for (std::size_t i = 0; i < table.header.size(); ++i) {
+    if (table.header[i].text == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+int require_column(const CsvTable& table, std::string_view name) {
+  const int column = find_column(table, name);
+  if (column >= 0) return column;
+  std::vector<std::string> names;
+  for (const CsvField& field : table.header) names.push_back(field.text);
+  throw Error(place_of(table, table.header.front()),
+              "there is no column \"" + std::string(name) + "\"",
+              fmt::format("the columns are {}", fmt::join(names, ", ")));
+}
+
+Place place_of(const CsvTable& table, const CsvField& field) {
+  return {table.file, field.line, field.column};
+}
+
+double number_in(const CsvTable& table, const CsvField& field) {
+  const char* begin = field.text.data();
+  const char* end = begin + field.text.size();
+  if (begin != end && *begin == '+') ++begin;
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+    throw Error(place_of(table, field), "\"" + field.text + "\" is not a number",
+                "write a finite decimal number");
+  }
+  return value;
+}
+
+double number_of(const std::filesystem::path& file, std::string_view column,
+                 std::string_view stimulus) {
+  const CsvTable table = read_csv(file);
+  const auto name = static_cast<std::size_t>(require_column(table, "stimulus"));
+  const auto number = static_cast<std::size_t>(require_column(table, column));
+  for (const auto& row : table.rows) {
+    if (row[name].text == stimulus) return number_in(table, row[number]);
+  }
+  throw Error(table.file + ": no row of \"" + std::string(stimulus) + "\"",
+              "delete the file and run again");
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  // Adding zero turns −0 into 0.
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
+  assert(error == std::errc{});
+  return {text.data(), end};
+}
+
+CsvWriter::CsvWriter(std::vector<std::string> header) : width_(header.size()) { row(header); }
+
+void CsvWriter::row(const std::vector<std::string>& fields) {
+  assert(fields.size() == width_);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i > 0) text_ += ',';
+    text_ += needs_quotes(fields[i]) ? quoted(fields[i]) : fields[i];
+  }
+  // A row of one empty field must not read back as an empty line.
+  if (width_ == 1 && fields.front().empty()) text_ += "\"\"";
+  text_ += '\n';
+}
+
+}  // namespace mien::pipeline

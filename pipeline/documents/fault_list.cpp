@@ -1,0 +1,33 @@
+#include "pipeline/documents/fault_list.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "motion/text/nearest_word.h"
+
+namespace mien::pipeline {
+
+void FaultList::add(const std::string& path, std::string wrong, std::string remedy) {
+  faults_.push_back({place_of(places_, path), path, std::move(wrong), std::move(remedy)});
+}
+
+void FaultList::add_at_key(const std::string& path, std::string wrong, std::string remedy) {
+  faults_.push_back({key_place_of(places_, path), path, std::move(wrong), std::move(remedy)});
+}
+
+void FaultList::check_word(const std::string& path, const std::string& name,
+                           const std::string& what, const std::vector<std::string>& known) {
+  if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
+  add(path, "unknown " + what + " \"" + name + "\"", motion::did_you_mean(name, known));
+}
+
+void FaultList::check_file(const std::string& path, const std::filesystem::path& file,
+                           const std::string& expected) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(file, error)) return;
+  add(path, "there is no file " + file.string(),
+      "give " + expected + "; paths are taken from the manifest's folder");
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,92 @@
+#include "pipeline/documents/files.h"
+
+#include <cerrno>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mien::pipeline {
+
+namespace {
+
+[[noreturn]] void throw_errno(const std::filesystem::path& file) {
+  throw std::system_error(errno, std::generic_category(), file.string());
+}
+
+[[noreturn]] void throw_unwritable(const std::filesystem::path& file) {
+  throw std::runtime_error(file.string() + ": cannot be written (" +
+                           std::generic_category().message(errno) +
+                           "); check that the folder exists, may be written to and has space");
+}
+
+/// An open file that closes itself.
+class Descriptor {
+ public:
+  Descriptor(const std::filesystem::path& file, int flags)
+      : number_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (number_ >= 0) return;
+    if ((flags & O_CREAT) != 0) throw_unwritable(file);
+    throw_errno(file);
+  }
+  ~Descriptor() { ::close(number_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& file) {
+  const Descriptor descriptor(file, O_RDONLY);
+  std::string bytes;
+  std::string buffer(1 << 16, '\0');
+  while (true) {
+    const ssize_t count = ::read(descriptor.number(), buffer.data(), buffer.size());
+    if (count == 0) return bytes;
+    if (count > 0) {
+      bytes.append(buffer.data(), static_cast<std::size_t>(count));
+    } else if (errno != EINTR) {
+      throw_errno(file);
+    }
+  }
+}
+
+void write_file(const std::filesystem::path& file, std::string_view bytes) {
+  const Descriptor descriptor(file, O_WRONLY | O_CREAT | O_TRUNC);
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor.number(), bytes.data(), bytes.size());
+    if (count >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno != EINTR) {
+      throw_unwritable(file);
+    }
+  }
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return;
+  throw std::runtime_error(folder.string() + ": cannot be made (" + error.message() +
+                           "); name a folder that can be written to");
+}
+
+void flush_to_disk(const std::filesystem::path& file) {
+  const Descriptor descriptor(file, O_RDONLY);
+  if (::fsync(descriptor.number()) != 0) throw_errno(file);
+}
+
+void flush_file_system(const std::filesystem::path& folder) {
+  const Descriptor descriptor(folder, O_RDONLY);
+  if (::syncfs(descriptor.number()) != 0) throw_errno(folder);
+}
+
+}  // namespace mien::pipeline

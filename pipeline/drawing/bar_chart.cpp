@@ -1,0 +1,157 @@
+#include "pipeline/drawing/bar_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/drawing/axis.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr double margin = 18.0;
+constexpr double header_height = 52.0;
+constexpr double plot_height = 210.0;
+constexpr double names_height = 36.0;
+constexpr double axis_width = 46.0;
+constexpr double bar_width = 44.0;
+constexpr double slot_width = 92.0;
+constexpr double least_width = 380.0;
+constexpr double line_name_width = 78.0;
+
+constexpr std::array<Colour, 5> bar_colours = {from_hex(0x0a58a6), from_hex(0xb8420e),
+                                               from_hex(0x007a59), from_hex(0x8a3f8f),
+                                               from_hex(0x8a6a00)};
+
+/// Values along the axis.
+struct Scale {
+  double least = 0.0;
+  double most = 1.0;
+  Box plot;
+
+  double y(double value) const {
+    return plot.bottom() - plot.height * (value - least) / (most - least);
+  }
+};
+
+double width_of(const BarChart& chart) {
+  const double bars = slot_width * static_cast<double>(chart.bars.size());
+  const double room = chart.line ? line_name_width : 0.0;
+  return std::max(least_width, 2.0 * margin + axis_width + bars + room);
+}
+
+Scale scale_of(const BarChart& chart) {
+  Scale scale;
+  double least = 0.0;
+  double most = chart.percent ? 1.0 : chart.line.value_or(0.0);
+  for (const Bar& bar : chart.bars) {
+    for (const double value : {bar.value, bar.low, bar.high}) {
+      if (!std::isfinite(value)) continue;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+  }
+  if (most == least) most = least + 1.0;
+  const double room = 0.09 * (most - least);  // for the values printed beyond the bars
+  scale.least = least < 0.0 ? least - room : 0.0;
+  scale.most = most + room;
+  scale.plot = {margin + axis_width, margin + header_height,
+                width_of(chart) - 2.0 * margin - axis_width - (chart.line ? line_name_width : 0.0),
+                plot_height};
+  return scale;
+}
+
+/// With a true minus sign.
+std::string signed_text(std::string number) {
+  return number.starts_with('-') ? "−" + number.substr(1) : number;
+}
+
+std::string printed(const BarChart& chart, double value) {
+  return signed_text(chart.percent ? fmt::format("{:.{}f} %", 100.0 * value, chart.decimals)
+                                   : fmt::format("{:.{}f}", value, chart.decimals));
+}
+
+void draw_header(Canvas& canvas, const BarChart& chart) {
+  canvas.text({margin, margin + 12.0}, chart.title, {.size = 12.0, .bold = true});
+  const std::string words =
+      chart.whiskers.empty() ? chart.axis : chart.axis + "; whiskers: " + chart.whiskers;
+  canvas.text({margin, margin + 27.0}, words, {.size = 8.5, .colour = quiet_ink});
+  if (chart.simulated) {
+    draw_simulated_mark(canvas, {width_of(chart) - margin, margin + 31.0}, "Simulated sessions");
+  }
+}
+
+void draw_axis(Canvas& canvas, const BarChart& chart, const Scale& scale) {
+  const double span = scale.most - scale.least;
+  const std::vector<double> steps = axis_ticks(span, 7);
+  const double step = steps.size() > 1 ? steps[1] : span;
+  const double first = std::ceil(scale.least / step - 1e-9);
+  for (double k = first + 0.0; k * step <= scale.most + 1e-9 * span; k += 1.0) {
+    if (chart.percent && k * step > 1.0 + 1e-9) break;
+    const double y = scale.y(k * step);
+    canvas.line({scale.plot.x, y}, {scale.plot.right(), y},
+                {.width = k == 0.0 ? 0.8 : 0.4, .colour = k == 0.0 ? ink : hairline});
+    const double value = k * step + 0.0;  // no −0
+    const std::string label = chart.percent ? fmt::format("{:g} %", 100.0 * value)
+                                            : signed_text(fmt::format("{:g}", value));
+    canvas.text({scale.plot.x - 6.0, y + 2.8}, label,
+                {.size = 7.5, .colour = quiet_ink, .align = Align::right});
+  }
+}
+
+void draw_marked_value(Canvas& canvas, const BarChart& chart, const Scale& scale) {
+  if (!chart.line) return;
+  const double y = scale.y(*chart.line);
+  canvas.line({scale.plot.x, y}, {scale.plot.right(), y},
+              {.width = 0.9, .colour = ink, .dashed = true});
+  canvas.text({scale.plot.right() + 5.0, y + 2.8}, chart.line_name, {.size = 8.0});
+}
+
+void draw_whisker(Canvas& canvas, const Bar& bar, const Scale& scale, double x) {
+  if (!std::isfinite(bar.low) || !std::isfinite(bar.high)) return;
+  const LineStyle style = {.width = 1.0, .colour = ink};
+  canvas.line({x, scale.y(bar.low)}, {x, scale.y(bar.high)}, style);
+  for (const double end : {bar.low, bar.high}) {
+    canvas.line({x - 5.0, scale.y(end)}, {x + 5.0, scale.y(end)}, style);
+  }
+}
+
+void draw_bar(Canvas& canvas, const BarChart& chart, size_t number, const Scale& scale) {
+  const Bar& bar = chart.bars[number];
+  const double slot = scale.plot.width / static_cast<double>(chart.bars.size());
+  const double x = scale.plot.x + slot * (static_cast<double>(number) + 0.5);
+  const double top = std::min(scale.y(0.0), scale.y(bar.value));
+  canvas.fill(Box{x - 0.5 * bar_width, top, bar_width, std::abs(scale.y(0.0) - scale.y(bar.value))},
+              bar_colours[chart.one_colour ? 0 : number % bar_colours.size()]);
+  draw_whisker(canvas, bar, scale, x);
+  // Beyond bar and whisker, away from 0.
+  const bool upwards = bar.value >= 0.0;
+  double end = bar.value;
+  if (std::isfinite(bar.low) && std::isfinite(bar.high)) {
+    end = upwards ? std::max(end, bar.high) : std::min(end, bar.low);
+  }
+  canvas.text({x, upwards ? scale.y(end) - 5.0 : scale.y(end) + 12.0}, printed(chart, bar.value),
+              {.size = 8.5, .bold = true, .align = Align::centre});
+  const double below = scale.plot.bottom() + 14.0;
+  canvas.text({x, below}, bar.name, {.size = 9.0, .align = Align::centre, .max_width = slot - 6.0});
+  canvas.text({x, below + 12.0}, bar.note,
+              {.size = 7.5, .colour = quiet_ink, .align = Align::centre});
+}
+
+}  // namespace
+
+Figure bar_chart_figure(const BarChart& chart) {
+  const double height = 2.0 * margin + header_height + plot_height + names_height;
+  return {chart.title, width_of(chart), height, [chart](Canvas& canvas) {
+            const Scale scale = scale_of(chart);
+            draw_header(canvas, chart);
+            draw_axis(canvas, chart, scale);
+            for (size_t i = 0; i < chart.bars.size(); ++i) draw_bar(canvas, chart, i, scale);
+            draw_marked_value(canvas, chart, scale);
+          }};
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/drawing/figure.h"
+
+namespace mien::pipeline {
+
+/// A bar from 0 and its whisker.
+struct Bar {
+  std::string name;
+  double value = 0.0;
+  double low = 0.0;  ///< ends of the whisker; none where they are NaN
+  double high = 0.0;
+  std::string note;  ///< under the name: "n = 13"
+};
+
+struct BarChart {
+  std::string title;
+  std::string axis;      ///< what is measured, and its unit
+  std::string whiskers;  ///< what they mean; empty for none
+  std::vector<Bar> bars;
+  std::optional<double> line;  ///< a value to mark
+  std::string line_name;
+  int decimals = 1;         ///< of the values printed at the bars
+  bool percent = false;     ///< values are shares; the axis goes to 100 %
+  bool one_colour = false;  ///< bars are of one kind; else each has a colour of its own
+  bool simulated = false;
+};
+
+/// Upright bars on a common axis that always holds 0, each with its value printed; as wide as it
+/// has bars.
+Figure bar_chart_figure(const BarChart& chart);
+
+}  // namespace mien::pipeline

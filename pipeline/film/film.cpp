@@ -1,0 +1,232 @@
+#include "pipeline/film/film.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include "pipeline/film/film_frames.h"
+#include "pipeline/tasks/bounded_queue.h"
+#include "pipeline/tasks/task_graph.h"
+#include "render/error.h"
+#include "render/image/contact_sheet.h"
+#include "render/image/image_io.h"
+#include "render/image/resize.h"
+#include "render/image/tone.h"
+#include "render/tracer/tracer.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::size_t waiting_frames = 1;
+constexpr int contact_frames = 12;
+constexpr int contact_width = 480;
+
+/// A frame on its way: just traced, or read from the store.
+struct Exposure {
+  int frame = 0;
+  std::variant<render::Film, render::Layers, render::Image8> picture;
+};
+
+/// The second half of the work, in a thread of its own.
+class FrameTaker {
+ public:
+  FrameTaker(const FilmSettings& settings, const render::Tone& tone, FrameStore* store,
+             const FrameSink& sink)
+      : settings_(settings), tone_(tone), store_(store), sink_(sink), queue_(waiting_frames) {
+    thread_ = std::thread([this] { take_all(); });
+  }
+
+  ~FrameTaker() {
+    queue_.close();
+    if (thread_.joinable()) thread_.join();
+  }
+
+  /// False once the taker has failed.
+  bool push(Exposure exposure) { return queue_.push(std::move(exposure)); }
+
+  /// Waits for the last frame and throws what went wrong.
+  void finish() {
+    queue_.close();
+    thread_.join();
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  void take_all() {
+    try {
+      Exposure exposure;
+      while (queue_.pop(exposure)) {
+        const render::Image8 shown = developed(exposure);
+        exposure.picture = {};  // a film is large, and encoding takes its time
+        sink_(exposure.frame, shown);
+      }
+    } catch (...) {
+      failure_ = std::current_exception();
+      queue_.close();
+    }
+  }
+
+  render::Image8 developed(Exposure& exposure) {
+    if (auto* stored = std::get_if<render::Image8>(&exposure.picture)) return std::move(*stored);
+    const auto* layers = std::get_if<render::Layers>(&exposure.picture);
+    const render::Film& film =
+        layers != nullptr ? layers->beauty : std::get<render::Film>(exposure.picture);
+    if (store_ == nullptr) return render::to_srgb8(film, tone_);
+    const FrameFormat format = settings_.output.frames;
+    render::Image8 read_back;
+    store_->put(
+        frame_name(format, exposure.frame),
+        [&](const std::filesystem::path& file) {
+          layers != nullptr ? render::write_layers(file, *layers)
+                            : write_frame(file, film, format, tone_);
+        },
+        [&](const std::filesystem::path& file) {
+          read_back = read_frame(file, format, settings_.output.shown_size(), tone_);
+        });
+    return read_back;
+  }
+
+  const FilmSettings& settings_;
+  const render::Tone& tone_;
+  FrameStore* store_;
+  const FrameSink& sink_;
+  BoundedQueue<Exposure> queue_;
+  std::exception_ptr failure_;
+  std::thread thread_;
+};
+
+/// What loading and staging left free goes back to the system before frames take their place: the
+/// many small blocks of a long motion are of no use to films.
+void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+/// A frame that the store has, decoded. One that does not decode is thrown away.
+std::optional<render::Image8> stored_frame(FrameStore* store, int frame, const Output& output,
+                                           const render::Tone& tone) {
+  if (store == nullptr) return std::nullopt;
+  const std::string name = frame_name(output.frames, frame);
+  const auto file = store->find(name);
+  if (!file) return std::nullopt;
+  try {
+    return read_frame(*file, output.frames, output.shown_size(), tone);
+  } catch (const render::Error&) {
+    store->discard(name);
+    return std::nullopt;
+  }
+}
+
+/// Two pictures of the same height as one.
+render::Film beside(const render::Film& left, const render::Film& right) {
+  render::Film both(left.width + right.width, left.height);
+  for (int y = 0; y < both.height; ++y) {
+    std::copy_n(left.at(0, y), 3 * left.width, both.at(0, y));
+    std::copy_n(right.at(0, y), 3 * right.width, both.at(left.width, y));
+  }
+  return both;
+}
+
+/// The frame towards which a shutter opens: the next one, and from the last back to the one before.
+int frame_after(const scenes::Shot& shot, int frame) {
+  return frame + 1 < shot.frame_count() ? frame + 1 : std::max(frame - 1, 0);
+}
+
+render::Film exposed(render::Tracer& tracer, const scenes::Shot& shot, int frame,
+                     const render::Quality& quality) {
+  const render::Scene scene = scene_at(shot, frame);
+  const std::vector<render::Camera> cameras = cameras_at(shot, frame);
+  const bool blurs = quality.shutter > 0.0f;
+  const int after = frame_after(shot, frame);
+  const render::Scene closing = blurs ? scene_at(shot, after, frame) : render::Scene{};
+  const std::vector<render::Camera> there = cameras_at(shot, after);
+  const bool camera_moves = shot.cameras.cameras.size() > 1;
+  const auto seen_by = [&](std::size_t eye) {
+    if (!blurs) return tracer.trace(scene, cameras[eye], quality);
+    return tracer
+        .expose(scene, cameras[eye], quality, &closing, camera_moves ? &there[eye] : nullptr)
+        .film;
+  };
+  if (cameras.size() == 1) return seen_by(0);
+  return beside(seen_by(0), seen_by(cameras.size() - 1));
+}
+
+}  // namespace
+
+render::Quality quality_of(const FilmSettings& settings) {
+  render::Quality quality = settings.output.quality == Quality::draft ? render::draft_quality()
+                            : settings.output.quality == Quality::final
+                                ? render::final_quality()
+                                : render::standard_quality();
+  quality.seed = settings.seed;
+  quality.shutter = static_cast<float>(settings.output.shutter / 360.0);
+  return quality;
+}
+
+render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot) {
+  render::Quality quality = quality_of(settings);
+  const bool ground_moves = shot.set.in_place && shot.set.ground &&
+                            shot.set.ground->line_spacing > 0.0f && !shot.step.isZero();
+  if (shot.cameras.cameras.size() > 1 || ground_moves)
+    quality.standing_samples = std::min(quality.standing_samples, quality.samples_per_pixel);
+  return quality;
+}
+
+render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int frame,
+                         const render::Quality& quality) {
+  if (frame + 1 >= shot.frame_count())
+    return tracer.layers(scene_at(shot, frame), camera_at(shot, frame), quality);
+  const render::Scene next = scene_at(shot, frame + 1, frame);
+  return tracer.layers(scene_at(shot, frame), camera_at(shot, frame), quality, &next,
+                       &camera_at(shot, frame + 1));
+}
+
+void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
+                 const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
+                 const std::stop_token& stop, const std::function<void(double)>& progress) {
+  give_back_memory();
+  render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
+  const render::Quality quality = quality_of(settings, shot);
+  FrameTaker taker(settings, shot.tone, store, sink);
+  double done = 0.0;
+  for (const int frame : frames) {
+    if (stop.stop_requested()) throw Interrupted{};
+    Exposure exposure;
+    exposure.frame = frame;
+    if (auto stored = stored_frame(store, frame, settings.output, shot.tone)) {
+      exposure.picture = std::move(*stored);
+    } else {
+      const Stopwatch::Running tracing(settings.drawing);
+      if (settings.output.frames == FrameFormat::layers)
+        exposure.picture = layers_of(tracer, shot, frame, quality);
+      else
+        exposure.picture = exposed(tracer, shot, frame, quality);
+    }
+    if (!taker.push(std::move(exposure))) break;
+    progress(++done / static_cast<double>(frames.size()));
+  }
+  taker.finish();
+}
+
+ContactSheetBuilder::ContactSheetBuilder(int frame_count)
+    : frames_(render::evenly_spread(frame_count, contact_frames)) {}
+
+void ContactSheetBuilder::add(int frame, const render::Image8& picture) {
+  if (!std::binary_search(frames_.begin(), frames_.end(), frame)) return;
+  const int width = std::min(contact_width, picture.width);
+  const int height = std::max(1, picture.height * width / picture.width);
+  pictures_.push_back(render::resized(picture, width, height));
+}
+
+render::Image8 ContactSheetBuilder::build() const { return render::contact_sheet(pictures_); }
+
+}  // namespace mien::pipeline

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/synthesis/motions.h"
+#include "pipeline/tasks/task_graph.h"
+#include "scenes/stage/shot.h"
+
+namespace mien::pipeline {
+
+/// Where the dots of a shot's point-light figures are, a row a frame and dot: frame, time_s, dot,
+/// kind (the joint's name, limb, noise or mask), x_px and y_px (of the dot's centre, from the left
+/// and upper edge of the picture that is shown; empty behind the camera), x_m, y_m, z_m, visible (1
+/// within the eye's picture, else 0), eye: both; or left and right of a stereo pair, a row each.
+std::string dots_csv(const scenes::Shot& shot);
+
+/// Whether a stimulus is shown as dots.
+bool has_dots(const Stimulus& stimulus);
+
+/// The task "dots:<id>", whose product is clips/<id>.dots.csv.
+Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equalize,
+               const SharedDeterminants& shared, Motions& motions);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,81 @@
+#include "pipeline/film/film_equalized.h"
+
+#include <functional>
+#include <utility>
+
+#include "pipeline/documents/csv.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/film/film_exposure.h"
+#include "pipeline/film/film_sizes.h"
+#include "pipeline/tasks/code_identity.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double sizes_cost_seconds = 0.2;  // a stimulus
+constexpr double exposure_cost_seconds = 0.5;
+
+/// A task that makes one table from all stimuli.
+Task table_task(const std::string& name, const Manifest& manifest, const SharedDeterminants& shared,
+                double cost_seconds, std::function<std::string(TaskRun&)> text_of) {
+  Task task;
+  task.id = task.kind = name;
+  task.determinants.add("libraries", shared.libraries).add("code", film_code());
+  task.determinants.add("seed", static_cast<std::int64_t>(manifest.seed))
+      .add("duration", std::int64_t{manifest.equalize.duration});
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    task.inputs.push_back("motion:" + stimulus.id);
+    task.determinants.add("stimulus", stimulus.id);
+    add_film(task.determinants, stimulus);
+  }
+  task.products.push_back({"metrics/" + name + ".csv", {}});
+  task.cost_seconds = cost_seconds * static_cast<double>(manifest.stimuli.size());
+  task.make = [text_of = std::move(text_of)](TaskRun& run) {
+    const std::string text = text_of(run);
+    run.store.put(
+        run.task.products[0].path, run.keys[0],
+        [&](const fs::path& file) { write_file(file, text); },
+        [](const fs::path& file) { read_csv(file); });
+  };
+  return task;
+}
+
+}  // namespace
+
+std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
+                                   const FilmSettings& settings, Motions& motions) {
+  std::vector<Task> tasks;
+  if (manifest.equalize.size) {
+    tasks.push_back(table_task(
+        "sizes", manifest, shared, sizes_cost_seconds,
+        [&manifest, &motions](TaskRun& run) { return sizes_csv(manifest, motions, run); }));
+  }
+  if (manifest.equalize.luminance) {
+    tasks.push_back(table_task("exposure", manifest, shared, exposure_cost_seconds,
+                               [&manifest, &motions, settings](TaskRun& run) {
+                                 return exposure_csv(manifest, settings, motions, run);
+                               }));
+    if (manifest.equalize.size) tasks.back().inputs.emplace_back("sizes");
+  }
+  return tasks;
+}
+
+std::vector<std::string> equalizing_task_ids(const Equalize& equalize) {
+  std::vector<std::string> ids;
+  if (equalize.luminance) ids.emplace_back("exposure");
+  if (equalize.size) ids.emplace_back("sizes");
+  return ids;
+}
+
+Equalized equalized_film(const Equalize& equalize, const fs::path& folder,
+                         const std::string& stimulus) {
+  Equalized alike;
+  if (equalize.luminance) alike.exposure_stops = exposure_stops_of(folder, stimulus);
+  if (equalize.size) alike.figure_px = figure_px_of(folder, stimulus);
+  return alike;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/film/film.h"
+#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/synthesis/motions.h"
+#include "pipeline/tasks/task_graph.h"
+
+namespace mien::pipeline {
+
+/// What a study makes alike in its films, for one of them.
+struct Equalized {
+  float exposure_stops = 0.0f;      ///< added to the tone's; EXR files keep the light as it is
+  std::optional<double> figure_px;  ///< height of the standing figure
+};
+
+/// Those of the tasks "sizes" (metrics/sizes.csv: film_sizes.h) and "exposure"
+/// (metrics/exposure.csv: film_exposure.h) that `manifest.equalize` asks for. They read all motions
+/// and look at all stimuli. `manifest` and `motions` outlive them.
+std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
+                                   const FilmSettings& settings, Motions& motions);
+
+/// Their names, for what waits for them.
+std::vector<std::string> equalizing_task_ids(const Equalize& equalize);
+
+/// What they found for a stimulus, in the store's folder. Throws Error.
+Equalized equalized_film(const Equalize& equalize, const std::filesystem::path& folder,
+                         const std::string& stimulus);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+
+#include "pipeline/manifest/manifest.h"
+#include "render/image/image.h"
+
+namespace mien::pipeline {
+
+/// A presentation in whole frames. Fades last no longer than the film.
+struct PresentationFrames {
+  int card = 0;
+  int fixation = 0;
+  int blank_before = 0;
+  int film = 0;
+  int blank_after = 0;
+  int fade_in = 0;   ///< of the film's frames
+  int fade_out = 0;  ///< likewise
+
+  int before() const { return card + fixation + blank_before; }
+  int all() const { return before() + film + blank_after; }
+};
+
+/// Seconds rounded to the nearest whole number of frames.
+PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames);
+
+/// Shows a film with what comes before and after it.
+///
+/// Fades mix film and background in linear light: the film's frame n of m fading ones has the share
+/// (n + ½) / m. Neither the card nor the cross fades.
+class Presenter {
+ public:
+  using Show = std::function<void(const render::Image8& picture)>;
+
+  /// Each of the `eyes` gets its own card and cross, in its part of the picture.
+  Presenter(const Output& output, int film_frames, int eyes = 1);
+
+  const PresentationFrames& frames() const { return frames_; }
+
+  /// Takes the film's frames in order and shows them; before the first and after the last, also
+  /// what is around the film.
+  void take(const render::Image8& picture, const Show& show);
+
+ private:
+  render::Image8 faded(const render::Image8& picture, double share) const;
+
+  Output output_;
+  int eyes_;
+  PresentationFrames frames_;
+  std::uint8_t background_;
+  int taken_ = 0;
+};
+
+/// The pictures around a film, on a grey of 8 bits.
+render::Image8 blank_picture(std::array<int, 2> size, std::uint8_t grey);
+/// A cross of `edge` pixels from end to end, a ninth of that thick, black or white, whichever lies
+/// farther from the grey.
+render::Image8 fixation_picture(std::array<int, 2> size, std::uint8_t grey, int edge);
+/// Lines of text in the middle, as large as fits, at most an 18th of the picture's height.
+render::Image8 card_picture(std::array<int, 2> size, std::uint8_t grey, const std::string& text);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,50 @@
+#include "pipeline/film/film_recorder.h"
+
+#include "render/error.h"
+
+namespace mien::pipeline {
+
+FilmRecorder::FilmRecorder(const FilmSettings& settings, int film_frames)
+    : settings_(settings),
+      presenter_(settings.output, film_frames, settings.eyes),
+      sketch_(settings.output.shown_size()[0], settings.output.shown_size()[1]) {}
+
+render::VideoFormat FilmRecorder::format_of(render::VideoKind kind) const {
+  const Output& output = settings_.output;
+  const auto [width, height] = output.shown_size();
+  return {.width = width,
+          .height = height,
+          .rate = render::frame_rate(output.fps),
+          .kind = kind,
+          .effort = output.quality == Quality::draft ? render::VideoEffort::fast
+                                                     : render::VideoEffort::thorough,
+          .loops = settings_.loops};
+}
+
+void FilmRecorder::open(const std::filesystem::path& file, render::VideoKind kind) {
+  writers_.emplace_back(file, format_of(kind));
+}
+
+void FilmRecorder::take(const render::Image8& picture) {
+  const Stopwatch::Running encoding(settings_.drawing);
+  presenter_.take(picture, [&](const render::Image8& shown) {
+    sketch_.add(shown);
+    for (render::VideoWriter& writer : writers_) writer.write(shown);
+  });
+}
+
+void FilmRecorder::close() {
+  const Stopwatch::Running encoding(settings_.drawing);
+  if (static_cast<int>(sketch_.frames.size()) != presenter_.frames().all()) {
+    throw render::Error("a video was closed before its film was over");
+  }
+  for (render::VideoWriter& writer : writers_) writer.finish();
+  writers_.clear();
+}
+
+const render::VideoCheck& FilmRecorder::check(const std::filesystem::path& file,
+                                              render::VideoKind kind) {
+  return checks_[kind] = render::check_video(file, format_of(kind), sketch_);
+}
+
+}  // namespace mien::pipeline

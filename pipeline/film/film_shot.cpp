@@ -1,0 +1,72 @@
+#include "pipeline/film/film_shot.h"
+
+#include "motion/skeleton/clip.h"
+#include "pipeline/look/look_checks.h"
+#include "pipeline/synthesis/synthesis.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+scenes::Role role_of(Role role) {
+  switch (role) {
+    case Role::target:
+      return scenes::Role::target;
+    case Role::reference:
+      return scenes::Role::reference;
+    default:
+      return scenes::Role::created;
+  }
+}
+
+scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
+  const Output& output = film.output;
+  return {.set = set_of(film.look),
+          .figure = film.look.figure,
+          .camera = film.look.camera,
+          .role = role_of(film.role),
+          .size = output.whole_size(),
+          .window = output.window(),
+          .pixel_scale = output.scale,
+          .seed = seed};
+}
+
+/// What is shown of a motion that was made for another film, which may have another frame rate.
+motion::Clip clip_at_rate(Synthesis made, const Output& output) {
+  made.motion.clip = motion::resampled(made.motion.clip, output.fps);
+  return shown_clip(made, output);
+}
+
+/// Output of a clip for a set: one that goes under the figure needs to know how fast it goes.
+Output output_for(Output output, const scenes::SetPlan& set) {
+  if (set.in_place) output.in_place = false;
+  return output;
+}
+
+}  // namespace
+
+scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed,
+                     std::optional<double> figure_px) {
+  scenes::Look look = look_of(stimulus, seed);
+  if (figure_px) look.camera.figure_px = *figure_px / look.pixel_scale;
+  Stimulus shown = stimulus;
+  shown.output = output_for(shown.output, look.set);
+  return scenes::stage(motions.shown(shown), look);
+}
+
+scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t seed) {
+  scenes::Look look = look_of(overlay.film, seed);
+  look.layout = overlay.layout;
+  const Output output = output_for(overlay.film.output, look.set);
+  const bool is_clear = overlay.layout == scenes::Layout::side_by_side;
+  std::vector<scenes::Performance> performances;
+  for (const auto& [role, name] : motions_on(overlay)) {
+    performances.push_back({.name = name,
+                            .clip = clip_at_rate(motions.of(name), output),
+                            .role = role_of(role),
+                            .opacity = is_clear ? 1.0f : static_cast<float>(overlay.opacity)});
+  }
+  return scenes::stage(performances, look);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,106 @@
+#include "pipeline/film/film_tables.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pipeline/documents/csv.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/film/film_record.h"
+#include "pipeline/tasks/code_identity.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Films = std::vector<std::pair<std::string, FilmRecord>>;  // by stimulus
+
+constexpr double cost_seconds = 0.01;
+
+/// Six digits: more than a display can show.
+std::string rounded(double value) { return fmt::format("{:.6f}", value); }
+
+std::string luminance_csv(const Films& films) {
+  CsvWriter table({"stimulus", "frames", "mean_luminance", "sd_luminance", "rms_contrast",
+                   "min_frame_luminance", "max_frame_luminance", "exposure_stops"});
+  for (const auto& [stimulus, film] : films) {
+    const render::ClipLuminance& found = film.luminance;
+    table.row({stimulus, std::to_string(found.frames), rounded(found.mean),
+               rounded(found.deviation), rounded(found.rms_contrast), rounded(found.darkest),
+               rounded(found.lightest), shortest(film.exposure_stops)});
+  }
+  return table.text();
+}
+
+std::string videos_csv(const Films& films) {
+  CsvWriter table({"stimulus", "file", "format", "frames", "first_film_frame", "film_frames", "fps",
+                   "duration_s", "identical", "worst_psnr_db", "worst_psnr_frame", "worst_ssim",
+                   "worst_ssim_frame"});
+  for (const auto& [stimulus, film] : films) {
+    for (const VideoRecord& video : film.videos) {
+      const auto unless_identical = [&](const std::string& text) {
+        return video.identical ? std::string() : text;
+      };
+      table.row({stimulus, video.file, video.format, std::to_string(video.frames),
+                 std::to_string(film.first_film_frame), std::to_string(film.film_frames),
+                 shortest(video.fps), rounded(video.duration_s), video.identical ? "1" : "0",
+                 unless_identical(fmt::format("{:.2f}", video.worst_psnr_db)),
+                 unless_identical(std::to_string(video.worst_psnr_frame)),
+                 unless_identical(fmt::format("{:.4f}", video.worst_ssim)),
+                 unless_identical(std::to_string(video.worst_ssim_frame))});
+    }
+  }
+  return table.text();
+}
+
+std::string views_csv(const Films& films) {
+  CsvWriter table({"stimulus", "figure_px", "visual_degrees"});
+  for (const auto& [stimulus, film] : films) {
+    table.row({stimulus, fmt::format("{:.2f}", film.figure_px),
+               film.visual_degrees ? fmt::format("{:.3f}", *film.visual_degrees) : ""});
+  }
+  return table.text();
+}
+
+constexpr std::pair<const char*, std::string (*)(const Films&)> tables[] = {
+    {"luminance", luminance_csv}, {"videos", videos_csv}, {"views", views_csv}};
+
+}  // namespace
+
+std::string film_record_path(const std::string& stimulus) {
+  return "metrics/films/" + stimulus + ".json";
+}
+
+Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
+  Task task;
+  task.id = "films";
+  task.kind = "tables";
+  task.determinants.add("libraries", shared.libraries).add("pipeline", pipeline_code());
+  for (const Stimulus* film : films_of(manifest)) {
+    task.inputs.push_back("film:" + film->id);
+    task.determinants.add("stimulus", film->id);
+  }
+  for (const auto& [name, make] : tables) {
+    task.products.push_back({std::string("metrics/") + name + ".csv", {}});
+  }
+  task.cost_seconds = cost_seconds;
+  task.make = [&manifest](TaskRun& run) {
+    Films films;
+    for (const Stimulus* film : films_of(manifest)) {
+      const fs::path file = run.store.folder() / film_record_path(film->id);
+      films.emplace_back(film->id, parse_film_record(read_file(file)));
+    }
+    for (std::size_t i = 0; i < run.keys.size(); ++i) {
+      const std::string text = tables[i].second(films);
+      run.store.put(
+          run.task.products[i].path, run.keys[i],
+          [&](const fs::path& file) { write_file(file, text); },
+          [](const fs::path& file) { read_csv(file); });
+    }
+  };
+  return task;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pipeline/film/film.h"
+#include "pipeline/film/film_equalized.h"
+#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/synthesis/motions.h"
+#include "pipeline/tasks/hash.h"
+#include "pipeline/tasks/task_graph.h"
+#include "scenes/stage/shot.h"
+
+namespace mien::pipeline {
+
+/// What a film is made of.
+struct FilmSubject {
+  const Stimulus& film;              ///< what it is called, its look and output
+  std::vector<std::string> motions;  ///< stimuli and examples that are in it
+  KeyBuilder stage;                  ///< what else decides how they are staged
+  Equalize equalize;                 ///< what it has in common with the study's other films
+  std::function<scenes::Shot(const Equalized&)> make_shot;
+};
+
+/// Film of a stimulus, or of motions together. All that is passed outlives it. Overlays take no
+/// part in what is equalized.
+FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest, Motions& motions);
+FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions& motions,
+                       const SharedDeterminants& shared);
+
+/// The task "film:<id>": stages the motions, draws them and encodes the frames while they are
+/// drawn. Its products are what the output asks for, a contact sheet, and a record of what was
+/// drawn and checked. It reads the products of the tasks "motion:<id>" of its stimuli, and those of
+/// the tasks that find what is equalized. What `subject` refers to outlives it.
+Task film_task(const FilmSubject& subject, const FilmSettings& settings,
+               const SharedDeterminants& shared, const Manifest& manifest, Motions& motions);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,88 @@
+#include "pipeline/look/look_options.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "pipeline/documents/environment.h"
+#include "pipeline/documents/fault.h"
+#include "pipeline/documents/schema.h"
+#include "pipeline/documents/yaml_json.h"
+#include "pipeline/documents/yaml_tree.h"
+#include "pipeline/look/look_checks.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+const std::string options_name = "options";
+
+bool is_character(const std::string& figure) {
+  if (figure.starts_with('{') || figure.starts_with("character:")) return false;
+  const std::string ending = fs::path(figure).extension().string();
+  return ending == ".glb" || ending == ".gltf" || ending == ".vrm";
+}
+
+bool is_map(const std::string& text) {
+  return text.starts_with('{') || text.find(": ") != std::string::npos;
+}
+
+/// Options without their braces get them.
+std::string in_braces(const std::string& text) {
+  return is_map(text) && !text.starts_with('{') ? "{" + text + "}" : text;
+}
+
+/// Names of files are variables in it: whatever stands in them, YAML does not see it.
+std::string yaml_of(const LookOptions& options) {
+  const std::string scene = is_map(options.scene) ? in_braces(options.scene) : "'${MIEN_SCENE}'";
+  const std::string figure =
+      is_character(options.figure) ? "{character: '${MIEN_FIGURE}'}" : in_braces(options.figure);
+  const std::string given_scene = options.scene.empty() ? "" : "scene: " + scene + "\n";
+  return given_scene + "figure: " + figure + "\ncamera: " + in_braces(options.camera) + "\n";
+}
+
+json look_schema() {
+  const json manifest = manifest_schema();
+  json schema = manifest["definitions"]["look"];
+  schema["definitions"] = manifest["definitions"];
+  return schema;
+}
+
+/// As somebody reads it who has written options, no file.
+Faults as_options(std::vector<Fault> faults) {
+  for (Fault& fault : faults) {
+    if (fault.place.file != options_name) continue;
+    fault.place = {};
+    fault.path = fault.path.empty() ? fault.path : "--" + fault.path;
+  }
+  return Faults(std::move(faults));
+}
+
+}  // namespace
+
+Look look_of(const LookOptions& options) {
+  const Environment environment = [&](const std::string& name) -> std::optional<std::string> {
+    if (name == "MIEN_SCENE") return options.scene;
+    if (name == "MIEN_FIGURE") return options.figure;
+    return process_environment()(name);
+  };
+  std::vector<Fault> faults;
+  const YamlNode tree = read_yaml(yaml_of(options), options_name, faults);
+  if (!faults.empty()) throw as_options(std::move(faults));
+  const json schema = look_schema();
+  const JsonReading reading = to_json(tree, root_of(schema), environment, faults);
+  for (Fault& fault : check_schema(reading.document, schema, reading.places)) {
+    faults.push_back(std::move(fault));
+  }
+  if (!faults.empty()) throw as_options(std::move(faults));
+  Look look;
+  overlay(reading.document, look, [](const std::string& path) { return fs::path(path); });
+  faults = check_look(look, "", reading.places, {});
+  if (!faults.empty()) throw as_options(std::move(faults));
+  return look;
+}
+
+}  // namespace mien::pipeline

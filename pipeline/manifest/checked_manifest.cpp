@@ -1,0 +1,50 @@
+#include "pipeline/manifest/checked_manifest.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "pipeline/manifest/manifest_checks.h"
+#include "pipeline/manifest/vocabulary.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Faults of the examples' files, unless the manifest's own part about them is at fault already:
+/// one mistake is told once.
+void add_faults_of_examples(std::vector<Fault>& faults, const Error& error) {
+  const auto is_about_examples = [](const Fault& fault) {
+    return fault.path.starts_with("examples");
+  };
+  if (std::any_of(faults.begin(), faults.end(), is_about_examples)) return;
+  if (const auto* several = dynamic_cast<const Faults*>(&error)) {
+    faults.insert(faults.end(), several->list().begin(), several->list().end());
+  } else {
+    faults.push_back({{}, "", error.what(), ""});
+  }
+}
+
+}  // namespace
+
+ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment) {
+  ManifestReading reading = read_manifest(file, environment);
+  try {
+    const Vocabulary vocabulary = vocabulary_of(reading.manifest);
+    for (Fault& fault : check_names(reading.manifest, vocabulary)) {
+      reading.faults.push_back(std::move(fault));
+    }
+    reading.faults = in_reading_order(std::move(reading.faults));
+  } catch (const Error& error) {
+    add_faults_of_examples(reading.faults, error);
+  }
+  return reading;
+}
+
+Manifest load_manifest(const std::filesystem::path& file, const Environment& environment) {
+  ManifestReading reading = check_manifest(file, environment);
+  if (!reading.faults.empty()) throw Faults(std::move(reading.faults));
+  return std::move(reading.manifest);
+}
+
+}  // namespace mien::pipeline

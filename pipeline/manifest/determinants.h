@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/tasks/hash.h"
+
+namespace mien::pipeline {
+
+// What artifacts depend on, as parts of their keys. Files count by name and content, not by the
+// folder that they lie in.
+
+/// What many tasks of a production share; found once, because files are read for it.
+struct SharedDeterminants {
+  Hash libraries;
+  Hash repertoire;  ///< the examples, their ratings and scales
+};
+
+SharedDeterminants shared_determinants(const Manifest& manifest);
+
+void add_file(KeyBuilder& key, const std::filesystem::path& file);
+
+/// How a stimulus's motion is made, without the repertoire.
+void add_motion(KeyBuilder& key, const Stimulus& stimulus);
+
+/// How examples are blended.
+void add_interpolation(KeyBuilder& key, const Interpolation& how);
+
+/// How a shot is staged and drawn, without the motion.
+void add_film(KeyBuilder& key, const Stimulus& stimulus);
+
+/// What a video shows beside the film.
+void add_presentation(KeyBuilder& key, const Presentation& presentation);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+/// What --examples names: "builtin:walks-10", a folder, or a pattern of files such as
+/// "captures/*walk*.bvh".
+Examples parse_examples(const std::string& text);
+
+/// The built-in set that is not for blending.
+inline constexpr char unblendable_set[] = "actors";
+
+/// Throws Error when the examples are not for blending.
+void refuse_unblendable(const Examples& examples);
+
+/// What --weights names: "normal=0.6,proud=0.4". Throws Error.
+NamedValues parse_weights(const std::string& text);
+
+/// For help texts.
+inline constexpr char examples_help[] =
+    "builtin:walks-10, a folder, or a quoted pattern such as 'captures/*walk*.bvh'";
+
+}  // namespace mien::pipeline

@@ -1,0 +1,85 @@
+#include "pipeline/manifest/manifest_reader.h"
+
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "motion/skeleton/body.h"
+#include "pipeline/documents/schema.h"
+#include "pipeline/documents/yaml_json.h"
+#include "pipeline/documents/yaml_tree.h"
+#include "pipeline/look/look_checks.h"
+#include "pipeline/manifest/manifest_builder.h"
+#include "pipeline/manifest/manifest_checks.h"
+#include "pipeline/manifest/recipes.h"
+#include "scenes/point_light/dot_joints.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Adds faults at paths that have none yet, so that one mistake is told once.
+void add_at_new_paths(std::vector<Fault>& faults, std::vector<Fault> more) {
+  std::set<std::string> taken;
+  for (const Fault& fault : faults) taken.insert(fault.path);
+  for (Fault& fault : more) {
+    if (fault.path.empty() || !taken.contains(fault.path)) faults.push_back(std::move(fault));
+  }
+}
+
+/// The manifest's look, and those of stimuli and overlays that say something of their own.
+std::vector<Fault> check_looks(const Manifest& manifest) {
+  const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
+  std::vector<Fault> faults = check_look(manifest.look, "look", manifest.places, joints);
+  for (const Stimulus* film : films_of(manifest)) {
+    const std::string path = member_path(film->path, "look");
+    if (!manifest.places.values.contains(path)) continue;
+    for (Fault& fault : check_look(film->look, path, manifest.places, joints)) {
+      faults.push_back(std::move(fault));
+    }
+  }
+  return faults;
+}
+
+}  // namespace
+
+ManifestReading parse_manifest(std::string_view text, const std::filesystem::path& file,
+                               const Environment& environment) {
+  ManifestReading reading;
+  const YamlNode tree = read_yaml(text, file.string(), reading.faults);
+  const bool unreadable = tree.kind == YamlNode::Kind::null && !reading.faults.empty();
+  reading.manifest.file = file;
+  if (unreadable) return reading;
+
+  const nlohmann::json schema = manifest_schema();
+  JsonReading json = to_json(tree, root_of(schema), environment, reading.faults);
+  add_at_new_paths(reading.faults, check_schema(json.document, schema, json.places));
+  reading.manifest = build_manifest(json.document, std::move(json.places), file);
+  add_at_new_paths(reading.faults, resolve_modifications(reading.manifest));
+  add_at_new_paths(reading.faults, check_meaning(reading.manifest));
+  add_at_new_paths(reading.faults, check_looks(reading.manifest));
+  reading.faults = in_reading_order(std::move(reading.faults));
+  return reading;
+}
+
+ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment) {
+  std::error_code error;
+  std::ifstream stream(file, std::ios::binary);
+  if (std::filesystem::is_directory(file, error) || !stream) {
+    ManifestReading reading;
+    reading.manifest.file = file;
+    const bool exists = std::filesystem::exists(file, error);
+    reading.faults.push_back({{file.string(), 0, 0},
+                              "",
+                              exists ? "cannot be read" : "there is no such file",
+                              "name a manifest (YAML)"});
+    return reading;
+  }
+  const std::string text((std::istreambuf_iterator<char>(stream)), {});
+  return parse_manifest(text, file, environment);
+}
+
+}  // namespace mien::pipeline

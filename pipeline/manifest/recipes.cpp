@@ -1,0 +1,146 @@
+#include "pipeline/manifest/recipes.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "motion/text/nearest_word.h"
+#include "pipeline/documents/fault.h"
+#include "pipeline/documents/json_assign.h"
+#include "pipeline/documents/schema.h"
+#include "pipeline/documents/yaml_json.h"
+#include "pipeline/documents/yaml_tree.h"
+#include "pipeline/manifest/modification_json.h"
+#include "pipeline/statistics/named_random.h"
+
+#include "embedded/emotions_recipes.h"
+#include "embedded/fig29_recipes.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+RecipeBook build(const JsonReading& reading, const fs::path& folder) {
+  RecipeBook book;
+  assign(member(reading.document, "name"), book.name);
+  const json& recipes = reading.document["recipes"];
+  for (const std::string& name : written_order(recipes, "recipes", reading.places)) {
+    const json& given = recipes[name];
+    Recipe recipe{.name = name};
+    assign(member(given, "ja"), recipe.japanese);
+    assign(member(given, "note"), recipe.note);
+    recipe.edit = modification_edit(
+        given, member_path("recipes", name), reading.places,
+        [&](const std::string& path) { return (folder / path).lexically_normal(); });
+    book.recipes.push_back(std::move(recipe));
+  }
+  return book;
+}
+
+std::vector<Fault> faults_of(const RecipeBook& book, const Places& places) {
+  std::vector<Fault> faults;
+  for (const Recipe& recipe : book.recipes) {
+    const std::string path = member_path("recipes", recipe.name);
+    if (recipe.name.empty()) {
+      faults.push_back({place_of(places, "recipes"), "recipes", "a recipe has no name",
+                        "call it what manifests name as emotion"});
+    }
+    if (recipe.edit.paths && recipe.edit.gains) {
+      faults.push_back({place_of(places, member_path(path, "gains")), member_path(path, "gains"),
+                        "paths says already how bands are weighted", "give paths or gains"});
+    }
+  }
+  return faults;
+}
+
+constexpr double seeds = 9007199254740992.0;  // 2⁵³: what a double counts
+
+void resolve(ModificationStep& step, const Recipe* recipe, std::uint64_t study_seed,
+             const std::string& stimulus) {
+  step.modification.seed = static_cast<std::uint64_t>(
+      seeds * uniform(study_seed, "variation of " + stimulus + " by " + step.path));
+  if (recipe != nullptr) {
+    step.modification = with_edit(step.modification, recipe->edit);
+    step.pose = recipe->edit.pose;
+  }
+  step.modification = with_edit(step.modification, step.edit);
+  if (step.edit.pose) step.pose = step.edit.pose;
+}
+
+}  // namespace
+
+const Recipe* RecipeBook::find(std::string_view emotion) const {
+  const auto found = std::ranges::find(recipes, emotion, &Recipe::name);
+  return found == recipes.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> RecipeBook::names() const {
+  std::vector<std::string> names;
+  for (const Recipe& recipe : recipes) names.push_back(recipe.name);
+  return names;
+}
+
+std::string_view builtin_recipes_text(std::string_view name) {
+  if (name == "builtin") return embedded_emotions_recipes;
+  if (name == "fig29") return embedded_fig29_recipes;
+  return {};
+}
+
+RecipeBook read_recipes(const std::string& source, const fs::path& file) {
+  if (const std::string_view text = builtin_recipes_text(source); !text.empty()) {
+    return parse_recipes(text, source + " recipes");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::error_code error;
+  if (!stream || fs::is_directory(file, error)) {
+    throw Error(Place{file.string(), 0, 0}, "cannot be read",
+                "name a file of recipes (YAML), builtin or fig29");
+  }
+  return parse_recipes(std::string((std::istreambuf_iterator<char>(stream)), {}), file);
+}
+
+RecipeBook parse_recipes(std::string_view yaml, const fs::path& file) {
+  std::vector<Fault> faults;
+  const YamlNode tree = read_yaml(yaml, file.string(), faults);
+  if (!faults.empty()) throw Faults(faults);
+  const json schema = recipes_schema();
+  const JsonReading reading = to_json(tree, root_of(schema), process_environment(), faults);
+  for (Fault& fault : check_schema(reading.document, schema, reading.places)) {
+    faults.push_back(std::move(fault));
+  }
+  if (!faults.empty()) throw Faults(faults);
+  RecipeBook book = build(reading, file.parent_path());
+  faults = faults_of(book, reading.places);
+  if (!faults.empty()) throw Faults(faults);
+  return book;
+}
+
+std::vector<Fault> resolve_modifications(Manifest& manifest) {
+  RecipeBook book;
+  try {
+    book = read_recipes(manifest.recipes.name, manifest.recipes.file);
+  } catch (const Faults& faults) {
+    return faults.list();
+  } catch (const Error& error) {
+    return {{place_of(manifest.places, "recipes"), "recipes", error.what(), ""}};
+  }
+  std::vector<Fault> faults;
+  for (Stimulus& stimulus : manifest.stimuli) {
+    for (ModificationStep& step : stimulus.modify) {
+      const Recipe* recipe = book.find(step.emotion);
+      if (recipe == nullptr && !step.emotion.empty()) {
+        const std::string path = member_path(step.path, "emotion");
+        faults.push_back({place_of(manifest.places, path), path,
+                          "there is no recipe for \"" + step.emotion + "\"",
+                          motion::did_you_mean(step.emotion, book.names())});
+      }
+      resolve(step, recipe, manifest.seed, stimulus.id);
+    }
+  }
+  return faults;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "motion/interpolation/interpolation.h"
+#include "motion/measures/distance.h"
+#include "pipeline/synthesis/repertoire.h"
+
+namespace mien::pipeline {
+
+// Interfaces for making motions, tried without people: sliders for adjectives, for features, or for
+// the weights of the examples.
+
+enum class InterfaceKind { adjectives, features, weights };
+
+/// "adjectives", "features", "weights".
+const char* name_of(InterfaceKind kind);
+
+/// Sliders from 0 to 1 and what they make.
+struct SliderInterface {
+  InterfaceKind kind = InterfaceKind::adjectives;
+  std::vector<std::string> sliders;
+};
+
+/// An interface ready to make motions: what lies between its sliders and the examples, fitted once.
+struct FittedInterface {
+  SliderInterface sliders;
+  motion::Interpolator interpolator;  ///< of the weights' interface: the shares themselves
+};
+
+FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
+                              const Repertoire& repertoire);
+
+/// The motion that the sliders of an interface make. Feet are not locked: that moves joints by a
+/// few millimetres and would take most of the time. Weights that are all 0 make the mean of all
+/// examples.
+motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
+                          const Interpolation& interpolation, const Repertoire& repertoire);
+
+/// Where an ideal user would put the sliders for a motion that was made with known weights: the
+/// weights with the largest at 1, the adjectives that they sum up to, or the features as measured,
+/// cut to [0, 1]. Weights below 0, which a statistical model's may be, become 0.
+Eigen::RowVectorXd ideal_settings(const SliderInterface& interface, const motion::Example& target,
+                                  const Eigen::VectorXd& weights, const Repertoire& repertoire);
+
+/// Settings to the nearest multiple of `step` (and to 1).
+Eigen::RowVectorXd rounded(const Eigen::RowVectorXd& settings, double step);
+
+/// Somebody who looks at target and created motion and moves one slider at a time.
+struct SimulatedUser {
+  std::uint64_t seed = 0;
+  std::string name;             ///< part of the names of the random numbers
+  double reading_error = 0.15;  ///< SD of reading a slider's value off the target
+  double seeing_error = 0.1;    ///< SD of the distance as seen, share of it
+  int most_looks = 100;         ///< after so many tries the user gives up
+  double threshold = motion::distance_threshold_m;  ///< D below which the motion matches, metres
+};
+
+struct InterfaceTrial {
+  Eigen::RowVectorXd first_guess;  ///< slider settings
+  double first_distance = 0.0;     ///< D of it, metres
+  double distance = 0.0;           ///< D of the motion left when the user stopped
+  int looks = 0;                   ///< motions made and looked at
+  bool matched = false;            ///< the distance is below the threshold
+};
+
+/// Distance from the target of the motion at slider settings, metres.
+using SliderDistance = std::function<double(const Eigen::RowVectorXd&)>;
+
+/// First guess: the ideal settings with the reading error, to the nearest 0.1. Then coordinate-wise
+/// search: in rounds, over the sliders in a random order, each is moved up and, if that looks no
+/// better, down by the step; a move that looks better (seen distance = true one × (1 + error),
+/// drawn anew at each look) is kept. A round without any improvement halves the step, from 0.2;
+/// below 0.02 the user stops. So they do when the motion matches, which the experiment tells them.
+InterfaceTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
+                             const SliderDistance& distance_at);
+
+}  // namespace mien::pipeline

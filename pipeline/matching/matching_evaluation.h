@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/matching/matching_results.h"
+#include "pipeline/statistics/t_test.h"
+#include "pipeline/statistics/wilcoxon.h"
+
+namespace mien::pipeline {
+
+/// What is measured of a trial.
+enum class MatchingMeasure {
+  first_guess_d,  ///< metres
+  time_s,         ///< seconds, the limit for trials without success
+};
+
+/// "first_guess_d" or "time_s".
+const char* name_of(MatchingMeasure measure);
+
+/// A mean with its spread. Of all targets the values are means of each participant; of one target
+/// they are trials.
+struct MatchingMean {
+  MatchingMeasure measure = MatchingMeasure::first_guess_d;
+  std::string interface;
+  std::string target;  ///< empty: all
+  int n = 0;
+  double mean = 0.0;
+  double sd = 0.0;  ///< divided by n − 1; NaN for one value
+};
+
+/// How often a first guess was near enough and how often no match was found, over all trials.
+struct MatchingShare {
+  std::string interface;
+  int guesses = 0;       ///< trials whose first guess has a D
+  int near_guesses = 0;  ///< D below the threshold of the distance
+  int trials = 0;
+  int failures = 0;
+};
+
+/// The first interface less the second, a value a participant: the mean over the targets that he
+/// tried with both.
+struct MatchingComparison {
+  MatchingMeasure measure = MatchingMeasure::first_guess_d;
+  std::string first;
+  std::string second;
+  TTest difference;
+  Wilcoxon paper;  ///< normal approximation without continuity correction
+  Wilcoxon exact;
+  double paper_holm = 1.0;  ///< corrected over the comparisons of the same measure
+  double exact_holm = 1.0;
+  double d_z = 0.0;
+};
+
+/// The evaluation of a matching experiment as in the adjective paper, section 4.
+struct MatchingEvaluation {
+  std::vector<MatchingMean> means;
+  std::vector<MatchingShare> shares;
+  std::vector<MatchingComparison> comparisons;  ///< every pair of interfaces, both measures
+};
+
+MatchingEvaluation evaluate(const MatchingResults& results);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,109 @@
+#include "pipeline/matching/target_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "motion/error.h"
+#include "pipeline/statistics/named_random.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr int most_draws = 200'000;
+constexpr std::size_t pool_size = 400;
+
+Eigen::MatrixXd places_of_examples(const ParameterTable& table,
+                                   const std::vector<std::string>& parameters) {
+  Eigen::MatrixXd places(table.values.cols(), static_cast<Eigen::Index>(parameters.size()));
+  for (std::size_t d = 0; d < parameters.size(); ++d) {
+    const int row = table.find(parameters[d]);
+    if (row < 0) {
+      throw Error(fmt::format("the examples have no parameter \"{}\"", parameters[d]),
+                  "name a scale that was rated, a feature, or a group of either");
+    }
+    places.col(static_cast<Eigen::Index>(d)) = table.values.row(row).transpose();
+  }
+  return places;
+}
+
+Eigen::RowVectorXd drawn(std::uint64_t seed, int draw, const std::vector<std::string>& names) {
+  Eigen::RowVectorXd place(static_cast<Eigen::Index>(names.size()));
+  for (std::size_t d = 0; d < names.size(); ++d) {
+    const double value = uniform(seed, fmt::format("target draw {} {}", draw, names[d]));
+    place[static_cast<Eigen::Index>(d)] = std::round(1000.0 * value) / 1000.0;
+  }
+  return place;
+}
+
+std::vector<SampledTarget> pool_of(const Eigen::MatrixXd& examples,
+                                   const std::vector<std::string>& names,
+                                   const TargetOptions& options) {
+  std::vector<SampledTarget> pool;
+  for (int draw = 0; draw < most_draws && pool.size() < pool_size; ++draw) {
+    SampledTarget target;
+    target.place = drawn(options.seed, draw, names);
+    const Eigen::VectorXd distances = (examples.rowwise() - target.place).rowwise().norm();
+    target.distance = distances.minCoeff(&target.nearest_example);
+    if (target.distance <= options.farthest_from_example) pool.push_back(std::move(target));
+  }
+  return pool;
+}
+
+/// Index of the largest.
+std::size_t farthest(const std::vector<double>& distances) {
+  return static_cast<std::size_t>(std::max_element(distances.begin(), distances.end()) -
+                                  distances.begin());
+}
+
+/// Places in the pool, each as far as possible from those before.
+std::vector<std::size_t> spread(const std::vector<SampledTarget>& pool, std::size_t count) {
+  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(pool.front().place.size());
+  for (const SampledTarget& t : pool) mean += t.place / static_cast<double>(pool.size());
+  std::vector<double> distances;
+  for (const SampledTarget& t : pool) distances.push_back((t.place - mean).norm());
+  std::vector<std::size_t> chosen = {farthest(distances)};
+  std::fill(distances.begin(), distances.end(), std::numeric_limits<double>::infinity());
+  while (chosen.size() < count) {
+    for (std::size_t i = 0; i < pool.size(); ++i) {
+      distances[i] = std::min(distances[i], (pool[i].place - pool[chosen.back()].place).norm());
+    }
+    chosen.push_back(farthest(distances));
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<SampledTarget> sample_targets(const ParameterTable& table,
+                                          const std::vector<std::string>& parameters,
+                                          const TargetOptions& options) {
+  const std::vector<SampledTarget> pool =
+      pool_of(places_of_examples(table, parameters), parameters, options);
+  const auto wanted = static_cast<std::size_t>(options.targets + options.practice);
+  if (pool.size() < wanted) {
+    throw Error(fmt::format("only {} of {} random places lie within {:g} of an example",
+                            pool.size(), most_draws, options.farthest_from_example),
+                "name fewer parameters, or allow a larger distance");
+  }
+  std::vector<SampledTarget> targets;
+  std::vector<bool> taken(pool.size(), false);
+  for (const std::size_t i : spread(pool, static_cast<std::size_t>(options.targets))) {
+    taken[i] = true;
+    targets.push_back(pool[i]);
+    targets.back().id = fmt::format("target-{}", targets.size());
+  }
+  int practised = 0;
+  for (std::size_t i = 0; i < pool.size() && practised < options.practice; ++i) {
+    if (taken[i]) continue;
+    targets.push_back(pool[i]);
+    targets.back().practice = true;
+    targets.back().id = fmt::format("practice-{}", ++practised);
+  }
+  return targets;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/film/film_task.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/synthesis/motions.h"
+#include "pipeline/tasks/stopwatch.h"
+#include "pipeline/tasks/task_graph.h"
+
+namespace mien::pipeline {
+
+/// What the command line changes about a manifest.
+struct ProductionOptions {
+  std::optional<Quality> quality;  ///< of all stimuli
+  std::vector<std::string> only;   ///< ids of stimuli, overlays and sheets; everything when empty
+  int jobs = 1;
+  Stopwatch* drawing = nullptr;  ///< if any, runs while frames are traced or encoded
+};
+
+/// The manifest as the tasks of a run:
+///
+///   motion  examples, weights → motion      (its digest)
+///   clip    motion → file                   clips/<id>.bvh, .glb
+///   film    motions → shot → frames, video   frames/<id>/, videos/<id>.mp4,
+///                                           sheets/contact/<id>.png
+///                                           metrics/films/<id>.json
+///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
+///           motions → shots → stills → page
+///   sizes     motions → shots → numbers     metrics/sizes.csv: what equalizing size needs
+///   exposure  motions → shots → numbers     metrics/exposure.csv: and luminance
+///   tables  motions → numbers               metrics/*.csv
+///   films   films → numbers                 metrics/luminance.csv, videos.csv, views.csv
+///   report  all of it → page                report.html
+///
+/// With `only`, nothing is made that covers the whole study (tables, report, provenance).
+class Production {
+ public:
+  /// Throws Error when `only` names what the manifest does not have.
+  Production(Manifest manifest, ProductionOptions options);
+  Production(const Production&) = delete;
+  Production& operator=(const Production&) = delete;
+
+  const Manifest& manifest() const { return manifest_; }
+  const TaskGraph& graph() const { return graph_; }
+  Motions& motions() { return motions_; }
+  bool is_whole() const { return options_.only.empty(); }
+
+ private:
+  void add_film(const FilmSubject& subject, int threads, const SharedDeterminants& shared);
+  void depend_on_motions(Task& task) const;
+  bool is_wanted(const std::string& id) const;
+  bool is_wanted_motion(const std::string& name) const;
+  bool is_wanted(const Sheet& sheet) const;
+  bool is_wanted(const Overlay& overlay) const;
+
+  Manifest manifest_;
+  ProductionOptions options_;
+  Motions motions_;
+  TaskGraph graph_;
+};
+
+}  // namespace mien::pipeline

@@ -1,0 +1,73 @@
+#include "pipeline/production/run.h"
+
+#include <algorithm>
+
+#include "pipeline/documents/files.h"
+#include "pipeline/film/film_record.h"
+#include "pipeline/film/film_tables.h"
+#include "pipeline/production/provenance.h"
+#include "pipeline/synthesis/motion_record.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+void put_provenance(const Production& production, const RunResult& result, Store& store) {
+  const std::string text = provenance(production.manifest(), result.outcomes);
+  const Hash key = hash_of(text);
+  if (store.find("provenance.json", key)) return;
+  store.put(
+      "provenance.json", key, [&](const std::filesystem::path& file) { write_file(file, text); },
+      [](const std::filesystem::path&) {});
+}
+
+/// From the records of motions and films, so that a run that finds everything made tells them too.
+std::vector<std::string> warnings_in(const Production& production, const RunResult& result,
+                                     const Store& store) {
+  std::vector<std::string> warnings;
+  for (const Stimulus& stimulus : production.manifest().stimuli) {
+    const std::size_t task = production.graph().index_of("motion:" + stimulus.id);
+    if (result.outcomes[task].products.empty()) continue;
+    const Receipt& record = result.outcomes[task].products.front();
+    for (const std::string& warning :
+         parse_motion_record(read_file(store.folder() / record.path)).warnings) {
+      warnings.push_back(stimulus.id + ": " + warning);
+    }
+  }
+  const std::vector<Task>& tasks = production.graph().tasks;
+  for (std::size_t task = 0; task < tasks.size(); ++task) {
+    if (tasks[task].kind != "film" || result.outcomes[task].products.empty()) continue;
+    const std::string film = tasks[task].id.substr(tasks[task].id.find(':') + 1);
+    const std::string record = read_file(store.folder() / film_record_path(film));
+    for (const std::string& warning : parse_film_record(record).warnings) {
+      warnings.push_back(film + ": " + warning);
+    }
+  }
+  return warnings;
+}
+
+}  // namespace
+
+int RunResult::count(TaskState state) const {
+  return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(), [&](const auto& outcome) {
+    return outcome.state == state;
+  }));
+}
+
+bool RunResult::is_complete() const {
+  return count(TaskState::cached) + count(TaskState::made) == static_cast<int>(outcomes.size());
+}
+
+RunResult run(Production& production, const std::filesystem::path& folder, int jobs,
+              const std::stop_token& stop, const RunObserver& observer) {
+  Store store(folder);
+  RunResult result;
+  result.outcomes = run(production.graph(), store, jobs, stop, observer);
+  result.was_interrupted = stop.stop_requested() && !result.is_complete();
+  if (production.is_whole() && result.is_complete()) put_provenance(production, result, store);
+  result.warnings = warnings_in(production, result, store);
+  result.nondeterminism = store.nondeterminism();
+  return result;
+}
+
+}  // namespace mien::pipeline

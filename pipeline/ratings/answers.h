@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/ratings/scales.h"
+
+namespace mien::pipeline {
+
+/// One answer of one participant, or the mean of several people's (`participant` empty).
+struct Answer {
+  std::string participant;
+  std::string stimulus;  ///< what was rated: an example's name or its file's stem
+  std::string scale;     ///< id
+  double value = 0.0;    ///< in the scale's own range
+};
+
+/// The answers of a rating study.
+struct Answers {
+  std::vector<Answer> answers;
+  bool simulated = false;  ///< made up, not given by people; every output that uses them says so
+};
+
+/// Reads a tidy CSV: columns stimulus, scale, value and, unless the values are means, participant;
+/// others (rt_s, order, comment …) are ignored. A column `simulated` with anything but 0 marks
+/// answers that nobody gave. A table of words (word_answers.h) is turned into answers, what is not
+/// mentioned counting as neutral.
+///
+/// Throws Error with line and column: a column missing, a value that is no number or outside the
+/// scale's range, a scale that `scales` does not know, the same participant answering twice.
+Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales);
+Answers parse_answers(std::string_view csv, const std::string& file, const ScaleSet& scales);
+
+/// As CSV with the column `simulated` when they are.
+std::string to_csv(const Answers& answers);
+
+}  // namespace mien::pipeline

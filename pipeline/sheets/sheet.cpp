@@ -1,0 +1,73 @@
+#include "pipeline/sheets/sheet.h"
+
+#include <cmath>
+#include <fstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "pipeline/sheets/sheet_layout.h"
+#include "pipeline/sheets/sheet_parts.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr int pixels_wide = 3508;  // A4 at 300 dots an inch
+
+void draw_page(Canvas& canvas, const SheetContent& content) {
+  const SheetLayout page = sheet_layout();
+  draw_header(canvas, content, page.header);
+  draw_verdict(canvas, content, page.verdict);
+  draw_settings(canvas, content, page.settings);
+  draw_figures(canvas, content, page.figures);
+  draw_heat_map(canvas, content, page.heat_map);
+  draw_joint_bars(canvas, content, page.joint_bars);
+  draw_curves(canvas, content, page.curves);
+  draw_footer(canvas, content, page.footer);
+}
+
+void write_file(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream out(file, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) {
+    throw std::system_error(errno, std::generic_category(), "cannot write " + file.string());
+  }
+}
+
+}  // namespace
+
+std::string verdict(const motion::Distance& distance) {
+  const double threshold = motion::distance_threshold_m;
+  // Rounded to millimetres a distance just below the threshold would read as the threshold.
+  int digits = 3;
+  const auto printed = [&] { return std::stod(fmt::format("{:.{}f}", distance.mean, digits)); };
+  while (digits < 12 && (printed() < threshold) != distance.matches()) ++digits;
+  return fmt::format("The created motion {} the target: D = {:.{}f} m {} {:g} m",
+                     distance.matches() ? "matches" : "does not match", distance.mean, digits,
+                     distance.matches() ? "<" : "≥", threshold);
+}
+
+std::string sheet_as_pdf(const SheetContent& content) {
+  const SheetLayout page = sheet_layout();
+  Canvas canvas = Canvas::pdf(page.width, page.height,
+                              content.created.id + " compared with " + content.target.id);
+  draw_page(canvas, content);
+  return canvas.finish();
+}
+
+std::string sheet_as_png(const SheetContent& content) {
+  const SheetLayout page = sheet_layout();
+  Canvas canvas = Canvas::png(page.width, page.height, pixels_wide);
+  draw_page(canvas, content);
+  return canvas.finish();
+}
+
+void draw_sheet(const SheetContent& content, const std::filesystem::path& pdf,
+                const std::filesystem::path& png) {
+  write_file(pdf, sheet_as_pdf(content));
+  write_file(png, sheet_as_png(content));
+}
+
+}  // namespace mien::pipeline

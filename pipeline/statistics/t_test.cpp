@@ -1,0 +1,71 @@
+#include "pipeline/statistics/t_test.h"
+
+#include <cmath>
+#include <limits>
+
+#include <boost/math/distributions/students_t.hpp>
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+double variance_of(const std::vector<double>& values) {
+  const double mean = mean_of(values);
+  double sum = 0.0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return sum / static_cast<double>(values.size() - 1);
+}
+
+TTest finished(TTest test) {
+  test.t = test.mean / test.standard_error;
+  if (std::isnan(test.t)) return test;  // nothing differs
+  test.p = std::isinf(test.t) ? 0.0
+                              : 2.0 * cdf(boost::math::students_t(test.degrees), -std::abs(test.t));
+  return test;
+}
+
+double margin(const TTest& test, double confidence) {
+  if (!(test.degrees > 0.0)) return unknown;
+  return quantile(boost::math::students_t(test.degrees), 0.5 + 0.5 * confidence) *
+         test.standard_error;
+}
+
+}  // namespace
+
+double TTest::low(double confidence) const { return mean - margin(*this, confidence); }
+double TTest::high(double confidence) const { return mean + margin(*this, confidence); }
+
+TTest paired_t_test(const std::vector<double>& differences) {
+  if (differences.size() < 2) {
+    return {differences.empty() ? unknown : differences[0], unknown, 0.0, unknown, unknown};
+  }
+  const auto n = static_cast<double>(differences.size());
+  return finished({mean_of(differences), std::sqrt(variance_of(differences) / n), n - 1.0});
+}
+
+TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() < 2 || b.size() < 2) return {unknown, unknown, 0.0, unknown, unknown};
+  const auto n = static_cast<double>(a.size());
+  const auto m = static_cast<double>(b.size());
+  const double of_a = variance_of(a) / n;
+  const double of_b = variance_of(b) / m;
+  const double both = of_a + of_b;
+  const double degrees =
+      both > 0.0 ? both * both / (of_a * of_a / (n - 1.0) + of_b * of_b / (m - 1.0)) : n + m - 2.0;
+  return finished({mean_of(a) - mean_of(b), std::sqrt(both), degrees});
+}
+
+double cohens_dz(const std::vector<double>& differences) {
+  if (differences.size() < 2) return unknown;
+  return mean_of(differences) / std::sqrt(variance_of(differences));
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,77 @@
+#include "pipeline/synthesis/motion_task.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "motion/formats/motion_file.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/manifest/determinants.h"
+#include "pipeline/synthesis/motion_record.h"
+#include "pipeline/tasks/code_identity.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double motion_cost_seconds = 0.05;
+constexpr double clip_cost_seconds = 0.01;
+
+void verify_clip(const fs::path& file, const motion::Recording& written) {
+  const motion::Recording read = motion::read_motion(file);
+  if (read.frame_count() == written.frame_count()) return;
+  throw std::runtime_error(fmt::format("{}: {} frames instead of {}", file.string(),
+                                       read.frame_count(), written.frame_count()));
+}
+
+}  // namespace
+
+Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motions& motions) {
+  Task task;
+  task.id = "motion:" + stimulus.id;
+  task.kind = "motion";
+  task.determinants.add("libraries", shared.libraries);
+  task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
+  add_motion(task.determinants, stimulus);
+  if (!stimulus.clip || names_examples(stimulus)) {
+    task.determinants.add("repertoire", shared.repertoire);
+  }
+  task.products.push_back({".mien/motions/" + stimulus.id + ".json", {}});
+  task.cost_seconds = motion_cost_seconds;
+  task.make = [&stimulus, &motions](TaskRun& run) {
+    const Synthesis& synthesis = motions.of(stimulus.id);
+    const std::string record = motion_record(synthesis, shown_clip(synthesis, stimulus.output));
+    run.store.put(
+        run.task.products[0].path, run.keys[0],
+        [&](const fs::path& file) { write_file(file, record); },
+        [](const fs::path& file) { parse_motion_record(read_file(file)); });
+  };
+  return task;
+}
+
+Task clip_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motions& motions) {
+  Task task;
+  task.id = "clip:" + stimulus.id;
+  task.kind = "clip";
+  task.inputs = {"motion:" + stimulus.id};
+  task.determinants.add("libraries", shared.libraries);
+  task.determinants.add("motion", motion_code());
+  const std::string path = "clips/" + stimulus.id;
+  if (stimulus.output.bvh) task.products.push_back({path + ".bvh", {}});
+  if (stimulus.output.glb) task.products.push_back({path + ".glb", {}});
+  task.cost_seconds = clip_cost_seconds;
+  task.make = [&stimulus, &motions](TaskRun& run) {
+    const motion::Recording recording = motion::to_recording(motions.shown(stimulus));
+    for (std::size_t i = 0; i < run.keys.size(); ++i) {
+      run.store.put(
+          run.task.products[i].path, run.keys[i],
+          [&](const fs::path& file) { motion::write_motion(recording, file); },
+          [&](const fs::path& file) { verify_clip(file, recording); });
+    }
+  };
+  return task;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,81 @@
+#include "pipeline/synthesis/motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mien::pipeline {
+
+struct Motions::Entry {
+  std::once_flag once;
+  std::optional<Synthesis> synthesis;
+};
+
+Motions::Motions(const Manifest& manifest) : manifest_(manifest) {}
+
+Motions::~Motions() = default;
+
+const Repertoire& Motions::repertoire() {
+  std::call_once(repertoire_once_, [this] { repertoire_ = load_repertoire(manifest_); });
+  return *repertoire_;
+}
+
+const Synthesis& Motions::of(const std::string& name) {
+  Entry& found = entry(name);
+  std::call_once(found.once, [&] { found.synthesis = make(name); });
+  return *found.synthesis;
+}
+
+motion::Clip Motions::shown(const Stimulus& stimulus) {
+  motion::Clip clip = shown_clip(of(stimulus.id), stimulus.output);
+  if (!manifest_.equalize.duration) return clip;
+  std::call_once(shortest_once_, [this] {
+    shortest_s_ = std::numeric_limits<double>::infinity();
+    for (const Stimulus& other : manifest_.stimuli) {
+      const motion::Clip shown = shown_clip(of(other.id), other.output);
+      shortest_s_ = std::min(shortest_s_, shown.frame_count() / shown.frames_per_second);
+    }
+  });
+  const auto frames =
+      static_cast<std::size_t>(std::max(1.0, std::round(shortest_s_ * clip.frames_per_second)));
+  if (clip.poses.size() > frames) clip.poses.resize(frames);
+  return clip;
+}
+
+Motions::Entry& Motions::entry(const std::string& name) {
+  const std::lock_guard guard(mutex_);
+  std::unique_ptr<Entry>& found = entries_[name];
+  if (!found) found = std::make_unique<Entry>();
+  return *found;
+}
+
+Synthesis Motions::make(const std::string& name) {
+  const Stimulus* stimulus = find_stimulus(manifest_, name);
+  if (stimulus == nullptr) {
+    return synthesize_example(name, manifest_.output, manifest_.interpolation, repertoire());
+  }
+  // A file needs no examples, unless its modifications do; there may be none.
+  if (stimulus->clip && !names_examples(*stimulus)) return synthesize(*stimulus, Repertoire{});
+  return synthesize(*stimulus, repertoire());
+}
+
+bool names_examples(const Stimulus& stimulus) {
+  return std::any_of(stimulus.modify.begin(), stimulus.modify.end(), [](const auto& step) {
+    if (step.style) return true;
+    return step.pose && !(step.pose->neutral.example.empty() && step.pose->posed.example.empty());
+  });
+}
+
+bool blends_examples(const Manifest& manifest) {
+  return std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
+                     [](const Stimulus& stimulus) { return !stimulus.clip; });
+}
+
+const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id) {
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.id == id) return &stimulus;
+  }
+  return nullptr;
+}
+
+}  // namespace mien::pipeline

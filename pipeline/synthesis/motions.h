@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/synthesis/repertoire.h"
+#include "pipeline/synthesis/synthesis.h"
+
+namespace mien::pipeline {
+
+/// The motions of a manifest, each made when it is first asked for and then kept. A run that finds
+/// everything in its store never reads an example. May be used from several threads.
+class Motions {
+ public:
+  /// Keeps a reference to the manifest.
+  explicit Motions(const Manifest& manifest);
+  ~Motions();
+  Motions(const Motions&) = delete;
+  Motions& operator=(const Motions&) = delete;
+
+  const Repertoire& repertoire();
+
+  /// The motion of a stimulus or, if no stimulus is called so, of an example. Throws Error.
+  const Synthesis& of(const std::string& name);
+
+  /// The clip that is shown of a stimulus (shown_clip); where the study has durations equalized,
+  /// only its beginning, as long as the shortest of all stimuli. Throws Error.
+  motion::Clip shown(const Stimulus& stimulus);
+
+ private:
+  struct Entry;
+  Entry& entry(const std::string& name);
+  Synthesis make(const std::string& name);
+
+  const Manifest& manifest_;
+  std::once_flag repertoire_once_;
+  std::optional<Repertoire> repertoire_;
+  std::mutex mutex_;  ///< of the map; entries stay where they are
+  std::map<std::string, std::unique_ptr<Entry>> entries_;
+  std::once_flag shortest_once_;
+  double shortest_s_ = 0.0;  ///< of the clips shown
+};
+
+/// Whether a modification of the stimulus takes something from an example.
+bool names_examples(const Stimulus& stimulus);
+
+/// Whether anything is made from examples, and not from a file alone.
+bool blends_examples(const Manifest& manifest);
+
+/// The stimulus of that id, or nullptr.
+const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id);
+
+}  // namespace mien::pipeline

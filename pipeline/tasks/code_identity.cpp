@@ -1,0 +1,13 @@
+#include "pipeline/tasks/code_identity.h"
+
+#include "code_hashes.h"
+#include "program_version.h"
+
+namespace mien::pipeline {
+
+std::string_view motion_code() { return motion_code_hash; }
+std::string_view film_code() { return film_code_hash; }
+std::string_view pipeline_code() { return pipeline_code_hash; }
+std::string_view program_version() { return program_version_text; }
+
+}  // namespace mien::pipeline

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "pipeline/tasks/store.h"
+
+namespace mien::pipeline {
+
+/// An artifact that a task makes. Its key is made of the task's key and of what concerns this
+/// product alone, so that another video setting does not draw the frames again.
+struct Product {
+  std::string path;  ///< in the store
+  KeyBuilder own;    ///< determinants beyond the task's
+};
+
+struct Task;
+
+/// What a task's function is given.
+struct TaskRun {
+  Store& store;
+  const Task& task;
+  std::vector<Hash> keys;                ///< one a product
+  std::stop_token stop;                  ///< throw Interrupted soon after it is requested
+  std::function<void(double)> progress;  ///< share done, 0 … 1
+};
+
+/// Thrown by a task that was asked to stop.
+struct Interrupted {};
+
+/// A step of a production: makes all of its products.
+struct Task {
+  std::string id;                   ///< "film:target-1"
+  std::string kind;                 ///< "film"
+  std::vector<std::string> inputs;  ///< ids of tasks whose products it reads
+  KeyBuilder determinants;          ///< all that determines the products beside the inputs' bytes
+  std::vector<Product> products;    ///< at least one
+  double cost_seconds = 0.0;        ///< estimate on one core
+  std::function<void(TaskRun&)> make;
+};
+
+/// Tasks in an order in which inputs come first.
+struct TaskGraph {
+  std::vector<Task> tasks;
+
+  /// Adds a task. Its inputs must have been added before.
+  void add(Task task);
+  const Task& task(const std::string& id) const;
+  std::size_t index_of(const std::string& id) const;
+
+ private:
+  std::map<std::string, std::size_t> indices_;
+};
+
+enum class TaskState {
+  cached,  ///< all products were there
+  made,
+  failed,   ///< `error` says why
+  skipped,  ///< an input failed or was interrupted
+  interrupted,
+  waiting,  ///< in a plan: its inputs have to be made first
+  due,      ///< in a plan: has to be made
+};
+
+struct TaskOutcome {
+  TaskState state = TaskState::waiting;
+  std::string error;
+  bool is_bad_input = false;      ///< failed through the user's files, not the machine
+  std::vector<Receipt> products;  ///< when cached or made, in the task's order
+};
+
+/// Keys of a task's products, once all inputs' products are known.
+std::vector<Hash> keys_of(const Task& task, const std::vector<const TaskOutcome*>& inputs);
+
+/// The products' receipts when all of them are present with these keys.
+std::optional<std::vector<Receipt>> find_products(const Task& task, const std::vector<Hash>& keys,
+                                                  const std::filesystem::path& folder);
+
+/// What a run would do: which tasks are cached, due or waiting. One outcome a task.
+std::vector<TaskOutcome> plan(const TaskGraph& graph, const std::filesystem::path& folder);
+
+/// Told about what happens; called from several threads, one call at a time.
+struct RunObserver {
+  std::function<void(const Task&)> started;
+  std::function<void(const Task&, double share)> progressed;
+  std::function<void(const Task&, const TaskOutcome&)> ended;
+};
+
+/// Runs the tasks on `jobs` threads. A task that fails leaves the others running; what depends on
+/// it is skipped. After `stop` no task is begun. One outcome a task.
+std::vector<TaskOutcome> run(const TaskGraph& graph, Store& store, int jobs, std::stop_token stop,
+                             const RunObserver& observer);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,286 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/documents/csv.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/film/film_dots.h"
+#include "pipeline/film/film_presentation.h"
+#include "pipeline/film/film_shot.h"
+#include "pipeline/manifest/manifest_checks.h"
+#include "pipeline/production/run.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+Stimulus stimulus(const std::string& id, const std::string& example, int cycles) {
+  Stimulus result;
+  result.path = "stimuli[0]";
+  result.id = id;
+  result.weights = {{example, 1.0}};
+  result.output.size = {48, 32};
+  result.output.fps = 10.0;
+  result.output.cycles = cycles;
+  result.output.quality = Quality::draft;
+  result.output.frames = FrameFormat::none;
+  return result;
+}
+
+Manifest study() {
+  Manifest manifest;
+  manifest.study = "alike";
+  manifest.file = MIEN_SOURCE_DIR "/manifests/quickstart.yaml";
+  manifest.examples.builtin = "walks-10";
+  manifest.ratings.source = Ratings::Source::builtin;
+  manifest.stimuli = {stimulus("short", "normal", 1), stimulus("long", "normal", 3)};
+  manifest.stimuli[1].look.camera.view = "front";
+  manifest.equalize = {.luminance = true, .duration = true};
+  return manifest;
+}
+
+TEST(Equalize, MakesFilmsOfAStudyAlikeInLuminanceAndDuration) {
+  const test::TemporaryFolder folder;
+  Production production(study(), {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
+  ASSERT_TRUE(result.is_complete());
+
+  const CsvTable luminance = read_csv(folder.path() / "out/metrics/luminance.csv");
+  const auto column = [](const CsvTable& table, const char* name) {
+    return static_cast<std::size_t>(require_column(table, name));
+  };
+  const auto number = [&](const CsvTable& table, std::size_t row, const char* name) {
+    return number_in(table, table.rows[row][column(table, name)]);
+  };
+  ASSERT_EQ(luminance.rows.size(), 2u);
+  const double mean = number(luminance, 0, "mean_luminance");
+  EXPECT_NEAR(number(luminance, 1, "mean_luminance"), mean, 0.01 * mean);
+  EXPECT_NE(number(luminance, 0, "exposure_stops"), 0.0);
+
+  const CsvTable videos = read_csv(folder.path() / "out/metrics/videos.csv");
+  ASSERT_EQ(videos.rows.size(), 2u);
+  EXPECT_EQ(number(videos, 0, "frames"), number(videos, 1, "frames"));
+  EXPECT_GT(number(videos, 0, "worst_psnr_db"), 30.0);
+}
+
+TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  manifest.equalize = {.size = true};
+  // Another height and width of the picture, twice the pixels, a point-light figure.
+  manifest.stimuli[0].output.scale = 2.0;
+  manifest.stimuli.push_back(stimulus("dots", "normal", 1));
+  manifest.stimuli[2].output.size = {64, 64};
+  manifest.stimuli[2].look.figure = scenes::PointLightOptions{};
+  Motions motions(manifest);
+  std::vector<double> framed;
+  for (const Stimulus& one : manifest.stimuli)
+    framed.push_back(scenes::figure_pixels(shot_of(one, motions, 0).cameras));
+  const double least = *std::min_element(framed.begin(), framed.end());
+  EXPECT_GT(*std::max_element(framed.begin(), framed.end()), 1.2 * least);
+
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
+  ASSERT_TRUE(result.is_complete());
+  for (const Stimulus& one : manifest.stimuli) {
+    EXPECT_NEAR(number_of(folder.path() / "out/metrics/views.csv", "figure_px", one.id), least,
+                0.02)
+        << one.id;
+  }
+  // The dots are where their table says, in the picture of that size.
+  const double figure_px = number_of(folder.path() / "out/metrics/sizes.csv", "figure_px", "dots");
+  EXPECT_EQ(read_file(folder.path() / "out/clips/dots.dots.csv"),
+            dots_csv(shot_of(manifest.stimuli[2], motions, 0, figure_px)));
+}
+
+TEST(Equalize, FailsWhereNoExposureReachesTheOthersLuminance) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  manifest.equalize = {.luminance = true};
+  // However bright they are, a few dots on black are dark.
+  manifest.stimuli[1].look.figure = scenes::PointLightOptions{.size_px = 1.0};
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  EXPECT_FALSE(result.is_complete());
+  const auto outcome_of = [&](const std::string& task) {
+    return result.outcomes[production.graph().index_of(task)];
+  };
+  EXPECT_NE(outcome_of("exposure").error.find("equalize: \"long\" has a mean luminance of 0.0"),
+            std::string::npos)
+      << outcome_of("exposure").error;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/metrics/exposure.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/videos/long.mp4"));
+}
+
+struct DotRow {
+  double x_px;
+  double y_px;
+  bool visible;
+  std::string eye;
+};
+
+std::vector<DotRow> dot_rows(const scenes::Shot& shot, const std::filesystem::path& folder) {
+  write_file(folder / "dots.csv", dots_csv(shot));
+  const CsvTable table = read_csv(folder / "dots.csv");
+  const auto field = [&](std::size_t row, const char* name) {
+    return table.rows[row][static_cast<std::size_t>(require_column(table, name))];
+  };
+  std::vector<DotRow> rows;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    rows.push_back({number_in(table, field(row, "x_px")), number_in(table, field(row, "y_px")),
+                    field(row, "visible").text == "1", field(row, "eye").text});
+  }
+  return rows;
+}
+
+TEST(DotTables, CountFromTheCornerOfTheCropAndTellWhatItShows) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  Stimulus& dots = manifest.stimuli[0];
+  dots.look.figure = scenes::PointLightOptions{};
+  Motions motions(manifest);
+  const std::vector<DotRow> whole = dot_rows(shot_of(dots, motions, 0), folder.path());
+  dots.output.crop = {{20, 4, 16, 12}};
+  const std::vector<DotRow> part = dot_rows(shot_of(dots, motions, 0), folder.path());
+  ASSERT_EQ(part.size(), whole.size());
+  int inside = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    EXPECT_EQ(part[i].eye, "both");
+    EXPECT_NEAR(part[i].x_px, whole[i].x_px - 20.0, 1e-4);
+    EXPECT_NEAR(part[i].y_px, whole[i].y_px - 4.0, 1e-4);
+    EXPECT_EQ(part[i].visible,
+              part[i].x_px >= 0 && part[i].x_px < 16 && part[i].y_px >= 0 && part[i].y_px < 12);
+    inside += part[i].visible ? 1 : 0;
+  }
+  EXPECT_GT(inside, 0);
+  EXPECT_LT(inside, static_cast<int>(part.size()));
+}
+
+TEST(DotTables, HaveEachDotOnceForEachEye) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  Stimulus& dots = manifest.stimuli[0];
+  dots.look.figure = scenes::PointLightOptions{};
+  dots.look.camera.stereo_separation_m = 0.065;
+  Motions motions(manifest);
+  const scenes::Shot shot = shot_of(dots, motions, 0);
+  const std::vector<DotRow> rows = dot_rows(shot, folder.path());
+  const std::size_t count = shot.actors[0].dots.size();
+  ASSERT_EQ(rows.size(), 2 * count * static_cast<std::size_t>(shot.frame_count()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool right = i / count % 2 == 1;
+    EXPECT_EQ(rows[i].eye, right ? "right" : "left");
+    // The picture is 48 pixels wide, a half for each eye.
+    EXPECT_EQ(rows[i].visible, rows[i].x_px >= (right ? 24 : 0) &&
+                                   rows[i].x_px < (right ? 48 : 24) && rows[i].y_px >= 0 &&
+                                   rows[i].y_px < 32);
+    if (right) {
+      EXPECT_LT(std::abs(rows[i].x_px - 24.0 - rows[i - count].x_px), 3.0);
+      EXPECT_NEAR(rows[i].y_px, rows[i - count].y_px, 0.2);
+    }
+  }
+}
+
+TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
+  Manifest manifest = study();
+  manifest.equalize = {.size = true};
+  const auto is_told = [&] {
+    const std::vector<Fault> faults = check_meaning(manifest);
+    return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
+      return fault.wrong == "the camera of \"long\" says already how large its figure is seen";
+    });
+  };
+  EXPECT_FALSE(is_told());
+  manifest.stimuli[1].look.camera.screen = scenes::ScreenSettings{};
+  EXPECT_TRUE(is_told());
+}
+
+TEST(Overlays, ShowTheirMotionsTogetherInOneFilm) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  manifest.equalize = {};
+  manifest.stimuli[0].role = Role::target;
+  Overlay overlay;
+  overlay.film = stimulus("both", "", 2);
+  overlay.film.weights.clear();
+  overlay.film.path = "overlays[0]";
+  overlay.target = "short";
+  overlay.created = "long";
+  overlay.reference = "sad";  // an example
+  manifest.overlays = {overlay};
+  Motions motions(manifest);
+  const scenes::Shot shot = shot_of(manifest.overlays[0], motions, 0);
+  ASSERT_EQ(shot.actors.size(), 3u);
+  EXPECT_EQ(shot.actors[0].name, "short");
+  EXPECT_EQ(shot.actors[2].name, "sad");
+  EXPECT_EQ(shot.actors[1].opacity, 0.75f);
+  for (const scenes::Actor& actor : shot.actors)
+    EXPECT_EQ(actor.clip.frames_per_second, overlay.film.output.fps);
+  // Each as the overlay's own output shows it: two cycles.
+  const int frames = motions.of("short").motion.clip.frame_count();
+  EXPECT_EQ(shot.actors[0].clip.frame_count(), 2 * frames);
+  EXPECT_EQ(shot.actors[1].clip.frame_count(), 2 * frames);
+
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
+  ASSERT_TRUE(result.is_complete());
+  EXPECT_EQ(number_of(folder.path() / "out/metrics/videos.csv", "frames", "both"),
+            shot.frame_count());
+  // Its own layout is its own film; the films of its motions stay.
+  manifest.overlays[0].layout = scenes::Layout::side_by_side;
+  Production other(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult again = run(other, folder.path() / "out", 1, {}, {});
+  const auto state_of = [&](const std::string& task) {
+    return again.outcomes[other.graph().index_of(task)].state;
+  };
+  EXPECT_EQ(state_of("film:both"), TaskState::made);
+  EXPECT_EQ(state_of("film:short"), TaskState::cached);
+}
+
+TEST(Overlays, AreAskedForByNameOrByTheirMotions) {
+  Manifest manifest = study();
+  Overlay overlay;
+  overlay.film = stimulus("both", "", 1);
+  overlay.target = "short";
+  overlay.created = "normal";
+  manifest.overlays = {overlay};
+  const auto is_made = [&](const std::vector<std::string>& only) {
+    const Production production(manifest, {.quality = {}, .only = only, .jobs = 1});
+    const auto& tasks = production.graph().tasks;
+    return std::any_of(tasks.begin(), tasks.end(),
+                       [](const Task& task) { return task.id == "film:both"; });
+  };
+  EXPECT_TRUE(is_made({}));
+  EXPECT_TRUE(is_made({"both"}));
+  EXPECT_TRUE(is_made({"short"}));
+  EXPECT_FALSE(is_made({"long"}));
+}
+
+TEST(Equalize, LeavesFilmsAloneOtherwise) {
+  Manifest manifest = study();
+  manifest.equalize = {};
+  Motions motions(manifest);
+  EXPECT_EQ(3 * motions.shown(manifest.stimuli[0]).frame_count(),
+            motions.shown(manifest.stimuli[1]).frame_count());
+}
+
+TEST(VideoNames, OfTwoStimuliMustDiffer) {
+  Manifest manifest = study();
+  manifest.stimuli[0].id = "a.lossless";
+  manifest.stimuli[1].id = "a";
+  const auto is_told = [&] {
+    const std::vector<Fault> faults = check_meaning(manifest);
+    return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
+      return fault.wrong == "its video a.lossless.mp4 would be that of \"a.lossless\"";
+    });
+  };
+  EXPECT_FALSE(is_told());
+  manifest.stimuli[1].output.video = {render::VideoKind::mp4_lossless};
+  EXPECT_TRUE(is_told());
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,178 @@
+#include "pipeline/matching/matching_evaluation.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/documents/fault.h"
+#include "pipeline/matching/matching_figures.h"
+#include "pipeline/matching/matching_tables.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+constexpr const char* header = "participant,target,interface,first_guess_d,time_s,success\n";
+
+MatchingResults read(const std::string& rows) {
+  return matching_results(parse_csv(header + rows, "r.csv"));
+}
+
+std::string refusal(const std::string& rows) {
+  try {
+    read(rows);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// Three people, two targets, two interfaces; p3 never tried t2 with weights.
+MatchingResults sessions() {
+  return read(
+      "p1,t1,weights,0.10,200,1\np1,t2,weights,0.08,,0\n"
+      "p1,t1,adjectives,0.05,100,1\np1,t2,adjectives,0.07,120,1\n"
+      "p2,t1,weights,0.12,150,1\np2,t2,weights,,250,1\n"
+      "p2,t1,adjectives,0.04,90,1\np2,t2,adjectives,0.03,110,1\n"
+      "p3,t1,weights,0.09,100,1\n"
+      "p3,t1,adjectives,0.06,130,1\np3,t2,adjectives,0.02,80,1\n");
+}
+
+const MatchingMean& mean_of(const MatchingEvaluation& evaluation, MatchingMeasure measure,
+                            const std::string& interface, const std::string& target) {
+  for (const MatchingMean& m : evaluation.means) {
+    if (m.measure == measure && m.interface == interface && m.target == target) return m;
+  }
+  throw std::runtime_error("no such mean");
+}
+
+TEST(MatchingEvaluation, AveragesPeopleAndCountsFailuresAsTheLimit) {
+  const MatchingEvaluation e = evaluate(sessions());
+  const MatchingMean& time = mean_of(e, MatchingMeasure::time_s, "weights", "");
+  EXPECT_EQ(time.n, 3);
+  EXPECT_NEAR(time.mean, (250.0 + 200.0 + 100.0) / 3.0, 1e-12);
+  EXPECT_NEAR(time.sd, std::sqrt((66.6667 * 66.6667 + 16.6667 * 16.6667 + 83.3333 * 83.3333) / 2),
+              1e-3);
+  const MatchingMean& guess = mean_of(e, MatchingMeasure::first_guess_d, "weights", "t2");
+  EXPECT_EQ(guess.n, 1);
+  EXPECT_NEAR(guess.mean, 0.08, 1e-12);
+  EXPECT_TRUE(std::isnan(guess.sd));
+  EXPECT_NEAR(mean_of(e, MatchingMeasure::time_s, "adjectives", "t1").mean, 320.0 / 3.0, 1e-12);
+}
+
+TEST(MatchingEvaluation, CountsGuessesAndFailures) {
+  const MatchingEvaluation e = evaluate(sessions());
+  ASSERT_EQ(e.shares.size(), 2u);
+  EXPECT_EQ(e.shares[0].interface, "weights");
+  EXPECT_EQ(e.shares[0].guesses, 4);
+  EXPECT_EQ(e.shares[0].near_guesses, 0);
+  EXPECT_EQ(e.shares[0].trials, 5);
+  EXPECT_EQ(e.shares[0].failures, 1);
+  // 0.06 is the threshold itself, so it is no match.
+  EXPECT_EQ(e.shares[1].near_guesses, 4);
+  EXPECT_EQ(e.shares[1].guesses, 6);
+}
+
+TEST(MatchingEvaluation, PairsWhatEachPersonTriedWithBoth) {
+  const MatchingEvaluation e = evaluate(sessions());
+  ASSERT_EQ(e.comparisons.size(), 2u);
+  const MatchingComparison& time = e.comparisons[1];
+  ASSERT_EQ(time.measure, MatchingMeasure::time_s);
+  EXPECT_EQ(time.first, "weights");
+  EXPECT_EQ(time.second, "adjectives");
+  // p1 (100 + 180)/2, p2 (60 + 140)/2, p3 −30 on t1 alone.
+  EXPECT_EQ(time.exact.pairs, 3);
+  EXPECT_NEAR(time.difference.mean, (140.0 + 100.0 - 30.0) / 3.0, 1e-12);
+  EXPECT_EQ(time.exact.w_plus, 5.0);
+  EXPECT_NEAR(time.exact.p, 0.5, 1e-12);
+  EXPECT_NEAR(time.difference.high(0.9) - time.difference.mean,
+              time.difference.mean - time.difference.low(0.9), 1e-12);
+  // Student's t with 2 degrees of freedom: 2.919986 at 0.95.
+  EXPECT_NEAR(time.difference.high(0.9) - time.difference.mean,
+              2.919986 * time.difference.standard_error, 1e-4);
+}
+
+TEST(MatchingEvaluation, CorrectsForTheComparisonsOfOneMeasure) {
+  std::string rows;
+  for (int p = 0; p < 8; ++p) {
+    const std::string name = "p" + std::to_string(p);
+    rows += name + ",t,a,0.1,200,1\n" + name + ",t,b,0.1," + std::to_string(100 + p) + ",1\n" +
+            name + ",t,c,0.1," + std::to_string(150 - 3 * p) + ",1\n";
+  }
+  const MatchingEvaluation e = evaluate(read(rows));
+  ASSERT_EQ(e.comparisons.size(), 6u);
+  for (const MatchingComparison& c : e.comparisons) {
+    if (c.measure == MatchingMeasure::first_guess_d) {
+      EXPECT_EQ(c.exact_holm, 1.0);
+    } else {
+      EXPECT_NEAR(c.exact.p, 2.0 / 256.0, 1e-12);
+      EXPECT_NEAR(c.exact_holm, 6.0 / 256.0, 1e-12);
+    }
+  }
+}
+
+TEST(MatchingEvaluation, RefusesEveryBadRowWithItsPlace) {
+  EXPECT_EQ(refusal("p,t,w,-1,3,1\np,t,,0.1,3,yes\np,t,w,0.1,400,1\np,u,w,0.1,,1\n"),
+            "r.csv:2:7: \"-1\" is no number from 0 up; write a decimal number, or leave the field "
+            "empty\n"
+            "r.csv:3:5: no interface; name it\n"
+            "r.csv:3:12: \"yes\" is neither 1 nor 0; write 1 for a match within the limit and 0 "
+            "for none\n"
+            "r.csv:4:1: participant \"p\" has matched \"t\" with \"w\" before; keep one of the two "
+            "trials\n"
+            "r.csv:4:11: a success after 400 s, but the limit is 300 s; correct it, or state the "
+            "limit with --limit\n"
+            "r.csv:5:11: a success without a time; write the seconds that it took");
+  EXPECT_EQ(refusal(""), "r.csv: there are no trials; add a row for each trial");
+}
+
+TEST(MatchingEvaluation, WritesTablesAndFigures) {
+  const test::TemporaryFolder folder;
+  MatchingResults results = sessions();
+  results.simulated = true;
+  write_evaluation(evaluate(results), results, folder.path() / "e");
+  const auto rows = [&](const char* name) {
+    const CsvTable table = read_csv(folder.path() / "e" / name);
+    const int column = require_column(table, "sessions");
+    for (const auto& row : table.rows) {
+      EXPECT_EQ(row[static_cast<size_t>(column)].text, "simulated");
+    }
+    return table.rows.size();
+  };
+  EXPECT_EQ(rows("means.csv"), 12u);
+  EXPECT_EQ(rows("shares.csv"), 2u);
+  EXPECT_EQ(rows("time_saved.csv"), 1u);
+  EXPECT_EQ(rows("comparisons.csv"), 2u);
+  for (const char* figure :
+       {"first_guess_d", "first_guess_success", "time", "time_saved", "failures"}) {
+    for (const char* ending : {".pdf", ".svg", ".png"}) {
+      EXPECT_GT(std::filesystem::file_size(folder.path() / "e" / (std::string(figure) + ending)),
+                1000u);
+    }
+  }
+}
+
+TEST(BarChart, TextsKeepToThePageAndApart) {
+  const MatchingEvaluation e = evaluate(sessions());
+  BarChart negative = time_saved_chart(e, true);
+  negative.bars.push_back({"the other way", -40.0, -90.0, 10.0, "n = 3"});
+  for (const BarChart& chart : {first_guess_chart(e, true), first_guess_success_chart(e, false),
+                                time_chart(e, true), negative, failures_chart(e, true)}) {
+    const Figure figure = bar_chart_figure(chart);
+    Canvas canvas = Canvas::pdf(figure.width, figure.height, "t");
+    figure.draw(canvas);
+    const auto& texts = canvas.texts();
+    for (size_t i = 0; i < texts.size(); ++i) {
+      const Box& box = texts[i].box;
+      EXPECT_TRUE(box.x >= 0.0 && box.y >= 0.0 && box.right() <= figure.width &&
+                  box.bottom() <= figure.height)
+          << texts[i].text;
+      for (size_t k = 0; k < i; ++k) {
+        EXPECT_FALSE(overlap(box, texts[k].box)) << texts[i].text << " over " << texts[k].text;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,114 @@
+#include "pipeline/ratings/impressions.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "motion/error.h"
+
+namespace mien::pipeline {
+namespace {
+
+ScaleSet two_scales() {
+  ScaleSet set;
+  set.name = "test";
+  set.scales.push_back({.id = "slow-fast", .low = "slow", .high = "fast"});
+  set.scales.push_back({.id = "open", .low = "closed", .high = "open", .least = -3, .most = 3});
+  set.groups.push_back({.id = "all", .scales = {"slow-fast", "open"}});
+  return set;
+}
+
+constexpr const char* answers_csv =
+    "participant,stimulus,scale,value,rt_s\n"
+    "p1,walk_a,slow-fast,2,1.5\n"
+    "p2,walk_a,slow-fast,0,1.5\n"
+    "p1,b,slow-fast,-2,1\n"
+    "p2,b,slow-fast,-2,1\n"
+    "p1,walk_a,open,3,1\n"
+    "p1,b,open,0,1\n"
+    "p9,someone else,open,0,1\n";
+
+const std::vector<RatedExample> examples = {{"a", "walk_a"}, {"b", "walk_b"}};
+
+TEST(Impressions, AreMeansAsSharesOfTheRange) {
+  const ScaleSet scales = two_scales();
+  const Impressions a =
+      impressions_of(parse_answers(answers_csv, "x.csv", scales), scales, examples);
+  ASSERT_EQ(a.scales, (std::vector<std::string>{"slow-fast", "open"}));
+  EXPECT_DOUBLE_EQ(a.mean(0, 0), 0.75);
+  EXPECT_DOUBLE_EQ(a.mean(0, 1), 0.0);
+  EXPECT_DOUBLE_EQ(a.mean(1, 0), 1.0);
+  EXPECT_DOUBLE_EQ(a.mean(1, 1), 0.5);
+  EXPECT_DOUBLE_EQ(a.deviation(0, 0), 0.25);
+  EXPECT_EQ(a.count(0, 0), 2);
+  EXPECT_FALSE(a.simulated);
+}
+
+TEST(Impressions, GroupsAreTheMeansOfTheirMembers) {
+  const ScaleSet scales = two_scales();
+  const ParameterTable table = parameter_table(
+      impressions_of(parse_answers(answers_csv, "x.csv", scales), scales, examples), scales);
+  ASSERT_EQ(table.names, (std::vector<std::string>{"all", "slow-fast", "open"}));
+  EXPECT_DOUBLE_EQ(table.values(0, 0), (0.75 + 1.0) / 2);
+  EXPECT_DOUBLE_EQ(table.values(0, 1), 0.25);
+}
+
+TEST(Impressions, ReversingAScaleMirrorsThem) {
+  const ScaleSet scales = two_scales();
+  Answers answers = parse_answers(answers_csv, "x.csv", scales);
+  const Impressions before = impressions_of(answers, scales, examples);
+  for (Answer& answer : answers.answers) answer.value = -answer.value;
+  const Impressions after = impressions_of(answers, scales, examples);
+  EXPECT_LT((before.mean + after.mean - Eigen::MatrixXd::Ones(2, 2)).norm(), 1e-12);
+}
+
+TEST(Impressions, MeansWithoutParticipantsAreTaken) {
+  const ScaleSet scales = two_scales();
+  const Impressions a = impressions_of(
+      parse_answers("stimulus,scale,value\na,slow-fast,1\nb,slow-fast,-0.5\n", "m.csv", scales),
+      scales, examples);
+  EXPECT_DOUBLE_EQ(a.mean(0, 0), 0.75);
+  EXPECT_TRUE(std::isnan(a.deviation(0, 0)));
+}
+
+TEST(Impressions, NameWhatWasNotRated) {
+  const ScaleSet scales = two_scales();
+  const Answers answers = parse_answers("stimulus,scale,value\na,slow-fast,1\n", "m.csv", scales);
+  try {
+    impressions_of(answers, scales, examples);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("\"b on slow-fast\""), std::string::npos)
+        << error.what();
+  }
+}
+
+struct BadAnswers {
+  const char* csv;
+  const char* message;
+};
+
+class EveryBadAnswer : public testing::TestWithParam<BadAnswers> {};
+
+TEST_P(EveryBadAnswer, IsRefusedWithItsPlace) {
+  try {
+    parse_answers(GetParam().csv, "a.csv", two_scales());
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).rfind(GetParam().message, 0), 0u) << error.what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Answers, EveryBadAnswer,
+    testing::Values(
+        BadAnswers{"stimulus,scale,value\na,slow-fats,1\n",
+                   "a.csv:2:3: unknown scale \"slow-fats\"; did you mean \"slow-fast\"?"},
+        BadAnswers{"stimulus,scale,value\na,slow-fast,3\n",
+                   "a.csv:2:13: 3 is outside the range of \"slow-fast\"; answers go from -2 to 2"},
+        BadAnswers{"participant,stimulus,scale,value\np,a,open,3\np,a,open,1\n",
+                   "a.csv:3:3: a second answer of participant \"p\" about \"a\" on \"open\""},
+        BadAnswers{"stimulus,value\na,1\n", "a.csv:1"}));
+
+}  // namespace
+}  // namespace mien::pipeline

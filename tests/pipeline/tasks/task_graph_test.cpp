@@ -1,0 +1,220 @@
+#include "pipeline/tasks/task_graph.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "motion/error.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A task that writes its inputs' texts and its own word.
+Task writing_task(const std::string& id, const std::vector<std::string>& inputs,
+                  const std::string& word) {
+  Task task;
+  task.id = id;
+  task.kind = "text";
+  task.inputs = inputs;
+  task.determinants.add("word", word);
+  task.products = {{id + ".txt", {}}};
+  task.cost_seconds = 1.0;
+  task.make = [inputs, word](TaskRun& run) {
+    std::string text = word;
+    for (const std::string& input : inputs) {
+      text += "(" + read_file(run.store.folder() / (input + ".txt")) + ")";
+    }
+    run.store.put(
+        run.task.products[0].path, run.keys[0],
+        [&](const fs::path& file) { write_file(file, text); }, [](const fs::path&) {});
+  };
+  return task;
+}
+
+class TaskGraphTest : public testing::Test {
+ protected:
+  test::TemporaryFolder temporary;
+  fs::path folder = temporary.path() / "study";
+  std::stop_source stop;
+  std::vector<std::string> made;  ///< ids, in the order in which they ended
+
+  std::vector<TaskOutcome> run_all(const TaskGraph& graph, int jobs = 2) {
+    Store store(folder);
+    made.clear();
+    RunObserver observer;
+    observer.ended = [&](const Task& task, const TaskOutcome& outcome) {
+      if (outcome.state == TaskState::made) made.push_back(task.id);
+    };
+    return run(graph, store, jobs, stop.get_token(), observer);
+  }
+};
+
+/// a → b → d, a → c → d
+TaskGraph diamond(const std::string& word_of_a, const std::string& word_of_b = "b") {
+  TaskGraph graph;
+  graph.add(writing_task("a", {}, word_of_a));
+  graph.add(writing_task("b", {"a"}, word_of_b));
+  graph.add(writing_task("c", {"a"}, "c"));
+  graph.add(writing_task("d", {"b", "c"}, "d"));
+  return graph;
+}
+
+TEST_F(TaskGraphTest, MakesInputsFirst) {
+  for (const int jobs : {1, 2, 7}) {
+    const TaskGraph graph = diamond("a" + std::to_string(jobs));
+    run_all(graph, jobs);
+    ASSERT_EQ(made.size(), 4u);
+    EXPECT_EQ(made.front(), "a");
+    EXPECT_EQ(made.back(), "d");
+    const std::string a = "a" + std::to_string(jobs);
+    EXPECT_EQ(read_file(folder / "d.txt"), "d(b(" + a + "))(c(" + a + "))");
+  }
+}
+
+TEST_F(TaskGraphTest, DoesNothingTwice) {
+  run_all(diamond("a"));
+  const std::vector<TaskOutcome> outcomes = run_all(diamond("a"));
+  EXPECT_TRUE(made.empty());
+  for (const TaskOutcome& outcome : outcomes) EXPECT_EQ(outcome.state, TaskState::cached);
+}
+
+TEST_F(TaskGraphTest, MakesAgainWhatDependsOnAChange) {
+  run_all(diamond("a"));
+  run_all(diamond("a", "b2"));
+  std::sort(made.begin(), made.end());
+  EXPECT_EQ(made, (std::vector<std::string>{"b", "d"}));
+  fs::remove(folder / "c.txt");
+  run_all(diamond("a", "b2"));
+  EXPECT_EQ(made, (std::vector<std::string>{"c"}));
+}
+
+TEST_F(TaskGraphTest, StopsAtAnInputThatCameOutTheSame) {
+  TaskGraph before;
+  before.add(writing_task("a", {}, "same"));
+  before.add(writing_task("b", {"a"}, "b"));
+  run_all(before);
+  TaskGraph after;
+  Task changed = writing_task("a", {}, "same");
+  changed.determinants.add("code", "changed");
+  after.add(changed);
+  after.add(writing_task("b", {"a"}, "b"));
+  run_all(after);
+  EXPECT_EQ(made, (std::vector<std::string>{"a"}));
+}
+
+TEST_F(TaskGraphTest, PlansWithoutMaking) {
+  const auto states = [&](const TaskGraph& graph) {
+    std::vector<TaskState> list;
+    for (const TaskOutcome& outcome : plan(graph, folder)) list.push_back(outcome.state);
+    return list;
+  };
+  using enum TaskState;
+  EXPECT_EQ(states(diamond("a")), (std::vector{due, waiting, waiting, waiting}));
+  EXPECT_FALSE(fs::exists(folder));
+  run_all(diamond("a"));
+  EXPECT_EQ(states(diamond("a")), (std::vector{cached, cached, cached, cached}));
+  EXPECT_EQ(states(diamond("a", "b2")), (std::vector{cached, due, cached, waiting}));
+}
+
+TEST_F(TaskGraphTest, AFailureStopsOnlyWhatDependsOnIt) {
+  TaskGraph graph;
+  graph.add(writing_task("a", {}, "a"));
+  Task broken = writing_task("b", {"a"}, "b");
+  broken.make = [](TaskRun&) { throw std::runtime_error("the disk is full"); };
+  graph.add(broken);
+  graph.add(writing_task("c", {"a"}, "c"));
+  graph.add(writing_task("d", {"b", "c"}, "d"));
+  graph.add(writing_task("e", {"d"}, "e"));
+  const auto outcomes = run_all(graph);
+  EXPECT_EQ(outcomes[1].state, TaskState::failed);
+  EXPECT_EQ(outcomes[1].error, "the disk is full");
+  EXPECT_FALSE(outcomes[1].is_bad_input);
+  EXPECT_EQ(outcomes[2].state, TaskState::made);
+  EXPECT_EQ(outcomes[3].state, TaskState::skipped);
+  EXPECT_EQ(outcomes[4].state, TaskState::skipped);
+}
+
+TEST_F(TaskGraphTest, TellsBadInputFromAFailingMachine) {
+  TaskGraph graph;
+  Task broken = writing_task("a", {}, "a");
+  broken.make = [](TaskRun&) { throw Error({"walk.bvh", 3, 1}, "no joints", "add some"); };
+  graph.add(broken);
+  const auto outcomes = run_all(graph);
+  EXPECT_TRUE(outcomes[0].is_bad_input);
+  EXPECT_EQ(outcomes[0].error, "walk.bvh:3:1: no joints; add some");
+}
+
+TEST_F(TaskGraphTest, AMessageNamesAFileWithoutTheFolderOfItsAttempt) {
+  TaskGraph graph;
+  Task broken = writing_task("a", {}, "a");
+  broken.make = [](TaskRun& run) {
+    run.store.put("a.txt", run.keys[0],
+                  [](const fs::path& file) {
+                    throw std::runtime_error(file.string() + ": no space left, " + file.string());
+                  },
+                  {});
+  };
+  graph.add(broken);
+  EXPECT_EQ(run_all(graph)[0].error, "a.txt: no space left, a.txt");
+}
+
+TEST_F(TaskGraphTest, AProductThatWasNotMadeIsAFailure) {
+  TaskGraph graph;
+  Task lazy = writing_task("a", {}, "a");
+  lazy.make = [](TaskRun&) {};
+  graph.add(lazy);
+  EXPECT_EQ(run_all(graph)[0].state, TaskState::failed);
+}
+
+TEST_F(TaskGraphTest, AfterAStopRequestNothingIsBegunAndTheRestGoesOnLater) {
+  const auto graph_that_stops = [&](bool stops) {
+    TaskGraph graph;
+    Task first = writing_task("a", {}, "a");
+    first.make = [this, stops, make = first.make](TaskRun& run) {
+      make(run);
+      if (stops) stop.request_stop();
+    };
+    graph.add(first);
+    graph.add(writing_task("b", {"a"}, "b"));
+    graph.add(writing_task("c", {}, "c"));
+    return graph;
+  };
+  const auto outcomes = run_all(graph_that_stops(true), 1);
+  EXPECT_EQ(outcomes[0].state, TaskState::made);
+  EXPECT_EQ(outcomes[1].state, TaskState::interrupted);
+  EXPECT_EQ(outcomes[2].state, TaskState::interrupted);
+  stop = {};
+  run_all(graph_that_stops(false));
+  std::sort(made.begin(), made.end());
+  EXPECT_EQ(made, (std::vector<std::string>{"b", "c"}));
+}
+
+TEST_F(TaskGraphTest, ATaskThatGivesUpIsInterruptedNotFailed) {
+  TaskGraph graph;
+  Task task = writing_task("a", {}, "a");
+  task.make = [](TaskRun&) { throw Interrupted{}; };
+  graph.add(task);
+  EXPECT_EQ(run_all(graph)[0].state, TaskState::interrupted);
+}
+
+TEST_F(TaskGraphTest, AProductsOwnDeterminantsConcernNoOtherProduct) {
+  Task task;
+  task.kind = "film";
+  task.products = {{"frames", {}}, {"video", {}}};
+  const std::vector<Hash> before = keys_of(task, {});
+  task.products[1].own.add("crf", 20.0);
+  const std::vector<Hash> after = keys_of(task, {});
+  EXPECT_EQ(before[0], after[0]);
+  EXPECT_NE(before[1], after[1]);
+  EXPECT_NE(before[0], before[1]);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
