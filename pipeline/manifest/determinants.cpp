@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "pipeline/look/set_file.h"
-#include "pipeline/synthesis/repertoire.h"
+#include "pipeline/manifest/example_files.h"
 #include "pipeline/tasks/code_identity.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"

@@ -17,7 +17,7 @@
 #include "pipeline/ratings/expectation.h"
 #include "render/scene/camera.h"
 #include "render/video/video_kind.h"
-#include "scenes/stage/shot.h"
+#include "scenes/stage/layout.h"
 
 namespace mien::pipeline {
 

@@ -4,10 +4,10 @@
 #include <set>
 #include <string>
 
+#include "pipeline/manifest/example_files.h"
 #include "pipeline/ratings/answers.h"
 #include "pipeline/ratings/feature_parameters.h"
 #include "pipeline/ratings/scales.h"
-#include "pipeline/synthesis/repertoire.h"
 
 namespace mien::pipeline {
 

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "motion/interpolation/blend.h"
 #include "pipeline/statistics/named_random.h"
 
 namespace mien::pipeline {
@@ -17,16 +16,6 @@ namespace {
 constexpr double guess_step = 0.1;
 constexpr double first_step = 0.2;
 constexpr double last_step = 0.02;
-
-/// What the examples have of each slider's parameter: N × sliders.
-Eigen::MatrixXd places_of_examples(const SliderInterface& interface, const ParameterTable& table) {
-  Eigen::MatrixXd places(table.values.cols(), static_cast<Eigen::Index>(interface.sliders.size()));
-  for (std::size_t i = 0; i < interface.sliders.size(); ++i) {
-    places.col(static_cast<Eigen::Index>(i)) =
-        table.values.row(table.find(interface.sliders[i])).transpose();
-  }
-  return places;
-}
 
 /// One user before one target.
 class Search {
@@ -125,65 +114,6 @@ class Search {
 };
 
 }  // namespace
-
-const char* name_of(InterfaceKind kind) {
-  switch (kind) {
-    case InterfaceKind::adjectives:
-      return "adjectives";
-    case InterfaceKind::features:
-      return "features";
-    case InterfaceKind::weights:
-      break;
-  }
-  return "weights";
-}
-
-FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
-                              const Repertoire& repertoire) {
-  if (interface.kind == InterfaceKind::weights) {
-    const auto count = static_cast<Eigen::Index>(interface.sliders.size());
-    return {interface,
-            motion::fit_interpolator(repertoire.settled, Eigen::MatrixXd::Identity(count, count),
-                                     {.method = motion::InterpolationMethod::direct})};
-  }
-  const ParameterTable& table =
-      interface.kind == InterfaceKind::features ? repertoire.features.table : repertoire.parameters;
-  return {interface,
-          motion::fit_interpolator(repertoire.settled, places_of_examples(interface, table),
-                                   interpolation.weights, interface.sliders)};
-}
-
-motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
-                          const Interpolation& interpolation, const Repertoire& repertoire) {
-  return motion::motion_at(interface.interpolator, repertoire.settled, settings,
-                           {.frames_per_second = 30.0,
-                            .rotations = interpolation.rotations,
-                            .warp = interpolation.time_warp});
-}
-
-Eigen::RowVectorXd ideal_settings(const SliderInterface& interface, const motion::Example& target,
-                                  const Eigen::VectorXd& weights, const Repertoire& repertoire) {
-  if (interface.kind == InterfaceKind::weights) {
-    return weights.cwiseMax(0.0).transpose() / weights.maxCoeff();
-  }
-  const bool by_features = interface.kind == InterfaceKind::features;
-  const motion::FeatureValues features =
-      motion::scaled(repertoire.features.scale, motion::measure_features(target));
-  Eigen::RowVectorXd settings(static_cast<Eigen::Index>(interface.sliders.size()));
-  for (std::size_t i = 0; i < interface.sliders.size(); ++i) {
-    const std::string& slider = interface.sliders[i];
-    const double value =
-        by_features
-            ? feature_parameter(slider, features).value_or(0.5)
-            : repertoire.parameters.values.row(repertoire.parameters.find(slider)).dot(weights);
-    settings[static_cast<Eigen::Index>(i)] = std::clamp(value, 0.0, 1.0);
-  }
-  return settings;
-}
-
-Eigen::RowVectorXd rounded(const Eigen::RowVectorXd& settings, double step) {
-  return (settings / step).array().round().matrix() * step;
-}
 
 InterfaceTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
                              const SliderDistance& distance_at) {

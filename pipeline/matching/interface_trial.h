@@ -7,49 +7,10 @@
 
 #include <Eigen/Core>
 
-#include "motion/interpolation/interpolation.h"
 #include "motion/measures/distance.h"
-#include "pipeline/synthesis/repertoire.h"
+#include "pipeline/synthesis/slider_interface.h"
 
 namespace mien::pipeline {
-
-// Interfaces for making motions, tried without people: sliders for adjectives, for features, or for
-// the weights of the examples.
-
-enum class InterfaceKind { adjectives, features, weights };
-
-/// "adjectives", "features", "weights".
-const char* name_of(InterfaceKind kind);
-
-/// Sliders from 0 to 1 and what they make.
-struct SliderInterface {
-  InterfaceKind kind = InterfaceKind::adjectives;
-  std::vector<std::string> sliders;
-};
-
-/// An interface ready to make motions: what lies between its sliders and the examples, fitted once.
-struct FittedInterface {
-  SliderInterface sliders;
-  motion::Interpolator interpolator;  ///< of the weights' interface: the shares themselves
-};
-
-FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
-                              const Repertoire& repertoire);
-
-/// The motion that the sliders of an interface make. Feet are not locked: that moves joints by a
-/// few millimetres and would take most of the time. Weights that are all 0 make the mean of all
-/// examples.
-motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
-                          const Interpolation& interpolation, const Repertoire& repertoire);
-
-/// Where an ideal user would put the sliders for a motion that was made with known weights: the
-/// weights with the largest at 1, the adjectives that they sum up to, or the features as measured,
-/// cut to [0, 1]. Weights below 0, which a statistical model's may be, become 0.
-Eigen::RowVectorXd ideal_settings(const SliderInterface& interface, const motion::Example& target,
-                                  const Eigen::VectorXd& weights, const Repertoire& repertoire);
-
-/// Settings to the nearest multiple of `step` (and to 1).
-Eigen::RowVectorXd rounded(const Eigen::RowVectorXd& settings, double step);
 
 /// Somebody who looks at target and created motion and moves one slider at a time.
 struct SimulatedUser {

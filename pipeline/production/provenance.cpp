@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/synthesis/repertoire.h"
+#include "pipeline/manifest/example_files.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/hash.h"
 #include "scenes/character/character.h"

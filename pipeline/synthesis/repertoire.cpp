@@ -5,37 +5,13 @@
 #include "motion/examples/example_set.h"
 #include "motion/examples/settled_feet.h"
 #include "motion/procedural/builtin_sets.h"
+#include "pipeline/manifest/example_files.h"
 #include "pipeline/ratings/measured_profiles.h"
 #include "pipeline/ratings/simulated_raters.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-motion::CycleChoice cycle_choice(Examples::Cycle cycle) {
-  switch (cycle) {
-    case Examples::Cycle::automatic:
-      return motion::CycleChoice::automatic;
-    case Examples::Cycle::whole:
-      return motion::CycleChoice::whole;
-    case Examples::Cycle::start_peak_end:
-      break;
-  }
-  return motion::CycleChoice::start_peak_end;
-}
-
-motion::ExampleFolder example_folder(const Examples& examples) {
-  motion::ExampleFolder folder;
-  folder.path = examples.folder;
-  folder.include = examples.include;
-  folder.exclude = examples.exclude;
-  folder.cycle = cycle_choice(examples.cycle);
-  folder.keytimes = examples.keytimes;
-  folder.shorten_names = examples.labels == Examples::Labels::from_name;
-  folder.names = examples.given_labels;
-  folder.blendable = examples.blendable;
-  return folder;
-}
 
 void load_examples(const Manifest& manifest, Repertoire& repertoire) {
   const Examples& examples = manifest.examples;
@@ -72,32 +48,6 @@ Answers simulated_answers(const Manifest& manifest, const Repertoire& repertoire
 }
 
 }  // namespace
-
-std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest) {
-  std::vector<std::filesystem::path> files;
-  if (manifest.examples.builtin.empty() && !manifest.examples.folder.empty()) {
-    files = motion::example_files(example_folder(manifest.examples));
-  }
-  if (!manifest.scales.file.empty()) files.push_back(manifest.scales.file);
-  if (manifest.ratings.source == Ratings::Source::file) files.push_back(manifest.ratings.file);
-  return files;
-}
-
-std::vector<std::string> example_names(const Manifest& manifest) {
-  const Examples& examples = manifest.examples;
-  if (!examples.builtin.empty()) return motion::builtin_example_names(examples.builtin);
-  if (examples.folder.empty()) return {};
-  return motion::example_names(example_folder(examples));
-}
-
-std::vector<RatedExample> rated_examples(const Manifest& manifest) {
-  std::vector<RatedExample> rated;
-  for (const std::string& name : example_names(manifest)) rated.push_back({name, ""});
-  if (!manifest.examples.builtin.empty() || manifest.examples.folder.empty()) return rated;
-  const auto files = motion::example_files(example_folder(manifest.examples));
-  for (size_t i = 0; i < files.size(); ++i) rated[i].file_stem = files[i].stem().string();
-  return rated;
-}
 
 Answers simulated_answers(const Manifest& manifest) {
   return simulated_answers(manifest, unrated_repertoire(manifest));

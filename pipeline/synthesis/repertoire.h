@@ -26,15 +26,6 @@ struct Repertoire {
   std::vector<std::string> warnings;  ///< plain sentences
 };
 
-/// Files that the repertoire is made of: they determine every clip that is made from it.
-std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest);
-
-/// Names of the examples, found without reading a motion. Throws Error.
-std::vector<std::string> example_names(const Manifest& manifest);
-
-/// The examples as answers may name them, found without reading a motion. Throws Error.
-std::vector<RatedExample> rated_examples(const Manifest& manifest);
-
 /// What simulated raters say about the examples on the manifest's scales, whatever ratings it
 /// names. Throws Error.
 Answers simulated_answers(const Manifest& manifest);

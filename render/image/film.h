@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/image/image.h"
-#include "render/scene/camera.h"
+#include "render/image/window.h"
 
 namespace mien::render {
 

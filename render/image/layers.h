@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "render/image/film.h"
-#include "render/scene/scene.h"
 
 namespace mien::render {
 

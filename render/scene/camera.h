@@ -5,19 +5,10 @@
 
 #include <Eigen/Core>
 
+#include "render/image/window.h"
 #include "render/math/vector.h"
 
 namespace mien::render {
-
-/// Pixels [x, x + width) × [y, y + height) of a film.
-struct Window {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-
-  friend bool operator==(const Window&, const Window&) = default;
-};
 
 /// A camera with square pixels. Film x goes right and y goes down; pixel (i, j) covers
 /// [i, i+1) × [j, j+1), its centre is at (i + ½, j + ½).

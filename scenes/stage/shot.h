@@ -15,14 +15,9 @@
 #include "scenes/figures/figure_colour.h"
 #include "scenes/sets/set_plan.h"
 #include "scenes/stage/actor.h"
+#include "scenes/stage/layout.h"
 
 namespace mien::scenes {
-
-/// How clips of several actors stand on one stage.
-enum class Layout { superimposed, side_by_side };
-
-/// Whether figures side by side hide each other from a camera.
-bool looks_along_lanes(const CameraSettings& camera);
 
 /// How clips are shown.
 struct Look {

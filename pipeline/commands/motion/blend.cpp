@@ -7,6 +7,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/commands/motion/motion.h"
+#include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/synthesis/repertoire.h"
 #include "pipeline/synthesis/synthesis.h"

@@ -13,6 +13,7 @@
 #include "pipeline/analysis/cluster_names.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
+#include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/synthesis/repertoire.h"
 

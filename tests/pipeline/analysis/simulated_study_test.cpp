@@ -7,6 +7,7 @@
 #include "motion/procedural/builtin_sets.h"
 #include "pipeline/analysis/analysis.h"
 #include "pipeline/analysis/published_clusters.h"
+#include "pipeline/manifest/example_files.h"
 #include "pipeline/ratings/measured_profiles.h"
 #include "pipeline/synthesis/repertoire.h"
 

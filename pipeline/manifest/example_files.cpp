@@ -1,0 +1,62 @@
+#include "pipeline/manifest/example_files.h"
+
+#include "motion/procedural/builtin_sets.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+motion::CycleChoice cycle_choice(Examples::Cycle cycle) {
+  switch (cycle) {
+    case Examples::Cycle::automatic:
+      return motion::CycleChoice::automatic;
+    case Examples::Cycle::whole:
+      return motion::CycleChoice::whole;
+    case Examples::Cycle::start_peak_end:
+      break;
+  }
+  return motion::CycleChoice::start_peak_end;
+}
+
+}  // namespace
+
+motion::ExampleFolder example_folder(const Examples& examples) {
+  motion::ExampleFolder folder;
+  folder.path = examples.folder;
+  folder.include = examples.include;
+  folder.exclude = examples.exclude;
+  folder.cycle = cycle_choice(examples.cycle);
+  folder.keytimes = examples.keytimes;
+  folder.shorten_names = examples.labels == Examples::Labels::from_name;
+  folder.names = examples.given_labels;
+  folder.blendable = examples.blendable;
+  return folder;
+}
+
+std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest) {
+  std::vector<std::filesystem::path> files;
+  if (manifest.examples.builtin.empty() && !manifest.examples.folder.empty()) {
+    files = motion::example_files(example_folder(manifest.examples));
+  }
+  if (!manifest.scales.file.empty()) files.push_back(manifest.scales.file);
+  if (manifest.ratings.source == Ratings::Source::file) files.push_back(manifest.ratings.file);
+  return files;
+}
+
+std::vector<std::string> example_names(const Manifest& manifest) {
+  const Examples& examples = manifest.examples;
+  if (!examples.builtin.empty()) return motion::builtin_example_names(examples.builtin);
+  if (examples.folder.empty()) return {};
+  return motion::example_names(example_folder(examples));
+}
+
+std::vector<RatedExample> rated_examples(const Manifest& manifest) {
+  std::vector<RatedExample> rated;
+  for (const std::string& name : example_names(manifest)) rated.push_back({name, ""});
+  if (!manifest.examples.builtin.empty() || manifest.examples.folder.empty()) return rated;
+  const auto files = motion::example_files(example_folder(manifest.examples));
+  for (size_t i = 0; i < files.size(); ++i) rated[i].file_stem = files[i].stem().string();
+  return rated;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "motion/examples/example_set.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/ratings/impressions.h"
+
+namespace mien::pipeline {
+
+/// The manifest's folder of examples in the words of the motion core.
+motion::ExampleFolder example_folder(const Examples& examples);
+
+/// Files that the repertoire is made of: they determine every clip that is made from it.
+std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest);
+
+/// Names of the examples, found without reading a motion. Throws Error.
+std::vector<std::string> example_names(const Manifest& manifest);
+
+/// The examples as answers may name them, found without reading a motion. Throws Error.
+std::vector<RatedExample> rated_examples(const Manifest& manifest);
+
+}  // namespace mien::pipeline
