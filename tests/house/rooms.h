@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace mien::test {
+
+/// "motion/gait" of "motion/gait/contact.h"; "motion" is the module's door.
+using Room = std::string;
+
+/// An #include line of one of the four modules that names a file of them.
+struct IncludeLine {
+  std::string file;  ///< relative to the tree
+  int line = 0;      ///< from 1
+  Room from;
+  Room to;
+};
+
+/// What the rooms.txt of the modules allow.
+struct RoomPlan {
+  std::vector<Room> rooms;                ///< in the order of the files, lower floors first
+  std::map<Room, std::set<Room>> arrows;  ///< room → rooms that it may include
+};
+
+/// Throws std::runtime_error where a line is not "room: rooms | rooms of other modules".
+RoomPlan read_room_plan(const std::filesystem::path& tree);
+
+std::vector<IncludeLine> include_lines(const std::filesystem::path& tree);
+
+/// A sentence a fault, "motion/gait/contact.cpp:7: motion/gait may not include motion/lint
+/// (motion/rooms.txt)": arrows that the plan has not, or has and nobody uses, rooms that it does
+/// not name, and rooms that name one of a higher floor.
+std::vector<std::string> faults_of_rooms(const std::filesystem::path& tree);
+
+}  // namespace mien::test
