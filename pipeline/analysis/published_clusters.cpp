@@ -10,7 +10,6 @@ namespace mien::pipeline {
 
 namespace {
 
-using AdjectivePair;
 using PublishedCluster = std::optional<Primary> AdjectivePair::*;
 
 PublishedComparison compare(const Analysis& analysis, PublishedCluster table,
@@ -18,7 +17,7 @@ PublishedComparison compare(const Analysis& analysis, PublishedCluster table,
   PublishedComparison result;
   result.table = name;
   Partition here{{}, analysis.partition.groups};
-  Partition there{{}, motion::primary_count};
+  Partition there{{}, primary_count};
   int same = 0;
   for (size_t j = 0; j < analysis.quantities.size(); ++j) {
     const auto& published = find_adjective_pair(analysis.quantities[j].scale)->*table;

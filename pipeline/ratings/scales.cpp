@@ -115,9 +115,9 @@ ScaleSet builtin_scales() {
                           {}});
     if (pair.table_2) members[*pair.table_2].emplace_back(pair.key);
   }
-  for (int i = 0; i < motion::primary_count; ++i) {
+  for (int i = 0; i < primary_count; ++i) {
     const auto primary = static_cast<Primary>(i);
-    set.groups.push_back({std::string(motion::name_of(primary)),
+    set.groups.push_back({std::string(name_of(primary)),
                           std::string(japanese_name_of(primary)), members[primary]});
   }
   return set;

@@ -116,7 +116,7 @@ double best_penalty(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& va
                     std::span<const int> group) {
   RidgeModel model;
   const Eigen::MatrixXd z = standardise(predictors, model);
-  const SingularValues svd = singular_values(z);
+  const motion::SingularValues svd = motion::singular_values(z);
   const Eigen::VectorXd squares = svd.values.cwiseAbs2();
   const auto groups = members_of(group);
   const std::vector<double> penalties = penalty_choices(model.observations);
