@@ -35,19 +35,6 @@ namespace fs = std::filesystem;
 constexpr float superimposed_opacity = 0.75f;
 constexpr double small_figure = 0.25;  // of the picture's height
 
-/// A number within limits; CLI::Range lets "nan" pass.
-CLI::Validator between(double least, double most) {
-  return CLI::Validator(
-      [=](const std::string& text) {
-        double value = 0.0;
-        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) {
-          return std::string();
-        }
-        return fmt::format("{} is not a number from {} to {}", text, least, most);
-      },
-      fmt::format("{} to {}", least, most));
-}
-
 /// The whole film as one task, for the progress bar.
 TaskGraph one_task(const std::string& name) {
   TaskGraph graph;
@@ -69,7 +56,7 @@ std::string name_among(std::set<std::string>& names, const std::string& wanted) 
 }
 
 /// One motion in neutral colours, or a target, what was created after it, and a reference.
-std::vector<scenes::Performance> performances_of(const RenderOptions& options) {
+std::vector<scenes::Performance> performances_of(const RenderOptions& options, double fps) {
   constexpr std::array roles = {scenes::Role::target, scenes::Role::created,
                                 scenes::Role::reference};
   const bool is_alone = options.files.size() == 1;
@@ -79,7 +66,7 @@ std::vector<scenes::Performance> performances_of(const RenderOptions& options) {
   for (std::size_t i = 0; i < options.files.size(); ++i) {
     performances.push_back(
         {.name = name_among(names, fs::path(options.files[i]).stem().string()),
-         .clip = motion::resampled(clip_of(motion::read_motion(options.files[i])), options.fps),
+         .clip = motion::resampled(clip_of(motion::read_motion(options.files[i])), fps),
          .role = is_alone ? scenes::Role::neutral : roles[i],
          .opacity = is_clear ? 1.0f : superimposed_opacity});
   }
@@ -94,19 +81,18 @@ render::Background background_of(const RenderOptions& options) {
 
 /// The frame of a still: a trail is whole at the end, other figures are in mid-motion in the
 /// middle.
-int still_frame(const scenes::Shot& shot, const RenderOptions& options) {
+int still_frame(const scenes::Shot& shot, const RenderOptions& options, double fps) {
   const int last = shot.frame_count() - 1;
   const std::string moment = options.still.value_or("middle");
   if (moment == "middle") return shot.actors.front().trail ? last : last / 2;
   double seconds = -1.0;
   const char* end = moment.data() + moment.size();
   const auto [stop, error] = std::from_chars(moment.data(), end, seconds);
-  if (error != std::errc{} || stop != end ||
-      !(seconds >= 0.0 && seconds * options.fps < last + 1.0)) {
+  if (error != std::errc{} || stop != end || !(seconds >= 0.0 && seconds * fps < last + 1.0)) {
     throw Error(fmt::format("--still: \"{}\" is no moment of the motion", moment),
-                fmt::format("write seconds from 0 to {:.2f}, or no number", last / options.fps));
+                fmt::format("write seconds from 0 to {:.2f}, or no number", last / fps));
   }
-  return std::min(static_cast<int>(std::lround(seconds * options.fps)), last);
+  return std::min(static_cast<int>(std::lround(seconds * fps)), last);
 }
 
 /// How large the figure comes out, where that is worth a word.
@@ -131,66 +117,64 @@ void write_dots(const scenes::Shot& shot, const fs::path& file) {
   draft.publish();
 }
 
+scenes::Shot shot_of(const RenderOptions& options, const RenderPlan& plan) {
+  const Output& output = plan.settings.output;
+  return scenes::stage(performances_of(options, output.fps), {.set = staged_set(plan.look),
+                                                              .figure = plan.look.figure,
+                                                              .camera = plan.look.camera,
+                                                              .size = output.whole_size(),
+                                                              .window = output.window(),
+                                                              .pixel_scale = output.scale,
+                                                              .in_place = output.in_place,
+                                                              .layout = layout_of(options),
+                                                              .seed = options.seed});
+}
+
+/// Makes the file, with a bar; says what was found in it.
+std::string make_file(const RenderOptions& options, const RenderPlan& plan,
+                      const scenes::Shot& shot, const Console& console) {
+  const TaskGraph graph = one_task(plan.out.string());
+  const DraftFile draft(plan.out);
+  std::string found;
+  Progress bar(console.err, console.err_is_terminal, graph, std::vector<TaskOutcome>(1),
+               steady_seconds);
+  const RunObserver observer = bar.observer();
+  const ShotWork work{shot, plan.settings, console.stop,
+                      [&](double share) { observer.progressed(graph.tasks[0], share); }};
+  try {
+    if (is_still(options, plan)) {
+      const int frame = still_frame(shot, options, plan.settings.output.fps);
+      write_still(work, frame, background_of(options), draft.file());
+      found = fmt::format("frame {}", frame);
+    } else {
+      found = (is_picture(plan.out) ? write_contact_sheet : write_video)(work, draft.file());
+    }
+  } catch (const render::Error& wrong) {
+    throw render::Error(draft.told(wrong.what()));
+  }
+  draft.publish();
+  return found;
+}
+
 int render_file(const RenderOptions& options, const Console& console) {
-  FilmSettings settings = settings_of(options);
-  const fs::path out = output_of(options);
-  settings.output.video.clear();
-  if (!is_picture(out)) settings.output.video = {*render::video_kind_of(out)};
-  check_size(out, settings.output);
-  const Look look = look_of(options.look);
-  const scenes::Shot shot =
-      scenes::stage(performances_of(options), {.set = set_of(look),
-                                               .figure = look.figure,
-                                               .camera = look.camera,
-                                               .size = settings.output.whole_size(),
-                                               .window = settings.output.window(),
-                                               .pixel_scale = settings.output.scale,
-                                               .in_place = options.in_place,
-                                               .layout = layout_of(options),
-                                               .seed = options.seed});
-  const bool is_still =
-      options.still.has_value() || (shot.actors.front().trail && out.extension() == ".png");
-  check_kind(options, look, out, is_still);
+  const RenderPlan plan = plan_of(options);
+  const scenes::Shot shot = shot_of(options, plan);
   if (!options.dots.empty() && shot.actors.front().dots.empty()) {
     throw Error("--dots: only a point-light figure has dots", "add --figure point-light");
   }
   for (const scenes::Actor& actor : shot.actors) {
     for (const std::string& warning : actor.warnings) console.err << "warning: " << warning << '\n';
   }
-  const TaskGraph graph = one_task(out.string());
-  const DraftFile draft(out);
-  std::string found;
-  {
-    Progress bar(console.err, console.err_is_terminal, graph, std::vector<TaskOutcome>(1),
-                 steady_seconds);
-    const RunObserver observer = bar.observer();
-    const ShotWork work{shot, settings, console.stop,
-                        [&](double share) { observer.progressed(graph.tasks[0], share); }};
-    try {
-      if (is_still) {
-        const int frame = still_frame(shot, options);
-        write_still(work, frame, background_of(options), draft.file());
-        found = fmt::format("frame {}", frame);
-      } else {
-        found = (is_picture(out) ? write_contact_sheet : write_video)(work, draft.file());
-      }
-    } catch (const render::Error& wrong) {
-      throw render::Error(draft.told(wrong.what()));
-    }
-  }
-  draft.publish();
+  const std::string found = make_file(options, plan, shot, console);
   if (!options.dots.empty()) write_dots(shot, options.dots);
-  console.out << out.string() << ": " << shot.frame_count() << " frames, "
-              << fmt::format("{:.2f} s, {}\n", shot.frame_count() / options.fps, found);
-  tell_size(shot, look, console);
+  console.out << fmt::format("{}: {} frames, {:.2f} s, {}\n", plan.out.string(), shot.frame_count(),
+                             shot.frame_count() / plan.settings.output.fps, found);
+  tell_size(shot, plan.look, console);
   return exit_done;
 }
 
-}  // namespace
-
-void add_render_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand("render", "Make a video of a motion file");
-  const auto options = std::make_shared<RenderOptions>();
+/// Which motions, and what is made of them.
+void add_file_options(CLI::App* command, const std::shared_ptr<RenderOptions>& options) {
   command
       ->add_option(
           "files", options->files,
@@ -207,20 +191,11 @@ void add_render_command(CLI::App& app, Command& chosen) {
                           "<file>.mp4 in this folder without it");
   command->add_flag("--repeat", options->repeat,
                     "Animated pictures (webp, gif, apng): repeat for ever instead of playing once");
-  command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
-  command
-      ->add_option("--scale", options->scale,
-                   "Draw everything so many times as large: 0.5 for a quick look, 2 for print")
-      ->check(between(0.05, 16.0))
-      ->capture_default_str();
-  command
-      ->add_option("--crop", options->crop,
-                   "Draw a part only: pixels from the left, from the top, width, height")
-      ->delimiter(',')
-      ->expected(4);
-  command->add_option("--fps", options->fps, "Frames per second")
-      ->check(between(1.0, 240.0))
-      ->capture_default_str();
+}
+
+/// How they are shown.
+void add_look_options(CLI::App* command, const std::shared_ptr<RenderOptions>& options) {
+  options->output.add_to(*command);
   command
       ->add_option("--camera", options->look.camera,
                    "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
@@ -233,7 +208,10 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command->add_option("--scene", options->look.scene,
                       "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see "
                       "mien sets); studio, or void for point lights, without it");
-  command->add_flag("--in-place", options->in_place, "Walk on the spot instead of travelling");
+}
+
+/// Stills, dots and noise.
+void add_picture_options(CLI::App* command, const std::shared_ptr<RenderOptions>& options) {
   command
       ->add_option(
           "--still", options->still,
@@ -245,20 +223,22 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command->add_option("--seed", options->seed, "Of what is random about point lights")
       ->capture_default_str();
   command
-      ->add_option("--shutter", options->shutter,
-                   "Motion blur: degrees of 360 for which the shutter is open")
-      ->check(between(0.0, 360.0))
-      ->capture_default_str();
-  command
       ->add_option("--background", options->background,
                    "Of a still: shown, transparent, or shadow (the figure and its shadow alone)")
       ->check(CLI::IsMember({"shown", "transparent", "shadow"}))
       ->capture_default_str();
-  command->add_option("--quality", options->quality, "Samples per pixel")
-      ->check(CLI::IsMember({"draft", "standard", "final"}))
-      ->capture_default_str();
   command->add_option("--jobs,-j", options->jobs, "Threads (default: one a processor)")
       ->check(CLI::Range(1, 1024));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("render", "Make a video of a motion file");
+  const auto options = std::make_shared<RenderOptions>();
+  add_file_options(command, options);
+  add_look_options(command, options);
+  add_picture_options(command, options);
   command->footer(
       "\nUnits, up axis, ground and camera are found by themselves.\n\nExamples:\n"
       "  mien render walk.bvh\n  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080\n"

@@ -3,13 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
+
+#include "pipeline/documents/words.h"
 
 namespace mien::pipeline {
 
@@ -33,6 +34,10 @@ inline void assign(const nlohmann::json* value, bool& target) {
 
 inline void assign(const nlohmann::json* value, double& target) {
   if (value != nullptr && value->is_number()) target = value->get<double>();
+}
+
+inline void assign(const nlohmann::json* value, float& target) {
+  if (value != nullptr && value->is_number()) target = value->get<float>();
 }
 
 inline void assign(const nlohmann::json* value, int& target) {
@@ -60,9 +65,6 @@ void assign(const nlohmann::json* value, std::optional<Value>& target) {
   assign(value, read);
   target = read;
 }
-
-template <class Enum>
-using Words = std::initializer_list<std::pair<const char*, Enum>>;
 
 template <class Enum>
 inline void assign(const nlohmann::json* value, Enum& target, Words<Enum> words) {

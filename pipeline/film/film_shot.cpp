@@ -1,7 +1,7 @@
 #include "pipeline/film/film_shot.h"
 
 #include "motion/skeleton/clip.h"
-#include "pipeline/look/look_checks.h"
+#include "pipeline/look/look.h"
 #include "pipeline/synthesis/synthesis.h"
 
 namespace mien::pipeline {
@@ -21,7 +21,7 @@ scenes::Role role_of(Role role) {
 
 scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
   const Output& output = film.output;
-  return {.set = set_of(film.look),
+  return {.set = staged_set(film.look),
           .figure = film.look.figure,
           .camera = film.look.camera,
           .role = role_of(film.role),

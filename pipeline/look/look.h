@@ -1,13 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
-
-#include <nlohmann/json.hpp>
 
 #include "scenes/cameras/camera_settings.h"
 #include "scenes/figures/figure.h"
+#include "scenes/sets/set_plan.h"
 
 namespace mien::pipeline {
 
@@ -20,19 +18,13 @@ struct Look {
   scenes::Figure figure;
   scenes::CameraSettings camera;
 
-  /// The above as they were written, in one spelling: what the pictures depend on, up to the
-  /// contents of files.
-  std::string written = R"({"camera":"three-quarter","figure":"stick"})";
-
-  friend bool operator==(const Look&, const Look&) = default;
+  scenes::SetPlan set;  ///< what `scene` names, once it has been read (look_checks.h)
 };
 
 /// The name of the set, also where it was left open.
 std::string scene_of(const Look& look);
 
-/// Lays what a map says over a look: each of scene, figure and camera as a whole. `resolve` takes
-/// paths from the document's folder. The schema has been held against the map.
-void overlay(const nlohmann::json& given, Look& look,
-             const std::function<std::filesystem::path(const std::string&)>& resolve);
+/// What stands round the figure: the set with the background that look or point lights ask for.
+scenes::SetPlan staged_set(const Look& look);
 
 }  // namespace mien::pipeline

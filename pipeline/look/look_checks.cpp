@@ -9,16 +9,13 @@
 #include "pipeline/documents/fault_list.h"
 #include "pipeline/look/set_file.h"
 #include "scenes/character/character.h"
-#include "scenes/figures/hex_colour.h"
-#include "scenes/point_light/dot_display.h"
 #include "scenes/stage/trail_figure.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-void check_scene(const Look& look, const std::string& path, FaultList& list,
-                 std::vector<Fault>& faults) {
+void read_scene(Look& look, const std::string& path, FaultList& list, std::vector<Fault>& faults) {
   std::error_code unknown;
   const bool is_there =
       look.scene_file.empty() || std::filesystem::is_regular_file(look.scene_file, unknown);
@@ -28,7 +25,7 @@ void check_scene(const Look& look, const std::string& path, FaultList& list,
     return;
   }
   try {
-    set_of(look);
+    look.set = read_set(scene_of(look), look.scene_file);
   } catch (const Faults& wrong) {
     faults.insert(faults.end(), wrong.list().begin(), wrong.list().end());
   } catch (const Error& wrong) {
@@ -159,26 +156,11 @@ void check_camera(const Look& look, const std::string& path, FaultList& list) {
 
 }  // namespace
 
-scenes::SetPlan set_of(const Look& look) {
-  scenes::SetPlan plan = read_set(scene_of(look), look.scene_file);
-  const auto show = [&](const render::Color& colour) {
-    plan.sky.backdrop_horizon = plan.sky.backdrop_zenith = colour;
-  };
-  const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure);
-  const bool is_bare = !plan.ground && look.background.empty();
-  if (dots != nullptr && (look.scene.empty() || is_bare || !dots->background.empty())) {
-    show(scenes::dot_colours(*dots).background);
-  } else if (scenes::is_hex_colour(look.background)) {
-    show(scenes::colour_from_hex(look.background));
-  }
-  return plan;
-}
-
-std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places,
-                              const std::vector<std::string>& joints) {
+std::vector<Fault> complete_look(Look& look, const std::string& path, const Places& places,
+                                 const std::vector<std::string>& joints) {
   FaultList list(places);
   std::vector<Fault> faults;
-  check_scene(look, member_path(path, "scene"), list, faults);
+  read_scene(look, member_path(path, "scene"), list, faults);
   check_figure(look, member_path(path, "figure"), joints, list);
   check_camera(look, member_path(path, "camera"), list);
   for (Fault& fault : list.take()) faults.push_back(std::move(fault));

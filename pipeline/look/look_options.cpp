@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "pipeline/documents/environment.h"
-#include "pipeline/documents/fault.h"
+#include "pipeline/documents/fields.h"
+#include "pipeline/documents/option_document.h"
 #include "pipeline/documents/schema.h"
-#include "pipeline/documents/yaml_json.h"
-#include "pipeline/documents/yaml_tree.h"
 #include "pipeline/look/look_checks.h"
+#include "pipeline/look/look_fields.h"
+#include "pipeline/look/point_form.h"
 
 namespace mien::pipeline {
 
@@ -17,8 +18,6 @@ namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
-
-const std::string options_name = "options";
 
 bool is_character(const std::string& figure) {
   if (figure.starts_with('{') || figure.starts_with("character:")) return false;
@@ -51,16 +50,6 @@ json look_schema() {
   return schema;
 }
 
-/// As somebody reads it who has written options, no file.
-Faults as_options(std::vector<Fault> faults) {
-  for (Fault& fault : faults) {
-    if (fault.place.file != options_name) continue;
-    fault.place = {};
-    fault.path = fault.path.empty() ? fault.path : "--" + fault.path;
-  }
-  return Faults(std::move(faults));
-}
-
 }  // namespace
 
 Look look_of(const LookOptions& options) {
@@ -69,18 +58,11 @@ Look look_of(const LookOptions& options) {
     if (name == "MIEN_FIGURE") return options.figure;
     return process_environment()(name);
   };
-  std::vector<Fault> faults;
-  const YamlNode tree = read_yaml(yaml_of(options), options_name, faults);
-  if (!faults.empty()) throw as_options(std::move(faults));
-  const json schema = look_schema();
-  const JsonReading reading = to_json(tree, root_of(schema), environment, faults);
-  for (Fault& fault : check_schema(reading.document, schema, reading.places)) {
-    faults.push_back(std::move(fault));
-  }
-  if (!faults.empty()) throw as_options(std::move(faults));
+  const JsonReading reading = read_options(yaml_of(options), look_schema(), environment);
+  const ReadingContext context{reading.places, [](const std::string& path) { return path; }};
   Look look;
-  overlay(reading.document, look, [](const std::string& path) { return fs::path(path); });
-  faults = check_look(look, "", reading.places, {});
+  read({reading.document, "", context}, look);
+  std::vector<Fault> faults = complete_look(look, "", reading.places, {});
   if (!faults.empty()) throw as_options(std::move(faults));
   return look;
 }

@@ -7,11 +7,12 @@
 
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
-#include "pipeline/documents/json_assign.h"
+#include "pipeline/documents/fields.h"
 #include "pipeline/documents/schema.h"
 #include "pipeline/documents/yaml_json.h"
 #include "pipeline/documents/yaml_tree.h"
-#include "pipeline/look/colour_json.h"
+#include "pipeline/look/point_form.h"
+#include "pipeline/look/set_fields.h"
 
 #include "embedded/corridor_set.h"
 #include "embedded/lab_grid_set.h"
@@ -26,115 +27,10 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-void assign(const json* value, float& target) {
-  if (value != nullptr && value->is_number()) target = value->get<float>();
-}
-
-void assign(const json* value, motion::Vec3& target) {
-  if (value == nullptr) return;
-  for (int axis = 0; axis < 3; ++axis) {
-    pipeline::assign(&(*value)[static_cast<std::size_t>(axis)], target[axis]);
-  }
-}
-
-using pipeline::assign;
-
-render::Sky sky_from(const json& document) {
-  render::Sky sky;
-  sky.zenith = sky.horizon = sky.below = render::Color::Zero();
-  if (const json* given = member(document, "sky")) {
-    assign(member(*given, "zenith"), sky.zenith);
-    assign(member(*given, "horizon"), sky.horizon);
-    assign(member(*given, "below"), sky.below);
-  }
-  const json& background = document["background"];
-  assign(&background, sky.backdrop_horizon);
-  assign(&background, sky.backdrop_zenith);
-  assign(member(background, "horizon"), sky.backdrop_horizon);
-  assign(member(background, "zenith"), sky.backdrop_zenith);
-  return sky;
-}
-
-render::Ground ground_from(const json& given) {
-  render::Ground ground;
-  ground.line_spacing = 0.0f;
-  assign(member(given, "colour"), ground.albedo);
-  if (const json* lines = member(given, "lines")) {
-    assign(member(*lines, "colour"), ground.line_albedo);
-    assign(member(*lines, "every"), ground.line_spacing);
-    assign(member(*lines, "width"), ground.line_width);
-    assign(member(*lines, "major_every"), ground.major_every);
-    assign(member(*lines, "major_colour"), ground.major_albedo);
-  }
-  if (const json* fade = member(given, "fade")) {
-    assign(&(*fade)[0], ground.fade_start);
-    assign(&(*fade)[1], ground.fade_end);
-  }
-  return ground;
-}
-
-scenes::KeyLight light_from(const json& given) {
-  scenes::KeyLight light;
-  assign(member(given, "azimuth"), light.azimuth_degrees);
-  assign(member(given, "elevation"), light.elevation_degrees);
-  assign(member(given, "distance"), light.distance_m);
-  assign(member(given, "size"), light.side_m);
-  assign(member(given, "strength"), light.strength);
-  assign(member(given, "colour"), light.colour);
-  return light;
-}
-
-scenes::Wall wall_from(const json& given) {
-  scenes::Wall wall;
-  assign(member(given, "at"), wall.side,
-         {{"left", scenes::Side::left},
-          {"right", scenes::Side::right},
-          {"front", scenes::Side::front},
-          {"back", scenes::Side::back}});
-  assign(member(given, "distance"), wall.distance_m);
-  assign(member(given, "height"), wall.height_m);
-  assign(member(given, "length"), wall.length_m);
-  assign(member(given, "colour"), wall.albedo);
-  return wall;
-}
-
-scenes::Box box_from(const json& given) {
-  scenes::Box box;
-  assign(member(given, "centre"), box.centre);
-  assign(member(given, "size"), box.size);
-  assign(member(given, "colour"), box.albedo);
-  return box;
-}
-
-scenes::Belt belt_from(const json& given) {
-  scenes::Belt belt;
-  assign(member(given, "width"), belt.width_m);
-  assign(member(given, "length"), belt.length_m);
-  assign(member(given, "colour"), belt.albedo);
-  if (const json* stripes = member(given, "stripes")) {
-    assign(member(*stripes, "colour"), belt.stripe_albedo);
-    assign(member(*stripes, "every"), belt.stripe_every_m);
-    assign(member(*stripes, "width"), belt.stripe_width_m);
-  }
-  return belt;
-}
-
-scenes::SetPlan plan_from(const json& document) {
+/// A set before its file says anything: without light and ground.
+scenes::SetPlan plain_set() {
   scenes::SetPlan plan;
-  assign(member(document, "name"), plan.name);
-  assign(member(document, "in_place"), plan.in_place);
-  plan.sky = sky_from(document);
-  if (const json* ground = member(document, "ground")) plan.ground = ground_from(*ground);
-  for (const json& light : document.value("lights", json::array())) {
-    plan.lights.push_back(light_from(light));
-  }
-  for (const json& wall : document.value("walls", json::array())) {
-    plan.walls.push_back(wall_from(wall));
-  }
-  for (const json& box : document.value("boxes", json::array())) {
-    plan.boxes.push_back(box_from(box));
-  }
-  if (const json* belt = member(document, "belt")) plan.belt = belt_from(*belt);
+  plan.sky.zenith = plan.sky.horizon = plan.sky.below = render::Color::Zero();
   return plan;
 }
 
@@ -158,6 +54,37 @@ std::vector<Fault> faults_of(const scenes::SetPlan& plan, const Places& places) 
 }
 
 }  // namespace
+
+void BackgroundForm::read(const Given& given, render::Sky& sky) {
+  assign(&given.value, sky.backdrop_horizon);
+  assign(&given.value, sky.backdrop_zenith);
+  assign(member(given.value, "horizon"), sky.backdrop_horizon);
+  assign(member(given.value, "zenith"), sky.backdrop_zenith);
+}
+
+OrderedJson BackgroundForm::write(const render::Sky& sky, const Writing& how) {
+  return {{"horizon", written(sky.backdrop_horizon, how)},
+          {"zenith", written(sky.backdrop_zenith, how)}};
+}
+
+void GroundForm::read(const Given& given, std::optional<render::Ground>& ground) {
+  ground.emplace();
+  ground->line_spacing = 0.0f;
+  pipeline::read(given, *ground);
+}
+
+OrderedJson GroundForm::write(const std::optional<render::Ground>& ground, const Writing& how) {
+  return ground ? nested_map(entries_of(*ground, how)) : OrderedJson();
+}
+
+void FadeForm::read(const Given& given, render::Ground& ground) {
+  assign(&given.value[0], ground.fade_start);
+  assign(&given.value[1], ground.fade_end);
+}
+
+OrderedJson FadeForm::write(const render::Ground& ground, const Writing&) {
+  return {ground.fade_start, ground.fade_end};
+}
 
 std::vector<std::string> set_names() {
   return {"studio", "void", "treadmill", "corridor", "lab-grid"};
@@ -195,7 +122,9 @@ scenes::SetPlan parse_set(std::string_view yaml, const fs::path& file) {
     faults.push_back(std::move(fault));
   }
   if (!faults.empty()) throw Faults(in_reading_order(std::move(faults)));
-  scenes::SetPlan plan = plan_from(reading.document);
+  const ReadingContext context{reading.places, [](const std::string& path) { return path; }};
+  scenes::SetPlan plan = plain_set();
+  read({reading.document, "", context}, plan);
   faults = faults_of(plan, reading.places);
   if (!faults.empty()) throw Faults(faults);
   return plan;

@@ -4,7 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/manifest/manifest_checks.h"
+#include "pipeline/manifest/modification_checks.h"
+#include "pipeline/manifest/name_checks.h"
 #include "pipeline/manifest/vocabulary.h"
 
 namespace mien::pipeline {
@@ -31,9 +32,10 @@ ManifestReading check_manifest(const std::filesystem::path& file, const Environm
   ManifestReading reading = read_manifest(file, environment);
   try {
     const Vocabulary vocabulary = vocabulary_of(reading.manifest);
-    for (Fault& fault : check_names(reading.manifest, vocabulary)) {
+    for (Fault& fault : check_names(reading.manifest, vocabulary))
       reading.faults.push_back(std::move(fault));
-    }
+    for (Fault& fault : check_modification_names(reading.manifest, vocabulary))
+      reading.faults.push_back(std::move(fault));
     reading.faults = in_reading_order(std::move(reading.faults));
   } catch (const Error& error) {
     add_faults_of_examples(reading.faults, error);

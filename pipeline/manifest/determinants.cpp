@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
+#include <vector>
 
-#include "pipeline/look/set_file.h"
+#include "pipeline/documents/fields.h"
+#include "pipeline/look/point_form.h"
+#include "pipeline/look/set_fields.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/tasks/code_identity.h"
 #include "scenes/character/character.h"
@@ -13,82 +17,24 @@ namespace mien::pipeline {
 
 namespace {
 
-template <class Enum>
-void add_choice(KeyBuilder& key, std::string_view name, Enum value) {
-  key.add(name, static_cast<std::int64_t>(value));
-}
-
-void add_values(KeyBuilder& key, std::string_view name, const NamedValues& values) {
-  for (const auto& [parameter, value] : values) key.add(name, parameter).add("value", value);
-}
-
-void add_weights(KeyBuilder& key, const motion::InterpolationOptions& weights) {
-  add_choice(key, "method", weights.method);
-  key.add("neighbours", std::int64_t{weights.nearest.neighbours})
-      .add("blends", std::int64_t{weights.nearest.trials})
-      .add("blends seed", static_cast<std::int64_t>(weights.nearest.seed))
-      .add("power", weights.power)
-      .add("cells", std::int64_t{weights.grid_cells});
-  add_choice(key, "nodes", weights.grid_source);
-  add_choice(key, "drift", weights.kriging.linear_drift);
-  add_choice(key, "estimate", weights.pca.estimate);
-  key.add("nugget", weights.kriging.nugget)
-      .add("variance", weights.pca.variance_share)
-      .add("noise", weights.pca.noise)
-      .add("step", weights.click_step);
-}
-
-void add_pose(KeyBuilder& key, const PoseSource& pose) {
-  key.add("pose", pose.example).add("frame", std::int64_t{pose.frame});
-  if (!pose.file.empty()) add_file(key, pose.file);
-}
-
-void add_gains(KeyBuilder& key, const motion::PathGains& gains) {
-  key.add("low", gains.low).add("middle", gains.middle).add("high", gains.high);
-  for (const double band : gains.bands) key.add("band", band);
-}
-
-void add_modification(KeyBuilder& key, const motion::Modification& m) {
-  key.add("paths", m.paths).add("acceleration", m.acceleration);
-  if (m.gains) add_gains(key, *m.gains);
-  add_choice(key, "signal", m.signal);
-  add_choice(key, "acceleration_at", m.acceleration_place);
-  const std::int64_t limbs = m.limbs.head + 2 * m.limbs.left_hand + 4 * m.limbs.right_hand +
-                             8 * m.limbs.left_foot + 16 * m.limbs.right_foot;
-  key.add("limbs", limbs);
-  for (const motion::PostureChange& change : m.posture) {
-    key.add("posture", motion::name_of(change.unit)).add("degrees", change.degrees);
+/// What of a struct concerns an artifact, and is not as it is unless told; with the files it names.
+template <class Value>
+void add_fields(KeyBuilder& key, const std::string& name, const Value& value, unsigned concerned) {
+  const Writing how{.for_key = true};
+  for (const FieldEntry& entry : differences(entries_of(value, how), entries_of(Value{}, how))) {
+    if ((entry.concerns & concerned) == 0) continue;
+    key.add(name + entry.path, entry.value.dump());
+    for (const std::filesystem::path& file : entry.files) add_file(key, file);
   }
-  key.add("tempo", m.tempo)
-      .add("variation", m.variation)
-      .add("seed", static_cast<std::int64_t>(m.seed));
-  add_choice(key, "repair", m.repair);
-  add_choice(key, "soft_limits", m.soft_joint_limits);
-}
-
-void add_style(KeyBuilder& key, const StyleStep& style) {
-  key.add("style", name_of(style.method))
-      .add("neutral", style.neutral)
-      .add("styled", style.styled)
-      .add("harmonics", std::int64_t{style.harmonics})
-      .add("order", std::int64_t{style.order})
-      .add("inputs", std::int64_t{style.inputs})
-      .add("components", std::int64_t{style.components})
-      .add("seed", static_cast<std::int64_t>(style.seed));
-  for (const int component : style.swap) key.add("swap", std::int64_t{component});
-  add_choice(key, "feet", style.feet);
 }
 
 void add_steps(KeyBuilder& key, const Stimulus& stimulus) {
   for (const ModificationStep& step : stimulus.modify) {
     key.add("modify", step.emotion).add("strength", step.strength);
-    add_modification(key, step.modification);
-    if (step.style) add_style(key, *step.style);
-    if (!step.pose) continue;
-    add_pose(key, step.pose->neutral);
-    add_pose(key, step.pose->posed);
+    add_fields(key, "modify.", step.modification, concerns::motion);
+    if (step.style) add_fields(key, "style.", *step.style, concerns::motion);
+    if (step.pose) add_fields(key, "pose.", *step.pose, concerns::motion);
   }
-  if (!stimulus.modify.empty()) add_choice(key, "on_fault", stimulus.on_fault);
 }
 
 /// Files that a motion file of its kind may refer to: skeletons beside AMC, buffers beside glTF.
@@ -110,11 +56,11 @@ void add_character(KeyBuilder& key, const std::filesystem::path& file) {
   for (const std::filesystem::path& part : scenes::parts_of_character(file)) add_file(key, part);
 }
 
-void add_look(KeyBuilder& key, const Look& look) {
-  key.add("look", look.written).add("set", hash_of(builtin_set_text(scene_of(look))));
-  if (!look.scene_file.empty()) add_file(key, look.scene_file);
-  if (const auto* character = scenes::character_in(look.figure))
-    add_character(key, character->file);
+/// A set counts by what it holds, whatever its file is called.
+void add_set(KeyBuilder& key, const scenes::SetPlan& set) {
+  for (const FieldEntry& entry : entries_of(set, {.for_key = true})) {
+    if (entry.concerns != concerns::nothing) key.add("set." + entry.path, entry.value.dump());
+  }
 }
 
 Hash libraries_key() {
@@ -125,17 +71,11 @@ Hash libraries_key() {
 
 Hash repertoire_key(const Manifest& manifest) {
   KeyBuilder key;
-  const Examples& examples = manifest.examples;
-  key.add("builtin", examples.builtin).add("seed", static_cast<std::int64_t>(manifest.seed));
-  add_choice(key, "cycle", examples.cycle);
-  add_choice(key, "blend", examples.blendable);
-  add_choice(key, "labels", examples.labels);
-  for (const auto& [stem, label] : examples.given_labels) key.add(stem, label);
-  for (const auto& [stem, times] : examples.keytimes) {
-    for (const double time : times) key.add(stem, time);
+  key.add("seed", static_cast<std::int64_t>(manifest.seed));
+  const Writing how{.for_key = true};
+  for (const FieldEntry& entry : entries_of(manifest, how)) {
+    if ((entry.concerns & concerns::repertoire) != 0) key.add(entry.path, entry.value.dump());
   }
-  add_choice(key, "ratings", manifest.ratings.source);
-  key.add("raters", std::int64_t{manifest.ratings.raters});
   for (const std::filesystem::path& file : repertoire_files(manifest)) add_file(key, file);
   return key.key();
 }
@@ -154,54 +94,28 @@ void add_file(KeyBuilder& key, const std::filesystem::path& file) {
 }
 
 void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
-  key.add("id", stimulus.id);
-  add_values(key, "adjective", stimulus.adjectives);
-  add_values(key, "feature", stimulus.features);
-  add_values(key, "weight", stimulus.weights);
-  if (stimulus.clip) {
-    add_file(key, stimulus.clip->file);
-    if (const auto& frames = stimulus.clip->frames) {
-      key.add("first", std::int64_t{(*frames)[0]}).add("last", std::int64_t{(*frames)[1]});
-    }
-  }
-  add_interpolation(key, stimulus.interpolation);
+  Stimulus without =
+      stimulus;  // whose modifications count as they were resolved, and not as written
+  without.modify.clear();
+  add_fields(key, "", without, concerns::motion);
   add_steps(key, stimulus);
-  key.add("fps", stimulus.output.fps).add("cycles", std::int64_t{stimulus.output.cycles});
-  add_choice(key, "in_place", stimulus.output.in_place);
+  key.add("blends seed", static_cast<std::int64_t>(stimulus.interpolation.weights.nearest.seed));
 }
 
 void add_interpolation(KeyBuilder& key, const Interpolation& how) {
-  add_weights(key, how.weights);
-  add_choice(key, "rotations", how.rotations);
-  add_choice(key, "time_warp", how.time_warp);
-  add_choice(key, "foot_lock", how.foot_lock);
+  add_fields(key, "interpolation.", how, concerns::motion);
+  key.add("blends seed", static_cast<std::int64_t>(how.weights.nearest.seed));
 }
 
 void add_film(KeyBuilder& key, const Stimulus& stimulus) {
-  add_look(key, stimulus.look);
-  add_choice(key, "role", stimulus.role);
-  key.add("width", std::int64_t{stimulus.output.size[0]})
-      .add("height", std::int64_t{stimulus.output.size[1]})
-      .add("fps", stimulus.output.fps);
-  if (stimulus.output.scale != 1.0) key.add("scale", stimulus.output.scale);
-  if (const auto& crop = stimulus.output.crop) {
-    for (const int edge : *crop) key.add("crop", std::int64_t{edge});
-  }
-  add_choice(key, "quality", stimulus.output.quality);
-  if (stimulus.output.shutter > 0.0) key.add("shutter", stimulus.output.shutter);
+  add_fields(key, "", stimulus, concerns::picture);
+  add_set(key, stimulus.look.set);
+  if (const auto* character = scenes::character_in(stimulus.look.figure))
+    add_character(key, character->file);
 }
 
 void add_presentation(KeyBuilder& key, const Presentation& presentation) {
-  if (!presentation.card.empty()) {
-    key.add("card", presentation.card).add("seconds", presentation.card_seconds);
-  }
-  key.add("fixation", presentation.fixation_seconds)
-      .add("size", std::int64_t{presentation.fixation_size})
-      .add("before", presentation.blank_before)
-      .add("after", presentation.blank_after)
-      .add("in", presentation.fade_in)
-      .add("out", presentation.fade_out)
-      .add("background", presentation.background);
+  add_fields(key, "presentation.", presentation, concerns::shown);
 }
 
 }  // namespace mien::pipeline

@@ -1,8 +1,24 @@
 #include "pipeline/manifest/manifest.h"
 
-#include <cmath>
-
 namespace mien::pipeline {
+
+Stimulus plain_stimulus(const Manifest& manifest) {
+  Stimulus stimulus;
+  stimulus.look = manifest.look;
+  stimulus.output = manifest.output;
+  stimulus.interpolation = manifest.interpolation;
+  stimulus.interpolation.weights.nearest.seed = manifest.seed;
+  stimulus.on_fault = manifest.on_fault;
+  return stimulus;
+}
+
+Overlay plain_overlay(const Manifest& manifest) {
+  Overlay overlay;
+  overlay.film.look = manifest.look;
+  overlay.film.output = manifest.output;
+  overlay.film.output.clips = {.bvh = false, .glb = false};
+  return overlay;
+}
 
 std::vector<std::pair<Role, std::string>> motions_on(const Overlay& overlay) {
   std::vector<std::pair<Role, std::string>> motions = {{Role::target, overlay.target},
@@ -34,25 +50,6 @@ std::vector<MotionPair> pairs_on(const Sheet& sheet) {
     pairs.push_back({sheet.gallery.front(), sheet.gallery[i]});
   }
   return pairs;
-}
-
-std::array<int, 2> Output::whole_size() const {
-  return {static_cast<int>(std::lround(scale * size[0])),
-          static_cast<int>(std::lround(scale * size[1]))};
-}
-
-std::optional<render::Window> Output::window() const {
-  if (!crop) return std::nullopt;
-  const auto scaled = [&](int pixels) { return static_cast<int>(std::lround(scale * pixels)); };
-  const auto [left, top, width, height] = *crop;
-  const int x = scaled(left), y = scaled(top);
-  return render::Window{x, y, scaled(left + width) - x, scaled(top + height) - y};
-}
-
-std::array<int, 2> Output::shown_size() const {
-  if (!crop) return whole_size();
-  const render::Window shown = *window();
-  return {shown.width, shown.height};
 }
 
 }  // namespace mien::pipeline

@@ -1,60 +1,19 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "motion/interpolation/blend.h"
-#include "motion/interpolation/interpolation_options.h"
-#include "motion/interpolation/time_warp.h"
+#include <nlohmann/json_fwd.hpp>
+
 #include "pipeline/documents/places.h"
-#include "pipeline/look/look.h"
-#include "pipeline/manifest/modification.h"
-#include "pipeline/ratings/expectation.h"
-#include "render/scene/camera.h"
-#include "render/video/video_kind.h"
-#include "scenes/stage/layout.h"
+#include "pipeline/manifest/examples.h"
+#include "pipeline/manifest/output.h"
+#include "pipeline/manifest/sheet.h"
+#include "pipeline/manifest/stimulus.h"
 
 namespace mien::pipeline {
-
-/// Numbers by name, in the order of the manifest.
-using NamedValues = std::vector<std::pair<std::string, double>>;
-
-/// The motions that are blended: a built-in set or the files of a folder.
-struct Examples {
-  /// Cut one gait cycle, or take the whole motion, with keytimes at its pauses or at its peak.
-  enum class Cycle { automatic, whole, start_peak_end };
-  enum class Labels { from_name, file_name };
-
-  std::string builtin;           ///< "walks-10" of "builtin:walks-10"; empty for a folder
-  std::filesystem::path folder;  ///< resolved
-  std::string include = "*";     ///< glob on file names
-  std::string exclude;           ///< glob on file names; empty excludes nothing
-  Cycle cycle = Cycle::automatic;
-  std::vector<std::pair<std::string, std::vector<double>>> keytimes;  ///< by hand, by file stem
-  bool blendable = true;  ///< on one body with corresponding moments; else each for itself
-  Labels labels = Labels::from_name;  ///< the part of the name that differs, or all of it
-  std::vector<std::pair<std::string, std::string>> given_labels;  ///< file stem → label
-};
-
-/// What people thought of the examples.
-struct Ratings {
-  enum class Source { none, builtin, simulated, file };
-
-  Source source = Source::none;
-  std::filesystem::path file;              ///< CSV of answers or of means, resolved
-  int raters = 14;                         ///< simulated only
-  std::vector<Expectation> expected = {};  ///< which examples should lie above which
-};
-
-/// What the ratings are on: the built-in 41 adjective pairs, or a file.
-struct ScalesSource {
-  std::filesystem::path file;  ///< empty: built-in
-};
 
 /// What emotions are made of.
 struct RecipesSource {
@@ -62,127 +21,11 @@ struct RecipesSource {
   std::filesystem::path file;    ///< resolved; empty for what comes with the program
 };
 
-enum class Quality { draft, standard, final };
-enum class FrameFormat { none, png, png16, exr, layers };
-
-/// What a video shows before and after the film, in this order: card, fixation cross, blank, film,
-/// blank; each as many whole frames as come nearest to its seconds. Frame files are the film alone.
-struct Presentation {
-  std::string card;               ///< a text, lines parted by \n; empty for none
-  double card_seconds = 2.0;      ///< when there is a text
-  double fixation_seconds = 0.0;  ///< a cross in the middle
-  int fixation_size = 32;         ///< pixels from end to end
-  double blank_before = 0.0;      ///< seconds
-  double blank_after = 0.0;       ///< seconds
-  double fade_in = 0.0;           ///< seconds of the film that rise from the background
-  double fade_out = 0.0;          ///< seconds of the film that sink into it
-  double background = 0.5;        ///< grey, sRGB: 0 black … 1 white
-
-  friend bool operator==(const Presentation&, const Presentation&) = default;
+/// `recipes:`: builtin, fig29, or a file.
+struct RecipesForm {
+  static void read(const Given& given, RecipesSource& recipes);
+  static nlohmann::ordered_json write(const RecipesSource& recipes, const Writing& how);
 };
-
-/// What is written for a stimulus, and how large.
-struct Output {
-  std::array<int, 2> size{960, 540};  ///< pixels of the picture that the camera frames
-  double scale = 1.0;                 ///< all is drawn so many times as large, and shows the same
-  std::optional<std::array<int, 4>> crop;  ///< the part that is kept, in pixels of `size`: from the
-                                           ///< left, from the top, width, height
-  double fps = 30.0;
-  int cycles = 3;         ///< repetitions of a looping clip
-  bool in_place = false;  ///< walk on the spot instead of travelling
-  Quality quality = Quality::standard;
-  FrameFormat frames = FrameFormat::png;
-  double shutter = 0.0;  ///< degrees of 360 for which the shutter is open: motion blur
-  std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< each once
-  Presentation presentation;
-  bool bvh = true;   ///< clips/<id>.bvh
-  bool glb = false;  ///< clips/<id>.glb
-
-  /// Pixels of the picture that the camera frames, drawn to scale.
-  std::array<int, 2> whole_size() const;
-
-  /// The part of it that is kept, if not all.
-  std::optional<render::Window> window() const;
-
-  /// Pixels of what is kept: of the frames and videos.
-  std::array<int, 2> shown_size() const;
-
-  friend bool operator==(const Output&, const Output&) = default;
-};
-
-/// How examples become a clip.
-struct Interpolation {
-  motion::InterpolationOptions weights;  ///< from adjectives to shares of the examples
-  motion::RotationBlend rotations = motion::RotationBlend::karcher_mean;
-  motion::WarpShape time_warp = motion::WarpShape::monotone;
-  bool foot_lock = true;
-
-  friend bool operator==(const Interpolation&, const Interpolation&) = default;
-};
-
-/// A motion file shown as it is.
-struct ClipSource {
-  std::filesystem::path file;                ///< resolved
-  std::optional<std::array<int, 2>> frames;  ///< first and last, counted from 0; all when absent
-};
-
-enum class Role { target, created, reference };
-
-/// One motion to make. Exactly one of adjectives, features, weights and clip is given.
-struct Stimulus {
-  std::string path;  ///< in the manifest: "stimuli[2]"
-  std::string id;    ///< safe as a file name
-  Role role = Role::created;
-  NamedValues adjectives;  ///< parameter → 0…1
-  NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
-  NamedValues weights;     ///< example → share, ≥ 0, not all 0
-  std::optional<ClipSource> clip;
-  Look look;                             ///< the manifest's with this stimulus's own values over it
-  Output output;                         ///< likewise
-  Interpolation interpolation;           ///< likewise
-  std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
-  OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
-};
-
-/// A sheet about two motions, a gallery of several, or pictures of several stimuli.
-struct Sheet {
-  std::string path;       ///< in the manifest: "sheets[0]"
-  std::string id;         ///< file name; "<target>_<created>", "gallery" or "stills" unless given
-  std::string target;     ///< stimulus or example
-  std::string created;    ///< stimulus or example
-  std::string reference;  ///< stimulus or example; empty for none
-  /// Stimuli or examples, one a row, the first being what the others are measured against; then
-  /// there is no target. Empty for others.
-  std::vector<std::string> gallery;
-  std::vector<std::string> stills;  ///< stimuli, a picture each; empty for others
-  int columns = 6;                  ///< of pictures
-};
-
-/// Motions together on one stage.
-struct Overlay {
-  /// What it is called and how it is filmed (path "overlays[0]"); it has no motion of its own.
-  Stimulus film;
-  std::string target;     ///< stimulus or example
-  std::string created;    ///< stimulus or example
-  std::string reference;  ///< stimulus or example; empty for none
-  scenes::Layout layout = scenes::Layout::superimposed;
-  double opacity = 0.75;  ///< of figures in the same place; those side by side are opaque
-};
-
-/// What each figure of an overlay stands for, and its motion.
-std::vector<std::pair<Role, std::string>> motions_on(const Overlay& overlay);
-
-/// All motions on a sheet.
-std::vector<std::string> motions_on(const Sheet& sheet);
-
-/// Two motions whose distance a sheet shows.
-struct MotionPair {
-  std::string target;
-  std::string created;
-};
-
-/// A comparison's one; a gallery's first motion with each other; none of pictures.
-std::vector<MotionPair> pairs_on(const Sheet& sheet);
 
 /// What all stimuli of a study are made alike in.
 struct Equalize {
@@ -193,9 +36,17 @@ struct Equalize {
   friend bool operator==(const Equalize&, const Equalize&) = default;
 };
 
+template <class Field, MaybeConst<Equalize> E>
+void fields_of(Field&& field, E& equalize) {
+  field("luminance", equalize.luminance, concerns::picture);
+  field("size", equalize.size, concerns::picture);
+  field("duration", equalize.duration, concerns::picture);
+}
+
 /// A production as its author wrote it, defaults filled in and overrides merged.
 struct Manifest {
   std::filesystem::path file;
+  int version = 1;
   std::string study;
   std::uint64_t seed = 0;
   Examples examples;
@@ -212,6 +63,35 @@ struct Manifest {
   std::vector<Sheet> sheets;
   Places places;
 };
+
+/// What a stimulus or an overlay of that manifest is before it says anything itself.
+Stimulus plain_stimulus(const Manifest& manifest);
+Overlay plain_overlay(const Manifest& manifest);
+
+template <class Field, MaybeConst<Manifest> M>
+void fields_of(Field&& field, M& manifest) {
+  field("mien", manifest.version, concerns::required);
+  field("study", manifest.study, concerns::page | concerns::required);
+  field("seed", manifest.seed, concerns::repertoire | concerns::motion | concerns::picture);
+  field.group("examples", [&](auto& examples) {
+    examples.by("set", manifest.examples, concerns::repertoire, ExampleSetForm());
+    examples.by("ratings", manifest.ratings, concerns::repertoire, RatingsForm());
+    examples.by("scales", manifest.scales, concerns::repertoire, ScalesForm());
+    examples("raters", manifest.ratings.raters, concerns::repertoire);
+    examples("expect", manifest.ratings.expected, concerns::page);
+  });
+  field("look", manifest.look, concerns::picture);
+  field("output", manifest.output, concerns::nothing);
+  field("interpolation", manifest.interpolation, concerns::motion);
+  field.by("recipes", manifest.recipes, concerns::motion, RecipesForm());
+  field("on_fault", manifest.on_fault, concerns::motion, fault_words);
+  field.by("equalize", manifest.equalize, concerns::picture, WordSet<Equalize>());
+  field.each("stimuli", manifest.stimuli, concerns::nothing,
+             [&] { return plain_stimulus(manifest); });
+  field.each("overlays", manifest.overlays, concerns::nothing,
+             [&] { return plain_overlay(manifest); });
+  field.each("sheets", manifest.sheets, concerns::page, [] { return Sheet(); });
+}
 
 /// All that films are made of: the stimuli, then the overlays.
 std::vector<const Stimulus*> films_of(const Manifest& manifest);

@@ -30,17 +30,22 @@ void add_at_new_paths(std::vector<Fault>& faults, std::vector<Fault> more) {
   }
 }
 
-/// The manifest's look, and those of stimuli and overlays that say something of their own.
-std::vector<Fault> check_looks(const Manifest& manifest) {
+/// Completes the manifest's look, and those of stimuli and overlays that say something of their
+/// own. The others have the manifest's.
+std::vector<Fault> complete_looks(Manifest& manifest) {
   const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
-  std::vector<Fault> faults = check_look(manifest.look, "look", manifest.places, joints);
-  for (const Stimulus* film : films_of(manifest)) {
-    const std::string path = member_path(film->path, "look");
-    if (!manifest.places.values.contains(path)) continue;
-    for (Fault& fault : check_look(film->look, path, manifest.places, joints)) {
-      faults.push_back(std::move(fault));
+  std::vector<Fault> faults = complete_look(manifest.look, "look", manifest.places, joints);
+  const auto complete = [&](Stimulus& film) {
+    const std::string path = member_path(film.path, "look");
+    if (!manifest.places.values.contains(path)) {
+      film.look.set = manifest.look.set;
+      return;
     }
-  }
+    for (Fault& fault : complete_look(film.look, path, manifest.places, joints))
+      faults.push_back(std::move(fault));
+  };
+  for (Stimulus& stimulus : manifest.stimuli) complete(stimulus);
+  for (Overlay& overlay : manifest.overlays) complete(overlay.film);
   return faults;
 }
 
@@ -60,7 +65,7 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   reading.manifest = build_manifest(json.document, std::move(json.places), file);
   add_at_new_paths(reading.faults, resolve_modifications(reading.manifest));
   add_at_new_paths(reading.faults, check_meaning(reading.manifest));
-  add_at_new_paths(reading.faults, check_looks(reading.manifest));
+  add_at_new_paths(reading.faults, complete_looks(reading.manifest));
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
 }

@@ -1,13 +1,16 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "motion/modify/modification.h"
+#include "pipeline/documents/concerns.h"
 #include "pipeline/manifest/style_step.h"
 
 namespace mien::pipeline {
@@ -21,6 +24,18 @@ struct PoseSource {
   friend bool operator==(const PoseSource&, const PoseSource&) = default;
 };
 
+/// The motion of a pose: a file when the text ends like one, else an example.
+struct PoseMotionForm {
+  static void read(const Given& given, PoseSource& pose);
+  static nlohmann::ordered_json write(const PoseSource& pose, const Writing& how);
+};
+
+template <class Field, MaybeConst<PoseSource> P>
+void fields_of(Field&& field, P& pose) {
+  field.by("motion", pose, concerns::motion | concerns::required, PoseMotionForm());
+  field("frame", pose.frame, concerns::motion);
+}
+
 /// A posture as the difference of two captured standing poses.
 struct PoseDifferenceSource {
   PoseSource neutral;
@@ -29,21 +44,84 @@ struct PoseDifferenceSource {
   friend bool operator==(const PoseDifferenceSource&, const PoseDifferenceSource&) = default;
 };
 
+template <class Field, MaybeConst<PoseDifferenceSource> P>
+void fields_of(Field&& field, P& pose) {
+  field("neutral", pose.neutral, concerns::motion);
+  field("posed", pose.posed, concerns::motion);
+}
+
+inline constexpr Words<motion::RotationSignal> signal_words = {
+    {"direction-vectors", motion::RotationSignal::direction_vectors},
+    {"quaternions", motion::RotationSignal::quaternions}};
+inline constexpr Words<motion::AccelerationPlace> acceleration_words = {
+    {"pauses", motion::AccelerationPlace::pauses},
+    {"contacts", motion::AccelerationPlace::contacts}};
+inline constexpr Words<motion::FootRepair> repair_words = {
+    {"plants", motion::FootRepair::plants},
+    {"hip-shift", motion::FootRepair::hip_shift},
+    {"none", motion::FootRepair::none}};
+
+template <class Field, MaybeConst<motion::PathGains> G>
+void fields_of(Field&& field, G& gains) {
+  field("low", gains.low, concerns::motion);
+  field("middle", gains.middle, concerns::motion);
+  field("high", gains.high, concerns::motion);
+  field("bands", gains.bands, concerns::motion);
+}
+
+/// `limbs: [head, left-hand]`: head, hands, feet and single ones of these.
+struct LimbsForm {
+  static void read(const Given& given, motion::Limbs& limbs);
+  static nlohmann::ordered_json write(const motion::Limbs& limbs, const Writing&);
+};
+
+/// `posture: {head-flexion: 12}`: units that it names take the place of the same units.
+struct PostureForm {
+  static void read(const Given& given, std::vector<motion::PostureChange>& posture);
+  static nlohmann::ordered_json write(const std::vector<motion::PostureChange>& posture,
+                                      const Writing&);
+  template <class Names>
+  static void walk(Names& names) {
+    for (const motion::PostureUnitName& unit : motion::posture_units())
+      names.add(std::string(unit.name));
+  }
+};
+
+template <class Field, MaybeConst<motion::Modification> M>
+void fields_of(Field&& field, M& modification) {
+  field("paths", modification.paths, concerns::motion);
+  field("gains", modification.gains, concerns::motion);
+  field("signal", modification.signal, concerns::motion, signal_words);
+  field("acceleration", modification.acceleration, concerns::motion);
+  field("acceleration_at", modification.acceleration_place, concerns::motion, acceleration_words);
+  field.by("limbs", modification.limbs, concerns::motion, LimbsForm());
+  field.by("posture", modification.posture, concerns::motion, PostureForm());
+  field("tempo", modification.tempo, concerns::motion);
+  field("variation", modification.variation, concerns::motion);
+  field("seed", modification.seed, concerns::motion);
+  field("repair", modification.repair, concerns::motion, repair_words);
+  field("soft_limits", modification.soft_joint_limits, concerns::motion);
+}
+
 /// What a recipe or a manifest says of a modification. What it leaves out stays as it is.
 struct ModificationEdit {
-  std::optional<double> paths;
-  std::optional<motion::PathGains> gains;
-  std::optional<motion::RotationSignal> signal;
-  std::optional<double> acceleration;
-  std::optional<motion::AccelerationPlace> acceleration_place;
-  std::optional<motion::Limbs> limbs;
-  std::vector<motion::PostureChange> posture;  ///< units it names take the place of the same units
+  motion::Modification values;  ///< of which those count that are named
+  std::set<std::string> named;  ///< "paths", "posture", …
   std::optional<PoseDifferenceSource> pose;
-  std::optional<double> tempo;
-  std::optional<double> variation;
-  std::optional<std::uint64_t> seed;
-  std::optional<motion::FootRepair> repair;
-  std::optional<bool> soft_limits;
+
+  bool names(const std::string& option) const { return named.contains(option); }
+};
+
+/// The members of a map that say something of a modification.
+struct EditForm {
+  static void read(const Given& given, ModificationEdit& edit);
+  static nlohmann::ordered_json write(const ModificationEdit& edit, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.template of<motion::Modification>();
+    std::optional<PoseDifferenceSource> pose;
+    names("pose", pose, concerns::motion);
+  }
 };
 
 /// The modification with what the edit says over it. The pose difference is not read here.
@@ -57,6 +135,13 @@ struct Recipe {
   ModificationEdit edit;
 };
 
+template <class Field, MaybeConst<Recipe> R>
+void fields_of(Field&& field, R& recipe) {
+  field("ja", recipe.japanese, concerns::page);
+  field("note", recipe.note, concerns::page);
+  field.inside(recipe.edit, concerns::motion, EditForm());
+}
+
 /// What is done about a motion whose lint finds errors that the original does not have.
 enum class OnFault {
   warn,    ///< it is made, and the report tells (default)
@@ -64,6 +149,11 @@ enum class OnFault {
   revert,  ///< the motion is left unmodified, and the report tells
   reduce,  ///< it is modified only as strongly as is clean, and the report tells how strongly
 };
+
+inline constexpr Words<OnFault> fault_words = {{"warn", OnFault::warn},
+                                               {"fail", OnFault::fail},
+                                               {"revert", OnFault::revert},
+                                               {"reduce", OnFault::reduce}};
 
 /// "warn", "fail", "revert", "reduce".
 std::string_view name_of(OnFault choice);
@@ -78,5 +168,24 @@ struct ModificationStep {
   std::optional<PoseDifferenceSource> pose;  ///< likewise; not yet part of the modification
   std::optional<StyleStep> style;            ///< an older method, instead of all this but strength
 };
+
+/// The members of a map that name an older method and its options.
+struct StyleForm {
+  static void read(const Given& given, std::optional<StyleStep>& style);
+  static nlohmann::ordered_json write(const std::optional<StyleStep>& style, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.template of<StyleStep>();
+  }
+};
+
+/// As it is written. (What its artifacts depend on is `modification`, `pose` and `style`.)
+template <class Field, MaybeConst<ModificationStep> S>
+void fields_of(Field&& field, S& step) {
+  field("emotion", step.emotion, concerns::motion);
+  field("strength", step.strength, concerns::motion);
+  field.inside(step.edit, concerns::motion, EditForm());
+  field.inside(step.style, concerns::motion, StyleForm());
+}
 
 }  // namespace mien::pipeline

@@ -20,7 +20,7 @@ class StepChecker : FaultList {
 
   void check_step(const ModificationStep& step) {
     check_style(step);
-    if (step.edit.paths && step.edit.gains) {
+    if (step.edit.names("paths") && step.edit.names("gains")) {
       add(member_path(step.path, "gains"), "paths says already how bands are weighted",
           "give paths or gains");
     }

@@ -4,7 +4,7 @@
 
 #include "pipeline/documents/fault.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/manifest_checks.h"
+#include "pipeline/manifest/vocabulary.h"
 
 namespace mien::pipeline {
 

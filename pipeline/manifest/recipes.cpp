@@ -6,11 +6,10 @@
 
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
-#include "pipeline/documents/json_assign.h"
+#include "pipeline/documents/fields.h"
 #include "pipeline/documents/schema.h"
 #include "pipeline/documents/yaml_json.h"
 #include "pipeline/documents/yaml_tree.h"
-#include "pipeline/manifest/modification_json.h"
 #include "pipeline/statistics/named_random.h"
 
 #include "embedded/emotions_recipes.h"
@@ -24,19 +23,10 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 RecipeBook build(const JsonReading& reading, const fs::path& folder) {
+  const ReadingContext context{
+      reading.places, [&](const std::string& path) { return (folder / path).lexically_normal(); }};
   RecipeBook book;
-  assign(member(reading.document, "name"), book.name);
-  const json& recipes = reading.document["recipes"];
-  for (const std::string& name : written_order(recipes, "recipes", reading.places)) {
-    const json& given = recipes[name];
-    Recipe recipe{.name = name};
-    assign(member(given, "ja"), recipe.japanese);
-    assign(member(given, "note"), recipe.note);
-    recipe.edit = modification_edit(
-        given, member_path("recipes", name), reading.places,
-        [&](const std::string& path) { return (folder / path).lexically_normal(); });
-    book.recipes.push_back(std::move(recipe));
-  }
+  read({reading.document, "", context}, book);
   return book;
 }
 
@@ -48,7 +38,7 @@ std::vector<Fault> faults_of(const RecipeBook& book, const Places& places) {
       faults.push_back({place_of(places, "recipes"), "recipes", "a recipe has no name",
                         "call it what manifests name as emotion"});
     }
-    if (recipe.edit.paths && recipe.edit.gains) {
+    if (recipe.edit.names("paths") && recipe.edit.names("gains")) {
       faults.push_back({place_of(places, member_path(path, "gains")), member_path(path, "gains"),
                         "paths says already how bands are weighted", "give paths or gains"});
     }
@@ -71,6 +61,22 @@ void resolve(ModificationStep& step, const Recipe* recipe, std::uint64_t study_s
 }
 
 }  // namespace
+
+void RecipesMapForm::read(const Given& given, std::vector<Recipe>& recipes) {
+  std::vector<std::pair<std::string, Recipe>> named;
+  pipeline::read(given, named);
+  for (auto& [name, recipe] : named) {
+    recipe.name = name;
+    recipes.push_back(std::move(recipe));
+  }
+}
+
+nlohmann::ordered_json RecipesMapForm::write(const std::vector<Recipe>& recipes,
+                                             const Writing& how) {
+  OrderedJson map = OrderedJson::object();
+  for (const Recipe& recipe : recipes) map[recipe.name] = written(recipe, how);
+  return map;
+}
 
 const Recipe* RecipeBook::find(std::string_view emotion) const {
   const auto found = std::ranges::find(recipes, emotion, &Recipe::name);

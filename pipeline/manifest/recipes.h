@@ -20,6 +20,22 @@ struct RecipeBook {
   std::vector<std::string> names() const;
 };
 
+/// `recipes:` by their names.
+struct RecipesMapForm {
+  static void read(const Given& given, std::vector<Recipe>& recipes);
+  static nlohmann::ordered_json write(const std::vector<Recipe>& recipes, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.template of<Recipe>();
+  }
+};
+
+template <class Field, MaybeConst<RecipeBook> B>
+void fields_of(Field&& field, B& book) {
+  field("name", book.name, concerns::page);
+  field.by("recipes", book.recipes, concerns::motion | concerns::required, RecipesMapForm());
+}
+
 /// The recipes that come with the program, as the text of their file: "builtin" (our own, after
 /// what the emotion thesis concluded) and "fig29" (its figure 29). Empty for another name.
 std::string_view builtin_recipes_text(std::string_view name);

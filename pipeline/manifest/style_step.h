@@ -1,15 +1,17 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/documents/concerns.h"
 
 namespace mien::pipeline {
 
-/// Older methods that give a motion the difference of two others (motion/classic).
+/// Older methods that give a motion the difference of two others (motion/style_transfer).
 enum class StyleMethod {
   amaya,         ///< timing and amplitude of joints
   unuma,         ///< Fourier series of the cycle
@@ -21,20 +23,18 @@ enum class StyleMethod {
   neff,          ///< drives: places of hands, bend of torso and head, height of the pelvis
 };
 
-inline constexpr std::array<std::pair<const char*, StyleMethod>, 8> style_methods = {{
-    {"amaya", StyleMethod::amaya},
-    {"unuma", StyleMethod::unuma},
-    {"hsu", StyleMethod::hsu},
-    {"witkin", StyleMethod::witkin},
-    {"waveshape", StyleMethod::waveshape},
-    {"displacement", StyleMethod::displacement},
-    {"shapiro", StyleMethod::shapiro},
-    {"neff", StyleMethod::neff},
-}};
+inline constexpr Words<StyleMethod> style_methods = {{"amaya", StyleMethod::amaya},
+                                                     {"unuma", StyleMethod::unuma},
+                                                     {"hsu", StyleMethod::hsu},
+                                                     {"witkin", StyleMethod::witkin},
+                                                     {"waveshape", StyleMethod::waveshape},
+                                                     {"displacement", StyleMethod::displacement},
+                                                     {"shapiro", StyleMethod::shapiro},
+                                                     {"neff", StyleMethod::neff}};
 
 /// As manifests call it.
 inline std::string_view name_of(StyleMethod method) {
-  return style_methods[static_cast<std::size_t>(method)].first;
+  return style_methods.begin()[static_cast<std::size_t>(method)].first;
 }
 
 /// A modification by an older method: `{method: unuma, neutral: normal, styled: sad}`.
@@ -50,5 +50,25 @@ struct StyleStep {
   std::uint64_t seed = 0;  ///< shapiro
   bool feet = true;        ///< lock the feet afterwards
 };
+
+/// `repair: none` leaves the feet alone.
+struct StyleRepairForm {
+  static void read(const Given& given, bool& feet);
+  static nlohmann::ordered_json write(bool feet, const Writing&);
+};
+
+template <class Field, MaybeConst<StyleStep> S>
+void fields_of(Field&& field, S& style) {
+  field("method", style.method, concerns::motion | concerns::required, style_methods);
+  field("neutral", style.neutral, concerns::motion);
+  field("styled", style.styled, concerns::motion);
+  field("harmonics", style.harmonics, concerns::motion);
+  field("order", style.order, concerns::motion);
+  field("inputs", style.inputs, concerns::motion);
+  field("components", style.components, concerns::motion);
+  field("swap", style.swap, concerns::motion);
+  field("seed", style.seed, concerns::motion);
+  field.by("repair", style.feet, concerns::motion, StyleRepairForm());
+}
 
 }  // namespace mien::pipeline

@@ -1,9 +1,18 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/manifest_checks.h"
 
 namespace mien::pipeline {
+
+/// Names that a manifest's values may refer to.
+struct Vocabulary {
+  std::vector<std::string> parameters;  ///< groups and scales
+  std::vector<std::string> features;    ///< groups and features
+  std::vector<std::string> examples;
+};
 
 /// The examples of a manifest, the parameters that they have ratings on and the features, found
 /// without reading a motion. Throws Error for what is wrong with the folder, the scales or the

@@ -60,7 +60,7 @@ Production::Production(Manifest manifest, ProductionOptions options)
   }
   for (const Stimulus& stimulus : manifest_.stimuli) {
     if (!is_wanted(stimulus.id)) continue;
-    if (stimulus.output.bvh || stimulus.output.glb) {
+    if (stimulus.output.clips.bvh || stimulus.output.clips.glb) {
       Task clip = clip_task(stimulus, shared, motions_);
       if (manifest_.equalize.duration) depend_on_motions(clip);
       graph_.add(std::move(clip));

@@ -216,15 +216,15 @@ std::string described(const ModificationStep& step) {
     parts.push_back(fmt::format("{} → {} by {}", step.style->neutral, step.style->styled,
                                 name_of(step.style->method)));
   }
-  append(parts, "paths", edit.paths);
-  if (edit.gains) parts.emplace_back("gains of bands");
-  append(parts, "acceleration", edit.acceleration);
-  for (const motion::PostureChange& change : edit.posture) {
+  if (edit.names("paths")) append(parts, "paths", edit.values.paths);
+  if (edit.names("gains")) parts.emplace_back("gains of bands");
+  if (edit.names("acceleration")) append(parts, "acceleration", edit.values.acceleration);
+  for (const motion::PostureChange& change : edit.values.posture) {
     append(parts, std::string(motion::name_of(change.unit)), change.degrees, "°");
   }
   if (edit.pose) parts.emplace_back("pose");
-  append(parts, "tempo", edit.tempo);
-  append(parts, "variation", edit.variation);
+  if (edit.names("tempo")) append(parts, "tempo", edit.values.tempo);
+  if (edit.names("variation")) append(parts, "variation", edit.values.variation);
   std::string text = fmt::format("{}", fmt::join(parts, ", "));
   if (text.empty()) text = "nothing";
   return step.strength == 1.0 ? text : fmt::format("{} × {}", text, shortest(step.strength));

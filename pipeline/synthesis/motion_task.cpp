@@ -59,8 +59,8 @@ Task clip_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motio
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("motion", motion_code());
   const std::string path = "clips/" + stimulus.id;
-  if (stimulus.output.bvh) task.products.push_back({path + ".bvh", {}});
-  if (stimulus.output.glb) task.products.push_back({path + ".glb", {}});
+  if (stimulus.output.clips.bvh) task.products.push_back({path + ".bvh", {}});
+  if (stimulus.output.clips.glb) task.products.push_back({path + ".glb", {}});
   task.cost_seconds = clip_cost_seconds;
   task.make = [&stimulus, &motions](TaskRun& run) {
     const motion::Recording recording = motion::to_recording(motions.shown(stimulus));

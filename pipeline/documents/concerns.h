@@ -1,0 +1,58 @@
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include "pipeline/documents/words.h"
+
+namespace mien::pipeline {
+
+/// What an option has an influence on, and so which artifacts have it in their keys: a sum of
+/// these.
+///
+/// Each struct that a document fills has one list of its options, `fields_of`, beside it:
+///
+///     template <class Field, MaybeConst<Output> O>
+///     void fields_of(Field&& field, O& output) {
+///       field("size", output.size, concerns::picture);
+///       field("quality", output.quality, concerns::picture, quality_words);
+///     }
+///
+/// Whatever is done with options walks that list: reading and writing (fields.h), keys of artifacts
+/// (determinants.h), options of the command line (option_flags.h), and the test that holds the list
+/// against the schema. Beside plain values a `field` takes
+///
+/// - `group(key, [&](auto& inner) { … })`: a map within the map, of members of the same struct;
+/// - `whole(key, value, concerns)`: a map that replaces the value, instead of being laid over it;
+/// - `each(key, vector, concerns, prototype)`: an array of maps, laid over `prototype()` each;
+/// - `by(key, value, concerns, Form())`: what is written in a way of its own: Form has static
+///   functions `read(Given, value)`, `write(value, Writing)` and, where it has members,
+///   `walk(names)`;
+/// - `inside(value, concerns, Form())`: likewise, of members that stand in the same map.
+///
+/// A value that is no map where a map may stand is that of the first field.
+namespace concerns {
+enum : unsigned {
+  nothing = 0,
+  repertoire = 1U << 0,  ///< the examples and what people thought of them
+  motion = 1U << 1,      ///< a stimulus's motion
+  picture = 1U << 2,     ///< the frames of its film
+  stored = 1U << 3,      ///< how frames are kept
+  shown = 1U << 4,       ///< what a video shows beside the film
+  files = 1U << 5,       ///< which files are written, and nothing in them
+  page = 1U << 6,        ///< sheets, tables and the report
+  required = 1U << 16,   ///< no artifact; the schema asks for it, so it is always written
+};
+}  // namespace concerns
+
+// fields.h
+struct Given;
+struct Writing;
+template <class Flags>
+struct WordSet;
+
+/// Whether O is a struct, or it and const.
+template <class O, class Struct>
+concept MaybeConst = std::same_as<std::remove_const_t<O>, Struct>;
+
+}  // namespace mien::pipeline

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/documents/concerns.h"
+#include "pipeline/ratings/expectation.h"
+
+namespace mien::pipeline {
+
+struct Examples;
+
+/// `labels:` of a folder: a rule, or a map.
+struct LabelsForm {
+  static void read(const Given& given, Examples& examples);
+  static nlohmann::ordered_json write(const Examples& examples, const Writing& how);
+};
+
+/// The motions that are blended: a built-in set or the files of a folder.
+struct Examples {
+  /// Cut one gait cycle, or take the whole motion, with keytimes at its pauses or at its peak.
+  enum class Cycle { automatic, whole, start_peak_end };
+  enum class Labels { from_name, file_name };
+
+  std::string builtin;           ///< "walks-10" of "builtin:walks-10"; empty for a folder
+  std::filesystem::path folder;  ///< resolved
+  std::string include = "*";     ///< glob on file names
+  std::string exclude;           ///< glob on file names; empty excludes nothing
+  Cycle cycle = Cycle::automatic;
+  std::vector<std::pair<std::string, std::vector<double>>> keytimes;  ///< by hand, by file stem
+  bool blendable = true;  ///< on one body with corresponding moments; else each for itself
+  Labels labels = Labels::from_name;  ///< the part of the name that differs, or all of it
+  std::vector<std::pair<std::string, std::string>> given_labels;  ///< file stem → label
+};
+
+inline constexpr Words<Examples::Cycle> cycle_words = {
+    {"auto", Examples::Cycle::automatic},
+    {"whole", Examples::Cycle::whole},
+    {"start-peak-end", Examples::Cycle::start_peak_end}};
+
+/// Of a folder.
+template <class Field, MaybeConst<Examples> E>
+void fields_of(Field&& field, E& examples) {
+  field("folder", examples.folder, concerns::repertoire);
+  field("include", examples.include, concerns::repertoire);
+  field("exclude", examples.exclude, concerns::repertoire);
+  field("cycle", examples.cycle, concerns::repertoire, cycle_words);
+  field("blend", examples.blendable, concerns::repertoire);
+  field("keytimes", examples.keytimes, concerns::repertoire);
+  field.by("labels", examples, concerns::repertoire, LabelsForm());
+}
+
+/// `set:`: a built-in set, or a folder.
+struct ExampleSetForm {
+  static void read(const Given& given, Examples& examples);
+  static nlohmann::ordered_json write(const Examples& examples, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.template of<Examples>();
+  }
+};
+
+/// What people thought of the examples.
+struct Ratings {
+  enum class Source { none, builtin, simulated, file };
+
+  Source source = Source::none;
+  std::filesystem::path file;              ///< CSV of answers or of means, resolved
+  int raters = 14;                         ///< simulated only
+  std::vector<Expectation> expected = {};  ///< which examples should lie above which
+};
+
+inline constexpr Words<Ratings::Source> ratings_words = {{"none", Ratings::Source::none},
+                                                         {"builtin", Ratings::Source::builtin},
+                                                         {"simulated", Ratings::Source::simulated}};
+
+/// `ratings:`: a word, or a file.
+struct RatingsForm {
+  static void read(const Given& given, Ratings& ratings);
+  static nlohmann::ordered_json write(const Ratings& ratings, const Writing& how);
+};
+
+template <class Field, MaybeConst<Expectation> E>
+void fields_of(Field&& field, E& expected) {
+  field("parameter", expected.parameter, concerns::page | concerns::required);
+  field("order", expected.order, concerns::page | concerns::required);
+}
+
+/// What the ratings are on: the built-in 41 adjective pairs, or a file.
+struct ScalesSource {
+  std::filesystem::path file;  ///< empty: built-in
+};
+
+/// `scales:`: builtin, or a file.
+struct ScalesForm {
+  static void read(const Given& given, ScalesSource& scales);
+  static nlohmann::ordered_json write(const ScalesSource& scales, const Writing& how);
+};
+
+}  // namespace mien::pipeline

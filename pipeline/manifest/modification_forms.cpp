@@ -1,0 +1,151 @@
+#include <algorithm>
+
+#include "motion/formats/motion_file.h"
+#include "pipeline/documents/fields.h"
+#include "pipeline/manifest/modification.h"
+#include "pipeline/manifest/stimulus.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::json;
+
+bool has(const json& list, const char* word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+/// A unit of posture that is there already changes, others are added.
+void lay_over(std::vector<motion::PostureChange>& posture, const motion::PostureChange& change) {
+  const auto same = std::ranges::find(posture, change.unit, &motion::PostureChange::unit);
+  if (same == posture.end()) {
+    posture.push_back(change);
+  } else {
+    *same = change;
+  }
+}
+
+/// What an edit names, as a map that can be read again.
+OrderedJson named_map(const ModificationEdit& edit, const Writing& how) {
+  std::vector<FieldEntry> entries = entries_of(edit.values, how);
+  std::erase_if(entries, [&](const FieldEntry& entry) { return !edit.names(entry.path); });
+  return nested_map(entries);
+}
+
+}  // namespace
+
+void PoseMotionForm::read(const Given& given, PoseSource& pose) {
+  std::string name;
+  assign(&given.value, name);
+  if (motion::is_motion_file(name)) {
+    pose.file = given.context.resolve(name);
+  } else {
+    pose.example = name;
+  }
+}
+
+OrderedJson PoseMotionForm::write(const PoseSource& pose, const Writing& how) {
+  return pose.file.empty() ? OrderedJson(pose.example) : written(pose.file, how);
+}
+
+void LimbsForm::read(const Given& given, motion::Limbs& limbs) {
+  const json& list = given.value;
+  if (!list.is_array()) return;
+  limbs.head = has(list, "head");
+  limbs.left_hand = has(list, "hands") || has(list, "left-hand");
+  limbs.right_hand = has(list, "hands") || has(list, "right-hand");
+  limbs.left_foot = has(list, "feet") || has(list, "left-foot");
+  limbs.right_foot = has(list, "feet") || has(list, "right-foot");
+}
+
+OrderedJson LimbsForm::write(const motion::Limbs& limbs, const Writing&) {
+  OrderedJson list = OrderedJson::array();
+  const auto add = [&](bool is_in, const char* word) {
+    if (is_in) list.push_back(word);
+  };
+  add(limbs.head, "head");
+  add(limbs.left_hand && limbs.right_hand, "hands");
+  add(limbs.left_hand && !limbs.right_hand, "left-hand");
+  add(limbs.right_hand && !limbs.left_hand, "right-hand");
+  add(limbs.left_foot && limbs.right_foot, "feet");
+  add(limbs.left_foot && !limbs.right_foot, "left-foot");
+  add(limbs.right_foot && !limbs.left_foot, "right-foot");
+  return list;
+}
+
+void PostureForm::read(const Given& given, std::vector<motion::PostureChange>& posture) {
+  if (!given.value.is_object()) return;
+  for (const std::string& key : written_order(given.value, given.path, given.context.places)) {
+    const auto unit = motion::posture_unit(key);
+    if (unit && given.value[key].is_number())
+      lay_over(posture, {*unit, given.value[key].get<double>()});
+  }
+}
+
+OrderedJson PostureForm::write(const std::vector<motion::PostureChange>& posture, const Writing&) {
+  if (posture.empty()) return {};
+  OrderedJson map;
+  for (const motion::PostureChange& change : posture)
+    map[std::string(motion::name_of(change.unit))] = change.degrees;
+  return map;
+}
+
+void EditForm::read(const Given& given, ModificationEdit& edit) {
+  pipeline::read(given, edit.values);
+  for (const FieldEntry& entry : entries_of(motion::Modification{}, {})) {
+    if (member(given.value, entry.path.c_str())) edit.named.insert(entry.path);
+  }
+  FieldReader reader(given);
+  reader("pose", edit.pose, concerns::motion);
+}
+
+OrderedJson EditForm::write(const ModificationEdit& edit, const Writing& how) {
+  OrderedJson map = named_map(edit, how);
+  if (edit.pose) map["pose"] = written(*edit.pose, how);
+  return map;
+}
+
+motion::Modification with_edit(motion::Modification modification, const ModificationEdit& edit) {
+  if (edit.names("paths")) modification.gains.reset();
+  const Places places;
+  const ReadingContext context{places, [](const std::string& path) { return path; }};
+  json named = named_map(edit, {});
+  named.erase("posture");  // whose order counts
+  read({named, "", context}, modification);
+  for (const motion::PostureChange& change : edit.values.posture)
+    lay_over(modification.posture, change);
+  return modification;
+}
+
+void StyleRepairForm::read(const Given& given, bool& feet) { feet = given.value != "none"; }
+
+OrderedJson StyleRepairForm::write(bool feet, const Writing&) {
+  return feet ? OrderedJson() : OrderedJson("none");
+}
+
+void StyleForm::read(const Given& given, std::optional<StyleStep>& style) {
+  if (!member(given.value, "method")) return;
+  style.emplace();
+  pipeline::read(given, *style);
+}
+
+OrderedJson StyleForm::write(const std::optional<StyleStep>& style, const Writing& how) {
+  return style ? written(*style, how) : OrderedJson::object();
+}
+
+void StepsForm::read(const Given& given, std::vector<ModificationStep>& steps) {
+  const auto add = [&](const Given& one) {
+    if (!one.value.is_object()) return;
+    steps.push_back({.path = one.path});
+    pipeline::read(one, steps.back());
+  };
+  if (!given.value.is_array()) return add(given);
+  for (std::size_t i = 0; i < given.value.size(); ++i)
+    add({given.value[i], element_path(given.path, i), given.context});
+}
+
+OrderedJson StepsForm::write(const std::vector<ModificationStep>& steps, const Writing& how) {
+  return steps.size() == 1 ? written(steps.front(), how) : written(steps, how);
+}
+
+}  // namespace mien::pipeline

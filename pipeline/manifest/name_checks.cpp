@@ -1,0 +1,155 @@
+#include "pipeline/manifest/name_checks.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "motion/text/nearest_word.h"
+#include "pipeline/documents/fault_list.h"
+#include "render/video/video_kind.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool is_among(const std::string& name, const Names& known) {
+  return std::ranges::find(known, name) != known.end();
+}
+
+/// Ids that are taken, and where.
+using TakenIds = std::map<std::string, std::string>;
+
+void check_unique(const std::string& id, const std::string& path, TakenIds& taken,
+                  FaultList& list) {
+  if (id.empty()) return;
+  const auto [first, is_new] = taken.emplace(id, path);
+  if (is_new) return;
+  list.add(member_path(path, "id"), "\"" + id + "\" is already the id of " + first->second,
+           "give each its own");
+}
+
+/// A file may be named alike for two films: "a.lossless" as mp4 and "a" as mp4-lossless.
+void check_video_names(const Manifest& manifest, FaultList& list) {
+  std::map<std::string, std::string> taken;
+  for (const Stimulus* film : films_of(manifest)) {
+    for (const render::VideoKind kind : film->output.video) {
+      const std::string file = render::with_ending(film->id, kind).string();
+      const auto [first, is_new] = taken.emplace(file, film->id);
+      if (is_new || first->second == film->id) continue;
+      list.add(member_path(film->path, "id"),
+               "its video " + file + " would be that of \"" + first->second + "\"",
+               "give it another id");
+    }
+  }
+}
+
+bool has_two_motions(const std::string& target, const std::string& created) {
+  return !target.empty() && !created.empty() && target != created;
+}
+
+void check_keys(const Stimulus& stimulus, const char* map, const NamedValues& values,
+                const char* what, const Names& known, FaultList& list) {
+  // Without any, something else is at fault, and has been told.
+  if (known.empty()) return;
+  for (const auto& [name, value] : values) {
+    if (is_among(name, known)) continue;
+    list.add_at_key(member_path(member_path(stimulus.path, map), name),
+                    std::string("unknown ") + what, motion::did_you_mean(name, known));
+  }
+}
+
+void check_motion(const std::string& path, const std::string& name, const Names& known,
+                  FaultList& list) {
+  if (name.empty() || is_among(name, known)) return;
+  list.add(path, "\"" + name + "\" is neither a stimulus nor an example",
+           motion::did_you_mean(name, known));
+}
+
+/// Of an example there is no film to take a picture from.
+void check_pictured(const std::string& path, const std::string& name, const Names& stimuli,
+                    FaultList& list) {
+  if (name.empty() || is_among(name, stimuli)) return;
+  list.add(path, "\"" + name + "\" is no stimulus", motion::did_you_mean(name, stimuli));
+}
+
+void check_expectations(const Manifest& manifest, const Vocabulary& vocabulary, FaultList& list) {
+  const std::vector<Expectation>& expected = manifest.ratings.expected;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const std::string path = element_path("examples.expect", i);
+    list.check_word(member_path(path, "parameter"), expected[i].parameter, "parameter",
+                    vocabulary.parameters);
+    for (std::size_t k = 0; k < expected[i].order.size(); ++k) {
+      list.check_word(element_path(member_path(path, "order"), k), expected[i].order[k], "example",
+                      vocabulary.examples);
+    }
+  }
+}
+
+template <class Compared>
+void check_compared(const std::string& path, const Compared& compared, const Names& motions,
+                    FaultList& list) {
+  check_motion(member_path(path, "target"), compared.target, motions, list);
+  check_motion(member_path(path, "created"), compared.created, motions, list);
+  check_motion(member_path(path, "reference"), compared.reference, motions, list);
+}
+
+void check_sheet(const Sheet& sheet, const Names& motions, const Names& stimuli, FaultList& list) {
+  check_compared(member_path(sheet.path, "compare"), sheet, motions, list);
+  const std::string gallery = member_path(sheet.path, "gallery");
+  for (std::size_t i = 0; i < sheet.gallery.size(); ++i)
+    check_motion(element_path(gallery, i), sheet.gallery[i], motions, list);
+  const std::string stills = member_path(sheet.path, "stills");
+  for (std::size_t i = 0; i < sheet.stills.size(); ++i)
+    check_pictured(element_path(stills, i), sheet.stills[i], stimuli, list);
+}
+
+Names stimuli_of(const Manifest& manifest) {
+  Names stimuli;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (!stimulus.id.empty()) stimuli.push_back(stimulus.id);
+  }
+  return stimuli;
+}
+
+}  // namespace
+
+std::vector<Fault> check_ids(const Manifest& manifest) {
+  FaultList list(manifest.places);
+  TakenIds films, sheets;
+  for (const Stimulus& stimulus : manifest.stimuli)
+    check_unique(stimulus.id, stimulus.path, films, list);
+  for (const Overlay& overlay : manifest.overlays) {
+    if (!overlay.target.empty() && !overlay.created.empty())
+      check_unique(overlay.film.id, overlay.film.path, films, list);
+  }
+  for (const Sheet& sheet : manifest.sheets) {
+    if (!sheet.gallery.empty() || !sheet.stills.empty() ||
+        has_two_motions(sheet.target, sheet.created))
+      check_unique(sheet.id, sheet.path, sheets, list);
+  }
+  check_video_names(manifest, list);
+  return list.take();
+}
+
+std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary) {
+  FaultList list(manifest.places);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    check_keys(stimulus, "adjectives", stimulus.adjectives, "parameter", vocabulary.parameters,
+               list);
+    check_keys(stimulus, "features", stimulus.features, "feature", vocabulary.features, list);
+    check_keys(stimulus, "weights", stimulus.weights, "example", vocabulary.examples, list);
+  }
+  const Names stimuli = stimuli_of(manifest);
+  Names motions = stimuli;
+  motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
+  check_expectations(manifest, vocabulary, list);
+  for (const Overlay& overlay : manifest.overlays)
+    check_compared(overlay.film.path, overlay, motions, list);
+  for (const Sheet& sheet : manifest.sheets) check_sheet(sheet, motions, stimuli, list);
+  return list.take();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/documents/concerns.h"
+#include "render/image/window.h"
+#include "render/video/video_kind.h"
+
+namespace mien::pipeline {
+
+enum class Quality { draft, standard, final };
+enum class FrameFormat { none, png, png16, exr, layers };
+
+inline constexpr Words<Quality> quality_words = {
+    {"draft", Quality::draft}, {"standard", Quality::standard}, {"final", Quality::final}};
+
+inline constexpr Words<FrameFormat> frame_format_words = {{"none", FrameFormat::none},
+                                                          {"png", FrameFormat::png},
+                                                          {"png16", FrameFormat::png16},
+                                                          {"exr", FrameFormat::exr},
+                                                          {"layers", FrameFormat::layers}};
+
+/// What a video shows before and after the film, in this order: card, fixation cross, blank, film,
+/// blank; each as many whole frames as come nearest to its seconds. Frame files are the film alone.
+struct Presentation {
+  std::string card;               ///< a text, lines parted by \n; empty for none
+  double card_seconds = 2.0;      ///< when there is a text
+  double fixation_seconds = 0.0;  ///< a cross in the middle
+  int fixation_size = 32;         ///< pixels from end to end
+  double blank_before = 0.0;      ///< seconds
+  double blank_after = 0.0;       ///< seconds
+  double fade_in = 0.0;           ///< seconds of the film that rise from the background
+  double fade_out = 0.0;          ///< seconds of the film that sink into it
+  double background = 0.5;        ///< grey, sRGB: 0 black … 1 white
+
+  friend bool operator==(const Presentation&, const Presentation&) = default;
+};
+
+template <class Field, MaybeConst<Presentation> P>
+void fields_of(Field&& field, P& shown) {
+  field.group("card", [&](auto& card) {
+    card("text", shown.card, concerns::shown);
+    card("seconds", shown.card_seconds, concerns::shown);
+  });
+  field.group("fixation", [&](auto& cross) {
+    cross("seconds", shown.fixation_seconds, concerns::shown);
+    cross("size", shown.fixation_size, concerns::shown);
+  });
+  field("blank_before", shown.blank_before, concerns::shown);
+  field("blank_after", shown.blank_after, concerns::shown);
+  field("fade_in", shown.fade_in, concerns::shown);
+  field("fade_out", shown.fade_out, concerns::shown);
+  field("background", shown.background, concerns::shown);
+}
+
+/// Which motion files are written.
+struct ClipFiles {
+  bool bvh = true;   ///< clips/<id>.bvh
+  bool glb = false;  ///< clips/<id>.glb
+
+  friend bool operator==(const ClipFiles&, const ClipFiles&) = default;
+};
+
+template <class Field, MaybeConst<ClipFiles> C>
+void fields_of(Field&& field, C& clips) {
+  field("bvh", clips.bvh, concerns::files);
+  field("glb", clips.glb, concerns::files);
+}
+
+/// `video: [mp4, gif]`: in the order of render::video_kinds().
+struct VideoKindsForm {
+  static void read(const Given& given, std::vector<render::VideoKind>& video);
+  static nlohmann::ordered_json write(const std::vector<render::VideoKind>& video, const Writing&);
+};
+
+/// What is written for a stimulus, and how large.
+struct Output {
+  std::array<int, 2> size{960, 540};  ///< pixels of the picture that the camera frames
+  double scale = 1.0;                 ///< all is drawn so many times as large, and shows the same
+  std::optional<std::array<int, 4>> crop;  ///< the part that is kept, in pixels of `size`: from the
+                                           ///< left, from the top, width, height
+  double fps = 30.0;
+  int cycles = 3;         ///< repetitions of a looping clip
+  bool in_place = false;  ///< walk on the spot instead of travelling
+  Quality quality = Quality::standard;
+  double shutter = 0.0;  ///< degrees of 360 for which the shutter is open: motion blur
+  FrameFormat frames = FrameFormat::png;
+  std::vector<render::VideoKind> video{render::VideoKind::mp4};  ///< each once
+  Presentation presentation;
+  ClipFiles clips;
+
+  /// Pixels of the picture that the camera frames, drawn to scale.
+  std::array<int, 2> whole_size() const;
+
+  /// The part of it that is kept, if not all.
+  std::optional<render::Window> window() const;
+
+  /// Pixels of what is kept: of the frames and videos.
+  std::array<int, 2> shown_size() const;
+
+  friend bool operator==(const Output&, const Output&) = default;
+};
+
+template <class Field, MaybeConst<Output> O>
+void fields_of(Field&& field, O& output) {
+  field("size", output.size, concerns::picture);
+  field("scale", output.scale, concerns::picture);
+  field("crop", output.crop, concerns::picture);
+  field("fps", output.fps, concerns::motion | concerns::picture);
+  field("in_place", output.in_place, concerns::motion | concerns::picture);
+  field("quality", output.quality, concerns::picture, quality_words);
+  field("shutter", output.shutter, concerns::picture);
+  field("cycles", output.cycles, concerns::motion);
+  field("frames", output.frames, concerns::stored, frame_format_words);
+  field.by("video", output.video, concerns::files, VideoKindsForm());
+  field("presentation", output.presentation, concerns::shown);
+  field.by("clips", output.clips, concerns::files, WordSet<ClipFiles>());
+}
+
+}  // namespace mien::pipeline

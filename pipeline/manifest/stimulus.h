@@ -1,0 +1,136 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "motion/interpolation/blend.h"
+#include "motion/interpolation/interpolation_options.h"
+#include "motion/interpolation/time_warp.h"
+#include "pipeline/documents/concerns.h"
+#include "pipeline/look/look.h"
+#include "pipeline/look/look_fields.h"
+#include "pipeline/manifest/modification.h"
+#include "pipeline/manifest/output.h"
+
+namespace mien::pipeline {
+
+/// Numbers by name, in the order of the manifest.
+using NamedValues = std::vector<std::pair<std::string, double>>;
+
+inline constexpr Words<motion::InterpolationMethod> method_words = {
+    {"cardinal", motion::InterpolationMethod::cardinal},
+    {"knn", motion::InterpolationMethod::nearest},
+    {"inverse-distance", motion::InterpolationMethod::inverse_distance},
+    {"grid", motion::InterpolationMethod::grid},
+    {"kriging", motion::InterpolationMethod::kriging},
+    {"pca", motion::InterpolationMethod::pca},
+    {"incremental", motion::InterpolationMethod::incremental},
+    {"direct", motion::InterpolationMethod::direct}};
+inline constexpr Words<motion::GridSource> grid_source_words = {
+    {"cardinal", motion::GridSource::cardinal}, {"knn", motion::GridSource::nearest}};
+inline constexpr Words<bool> drift_words = {{"linear", true}, {"constant", false}};
+inline constexpr Words<motion::ModelEstimate> estimate_words = {
+    {"expected", motion::ModelEstimate::expected},
+    {"most-likely", motion::ModelEstimate::most_likely}};
+inline constexpr Words<motion::RotationBlend> rotation_words = {
+    {"karcher-mean", motion::RotationBlend::karcher_mean},
+    {"direction-vectors", motion::RotationBlend::direction_vectors},
+    {"markley-mean", motion::RotationBlend::markley_mean}};
+inline constexpr Words<motion::WarpShape> time_warp_words = {
+    {"monotone", motion::WarpShape::monotone}, {"linear", motion::WarpShape::linear}};
+
+/// How examples become a clip.
+struct Interpolation {
+  motion::InterpolationOptions weights;  ///< from adjectives to shares of the examples
+  motion::RotationBlend rotations = motion::RotationBlend::karcher_mean;
+  motion::WarpShape time_warp = motion::WarpShape::monotone;
+  bool foot_lock = true;
+
+  friend bool operator==(const Interpolation&, const Interpolation&) = default;
+};
+
+template <class Field, MaybeConst<Interpolation> I>
+void fields_of(Field&& field, I& how) {
+  field("method", how.weights.method, concerns::motion, method_words);
+  field("neighbours", how.weights.nearest.neighbours, concerns::motion);
+  field("blends", how.weights.nearest.trials, concerns::motion);
+  field("power", how.weights.power, concerns::motion);
+  field("cells", how.weights.grid_cells, concerns::motion);
+  field("nodes", how.weights.grid_source, concerns::motion, grid_source_words);
+  field("drift", how.weights.kriging.linear_drift, concerns::motion, drift_words);
+  field("nugget", how.weights.kriging.nugget, concerns::motion);
+  field("variance", how.weights.pca.variance_share, concerns::motion);
+  field("estimate", how.weights.pca.estimate, concerns::motion, estimate_words);
+  field("noise", how.weights.pca.noise, concerns::motion);
+  field("step", how.weights.click_step, concerns::motion);
+  field("rotations", how.rotations, concerns::motion, rotation_words);
+  field("time_warp", how.time_warp, concerns::motion, time_warp_words);
+  field("foot_lock", how.foot_lock, concerns::motion);
+}
+
+/// A motion file shown as it is.
+struct ClipSource {
+  std::filesystem::path file;                ///< resolved
+  std::optional<std::array<int, 2>> frames;  ///< first and last, counted from 0; all when absent
+};
+
+template <class Field, MaybeConst<ClipSource> C>
+void fields_of(Field&& field, C& clip) {
+  field("file", clip.file, concerns::motion | concerns::required);
+  field("frames", clip.frames, concerns::motion);
+}
+
+enum class Role { target, created, reference };
+
+inline constexpr Words<Role> role_words = {
+    {"target", Role::target}, {"created", Role::created}, {"reference", Role::reference}};
+
+/// `modify:`: one step, or several.
+struct StepsForm {
+  static void read(const Given& given, std::vector<ModificationStep>& steps);
+  static nlohmann::ordered_json write(const std::vector<ModificationStep>& steps,
+                                      const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.template of<ModificationStep>();
+  }
+};
+
+/// One motion to make. Exactly one of adjectives, features, weights and clip is given.
+struct Stimulus {
+  std::string path;  ///< in the manifest: "stimuli[2]"
+  std::string id;    ///< safe as a file name
+  Role role = Role::created;
+  NamedValues adjectives;  ///< parameter → 0…1
+  NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
+  NamedValues weights;     ///< example → share, ≥ 0, not all 0
+  std::optional<ClipSource> clip;
+  Look look;                             ///< the manifest's with this stimulus's own values over it
+  Output output;                         ///< likewise
+  Interpolation interpolation;           ///< likewise
+  std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
+  OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
+};
+
+template <class Field, MaybeConst<Stimulus> S>
+void fields_of(Field&& field, S& stimulus) {
+  field("id", stimulus.id, concerns::motion | concerns::required);
+  field("role", stimulus.role, concerns::picture, role_words);
+  field("adjectives", stimulus.adjectives, concerns::motion);
+  field("features", stimulus.features, concerns::motion);
+  field("weights", stimulus.weights, concerns::motion);
+  field("clip", stimulus.clip, concerns::motion);
+  field.by("modify", stimulus.modify, concerns::motion, StepsForm());
+  field("on_fault", stimulus.on_fault, concerns::motion, fault_words);
+  field("look", stimulus.look, concerns::picture);
+  field("output", stimulus.output, concerns::nothing);
+  field("interpolation", stimulus.interpolation, concerns::motion);
+}
+
+}  // namespace mien::pipeline
