@@ -70,58 +70,6 @@ TEST(Schema, ItsDefaultsAndExamplesAreValid) {
   });
 }
 
-TEST(Schema, ItsDefaultsAreThoseOfTheProgram) {
-  const json definitions = manifest_schema()["definitions"];
-  const auto value = [&](const char* of, const char* key) {
-    return definitions[of]["properties"][key]["default"];
-  };
-  const Look look;
-  EXPECT_EQ(value("look", "scene"), scene_of(look));
-  EXPECT_EQ(value("look", "figure"), scenes::name_of(look.figure));
-  EXPECT_EQ(value("look", "camera"), look.camera.view);
-  const Output output;
-  EXPECT_EQ(value("output", "size"), output.size);
-  EXPECT_EQ(value("output", "fps"), output.fps);
-  EXPECT_EQ(value("output", "cycles"), output.cycles);
-  EXPECT_EQ(value("output", "in_place"), output.in_place);
-  EXPECT_EQ(value("output", "quality") == "standard", output.quality == Quality::standard);
-  EXPECT_EQ(value("output", "frames") == "png", output.frames == FrameFormat::png);
-  EXPECT_EQ(value("output", "video") == json({"mp4"}),
-            output.video == std::vector{render::VideoKind::mp4});
-  const json& around = definitions["output"]["properties"]["presentation"]["properties"];
-  const Presentation presentation;
-  EXPECT_EQ(around["blank_before"]["default"], presentation.blank_before);
-  EXPECT_EQ(around["blank_after"]["default"], presentation.blank_after);
-  EXPECT_EQ(around["fade_in"]["default"], presentation.fade_in);
-  EXPECT_EQ(around["fade_out"]["default"], presentation.fade_out);
-  EXPECT_EQ(around["background"]["default"], presentation.background);
-  EXPECT_EQ(around["card"]["oneOf"][1]["properties"]["seconds"]["default"],
-            presentation.card_seconds);
-  EXPECT_EQ(around["fixation"]["oneOf"][1]["properties"]["size"]["default"],
-            presentation.fixation_size);
-  EXPECT_EQ(value("output", "clips") == json({"bvh"}), output.bvh && !output.glb);
-  const Interpolation how;
-  EXPECT_EQ(value("interpolation", "foot_lock"), how.foot_lock);
-  EXPECT_EQ(value("interpolation", "method"), std::string(motion::name_of(how.weights.method)));
-  EXPECT_EQ(value("interpolation", "blends"), how.weights.nearest.trials);
-  EXPECT_EQ(value("interpolation", "power"), how.weights.power);
-  EXPECT_EQ(value("interpolation", "cells"), how.weights.grid_cells);
-  EXPECT_EQ(value("interpolation", "nodes") == "cardinal",
-            how.weights.grid_source == motion::GridSource::cardinal);
-  EXPECT_EQ(value("interpolation", "drift") == "linear", how.weights.kriging.linear_drift);
-  EXPECT_EQ(value("interpolation", "nugget"), how.weights.kriging.nugget);
-  EXPECT_EQ(value("interpolation", "variance"), how.weights.pca.variance_share);
-  EXPECT_EQ(value("interpolation", "step"), how.weights.click_step);
-  EXPECT_EQ(value("interpolation", "rotations") == "karcher-mean",
-            how.rotations == motion::RotationBlend::karcher_mean);
-  EXPECT_EQ(value("interpolation", "time_warp") == "monotone",
-            how.time_warp == motion::WarpShape::monotone);
-  EXPECT_EQ(manifest_schema()["properties"]["examples"]["properties"]["raters"]["default"],
-            Ratings{}.raters);
-}
-
-/// Whatever the validator refuses has a sentence of ours, in every kind of rule that the schema
-/// has.
 TEST(Schema, FindsWordsForEveryRule) {
   const json schema = json::parse(R"({
     "type": "object", "required": ["n"], "additionalProperties": false,

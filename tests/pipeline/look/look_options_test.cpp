@@ -35,19 +35,18 @@ TEST(LookOptions, TakeNamesAndOptionsWithOrWithoutBraces) {
   EXPECT_EQ(dots.seed, 3u);
   EXPECT_EQ(look.camera.position, motion::Vec3(1, 2, 3));
   EXPECT_EQ(look.camera.fov_degrees, 30.0);
-  EXPECT_NE(look.written, plain.written);
 }
 
 TEST(LookOptions, PointLightsStandInTheVoidBeforeTheirOwnBackground) {
   EXPECT_EQ(scene_of(look_of({})), "studio");
   const Look dark = look_of({.figure = "point-light"});
   EXPECT_EQ(scene_of(dark), "void");
-  EXPECT_EQ(set_of(dark).sky.backdrop_zenith[1], 0.0f);
+  EXPECT_EQ(staged_set(dark).sky.backdrop_zenith[1], 0.0f);
   const Look light = look_of({.figure = "point-light: {polarity: dark-on-light}"});
-  EXPECT_EQ(set_of(light).sky.backdrop_horizon[1], 1.0f);
+  EXPECT_EQ(staged_set(light).sky.backdrop_horizon[1], 1.0f);
   const Look own =
       look_of({.scene = "set: void, background: \"#405060\"", .figure = "point-light"});
-  EXPECT_EQ(set_of(own).sky.backdrop_zenith[0], scenes::colour_from_hex("#405060")[0]);
+  EXPECT_EQ(staged_set(own).sky.backdrop_zenith[0], scenes::colour_from_hex("#405060")[0]);
 }
 
 TEST(LookOptions, AreRefusedInTheWordsOfTheOptions) {

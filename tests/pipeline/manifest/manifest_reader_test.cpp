@@ -85,8 +85,8 @@ sheets:
   EXPECT_TRUE(manifest.output.in_place);
   EXPECT_TRUE(manifest.output.video.empty());
   EXPECT_EQ(manifest.output.frames, FrameFormat::exr);
-  EXPECT_TRUE(manifest.output.glb);
-  EXPECT_FALSE(manifest.output.bvh);
+  EXPECT_TRUE(manifest.output.clips.glb);
+  EXPECT_FALSE(manifest.output.clips.bvh);
   EXPECT_EQ(manifest.interpolation.rotations, motion::RotationBlend::direction_vectors);
   ASSERT_EQ(manifest.stimuli.size(), 4u);
   EXPECT_EQ(manifest.stimuli[0].role, Role::target);
@@ -222,11 +222,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"seed: seven\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:7: seed: must be a whole number but is the text \"seven\"; for example 7\n"},
         Case{"output: {size: [961, 540]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:16: output.size: mp4 needs an even width and height; use [962, 540], or "
-             "video: []\n"},
+             "m.yaml:4:16: output.size: mp4 needs an even width and height; use 962 × 540, or no "
+             "video\n"},
         Case{"output: {size: [8192, 8192]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:16: output.size: too large for a video; use at most 35 million pixels, or "
-             "video: []\n"},
+             "m.yaml:4:16: output.size: too large for a video; use at most 35 million pixels, or no "
+             "video\n"},
         Case{"output: {size: [961, 541], video: [gif, mkv]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              ""},
         Case{"output: {fps: 60, video: [gif]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
@@ -236,7 +236,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"output: {size: [961, 541], video: []}\n"
              "stimuli: [{id: a, clip: walk.bvh, output: {video: [mp4]}}]\n",
              "m.yaml:5:43: stimuli[0].output.size: mp4 needs an even width and height; use "
-             "[962, 542], or video: []\n"},
+             "962 × 542, or no video\n"},
         Case{"stimuli: [{id: a, weights: {normal: 1}, modify: {method: hsu, neutral: normal, "
              "styled: sad, harmonics: 5}}]\n",
              "m.yaml:4:104: stimuli[0].modify.harmonics: only method: unuma has this; leave it "
@@ -259,7 +259,7 @@ INSTANTIATE_TEST_SUITE_P(
              "way\n"},
         Case{"output: {size: [640, 360], scale: 0.33}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:35: output.scale: mp4 needs an even width and height, and these are 211 × "
-             "119; change size, scale or crop until they are even, or video: []\n"},
+             "119; change size, scale or crop until they are even, or use no video\n"},
         Case{"output: {crop: [0, 0, 80, 40]}\nlook: {camera: {stereo: {}}}\n"
              "stimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:16: output.crop: a stereo pair cannot be cropped; leave crop or stereo "

@@ -36,12 +36,12 @@ TEST(Recipes, OfTheThesisAreThoseOfItsFigure) {
                                                     "excited", "feminine", "happy", "masculine",
                                                     "relaxed", "sad", "strong", "tired", "weak"}));
   const ModificationEdit& sad = book.find("sad")->edit;
-  EXPECT_EQ(sad.paths, 0.5);
-  EXPECT_FALSE(sad.acceleration);
-  ASSERT_EQ(sad.posture.size(), 2u);
-  EXPECT_EQ(sad.posture[0].unit, motion::PostureUnit::head_flexion);
-  EXPECT_EQ(sad.posture[0].degrees, 25.0);
-  EXPECT_EQ(book.find("relaxed")->edit.acceleration, -0.7);
+  EXPECT_EQ(sad.values.paths, 0.5);
+  EXPECT_FALSE(sad.names("acceleration"));
+  ASSERT_EQ(sad.values.posture.size(), 2u);
+  EXPECT_EQ(sad.values.posture[0].unit, motion::PostureUnit::head_flexion);
+  EXPECT_EQ(sad.values.posture[0].degrees, 25.0);
+  EXPECT_EQ(book.find("relaxed")->edit.values.acceleration, -0.7);
   EXPECT_TRUE(motion::is_identity(with_edit({}, book.find("happy")->edit)));
 }
 

@@ -161,7 +161,7 @@ TEST(Stills, AreMadeAgainWhenTheirLookChanges) {
   const Manifest manifest = study();
   EXPECT_EQ(key_of(manifest), key_of(study()));
   Manifest other = study();
-  other.stimuli[1].look.written = R"({"camera": "orbit"})";
+  other.stimuli[1].look.camera.view = "orbit";
   EXPECT_NE(key_of(manifest), key_of(other));
   other = study();
   other.stimuli[0].output.quality = Quality::standard;

@@ -25,7 +25,7 @@ Stimulus stimulus_with(const std::vector<motion::PostureChange>& posture, OnFaul
   stimulus.id = "s";
   stimulus.on_fault = on_fault;
   ModificationStep step;
-  step.edit.posture = posture;
+  step.edit.values.posture = posture;
   step.modification = with_edit({}, step.edit);
   stimulus.modify.push_back(step);
   return stimulus;
@@ -88,7 +88,8 @@ TEST(ModifiedMotion, IsReducedToTheLargestCleanStrength) {
 TEST(ModifiedMotion, DoesItsStepsInOrderAndMovesKeytimesWithTempo) {
   Stimulus stimulus = stimulus_with({{motion::PostureUnit::head_flexion, 10.0}}, OnFault::warn);
   ModificationStep slower;
-  slower.edit.tempo = 0.8;
+  slower.edit.values.tempo = 0.8;
+  slower.edit.named = {"tempo"};
   slower.strength = 1.0;
   slower.modification = with_edit({}, slower.edit);
   stimulus.modify.push_back(slower);
