@@ -6,19 +6,17 @@
 #include <numeric>
 #include <vector>
 
+#include "motion/math/random_number.h"
+
 namespace mien::motion {
 
 namespace {
 
 constexpr double at_the_place = 1e-9;
 
-/// SplitMix64: the n-th number of a seed, in (0, 1).
-double random_number(std::uint64_t seed, std::uint64_t n) {
-  std::uint64_t z = seed * 0xD1342543DE82EF95u + (n + 1) * 0x9E3779B97F4A7C15u;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-  z ^= z >> 31;
-  return (static_cast<double>(z >> 11) + 0.5) * 0x1.0p-53;
+/// The n-th number of a seed, in (0, 1).
+double drawn_number(std::uint64_t seed, std::uint64_t n) {
+  return open_unit_number(random_bits(seed * 0xD1342543DE82EF95u, n));
 }
 
 /// Examples from the middle outwards: an order that does not depend on how they are listed.
@@ -48,9 +46,9 @@ Eigen::VectorXd random_blend(const std::vector<Eigen::Index>& order, size_t memb
   std::vector<Eigen::Index> left = order;
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(order.size()));
   for (size_t member = 0; member < members; ++member) {
-    const double where = random_number(seed, draw++) * static_cast<double>(left.size());
+    const double where = drawn_number(seed, draw++) * static_cast<double>(left.size());
     const auto chosen = left.begin() + static_cast<long>(where);
-    weights[*chosen] = -std::log(random_number(seed, draw++));
+    weights[*chosen] = -std::log(drawn_number(seed, draw++));
     left.erase(chosen);
   }
   return weights / weights.sum();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "motion/math/random_number.h"
 #include "motion/math/singular_values.h"
 
 namespace mien::motion {
@@ -10,16 +11,6 @@ namespace {
 
 constexpr double converged_change = 1e-10;
 constexpr int steps_of_one_length = 100;
-
-/// A number in (−1, 1) that depends on the seed and its place alone (SplitMix64; Steele, Lea and
-/// Flood 2014).
-double drawn(std::uint64_t seed, std::uint64_t place) {
-  std::uint64_t z = seed + (place + 1) * 0x9e3779b97f4a7c15ULL;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  z ^= z >> 31;
-  return static_cast<double>(z >> 11) * 0x1.0p-52 - 1.0;
-}
 
 /// The nearest orthonormal matrix: (M Mᵀ)^−½ M.
 Eigen::MatrixXd decorrelated(const Eigen::MatrixXd& matrix) {
@@ -34,7 +25,7 @@ FastIca fast_ica(const Eigen::MatrixXd& white, std::uint64_t seed, int most_iter
   const auto samples = static_cast<double>(white.rows());
   Eigen::MatrixXd guess(count, count);
   for (Eigen::Index i = 0; i < guess.size(); ++i) {
-    guess.data()[i] = drawn(seed, static_cast<std::uint64_t>(i));
+    guess.data()[i] = centred_number(random_bits(seed, static_cast<std::uint64_t>(i)));
   }
   FastIca found;
   found.rotation = decorrelated(guess);

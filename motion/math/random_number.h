@@ -5,8 +5,18 @@
 
 namespace mien::motion {
 
-/// In [−1, 1], of seed, name and index alone, whatever else was drawn: FNV-1a, then the mixer of
-/// SplitMix64 (Steele et al. 2014).
+/// The n-th number, from 0, that SplitMix64 gives when it starts at `seed` (Steele, Lea and Flood
+/// 2014). Without drawing those before it.
+std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n);
+
+/// 53 of the bits as a number in [−1, 1).
+double centred_number(std::uint64_t bits);
+
+/// 53 of the bits as a number in (0, 1), whose logarithm is finite.
+double open_unit_number(std::uint64_t bits);
+
+/// In [−1, 1), of seed, name and index alone, whatever else was drawn: SplitMix64 started at the
+/// FNV-1a hash of the name.
 double random_number(std::uint64_t seed, std::string_view name, std::uint64_t index);
 
 }  // namespace mien::motion
