@@ -110,7 +110,7 @@ const std::vector<BodyPart>& body_parts() {
 }
 
 std::vector<Capsule> body_capsules(const Skeleton& body, const JointTransforms& world) {
-  const double scale = standing_height(body) / 1.73;
+  const double scale = relative_stature(body);
   const auto& at = world.positions;
   std::vector<Capsule> parts;
   parts.push_back({end_of(body, world, Head, 0.25), end_of(body, world, Head, 0.5), 0.09 * scale,

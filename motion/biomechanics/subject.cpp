@@ -58,7 +58,7 @@ LintSubject lint_subject(const Clip& motion) {
   const bool is_human = is_body(motion.body);
   if (is_human) {
     subject.clip = on_its_way(std::move(subject.clip));
-    subject.scale = standing_height(motion.body) / 1.73;  // 1.75 m less what is below the toes
+    subject.scale = relative_stature(motion.body);
   }
   if (motion.loops) {
     subject.clip = repeated(subject.clip, laps);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "motion/skeleton/joint_transform.h"
+#include "motion/skeleton/sole.h"
 
 namespace mien::motion {
 
@@ -52,7 +53,7 @@ FootPath foot_path(const Clip& clip, bool left) {
   path.ball_in_foot = clip.body.joints[static_cast<size_t>(leg.toe)].offset;
   path.heel_in_foot =
       Vec3(0.0, path.ball_in_foot.y(), -heel_share * std::abs(path.ball_in_foot.z()));
-  path.sole_depth = 0.02 * standing_height(clip.body) / 1.73;  // as in sole.h
+  path.sole_depth = sole_depth(clip.body);
   path.loops = clip.loops;
   path.cycle_displacement = clip.cycle_displacement;
   path.ankle.reserve(clip.poses.size());

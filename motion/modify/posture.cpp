@@ -6,6 +6,7 @@
 #include "motion/math/filter.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/posture_units.h"
+#include "motion/skeleton/sole.h"
 
 namespace mien::motion {
 
@@ -98,8 +99,7 @@ Pose standing_pose(const Skeleton& body) {
   pose.rotations[LeftElbow] = exp(Vec3(0, -bent, 0));
   pose.rotations[RightElbow] = exp(Vec3(0, bent, 0));
   const std::vector<Vec3> places = world_positions(body, pose);
-  const double sole = 0.02 * standing_height(body) / 1.73;  // as in sole.h
-  pose.root_position.y() = sole - std::min(places[LeftToe].y(), places[RightToe].y());
+  pose.root_position.y() = sole_depth(body) - std::min(places[LeftToe].y(), places[RightToe].y());
   return pose;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/skeleton/sole.h"
+
 namespace mien::motion {
 
 namespace {
@@ -12,15 +14,14 @@ constexpr double foot_flat_share = 0.10;  // of the cycle, at the normal heel-st
 }  // namespace
 
 FootShape foot_shape(const Skeleton& body, BodyJoint ankle) {
-  const BodyJoint toe = ankle == LeftAnkle ? LeftToe : RightToe;
-  const double scale = standing_height(body) / 1.73;  // 1.75 m less the 0.02 m below the toe joint
-  const Joint& joint = body.joints[static_cast<size_t>(toe)];
+  const bool left = ankle == LeftAnkle;
+  const SoleShape sole = sole_shape(body, left);
   FootShape shape;
-  shape.ball = joint.offset;
-  shape.ball_height = 0.02 * scale;
-  shape.ankle_height = shape.ball_height - joint.offset.y();
-  shape.heel = Vec3(joint.offset.x(), -shape.ankle_height, -0.045 * scale);
-  shape.toe_length = joint.tip ? joint.tip->norm() : 0.06 * scale;
+  shape.ankle_height = -sole.ball.y();
+  shape.heel = sole.heel;
+  shape.ball = body.joints[left ? LeftToe : RightToe].offset;
+  shape.ball_height = sole.depth;
+  shape.toe_length = sole.toes.norm();
   return shape;
 }
 

@@ -15,9 +15,7 @@ struct FootShape {
   double toe_length;    ///< from the toe joint to the tip
 };
 
-/// Measured from the body's `ankle` and the toe joint below it. The skeleton has neither sole nor
-/// heel: the toe joint lies 0.02 m above the sole and the heel's edge 0.045 m behind the ankle, for
-/// a stature of 1.75 m.
+/// Of the foot below `ankle`, with the sole that sole.h gives it.
 FootShape foot_shape(const Skeleton& body, BodyJoint ankle);
 
 /// A foot at one moment. Angles in radians.

@@ -161,4 +161,8 @@ double standing_height(const Skeleton& body) {
   return highest - lowest;
 }
 
+double relative_stature(const Skeleton& body) {
+  return standing_height(body) / 1.73;  // 1.75 m less the 0.02 m below the toe joint
+}
+
 }  // namespace mien::motion

@@ -75,7 +75,11 @@ bool is_body(const Skeleton& skeleton);
 /// Thigh plus shank, mean of both sides, metres.
 double leg_length(const Skeleton& body);
 
-/// Height of the head's top above the soles when standing at rest, metres.
+/// Height of the head's top above the lowest joint or tip when standing at rest, metres: a skeleton
+/// ends at its toe joints, so this is less than the stature by the sole's depth (sole.h).
 double standing_height(const Skeleton& body);
+
+/// Stature by that of `standard_body()`, 1.75 m: by this scale lengths that are given for 1.75 m.
+double relative_stature(const Skeleton& body);
 
 }  // namespace mien::motion

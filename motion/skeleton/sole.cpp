@@ -6,30 +6,26 @@ namespace mien::motion {
 
 namespace {
 
-/// The points of one foot in the frames of its joints.
-struct SoleShape {
-  Vec3 heel;  ///< in the ankle's frame
-  Vec3 ball;  ///< in the ankle's frame
-  Vec3 tip;   ///< in the toe joint's frame
-};
-
-SoleShape sole_shape(const Skeleton& body, bool left) {
-  const BodyJoint toe = left ? LeftToe : RightToe;
-  const double scale = standing_height(body) / 1.73;  // 1.75 m less the 0.02 m below the toe joint
-  SoleShape shape;
-  shape.ball = body.joints[toe].offset - Vec3(0.0, 0.02 * scale, 0.0);
-  shape.heel = Vec3(shape.ball.x(), shape.ball.y(), -0.045 * scale);
-  const Vec3 toes = body.joints[toe].tip.value_or(Vec3(0.0, 0.0, 0.06 * scale));
-  shape.tip = toes - Vec3(0.0, 0.02 * scale, 0.0);
-  return shape;
-}
-
 SolePoints placed(const SoleShape& shape, const JointTransform& ankle, const JointTransform& toe) {
+  const Vec3 tip = shape.toes - Vec3(0.0, shape.depth, 0.0);
   return {ankle.position + ankle.rotation * shape.heel,
-          ankle.position + ankle.rotation * shape.ball, toe.position + toe.rotation * shape.tip};
+          ankle.position + ankle.rotation * shape.ball, toe.position + toe.rotation * tip};
 }
 
 }  // namespace
+
+double sole_depth(const Skeleton& body) { return 0.02 * relative_stature(body); }
+
+SoleShape sole_shape(const Skeleton& body, bool left) {
+  const Joint& toe = body.joints[left ? LeftToe : RightToe];
+  const double scale = relative_stature(body);
+  SoleShape shape;
+  shape.depth = sole_depth(body);
+  shape.ball = toe.offset - Vec3(0.0, shape.depth, 0.0);
+  shape.heel = Vec3(shape.ball.x(), shape.ball.y(), -0.045 * scale);
+  shape.toes = toe.tip.value_or(Vec3(0.0, 0.0, 0.06 * scale));
+  return shape;
+}
 
 SolePoints sole_points(const Skeleton& body, const JointTransforms& world, bool left) {
   const BodyJoint ankle = left ? LeftAnkle : RightAnkle;

@@ -89,7 +89,7 @@ int part_of(const SkinnedMesh& mesh, const std::array<int, 3>& triangle) {
 
 Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
                          const FigureColours& colours) {
-  const double scale = motion::standing_height(body) / 1.73;
+  const double scale = motion::relative_stature(body);
   Mannequin mannequin;
   mannequin.bind = motion::world_transforms(body, modelling_pose(body));
   const Flesh flesh = flesh_of(body, mannequin.bind, options);

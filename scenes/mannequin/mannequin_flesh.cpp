@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/math/rotation.h"
+#include "motion/skeleton/sole.h"
 
 namespace mien::scenes {
 
@@ -13,7 +14,6 @@ using motion::BodyJoint;
 using motion::Quat;
 using motion::Vec3;
 
-constexpr double drawn_stature = 1.75;  // metres: all sizes below are of a body so tall
 constexpr double arm_drop = 50.0 * motion::radians_per_degree;
 constexpr double leg_spread = 8.0 * motion::radians_per_degree;
 constexpr double limb_blend = 0.05;
@@ -24,7 +24,7 @@ double mixed(double low, double high, double t) { return low + (high - low) * t;
 struct Sculptor {
   const motion::Skeleton& body;
   const motion::JointTransforms& pose;
-  double scale;  ///< of the body's stature to `drawn_stature`
+  double scale;  ///< relative stature: all sizes below are of a body of 1.75 m
   double girth;  ///< of limbs
   double belly;  ///< depth of the belly
   double male;   ///< 0 … 1
@@ -32,7 +32,7 @@ struct Sculptor {
 
   Vec3 offset(BodyJoint joint) const { return body.joints[joint].offset; }
 
-  /// World position of a point given in the joint's frame at `drawn_stature`.
+  /// World position of a point given in the joint's frame at 1.75 m.
   Vec3 at(BodyJoint joint, const Vec3& local) const {
     return pose.positions[joint] + pose.rotations[joint] * (scale * local);
   }
@@ -241,21 +241,18 @@ motion::Pose modelling_pose(const motion::Skeleton& body) {
   spread(pose, motion::LeftHip, leg_spread);
   spread(pose, motion::RightHip, -leg_spread);
   const std::vector<Vec3> positions = motion::world_positions(body, pose);
-  const double scale = motion::standing_height(body) / 1.73;
-  pose.root_position.y() =
-      0.02 * scale - std::min(positions[motion::LeftToe].y(), positions[motion::RightToe].y());
+  pose.root_position.y() = motion::sole_depth(body) - std::min(positions[motion::LeftToe].y(),
+                                                               positions[motion::RightToe].y());
   return pose;
 }
 
 Flesh flesh_of(const motion::Skeleton& body, const motion::JointTransforms& pose,
                const MannequinOptions& options) {
   Flesh flesh;
-  // standing_height leaves out the 0.02 m below the toe joint.
-  const double stature = motion::standing_height(body) * 1.75 / 1.73;
   const double fat = options.build - 0.5;
   Sculptor sculptor{body,
                     pose,
-                    stature / drawn_stature,
+                    motion::relative_stature(body),
                     1.0 + 0.42 * fat,
                     1.0 + (fat > 0 ? 1.1 : 0.45) * fat,
                     options.sex};

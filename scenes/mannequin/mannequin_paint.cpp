@@ -27,7 +27,7 @@ render::Color mixed(const render::Color& a, const render::Color& b, float t) {
 /// Metres at 1.75 m inside the border of the face: an upright oval on the front of the head.
 double depth_in_face(const motion::Skeleton& body, const motion::JointTransforms& pose,
                      const Vec3& point) {
-  const double scale = motion::standing_height(body) / 1.73;
+  const double scale = motion::relative_stature(body);
   const Vec3 tip = body.joints[motion::Head].tip.value_or(Vec3(0, 0.17 * scale, 0));
   const double h = std::clamp(tip.norm() / scale / 0.17, 0.8, 1.25) * scale;
   const Vec3 local =

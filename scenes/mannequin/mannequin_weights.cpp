@@ -122,7 +122,7 @@ double share_of_limb(double trunk, double limb, double other_limb, double scale)
 std::vector<Influence> mannequin_weights(const motion::Skeleton& body,
                                          const motion::JointTransforms& pose, const Flesh& flesh,
                                          const Vec3& point) {
-  const Weigher weigher{body, pose, motion::standing_height(body) / 1.73, point};
+  const Weigher weigher{body, pose, motion::relative_stature(body), point};
   const auto [trunk, left_arm, right_arm, left_leg, right_leg] = limb_distances(flesh, point);
   const double to_left_arm = share_of_limb(trunk, left_arm, right_arm, weigher.scale);
   const double to_right_arm = share_of_limb(trunk, right_arm, left_arm, weigher.scale);
