@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "motion/biomechanics/body_mass.h"
 #include "motion/gait/contact.h"
 #include "motion/skeleton/sole.h"
 
@@ -15,8 +16,11 @@ constexpr double bearing = 0.03;     // m
 
 Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
 
-std::vector<Vec3> bearing_corners(const SolePoints& sole, double scale) {
-  const double lowest = std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
+double lowest_of(const SolePoints& sole) {
+  return std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
+}
+
+std::vector<Vec3> bearing_corners(const SolePoints& sole, double lowest, double scale) {
   const Vec3 along = level(sole.ball - sole.heel);
   const Vec3 side = 0.5 * sole_width * scale * Vec3(along.z(), 0.0, -along.x()).normalized();
   std::vector<Vec3> corners;
@@ -100,10 +104,24 @@ std::vector<Support> supports(const LintSubject& subject) {
     const int last = std::min(plant.last, subject.frame_count() - 1);
     for (int t = plant.first; t <= last; ++t) {
       const SolePoints sole = sole_points(subject.clip.body, subject.world[t], plant.left);
-      (plant.left ? result[t].left : result[t].right) = bearing_corners(sole, subject.scale);
+      (plant.left ? result[t].left : result[t].right) =
+          bearing_corners(sole, lowest_of(sole), subject.scale);
     }
   }
   return result;
+}
+
+Support standing_support(const Skeleton& body, const JointTransforms& world) {
+  const double scale = relative_stature(body);
+  const SolePoints left = sole_points(body, world, true);
+  const SolePoints right = sole_points(body, world, false);
+  const double lowest = std::min(lowest_of(left), lowest_of(right));
+  return {bearing_corners(left, lowest, scale), bearing_corners(right, lowest, scale)};
+}
+
+double standing_margin(const Skeleton& body, const Pose& pose) {
+  const JointTransforms world = world_transforms(body, pose);
+  return -distance_outside(centre_of_mass(body, world), standing_support(body, world).all());
 }
 
 double distance_outside(const Vec3& point, const std::vector<Vec3>& corners) {

@@ -70,10 +70,6 @@ PoseDifference pose_difference(const Pose& neutral, const Pose& posed);
 /// The canonical body standing at rest: arms hanging, legs straight, soles on the floor.
 Pose standing_pose(const Skeleton& body);
 
-/// How far the centre of mass lies inside the area that the soles hold, metres on the floor's
-/// plane; negative outside. A pose that cannot be stood in makes no difference to be trusted.
-double standing_margin(const Skeleton& body, const Pose& pose);
-
 /// The clip in another posture: unit differences first, then the captured difference, each at its
 /// full strength while a limb is about where it hangs at rest, and fading out as the hand or foot
 /// goes 35–80 % of the limb's length away from there (as seen from the pelvis; smooth below 4 Hz).
