@@ -1,6 +1,7 @@
 #include "motion/biomechanics/joint_angles.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "motion/math/rotation.h"
@@ -95,7 +96,7 @@ std::vector<JointAngle> all_angles() {
       {LeftHip, "rotation", 0, 45, "", "is twisted too far"},
       {LeftKnee, "flexion", 0, 145, "is bent backwards", "is bent too far"},
       {LeftKnee, "sideways bend", 0, 15, "", "is bent sideways"},
-      {LeftAnkle, "dorsiflexion", -50, 35, "is stretched too far", "is bent too far"},
+      {LeftAnkle, "dorsiflexion", -50, 35, "is stretched too far", "is bent too far", 25},
   };
   angles.insert(angles.end(), side.begin(), side.end());
   for (JointAngle angle : side) {
@@ -110,6 +111,14 @@ std::vector<JointAngle> all_angles() {
 const std::vector<JointAngle>& joint_angles() {
   static const std::vector<JointAngle> angles = all_angles();
   return angles;
+}
+
+const JointAngle& joint_angle(BodyJoint joint, std::string_view name) {
+  const auto found = std::find_if(
+      joint_angles().begin(), joint_angles().end(),
+      [&](const JointAngle& angle) { return angle.joint == joint && angle.name == name; });
+  assert(found != joint_angles().end());
+  return *found;
 }
 
 std::vector<double> measured_angles(const Pose& pose) {

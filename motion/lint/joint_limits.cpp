@@ -11,8 +11,6 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double wrist_range_degrees = 80.0;  // from its mean attitude
-
 struct Range {
   double least;
   double most;

@@ -14,9 +14,9 @@ struct SoftLimits {
   double largest_excess = 0.0;  ///< radians that some joint was bent back
 };
 
-/// The clip with knees (0–145° flexion), elbows (0–150°), ankles (25° dorsiflexion, 50° plantar
-/// flexion), hips (125° flexion, 25° extension, 45° abduction, 30° adduction) and wrists (80°)
-/// bent back softly over the last 15° before these limits. What `original` does is left, though it
+/// The clip with the flexion of knees, elbows, ankles and hips, the abduction of hips and the bend
+/// of wrists bent back softly over the last 15° before the limits that joint_angles.h gives them
+/// without load. What `original` does is left, though it
 /// be beyond, and has at least 12° to bend back in: a harder stop would be seen as a jerk.
 SoftLimits with_soft_limits(const Clip& clip, const Clip& original);
 

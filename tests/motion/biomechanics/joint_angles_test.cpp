@@ -30,6 +30,14 @@ double value_of(const Pose& pose, BodyJoint joint, const std::string& name) {
   return 0.0;
 }
 
+TEST(JointAngles, HaveNoWiderRangeWithoutLoad) {
+  for (const JointAngle& angle : joint_angles()) {
+    EXPECT_LE(angle.most_free_degrees, angle.most_degrees) << angle.name;
+    EXPECT_LT(angle.least_degrees, angle.most_free_degrees) << angle.name;
+    EXPECT_EQ(&joint_angle(angle.joint, angle.name), &angle);
+  }
+}
+
 TEST(JointAngles, AreNoneAtRest) {
   const std::vector<double> values = measured_angles(rest_pose());
   ASSERT_EQ(values.size(), joint_angles().size());

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/biomechanics/joint_angles.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/posture.h"
 #include "motion/procedural/walker.h"
@@ -50,6 +51,36 @@ TEST(SoftLimits, BendKneesAndElbowsOfBothSidesBack) {
     EXPECT_GT(log(pose.rotations[RightKnee]).x(), -allowed);
     EXPECT_LT(log(pose.rotations[LeftElbow]).y(), allowed);
     EXPECT_GT(log(pose.rotations[RightElbow]).y(), -allowed);
+  }
+}
+
+TEST(SoftLimits, KeepJointsWithinTheRangesThatLintLooksAt) {
+  struct Case {
+    BodyJoint joint;
+    const char* angle;
+    Vec3 axis;
+  };
+  const std::vector<Case> cases = {{LeftHip, "flexion", Vec3::UnitX()},
+                                   {RightHip, "abduction", Vec3::UnitZ()},
+                                   {RightKnee, "flexion", Vec3::UnitX()},
+                                   {LeftAnkle, "dorsiflexion", Vec3::UnitX()},
+                                   {RightElbow, "flexion", Vec3::UnitY()}};
+  Clip still;
+  still.body = standard_body();
+  still.poses.resize(1);
+  still.poses[0].rotations.assign(body_joint_count, Quat::Identity());
+  for (const auto& [joint, name, axis] : cases) {
+    const JointAngle& angle = joint_angle(joint, name);
+    const auto at = static_cast<size_t>(&angle - joint_angles().data());
+    for (double degrees = -170.0; degrees <= 170.0; degrees += 10.0) {
+      Clip turned = still;
+      turned.poses[0].rotations[joint] = exp(degrees * radians_per_degree * axis);
+      const SoftLimits limits = with_soft_limits(turned, still);
+      const double value = measured_angles(limits.clip.poses[0])[at];
+      const double hinge_room = 3.0;  // which a straight knee or elbow has, or it would jerk
+      EXPECT_LE(value, angle.most_free_degrees + 1e-9) << name << " " << degrees;
+      EXPECT_GE(value, angle.least_degrees - hinge_room - 1e-9) << name << " " << degrees;
+    }
   }
 }
 
