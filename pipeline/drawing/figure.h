@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/drawing/drawing.h"
+#include "pipeline/drawing/canvas.h"
 
 namespace mien::pipeline {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "motion/skeleton/pose.h"
-#include "pipeline/drawing/drawing.h"
+#include "pipeline/drawing/canvas.h"
 #include "pipeline/drawing/palette.h"
 
 namespace mien::pipeline {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "pipeline/drawing/drawing.h"
+#include "pipeline/drawing/canvas.h"
 #include "render/image/tone.h"
 
 namespace mien::pipeline {

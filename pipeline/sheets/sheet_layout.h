@@ -1,7 +1,7 @@
 #pragma once
 
 #include "motion/measures/distance.h"
-#include "pipeline/drawing/drawing.h"
+#include "pipeline/drawing/canvas.h"
 
 namespace mien::pipeline {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "motion/skeleton/body.h"
-#include "pipeline/drawing/drawing.h"
+#include "pipeline/drawing/canvas.h"
 #include "pipeline/sheets/sheet.h"
 #include "pipeline/sheets/sheet_layout.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/drawing/drawing.h"
+#include "pipeline/drawing/canvas.h"
 #include "render/image/resize.h"
 
 namespace mien::pipeline {

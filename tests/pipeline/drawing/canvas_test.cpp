@@ -1,4 +1,4 @@
-#include "pipeline/drawing/drawing.h"
+#include "pipeline/drawing/canvas.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ int big_endian(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-TEST(Drawing, PdfIsCompleteAndCarriesNoDate) {
+TEST(Canvas, PdfIsCompleteAndCarriesNoDate) {
   const std::string bytes = drawn(Canvas::pdf(200, 120, "a title")).finish();
   EXPECT_TRUE(bytes.starts_with("%PDF-1."));
   EXPECT_NE(bytes.rfind("%%EOF"), std::string::npos);
@@ -28,19 +28,19 @@ TEST(Drawing, PdfIsCompleteAndCarriesNoDate) {
   EXPECT_EQ(bytes.find("Date"), std::string::npos);
 }
 
-TEST(Drawing, PngHasTheSizeAskedFor) {
+TEST(Canvas, PngHasTheSizeAskedFor) {
   const std::string bytes = drawn(Canvas::png(200, 120, 500)).finish();
   EXPECT_TRUE(bytes.starts_with("\x89PNG\r\n\x1a\n"));
   EXPECT_EQ(big_endian(bytes, 16), 500);
   EXPECT_EQ(big_endian(bytes, 20), 300);
 }
 
-TEST(Drawing, IsTheSameBytesEachTime) {
+TEST(Canvas, IsTheSameBytesEachTime) {
   EXPECT_EQ(drawn(Canvas::pdf(200, 120, "t")).finish(), drawn(Canvas::pdf(200, 120, "t")).finish());
   EXPECT_EQ(drawn(Canvas::png(200, 120, 400)).finish(), drawn(Canvas::png(200, 120, 400)).finish());
 }
 
-TEST(Drawing, PicturesKeepTheirPixels) {
+TEST(Canvas, PicturesKeepTheirPixels) {
   render::Image8 picture(5, 3);
   for (std::size_t i = 0; i < picture.channels.size(); ++i) {
     picture.channels[i] = static_cast<std::uint8_t>(5 * i + 7);
@@ -58,7 +58,7 @@ TEST(Drawing, PicturesKeepTheirPixels) {
   }
 }
 
-TEST(Drawing, TextKeepsToItsAlignmentAndBaseline) {
+TEST(Canvas, TextKeepsToItsAlignmentAndBaseline) {
   Canvas canvas = Canvas::pdf(200, 120, "t");
   const double advance = canvas.text_width("HHHH", {.size = 10.0});
   const Box left = canvas.text({100, 50}, "HHHH", {.size = 10.0});
@@ -72,7 +72,7 @@ TEST(Drawing, TextKeepsToItsAlignmentAndBaseline) {
   EXPECT_EQ(canvas.texts().size(), 3u);
 }
 
-TEST(Drawing, LongTextIsShortenedToItsWidth) {
+TEST(Canvas, LongTextIsShortenedToItsWidth) {
   Canvas canvas = Canvas::pdf(200, 120, "t");
   const std::string words = "a name that is much too long for its place";
   const Box box = canvas.text({10, 50}, words, {.size = 10.0, .max_width = 60.0});
@@ -81,7 +81,7 @@ TEST(Drawing, LongTextIsShortenedToItsWidth) {
   EXPECT_GT(canvas.text_width(words, {.size = 10.0, .max_width = 60.0}), 150.0);
 }
 
-TEST(Drawing, BoxesThatTouchDoNotOverlap) {
+TEST(Canvas, BoxesThatTouchDoNotOverlap) {
   EXPECT_TRUE(overlap({0, 0, 10, 10}, {9, 9, 5, 5}));
   EXPECT_FALSE(overlap({0, 0, 10, 10}, {10, 0, 5, 5}));
   EXPECT_FALSE(overlap({0, 0, 10, 10}, {0, -5, 5, 5}));
