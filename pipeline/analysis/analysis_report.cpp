@@ -6,7 +6,7 @@
 
 #include "pipeline/analysis/analysis_tables.h"
 #include "pipeline/analysis/scales_yaml.h"
-#include "pipeline/analysis/threshold_figure.h"
+#include "pipeline/analysis/threshold_chart.h"
 #include "pipeline/documents/files.h"
 
 namespace mien::pipeline {
@@ -66,11 +66,11 @@ void write_analysis(const Analysis& analysis, const ScaleSet& scales, const Thre
   if (const auto published = compare_with_published(analysis); !published.empty()) {
     write_file(folder / "published.csv", published_csv(published, analysis.impressions.simulated));
   }
-  write_figure(dendrogram_figure(dendrogram_of(analysis, scales)), folder, "dendrogram");
-  write_figure(threshold_figure(threshold_curve(analysis.quantities, thresholds, scales),
-                                thresholds, static_cast<int>(analysis.quantities.size()),
-                                analysis.impressions.simulated),
-               folder, "thresholds");
+  write_plot(dendrogram_plot(dendrogram_of(analysis, scales)), folder, "dendrogram");
+  write_plot(
+      threshold_chart(threshold_curve(analysis.quantities, thresholds, scales), thresholds,
+                      static_cast<int>(analysis.quantities.size()), analysis.impressions.simulated),
+      folder, "thresholds");
 }
 
 }  // namespace mien::pipeline

@@ -185,7 +185,7 @@ void draw_tree(Canvas& canvas, const Dendrogram& d, const TreeLayout& layout) {
 
 }  // namespace
 
-Figure dendrogram_figure(const Dendrogram& dendrogram) {
+Plot dendrogram_plot(const Dendrogram& dendrogram) {
   return {dendrogram.title, page_width, page_height(dendrogram), [dendrogram](Canvas& canvas) {
             const TreeLayout layout = layout_of(canvas, dendrogram);
             draw_header(canvas, dendrogram);

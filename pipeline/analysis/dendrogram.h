@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/drawing/figure.h"
+#include "pipeline/drawing/plot.h"
 #include "pipeline/statistics/partition.h"
 #include "pipeline/statistics/ward.h"
 
@@ -29,6 +29,6 @@ struct Dendrogram {
 /// The tree lying on its side: leaves in rows at the left, heights √(2ΔE) to the right, the cut as
 /// a broken line, each cluster in a colour of its own with its name beside a bracket. As wide as an
 /// A4 page's text, as high as it has leaves.
-Figure dendrogram_figure(const Dendrogram& dendrogram);
+Plot dendrogram_plot(const Dendrogram& dendrogram);
 
 }  // namespace mien::pipeline

@@ -143,7 +143,7 @@ void draw_bar(Canvas& canvas, const BarChart& chart, size_t number, const Scale&
 
 }  // namespace
 
-Figure bar_chart_figure(const BarChart& chart) {
+Plot bar_chart_plot(const BarChart& chart) {
   const double height = 2.0 * margin + header_height + plot_height + names_height;
   return {chart.title, width_of(chart), height, [chart](Canvas& canvas) {
             const Scale scale = scale_of(chart);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/drawing/figure.h"
+#include "pipeline/drawing/plot.h"
 
 namespace mien::pipeline {
 
@@ -32,6 +32,6 @@ struct BarChart {
 
 /// Upright bars on a common axis that always holds 0, each with its value printed; as wide as it
 /// has bars.
-Figure bar_chart_figure(const BarChart& chart);
+Plot bar_chart_plot(const BarChart& chart);
 
 }  // namespace mien::pipeline

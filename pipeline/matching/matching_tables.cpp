@@ -4,7 +4,7 @@
 
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/matching/matching_figures.h"
+#include "pipeline/matching/matching_charts.h"
 
 namespace mien::pipeline {
 
@@ -73,12 +73,12 @@ void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResult
   write_file(folder / "shares.csv", shares_csv(evaluation, simulated));
   write_file(folder / "time_saved.csv", time_saved_csv(evaluation, simulated));
   write_file(folder / "comparisons.csv", comparisons_csv(evaluation, simulated));
-  write_figure(bar_chart_figure(first_guess_chart(evaluation, simulated)), folder, "first_guess_d");
-  write_figure(bar_chart_figure(first_guess_success_chart(evaluation, simulated)), folder,
-               "first_guess_success");
-  write_figure(bar_chart_figure(time_chart(evaluation, simulated)), folder, "time");
-  write_figure(bar_chart_figure(time_saved_chart(evaluation, simulated)), folder, "time_saved");
-  write_figure(bar_chart_figure(failures_chart(evaluation, simulated)), folder, "failures");
+  write_plot(bar_chart_plot(first_guess_chart(evaluation, simulated)), folder, "first_guess_d");
+  write_plot(bar_chart_plot(first_guess_success_chart(evaluation, simulated)), folder,
+             "first_guess_success");
+  write_plot(bar_chart_plot(time_chart(evaluation, simulated)), folder, "time");
+  write_plot(bar_chart_plot(time_saved_chart(evaluation, simulated)), folder, "time_saved");
+  write_plot(bar_chart_plot(failures_chart(evaluation, simulated)), folder, "failures");
 }
 
 }  // namespace mien::pipeline

@@ -157,14 +157,14 @@ std::vector<std::string> clean_lines(const LintedMotion& motion) {
 
 }  // namespace
 
-Figure lint_timeline(const LintedMotion& motion) {
+Plot lint_timeline(const LintedMotion& motion) {
   const std::vector<Row> rows = rows_of(motion.findings);
   const std::vector<std::string> clean = clean_lines(motion);
   const double plot_height = row_height * std::max<double>(1.0, static_cast<double>(rows.size()));
   const double height = plot_top + plot_height + 40.0 + 12.0 * static_cast<double>(clean.size());
-  Figure figure{"Faults of " + motion.name, width, height, {}};
-  // The rows point into the figure's own copy of the findings.
-  figure.draw = [motion, plot_height, clean](Canvas& canvas) {
+  Plot plot{"Faults of " + motion.name, width, height, {}};
+  // The rows point into the plot's own copy of the findings.
+  plot.draw = [motion, plot_height, clean](Canvas& canvas) {
     canvas.text({margin, 30.0}, motion.name,
                 {.size = 13.0, .bold = true, .max_width = width - 2 * margin});
     canvas.text({margin, 48.0}, subtitle_of(motion), {.size = 8.5, .colour = quiet_ink});
@@ -188,7 +188,7 @@ Figure lint_timeline(const LintedMotion& motion) {
       baseline += 12.0;
     }
   };
-  return figure;
+  return plot;
 }
 
 }  // namespace mien::pipeline

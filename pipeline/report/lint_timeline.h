@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "motion/lint/finding.h"
-#include "pipeline/drawing/figure.h"
+#include "pipeline/drawing/plot.h"
 
 namespace mien::pipeline {
 
@@ -21,6 +21,6 @@ struct LintedMotion {
 /// The findings over time: a row for every rule and joint that has any, and a line that names the
 /// rules which found nothing. Errors are dark and tall, warnings light and flat, so that they are
 /// told apart by any colour vision and in greyscale. Seconds run below, frames above.
-Figure lint_timeline(const LintedMotion& motion);
+Plot lint_timeline(const LintedMotion& motion);
 
 }  // namespace mien::pipeline

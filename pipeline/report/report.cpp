@@ -79,9 +79,9 @@ std::string warning_list(const std::vector<std::string>& warnings) {
 
 /// A vector drawing as part of the page. Pictures of their own, since glyphs of drawings in one
 /// page would share their names.
-std::string drawing(const Figure& figure, const std::string& alternative) {
+std::string drawing(const Plot& plot, const std::string& alternative) {
   std::string encoded;
-  for (const char c : as_svg(figure)) {
+  for (const char c : as_svg(plot)) {
     const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
                           std::string_view(" .,-_:;/=()").find(c) != std::string_view::npos;
     if (is_plain) {

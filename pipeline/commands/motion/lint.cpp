@@ -163,9 +163,9 @@ void show_table(const std::vector<LintedFile>& all, const Console& console) {
 }
 
 void draw_timeline(const LintCommand& command, const LintedFile& linted) {
-  const Figure figure = lint_timeline(linted.motion);
+  const Plot plot = lint_timeline(linted.motion);
   const bool is_svg = fs::path(command.timeline).extension() == ".svg";
-  write_file(command.timeline, is_svg ? as_svg(figure) : as_png(figure, 144.0));
+  write_file(command.timeline, is_svg ? as_svg(plot) : as_png(plot, 144.0));
 }
 
 void require_timeline(const LintCommand& command) {

@@ -39,7 +39,7 @@ void write_all(const FeatureClusters& clusters, const Repertoire& repertoire,
   write_file(folder / "features.csv", scaled_features_csv(clusters, examples));
   write_file(folder / "linkage.csv", feature_linkage_csv(clusters));
   write_file(folder / "clusters.csv", feature_clusters_csv(clusters));
-  write_figure(dendrogram_figure(dendrogram_of(clusters)), folder, "dendrogram");
+  write_plot(dendrogram_plot(dendrogram_of(clusters)), folder, "dendrogram");
 }
 
 int cluster(const FeaturesOptions& options, const Console& console) {

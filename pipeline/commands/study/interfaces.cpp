@@ -12,8 +12,8 @@
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/matching/interface_evaluation.h"
-#include "pipeline/matching/interface_figure.h"
+#include "pipeline/matching/simulated_chart.h"
+#include "pipeline/matching/simulated_evaluation.h"
 
 namespace mien::pipeline {
 
@@ -71,7 +71,7 @@ void write_all(const fs::path& folder, const std::vector<InterfaceResult>& resul
                  [&](const InterfaceSummary& s) { return s.method == method; });
     const std::string suffix =
         methods.size() == 1 ? "" : "-" + std::string(motion::name_of(method));
-    write_figure(interface_figure(own, threshold), folder, "interfaces" + suffix);
+    write_plot(simulated_chart(own, threshold), folder, "interfaces" + suffix);
   }
   console.out << "\ntables and figure in " << folder.string() << '\n';
 }

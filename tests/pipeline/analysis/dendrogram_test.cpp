@@ -27,28 +27,28 @@ Dendrogram sample(int leaves, int clusters) {
 }
 
 TEST(Dendrogram, IsTheSameBytesInEveryFormat) {
-  const Figure figure = dendrogram_figure(sample(12, 4));
-  EXPECT_EQ(as_pdf(figure), as_pdf(figure));
-  EXPECT_EQ(as_svg(figure), as_svg(figure));
-  EXPECT_EQ(as_png(figure, 72.0), as_png(figure, 72.0));
-  EXPECT_TRUE(as_svg(figure).starts_with("<?xml"));
-  EXPECT_NE(as_svg(figure).find("</svg>"), std::string::npos);
+  const Plot plot = dendrogram_plot(sample(12, 4));
+  EXPECT_EQ(as_pdf(plot), as_pdf(plot));
+  EXPECT_EQ(as_svg(plot), as_svg(plot));
+  EXPECT_EQ(as_png(plot, 72.0), as_png(plot, 72.0));
+  EXPECT_TRUE(as_svg(plot).starts_with("<?xml"));
+  EXPECT_NE(as_svg(plot).find("</svg>"), std::string::npos);
 }
 
 TEST(Dendrogram, TextsNeitherOverlapNorLeaveThePage) {
   for (const auto& [leaves, clusters] : {std::pair(1, 1), {2, 2}, {12, 4}, {41, 4}, {30, 30}}) {
     Dendrogram d = sample(leaves, clusters);
     d.simulated = true;
-    const Figure figure = dendrogram_figure(d);
-    Canvas canvas = Canvas::pdf(figure.width, figure.height, "t");
-    figure.draw(canvas);
+    const Plot plot = dendrogram_plot(d);
+    Canvas canvas = Canvas::pdf(plot.width, plot.height, "t");
+    plot.draw(canvas);
     const auto& texts = canvas.texts();
     for (size_t i = 0; i < texts.size(); ++i) {
       const Box& box = texts[i].box;
       EXPECT_GE(box.x, 0.0) << texts[i].text;
       EXPECT_GE(box.y, 0.0) << texts[i].text;
-      EXPECT_LE(box.right(), figure.width) << texts[i].text;
-      EXPECT_LE(box.bottom(), figure.height) << texts[i].text;
+      EXPECT_LE(box.right(), plot.width) << texts[i].text;
+      EXPECT_LE(box.bottom(), plot.height) << texts[i].text;
       for (size_t k = 0; k < i; ++k) {
         EXPECT_FALSE(overlap(box, texts[k].box))
             << leaves << " leaves: " << texts[i].text << " over " << texts[k].text;
@@ -61,9 +61,9 @@ TEST(Dendrogram, SaysWhenRatingsAreSimulated) {
   for (const bool simulated : {false, true}) {
     Dendrogram d = sample(5, 2);
     d.simulated = simulated;
-    const Figure figure = dendrogram_figure(d);
-    Canvas canvas = Canvas::pdf(figure.width, figure.height, "t");
-    figure.draw(canvas);
+    const Plot plot = dendrogram_plot(d);
+    Canvas canvas = Canvas::pdf(plot.width, plot.height, "t");
+    plot.draw(canvas);
     bool marked = false;
     for (const DrawnText& text : canvas.texts()) {
       marked = marked || text.text.starts_with("Simulated ratings");

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/documents/fault.h"
-#include "pipeline/matching/matching_figures.h"
+#include "pipeline/matching/matching_charts.h"
 #include "pipeline/matching/matching_tables.h"
 #include "pipeline/temporary_folder.h"
 
@@ -158,14 +158,14 @@ TEST(BarChart, TextsKeepToThePageAndApart) {
   negative.bars.push_back({"the other way", -40.0, -90.0, 10.0, "n = 3"});
   for (const BarChart& chart : {first_guess_chart(e, true), first_guess_success_chart(e, false),
                                 time_chart(e, true), negative, failures_chart(e, true)}) {
-    const Figure figure = bar_chart_figure(chart);
-    Canvas canvas = Canvas::pdf(figure.width, figure.height, "t");
-    figure.draw(canvas);
+    const Plot plot = bar_chart_plot(chart);
+    Canvas canvas = Canvas::pdf(plot.width, plot.height, "t");
+    plot.draw(canvas);
     const auto& texts = canvas.texts();
     for (size_t i = 0; i < texts.size(); ++i) {
       const Box& box = texts[i].box;
-      EXPECT_TRUE(box.x >= 0.0 && box.y >= 0.0 && box.right() <= figure.width &&
-                  box.bottom() <= figure.height)
+      EXPECT_TRUE(box.x >= 0.0 && box.y >= 0.0 && box.right() <= plot.width &&
+                  box.bottom() <= plot.height)
           << texts[i].text;
       for (size_t k = 0; k < i; ++k) {
         EXPECT_FALSE(overlap(box, texts[k].box)) << texts[i].text << " over " << texts[k].text;

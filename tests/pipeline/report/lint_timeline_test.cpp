@@ -17,14 +17,14 @@ Finding finding(const std::string& check, const std::string& joint, int first, i
 
 /// What the picture says; all of it lies on the page and no word on another.
 std::vector<DrawnText> texts_of(const LintedMotion& motion) {
-  const Figure figure = lint_timeline(motion);
-  Canvas canvas = Canvas::pdf(figure.width, figure.height, figure.title);
-  figure.draw(canvas);
+  const Plot plot = lint_timeline(motion);
+  Canvas canvas = Canvas::pdf(plot.width, plot.height, plot.title);
+  plot.draw(canvas);
   const std::vector<DrawnText>& texts = canvas.texts();
   for (const DrawnText& text : texts) {
     EXPECT_GE(text.box.x, 0.0) << text.text;
-    EXPECT_LE(text.box.right(), figure.width) << text.text;
-    EXPECT_LE(text.box.bottom(), figure.height) << text.text;
+    EXPECT_LE(text.box.right(), plot.width) << text.text;
+    EXPECT_LE(text.box.bottom(), plot.height) << text.text;
     for (const DrawnText& other : texts) {
       if (&other == &text) continue;
       EXPECT_FALSE(overlap(text.box, other.box)) << text.text << " " << other.text;

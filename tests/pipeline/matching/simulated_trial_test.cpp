@@ -1,4 +1,4 @@
-#include "pipeline/matching/interface_trial.h"
+#include "pipeline/matching/simulated_trial.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "motion/procedural/builtin_sets.h"
 #include "pipeline/documents/csv.h"
-#include "pipeline/matching/interface_evaluation.h"
+#include "pipeline/matching/simulated_evaluation.h"
 #include "pipeline/synthesis/synthesis.h"
 
 namespace mien::pipeline {
@@ -18,25 +18,25 @@ Eigen::RowVectorXd row(std::initializer_list<double> values) {
   return result;
 }
 
-TEST(InterfaceTrial, AUserWithGoodEyesFindsTheWayDown) {
+TEST(SimulatedTrial, AUserWithGoodEyesFindsTheWayDown) {
   const Eigen::RowVectorXd goal = row({0.33, 0.71, 0.52});
   const SliderDistance bowl = [&](const Eigen::RowVectorXd& s) {
     return 0.05 + (s - goal).norm();  // below 0.06 within 0.01 of the goal
   };
-  const InterfaceTrial trial =
+  const SimulatedTrial trial =
       try_interface(goal, {.name = "a", .reading_error = 0.2, .seeing_error = 0.0}, bowl);
   EXPECT_LT(trial.distance, 0.09);
   EXPECT_LT(trial.distance, trial.first_distance);
 }
 
-TEST(InterfaceTrial, StopsWhenTheMotionMatchesOrThePatienceEnds) {
+TEST(SimulatedTrial, StopsWhenTheMotionMatchesOrThePatienceEnds) {
   int looks = 0;
   const SliderDistance far = [&](const Eigen::RowVectorXd& s) {
     ++looks;
     return 1.0 + 0.001 * s.sum();
   };
   SimulatedUser user = {.name = "b", .most_looks = 17};
-  InterfaceTrial trial = try_interface(row({0.5, 0.5}), user, far);
+  SimulatedTrial trial = try_interface(row({0.5, 0.5}), user, far);
   EXPECT_EQ(trial.looks, 17);
   EXPECT_EQ(looks, 17);
   EXPECT_FALSE(trial.matched);
@@ -45,7 +45,7 @@ TEST(InterfaceTrial, StopsWhenTheMotionMatchesOrThePatienceEnds) {
   EXPECT_TRUE(trial.matched);
 }
 
-TEST(InterfaceTrial, TheFirstGuessIsTheIdealReadWithAnErrorToATenth) {
+TEST(SimulatedTrial, TheFirstGuessIsTheIdealReadWithAnErrorToATenth) {
   const Eigen::RowVectorXd ideal = row({0.42, 0.77, 0.0, 1.0});
   const SliderDistance any = [](const Eigen::RowVectorXd&) { return 0.01; };
   const auto exact = try_interface(ideal, {.name = "c", .reading_error = 0.0}, any);
@@ -59,7 +59,7 @@ TEST(InterfaceTrial, TheFirstGuessIsTheIdealReadWithAnErrorToATenth) {
   EXPECT_NEAR(std::sqrt(squares), std::sqrt(0.15 * 0.15 + 0.01 / 12), 0.02);
 }
 
-TEST(InterfaceTrial, TheSameUserDoesTheSame) {
+TEST(SimulatedTrial, TheSameUserDoesTheSame) {
   const SliderDistance bowl = [](const Eigen::RowVectorXd& s) { return 0.1 + s.squaredNorm(); };
   const auto a = try_interface(row({0.5, 0.6}), {.seed = 1, .name = "u"}, bowl);
   const auto b = try_interface(row({0.5, 0.6}), {.seed = 1, .name = "u"}, bowl);

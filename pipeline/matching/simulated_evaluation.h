@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/matching/interface_trial.h"
+#include "pipeline/matching/simulated_trial.h"
 #include "pipeline/matching/target_sampling.h"
 
 namespace mien::pipeline {

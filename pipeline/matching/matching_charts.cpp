@@ -1,4 +1,4 @@
-#include "pipeline/matching/matching_figures.h"
+#include "pipeline/matching/matching_charts.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "pipeline/analysis/threshold_figure.h"
+#include "pipeline/analysis/threshold_chart.h"
 
 #include <algorithm>
 
@@ -13,13 +13,13 @@ std::vector<DrawnText> texts_of(int scales, bool simulated) {
        {KeptAt::Condition::largest_mean, KeptAt::Condition::mean_deviation}) {
     for (int i = 0; i <= 40; ++i) curve.push_back({condition, 0.05 * i, scales, scales / 2});
   }
-  const Figure figure = threshold_figure(curve, {}, scales, simulated);
-  Canvas canvas = Canvas::pdf(figure.width, figure.height, figure.title);
-  figure.draw(canvas);
+  const Plot plot = threshold_chart(curve, {}, scales, simulated);
+  Canvas canvas = Canvas::pdf(plot.width, plot.height, plot.title);
+  plot.draw(canvas);
   for (const DrawnText& text : canvas.texts()) {
     EXPECT_GE(text.box.x, 0.0) << text.text;
-    EXPECT_LE(text.box.x + text.box.width, figure.width) << text.text;
-    EXPECT_LE(text.box.y + text.box.height, figure.height) << text.text;
+    EXPECT_LE(text.box.x + text.box.width, plot.width) << text.text;
+    EXPECT_LE(text.box.y + text.box.height, plot.height) << text.text;
   }
   return canvas.texts();
 }
@@ -30,14 +30,14 @@ bool says(const std::vector<DrawnText>& texts, const std::string& words) {
   });
 }
 
-TEST(ThresholdFigure, NamesBothConditionsAndCountsUpToAllScales) {
+TEST(ThresholdChart, NamesBothConditionsAndCountsUpToAllScales) {
   const auto texts = texts_of(5, false);
   EXPECT_TRUE(says(texts, "largest |mean| at least"));
   EXPECT_TRUE(says(texts, "mean SD at most"));
   EXPECT_TRUE(says(texts, "5"));
 }
 
-TEST(ThresholdFigure, SaysSimulatedOnlyOfSimulatedRatings) {
+TEST(ThresholdChart, SaysSimulatedOnlyOfSimulatedRatings) {
   EXPECT_TRUE(says(texts_of(41, true), "Simulated ratings"));
   EXPECT_FALSE(says(texts_of(41, false), "Simulated"));
 }

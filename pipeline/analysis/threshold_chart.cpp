@@ -1,4 +1,4 @@
-#include "pipeline/analysis/threshold_figure.h"
+#include "pipeline/analysis/threshold_chart.h"
 
 #include <algorithm>
 
@@ -65,10 +65,10 @@ void draw_panel(Canvas& canvas, const Panel& panel, const std::vector<KeptAt>& c
 
 }  // namespace
 
-Figure threshold_figure(const std::vector<KeptAt>& curve, const Thresholds& thresholds, int scales,
-                        bool simulated) {
-  Figure figure{"Scales kept at other thresholds", width, height, {}};
-  figure.draw = [=](Canvas& canvas) {
+Plot threshold_chart(const std::vector<KeptAt>& curve, const Thresholds& thresholds, int scales,
+                     bool simulated) {
+  Plot plot{"Scales kept at other thresholds", width, height, {}};
+  plot.draw = [=](Canvas& canvas) {
     canvas.text({24.0, 28.0}, "Scales kept at other thresholds", {.size = 13.0, .bold = true});
     canvas.text({24.0, 44.0},
                 "for answers from −2 to 2; fine: this condition alone, broad: both; dashed: in use",
@@ -80,7 +80,7 @@ Figure threshold_figure(const std::vector<KeptAt>& curve, const Thresholds& thre
     draw_panel(canvas, left, curve, KeptAt::Condition::largest_mean, thresholds.largest_mean);
     draw_panel(canvas, right, curve, KeptAt::Condition::mean_deviation, thresholds.mean_deviation);
   };
-  return figure;
+  return plot;
 }
 
 }  // namespace mien::pipeline

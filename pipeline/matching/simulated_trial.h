@@ -22,7 +22,7 @@ struct SimulatedUser {
   double threshold = motion::distance_threshold_m;  ///< D below which the motion matches, metres
 };
 
-struct InterfaceTrial {
+struct SimulatedTrial {
   Eigen::RowVectorXd first_guess;  ///< slider settings
   double first_distance = 0.0;     ///< D of it, metres
   double distance = 0.0;           ///< D of the motion left when the user stopped
@@ -38,7 +38,7 @@ using SliderDistance = std::function<double(const Eigen::RowVectorXd&)>;
 /// better, down by the step; a move that looks better (seen distance = true one × (1 + error),
 /// drawn anew at each look) is kept. A round without any improvement halves the step, from 0.2;
 /// below 0.02 the user stops. So they do when the motion matches, which the experiment tells them.
-InterfaceTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
+SimulatedTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
                              const SliderDistance& distance_at);
 
 }  // namespace mien::pipeline

@@ -1,4 +1,4 @@
-#include "pipeline/matching/interface_figure.h"
+#include "pipeline/matching/simulated_chart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr double figure_width = 640.0;  // points
-constexpr double figure_height = 250.0;
+constexpr double page_width = 640.0;  // points
+constexpr double page_height = 250.0;
 
 /// One bar, in the panel's unit.
 struct Bar {
@@ -107,7 +107,7 @@ void draw_mark(Canvas& canvas) {
   const std::string words = "Simulated: no person took part  模擬";
   const TextStyle style = {.size = 8.5, .colour = caution_ink, .bold = true};
   const double width = canvas.text_width(words, style) + 18.0;
-  const Box pill = {figure_width - 18.0 - width, 10.0, width, 17.0};
+  const Box pill = {page_width - 18.0 - width, 10.0, width, 17.0};
   canvas.fill(pill, caution, 8.5);
   canvas.text({pill.x + 9.0, pill.y + 11.7}, words, style);
 }
@@ -142,8 +142,8 @@ void draw(Canvas& canvas, const std::vector<InterfaceSummary>& summaries, double
 
 }  // namespace
 
-Figure interface_figure(const std::vector<InterfaceSummary>& summaries, double threshold_m) {
-  return {"Interfaces, simulated", figure_width, figure_height,
+Plot simulated_chart(const std::vector<InterfaceSummary>& summaries, double threshold_m) {
+  return {"Interfaces, simulated", page_width, page_height,
           [summaries, threshold_m](Canvas& canvas) { draw(canvas, summaries, threshold_m); }};
 }
 

@@ -3,14 +3,14 @@
 #include <vector>
 
 #include "pipeline/analysis/quantification.h"
-#include "pipeline/drawing/figure.h"
+#include "pipeline/drawing/plot.h"
 
 namespace mien::pipeline {
 
 /// How many scales each threshold keeps: a panel a condition, the fine line by the condition alone,
 /// the broad one with the other threshold where it is, the threshold in use as a broken line.
 /// `scales`: how many were rated.
-Figure threshold_figure(const std::vector<KeptAt>& curve, const Thresholds& thresholds, int scales,
-                        bool simulated);
+Plot threshold_chart(const std::vector<KeptAt>& curve, const Thresholds& thresholds, int scales,
+                     bool simulated);
 
 }  // namespace mien::pipeline

@@ -1,4 +1,4 @@
-#include "pipeline/matching/interface_evaluation.h"
+#include "pipeline/matching/simulated_evaluation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ void try_target(const KnownMotion& target, const FittedInterface& interface,
     const SimulatedUser user = {.seed = options.seed,
                                 .name = fmt::format("{} {} user {}", id, name_of(kind), u),
                                 .threshold = options.threshold};
-    const InterfaceTrial trial = try_interface(ideal, user, distance_at);
+    const SimulatedTrial trial = try_interface(ideal, user, distance_at);
     results.push_back({interpolation.weights.method, id, kind, 0.0, u, trial.first_distance,
                        trial.distance, trial.looks, trial.first_distance < options.threshold,
                        trial.matched});

@@ -1,4 +1,4 @@
-#include "pipeline/matching/interface_trial.h"
+#include "pipeline/matching/simulated_trial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +23,9 @@ class Search {
   Search(const SimulatedUser& user, const SliderDistance& distance_at)
       : user_(user), distance_at_(distance_at) {}
 
-  InterfaceTrial run(const Eigen::RowVectorXd& ideal) {
+  SimulatedTrial run(const Eigen::RowVectorXd& ideal) {
     settings_ = first_guess(ideal);
-    InterfaceTrial trial;
+    SimulatedTrial trial;
     trial.first_guess = settings_;
     true_ = look(settings_);
     trial.first_distance = true_;
@@ -115,7 +115,7 @@ class Search {
 
 }  // namespace
 
-InterfaceTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
+SimulatedTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
                              const SliderDistance& distance_at) {
   return Search(user, distance_at).run(ideal);
 }
