@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "motion/error.h"
 #include "motion/interpolation/blend.h"
 
 namespace mien::pipeline {
@@ -13,7 +16,7 @@ Eigen::MatrixXd places_of_examples(const SliderInterface& interface, const Param
   Eigen::MatrixXd places(table.values.cols(), static_cast<Eigen::Index>(interface.sliders.size()));
   for (std::size_t i = 0; i < interface.sliders.size(); ++i) {
     places.col(static_cast<Eigen::Index>(i)) =
-        table.values.row(table.find(interface.sliders[i])).transpose();
+        table.values.row(parameter_row(interface.sliders[i], table)).transpose();
   }
   return places;
 }
@@ -32,25 +35,38 @@ const char* name_of(InterfaceKind kind) {
   return "weights";
 }
 
+const motion::ExampleSet& examples_for(const Interpolation& interpolation,
+                                       const Repertoire& repertoire) {
+  return interpolation.foot_lock ? repertoire.settled : repertoire.examples;
+}
+
+Eigen::Index parameter_row(const std::string& name, const ParameterTable& table) {
+  const int row = table.find(name);
+  if (row >= 0) return row;
+  throw Error(fmt::format("the examples have no parameter \"{}\"", name),
+              "name a scale that was rated, or a feature that all examples have");
+}
+
 FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
                               const Repertoire& repertoire) {
+  const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
   if (interface.kind == InterfaceKind::weights) {
     const auto count = static_cast<Eigen::Index>(interface.sliders.size());
-    return {interface,
-            motion::fit_interpolator(repertoire.settled, Eigen::MatrixXd::Identity(count, count),
-                                     {.method = motion::InterpolationMethod::direct})};
+    return {interface, motion::fit_interpolator(examples, Eigen::MatrixXd::Identity(count, count),
+                                                {.method = motion::InterpolationMethod::direct})};
   }
   const ParameterTable& table =
       interface.kind == InterfaceKind::features ? repertoire.features.table : repertoire.parameters;
-  return {interface,
-          motion::fit_interpolator(repertoire.settled, places_of_examples(interface, table),
-                                   interpolation.weights, interface.sliders)};
+  return {interface, motion::fit_interpolator(examples, places_of_examples(interface, table),
+                                              interpolation.weights, interface.sliders)};
 }
 
 motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
-                          const Interpolation& interpolation, const Repertoire& repertoire) {
-  return motion::motion_at(interface.interpolator, repertoire.settled, settings,
-                           {.frames_per_second = 30.0,
+                          const Interpolation& interpolation, const Repertoire& repertoire,
+                          double frames_per_second) {
+  return motion::motion_at(interface.interpolator, examples_for(interpolation, repertoire),
+                           settings,
+                           {.frames_per_second = frames_per_second,
                             .rotations = interpolation.rotations,
                             .warp = interpolation.time_warp});
 }

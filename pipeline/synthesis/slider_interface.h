@@ -10,8 +10,8 @@
 
 namespace mien::pipeline {
 
-// Interfaces for making motions, tried without people: sliders for adjectives, for features, or for
-// the weights of the examples.
+// Interfaces for making motions: sliders for adjectives, for features, or for the weights of the
+// examples. A stimulus that names parameters is one setting of such sliders.
 
 enum class InterfaceKind { adjectives, features, weights };
 
@@ -30,14 +30,23 @@ struct FittedInterface {
   motion::Interpolator interpolator;  ///< of the weights' interface: the shares themselves
 };
 
+/// The examples that an interpolation blends: with settled feet where feet are to be locked.
+const motion::ExampleSet& examples_for(const Interpolation& interpolation,
+                                       const Repertoire& repertoire);
+
+/// The row of a parameter. Throws Error when the examples have none of that name.
+Eigen::Index parameter_row(const std::string& name, const ParameterTable& table);
+
+/// Throws Error when the examples lack a slider's parameter, or the method cannot take so many.
 FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
                               const Repertoire& repertoire);
 
 /// The motion that the sliders of an interface make. Feet are not locked: that moves joints by a
-/// few millimetres and would take most of the time. Weights that are all 0 make the mean of all
-/// examples.
+/// few millimetres and would take most of the time where many settings are tried. Weights that are
+/// all 0 make the mean of all examples.
 motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
-                          const Interpolation& interpolation, const Repertoire& repertoire);
+                          const Interpolation& interpolation, const Repertoire& repertoire,
+                          double frames_per_second = 30.0);
 
 /// Where an ideal user would put the sliders for a motion that was made with known weights: the
 /// weights with the largest at 1, the adjectives that they sum up to, or the features as measured,

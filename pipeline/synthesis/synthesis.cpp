@@ -15,6 +15,7 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/skeleton/straighten.h"
 #include "pipeline/synthesis/modified_motion.h"
+#include "pipeline/synthesis/slider_interface.h"
 
 namespace mien::pipeline {
 
@@ -39,78 +40,63 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
   return motion::direct_weights(result);
 }
 
-Eigen::Index parameter_row(const std::string& name, const ParameterTable& table) {
-  const int row = table.find(name);
-  if (row >= 0) return row;
-  throw Error(fmt::format("the examples have no parameter \"{}\"", name),
-              "name a scale that was rated, or a feature that all examples have");
-}
-
-const motion::ExampleSet& examples_for(const Interpolation& interpolation,
-                                       const Repertoire& repertoire) {
-  return interpolation.foot_lock ? repertoire.settled : repertoire.examples;
-}
-
-/// A wish as the interpolation sees it.
-struct Coordinates {
-  Eigen::MatrixXd examples;   ///< N × M: the examples' values of the named parameters
-  Eigen::RowVectorXd values;  ///< M
-  std::vector<std::string> names;
+/// What a stimulus asks for, as settings of sliders.
+struct Wish {
+  SliderInterface sliders;
+  Eigen::RowVectorXd settings;
 };
 
-Coordinates coordinates_of(const Wish& wish) {
-  const auto& values = wish.table.values;
-  const auto dimensions = static_cast<Eigen::Index>(wish.values.size());
-  Coordinates result{
-      Eigen::MatrixXd(values.cols(), dimensions), Eigen::RowVectorXd(dimensions), {}};
-  for (Eigen::Index d = 0; d < dimensions; ++d) {
-    const auto& [name, value] = wish.values[static_cast<size_t>(d)];
-    result.examples.col(d) = values.row(parameter_row(name, wish.table)).transpose();
-    result.values[d] = value;
-    result.names.push_back(name);
-  }
-  return result;
+/// Its features, or else its adjectives.
+const NamedValues& wishes_of(const Stimulus& stimulus) {
+  return stimulus.features.empty() ? stimulus.adjectives : stimulus.features;
 }
 
-motion::Interpolator interpolator_of(const Stimulus& stimulus, const Coordinates& at,
-                                     const Repertoire& repertoire) {
-  return motion::fit_interpolator(examples_for(stimulus.interpolation, repertoire), at.examples,
-                                  stimulus.interpolation.weights, at.names);
+Wish wish_of(const Stimulus& stimulus) {
+  const NamedValues& values = wishes_of(stimulus);
+  Wish wish;
+  wish.sliders.kind =
+      stimulus.features.empty() ? InterfaceKind::adjectives : InterfaceKind::features;
+  wish.settings.resize(static_cast<Eigen::Index>(values.size()));
+  for (const auto& [name, value] : values) {
+    wish.settings[static_cast<Eigen::Index>(wish.sliders.sliders.size())] = value;
+    wish.sliders.sliders.push_back(name);
+  }
+  return wish;
+}
+
+/// Where the examples lie on the parameters that a stimulus names.
+const ParameterTable& table_of(const Stimulus& stimulus, const Repertoire& repertoire) {
+  return stimulus.features.empty() ? repertoire.parameters : repertoire.features.table;
 }
 
 /// Features are measured of the motion; what people would say of it can only be summed.
-NamedValues reached_parameters(const Stimulus& stimulus, const Wish& wanted,
-                               const Repertoire& repertoire, const Synthesis& made) {
+NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& repertoire,
+                               const Synthesis& made) {
+  const ParameterTable& table = table_of(stimulus, repertoire);
   NamedValues reached;
   std::optional<motion::FeatureValues> features;
   if (!stimulus.features.empty()) {
     features = motion::scaled(repertoire.features.scale, motion::measure_features(made.motion));
   }
-  for (const auto& [name, value] : wanted.values) {
+  for (const auto& [name, value] : made.asked) {
     const auto measured = features ? feature_parameter(name, *features) : std::nullopt;
-    const auto row = wanted.table.values.row(parameter_row(name, wanted.table));
+    const auto row = table.values.row(parameter_row(name, table));
     reached.emplace_back(name, measured ? *measured : row.dot(made.weights));
   }
   return reached;
 }
 
-void warn_of_missed_parameters(const Wish& wanted, Synthesis& synthesis) {
-  for (size_t i = 0; i < wanted.values.size(); ++i) {
-    const auto& [name, value] = wanted.values[i];
+void warn_of_missed_parameters(const ParameterTable& table, Synthesis& synthesis) {
+  for (size_t i = 0; i < synthesis.asked.size(); ++i) {
+    const auto& [name, value] = synthesis.asked[i];
     const double reached = synthesis.reached[i].second;
     if (std::abs(reached - value) <= told_difference) continue;
-    const auto row = wanted.table.values.row(parameter_row(name, wanted.table));
+    const auto row = table.values.row(parameter_row(name, table));
     synthesis.warnings.push_back(
         fmt::format("{} {:.2f} was asked for and the blend has {:.2f}; the examples lie between "
                     "{:.2f} and {:.2f}",
                     name, value, reached, row.minCoeff(), row.maxCoeff()));
   }
-}
-
-motion::BlendOptions blend_options(const Output& output, const Interpolation& interpolation) {
-  return {.frames_per_second = output.fps,
-          .rotations = interpolation.rotations,
-          .warp = interpolation.time_warp};
 }
 
 void lock_feet(const Interpolation& interpolation, Synthesis& synthesis) {
@@ -125,7 +111,9 @@ Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
   Synthesis result;
   result.weights = weights;
   const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
-  const motion::BlendOptions options = blend_options(output, interpolation);
+  const motion::BlendOptions options = {.frames_per_second = output.fps,
+                                        .rotations = interpolation.rotations,
+                                        .warp = interpolation.time_warp};
   if (examples.blendable) {
     result.motion = motion::blend(examples, weights, options);
   } else {
@@ -138,23 +126,21 @@ Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
   return result;
 }
 
-Synthesis from_parameters(const Stimulus& stimulus, const Wish& wish,
-                          const Repertoire& repertoire) {
+Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire) {
   const Interpolation& how = stimulus.interpolation;
-  const Coordinates at = coordinates_of(wish);
-  const motion::Interpolator interpolator = interpolator_of(stimulus, at, repertoire);
-  const motion::InterpolatedWeights found = motion::weights_at(interpolator, at.values);
+  const Wish wish = wish_of(stimulus);
+  const FittedInterface sliders = fit_interface(wish.sliders, how, repertoire);
+  const motion::InterpolatedWeights found = motion::weights_at(sliders.interpolator, wish.settings);
   Synthesis result;
   result.weights = found.weights;
   result.expected_error_m = found.expected_error_m;
-  result.warnings = interpolator.remarks;
+  result.warnings = sliders.interpolator.remarks;
   result.warnings.insert(result.warnings.end(), found.remarks.begin(), found.remarks.end());
-  result.motion = motion::motion_at(interpolator, examples_for(how, repertoire), at.values,
-                                    blend_options(stimulus.output, how));
+  result.motion = motion_of(sliders, wish.settings, how, repertoire, stimulus.output.fps);
   lock_feet(how, result);
-  result.asked = wish.values;
-  result.reached = reached_parameters(stimulus, wish, repertoire, result);
-  warn_of_missed_parameters(wish, result);
+  result.asked = wishes_of(stimulus);
+  result.reached = reached_parameters(stimulus, repertoire, result);
+  warn_of_missed_parameters(table_of(stimulus, repertoire), result);
   return result;
 }
 
@@ -188,8 +174,7 @@ Synthesis as_captured(const Stimulus& stimulus) {
 
 Synthesis unmodified(const Stimulus& stimulus, const Repertoire& repertoire) {
   if (stimulus.clip) return as_captured(stimulus);
-  const Wish wish = wish_of(stimulus, repertoire);
-  if (!wish.values.empty()) return from_parameters(stimulus, wish, repertoire);
+  if (!wishes_of(stimulus).empty()) return from_parameters(stimulus, repertoire);
   return from_weights(given_weights(stimulus.weights, repertoire), stimulus.output,
                       stimulus.interpolation, repertoire);
 }
@@ -209,17 +194,12 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
 
 }  // namespace
 
-Wish wish_of(const Stimulus& stimulus, const Repertoire& repertoire) {
-  if (!stimulus.features.empty()) return {stimulus.features, repertoire.features.table};
-  return {stimulus.adjectives, repertoire.parameters};
-}
-
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   assert(!stimulus.clip);
-  const Wish wish = wish_of(stimulus, repertoire);
-  if (wish.values.empty()) return given_weights(stimulus.weights, repertoire);
-  const Coordinates at = coordinates_of(wish);
-  return motion::weights_at(interpolator_of(stimulus, at, repertoire), at.values).weights;
+  if (wishes_of(stimulus).empty()) return given_weights(stimulus.weights, repertoire);
+  const Wish wish = wish_of(stimulus);
+  const FittedInterface sliders = fit_interface(wish.sliders, stimulus.interpolation, repertoire);
+  return motion::weights_at(sliders.interpolator, wish.settings).weights;
 }
 
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {

@@ -33,15 +33,6 @@ struct Synthesis {
   std::vector<motion::Finding> findings;  ///< of the lint: of a modified motion against what it was
 };
 
-/// What a stimulus asks for, and where the examples lie on those parameters.
-struct Wish {
-  const NamedValues& values;
-  const ParameterTable& table;
-};
-
-/// Its features and theirs, or else its adjectives and those of the ratings.
-Wish wish_of(const Stimulus& stimulus, const Repertoire& repertoire);
-
 /// Blend weights of a stimulus: given, or from its adjectives or features by the interpolation
 /// method that it asks for, over the parameters that it names.
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire);
