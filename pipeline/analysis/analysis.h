@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/analysis/quantification.h"
-#include "pipeline/analysis/study_answers.h"
+#include "pipeline/ratings/study_answers.h"
 #include "pipeline/statistics/agreement.h"
 #include "pipeline/statistics/partition.h"
 #include "pipeline/statistics/ward.h"

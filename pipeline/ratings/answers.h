@@ -24,12 +24,13 @@ struct Answers {
 };
 
 /// Reads a tidy CSV: columns stimulus, scale, value and, unless the values are means, participant;
-/// others (rt_s, order, comment …) are ignored. A column `simulated` with anything but 0 marks
-/// answers that nobody gave. A table of words (word_answers.h) is turned into answers, what is not
-/// mentioned counting as neutral.
+/// others (rt_s, order, comment …) are ignored. A column `simulated` with anything but 0 (or
+/// nothing) marks answers that nobody gave. A table of words (word_answers.h) is turned into
+/// answers, what is not mentioned counting as neutral.
 ///
-/// Throws Error with line and column: a column missing, a value that is no number or outside the
-/// scale's range, a scale that `scales` does not know, the same participant answering twice.
+/// Throws Error, of all rows at once (Faults), with lines and columns: a column missing, a value
+/// that is no number or outside the scale's range, a scale that `scales` does not know, the same
+/// participant answering twice.
 Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales);
 Answers parse_answers(std::string_view csv, const std::string& file, const ScaleSet& scales);
 

@@ -108,7 +108,24 @@ INSTANTIATE_TEST_SUITE_P(
                    "a.csv:2:13: 3 is outside the range of \"slow-fast\"; answers go from -2 to 2"},
         BadAnswers{"participant,stimulus,scale,value\np,a,open,3\np,a,open,1\n",
                    "a.csv:3:3: a second answer of participant \"p\" about \"a\" on \"open\""},
+        BadAnswers{"stimulus,scale,value\na,open,3\na,open,1\n",
+                   "a.csv:3:1: a second answer about \"a\" on \"open\"; keep one of them"},
+        BadAnswers{"stimulus,scale,value\na,open,\n", "a.csv:2:8: \"\" is not a number"},
+        BadAnswers{"stimulus,scale,value\na,open,4\nb,opne,1\na,slow-fast,x\n",
+                   "a.csv:2:8: 4 is outside the range of \"open\"; answers go from -3 to 3; state "
+                   "another range in the scales file\na.csv:3:3: unknown scale \"opne\"; did you "
+                   "mean \"open\"?\na.csv:4:13: \"x\" is not a number"},
         BadAnswers{"stimulus,value\na,1\n", "a.csv:1"}));
+
+TEST(Answers, OfAManifestIgnoreOtherColumnsAndNameAnyStimulus) {
+  const Answers answers = parse_answers(
+      "rt_ms,order,stimulus,scale,value,simulated\nquick,first,whoever,open,1,0\n,,a,open,2,\n",
+      "a.csv", two_scales());
+  ASSERT_EQ(answers.answers.size(), 2u);
+  EXPECT_EQ(answers.answers[0].stimulus, "whoever");
+  EXPECT_EQ(answers.answers[1].value, 2.0);
+  EXPECT_FALSE(answers.simulated);
+}
 
 }  // namespace
 }  // namespace mien::pipeline

@@ -1,4 +1,4 @@
-#include "pipeline/analysis/study_answers.h"
+#include "pipeline/ratings/study_answers.h"
 
 #include <algorithm>
 

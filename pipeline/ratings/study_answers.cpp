@@ -1,4 +1,4 @@
-#include "pipeline/analysis/study_answers.h"
+#include "pipeline/ratings/study_answers.h"
 
 #include <map>
 #include <string>
@@ -29,8 +29,8 @@ Fault fault_of(const Error& error) {
 class RowReader {
  public:
   RowReader(const CsvTable& table, const ScaleSet& scales,
-            const std::vector<RatedExample>& examples)
-      : table_(table), scales_(scales_by_id(scales)) {
+            const std::vector<RatedExample>& examples, const AnswerRules& rules)
+      : table_(table), rules_(rules), scales_(scales_by_id(scales)) {
     for (const Scale& scale : scales.scales) scale_ids_.push_back(scale.id);
     for (const RatedExample& example : examples) {
       stimulus_names_.push_back(example.name);
@@ -41,47 +41,39 @@ class RowReader {
     scale_ = require_column(table, "scale");
     value_ = require_column(table, "value");
     participant_ = find_column(table, "participant");
+    simulated_ = find_column(table, "simulated");
+    if (rules.plain) return;
     rt_ms_ = find_column(table, "rt_ms");
     order_ = find_column(table, "order");
     comment_ = find_column(table, "comment");
-    simulated_ = find_column(table, "simulated");
   }
 
   void read(const std::vector<CsvField>& row) {
     const CsvField& stimulus = row[static_cast<size_t>(stimulus_)];
     const CsvField& scale_name = row[static_cast<size_t>(scale_)];
-    const auto example = examples_.find(stimulus.text);
-    const auto known = scales_.find(scale_name.text);
-    const Scale* scale = known == scales_.end() ? nullptr : known->second;
-    if (example == examples_.end()) note(stimulus, unknown_stimuli_);
+    const std::string* example = example_named(stimulus.text);
+    const Scale* scale = scale_named(scale_name.text);
+    if (example == nullptr) note(stimulus, unknown_stimuli_);
     if (scale == nullptr) note(scale_name, unknown_scales_);
-    if (example == examples_.end() || scale == nullptr) return;
+    if (example == nullptr || scale == nullptr) return;
     StudyAnswer answer;
     answer.participant = text_of(row, participant_);
-    answer.stimulus = example->second;
+    answer.stimulus = *example;
     answer.scale = scale->id;
     answer.comment = text_of(row, comment_);
     if (text_of(row, simulated_) != "" && text_of(row, simulated_) != "0") result.simulated = true;
     const CsvField& value = row[static_cast<size_t>(value_)];
-    answer.place = place_of(table_, value);
+    answer.place = place_of(table_, rules_.plain ? stimulus : value);
     try {
-      answer.rt_ms = optional_number(row, rt_ms_);
-      answer.order = optional_number(row, order_);
-      check_time(row, answer);
-      if (value.text.empty() || value.text == "NA") {
-        left_empty.push_back(answer);
-        return;
-      }
-      answer.value = value_in(value, *scale);
-      result.answers.push_back(std::move(answer));
+      add(std::move(answer), row, value, *scale);
     } catch (const Error& error) {
       faults.push_back(fault_of(error));
     }
   }
 
-  void report_unknown(AnswerRules::Unknown rule) {
-    report(unknown_stimuli_, "stimulus", stimulus_names_, rule);
-    report(unknown_scales_, "scale", scale_ids_, rule);
+  void report_unknown() {
+    report(unknown_stimuli_, "stimulus", stimulus_names_);
+    report(unknown_scales_, "scale", scale_ids_);
   }
 
   StudyAnswers result;
@@ -90,6 +82,31 @@ class RowReader {
 
  private:
   using UnknownNames = std::map<std::string, UnknownName>;
+
+  /// Null when there is none; plain answers are about whatever they name.
+  const std::string* example_named(const std::string& text) const {
+    if (rules_.plain) return &text;
+    const auto found = examples_.find(text);
+    return found == examples_.end() ? nullptr : &found->second;
+  }
+
+  const Scale* scale_named(const std::string& text) const {
+    const auto found = scales_.find(text);
+    return found == scales_.end() ? nullptr : found->second;
+  }
+
+  void add(StudyAnswer answer, const std::vector<CsvField>& row, const CsvField& value,
+           const Scale& scale) {
+    answer.rt_ms = optional_number(row, rt_ms_);
+    answer.order = optional_number(row, order_);
+    check_time(row, answer);
+    if (!rules_.plain && (value.text.empty() || value.text == "NA")) {
+      left_empty.push_back(std::move(answer));
+      return;
+    }
+    answer.value = value_in(value, scale);
+    result.answers.push_back(std::move(answer));
+  }
 
   static std::string text_of(const std::vector<CsvField>& row, int column) {
     return column < 0 ? std::string() : row[static_cast<size_t>(column)].text;
@@ -123,26 +140,33 @@ class RowReader {
   }
 
   void report(const UnknownNames& names, const std::string& what,
-              const std::vector<std::string>& known, AnswerRules::Unknown rule) {
+              const std::vector<std::string>& known) {
     for (const auto& [text, name] : names) {
-      const std::string wrong = fmt::format("unknown {} \"{}\" ({} row{})", what, text, name.rows,
-                                            name.rows == 1 ? "" : "s");
-      if (rule == AnswerRules::Unknown::refuse) {
-        faults.push_back({place_of(table_, name.field), "", wrong,
-                          motion::did_you_mean(text, known) + " (--unknown ignore leaves it out)"});
+      const Place place = place_of(table_, name.field);
+      const std::string wrong = fmt::format("unknown {} \"{}\"", what, text);
+      const std::string counted =
+          fmt::format("{} ({} row{})", wrong, name.rows, name.rows == 1 ? "" : "s");
+      const std::string remedy = motion::did_you_mean(text, known);
+      if (rules_.plain) {
+        faults.push_back({place, "", wrong, remedy});
+      } else if (rules_.unknown == AnswerRules::Unknown::refuse) {
+        faults.push_back({place, "", counted, remedy + " (--unknown ignore leaves it out)"});
       } else {
-        result.warnings.push_back(
-            {"unknown-" + what, place_of(table_, name.field), wrong + " left out"});
+        result.warnings.push_back({"unknown-" + what, place, counted + " left out"});
       }
     }
   }
 
   const CsvTable& table_;
+  const AnswerRules& rules_;
   std::unordered_map<std::string_view, const Scale*> scales_;
   std::vector<std::string> scale_ids_;
   std::vector<std::string> stimulus_names_;
   std::map<std::string, std::string> examples_;
-  int stimulus_, scale_, value_, participant_, rt_ms_, order_, comment_, simulated_;
+  int stimulus_, scale_, value_, participant_, simulated_;
+  int rt_ms_ = -1;
+  int order_ = -1;
+  int comment_ = -1;
   UnknownNames unknown_stimuli_;
   UnknownNames unknown_scales_;
 };
@@ -155,13 +179,15 @@ StudyAnswers study_answers(const CsvTable& table, const ScaleSet& scales,
     throw Error(place_of(table, table.header.front()), "words, not answers on scales",
                 "turn them into answers with mien study words");
   }
-  RowReader reader(table, scales, examples);
+  RowReader reader(table, scales, examples, rules);
   for (const auto& row : table.rows) reader.read(row);
-  reader.report_unknown(rules.unknown);
+  reader.report_unknown();
   StudyAnswers study = std::move(reader.result);
-  settle_repeated(study, rules.repeated, reader.faults);
-  settle_missing(study, reader.left_empty, rules.missing, reader.faults);
-  settle_constant(study, scales, rules.constant);
+  settle_repeated(study, rules, reader.faults);
+  if (!rules.plain) {
+    settle_missing(study, reader.left_empty, rules.missing, reader.faults);
+    settle_constant(study, scales, rules.constant);
+  }
   if (!reader.faults.empty()) throw Faults(reader.faults);
   return study;
 }

@@ -21,6 +21,11 @@ struct AnswerRules {
   Unknown unknown = Unknown::refuse;
   Constant constant = Constant::keep;
   Missing missing = Missing::ignore;
+
+  /// As a manifest's ratings are read: by participant, stimulus, scale and value alone, about
+  /// whatever stimuli. Repeated answers, unknown scales and rows without a value are refused, and
+  /// remedies name no options of `mien study analyze`.
+  bool plain = false;
 };
 
 /// One answer and where it was read.
@@ -29,7 +34,7 @@ struct StudyAnswer {
   std::string stimulus;     ///< name of the example
   std::string scale;        ///< id
   double value = 0.0;       ///< in the scale's own range
-  Place place;              ///< of the value
+  Place place;              ///< of the value; of plain answers, of the stimulus
   std::optional<double> rt_ms;
   std::optional<double> order;  ///< at which turn the participant answered
   std::string comment;
@@ -53,7 +58,7 @@ struct StudyAnswers {
 };
 
 /// Takes one of repeated answers, or their mean, in the place of the first.
-void settle_repeated(StudyAnswers& study, AnswerRules::Repeated rule, std::vector<Fault>& faults);
+void settle_repeated(StudyAnswers& study, const AnswerRules& rules, std::vector<Fault>& faults);
 
 /// Tells participants with at least three answers, all at the same place of their scales.
 void settle_constant(StudyAnswers& study, const ScaleSet& scales, AnswerRules::Constant rule);

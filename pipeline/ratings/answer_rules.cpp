@@ -1,4 +1,4 @@
-#include "pipeline/analysis/answer_rules.h"
+#include "pipeline/ratings/answer_rules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +20,16 @@ std::string subject_of(const StudyAnswer& answer) {
   return answer.participant.empty()
              ? subject
              : fmt::format("participant \"{}\" about {}", answer.participant, subject);
+}
+
+/// Of a repeated answer: whose it is and what it is about.
+std::string whose(const StudyAnswer& answer) {
+  return (answer.participant.empty() ? "about " : "of ") + subject_of(answer);
+}
+
+std::string remedy_of_repeated(const AnswerRules& rules) {
+  return rules.plain ? "keep one of them"
+                     : "keep one of them, or choose with --repeated first, last or mean";
 }
 
 bool earlier(const StudyAnswer& a, const StudyAnswer& b) {
@@ -118,7 +128,7 @@ Answers StudyAnswers::plain() const {
   return result;
 }
 
-void settle_repeated(StudyAnswers& study, AnswerRules::Repeated rule, std::vector<Fault>& faults) {
+void settle_repeated(StudyAnswers& study, const AnswerRules& rules, std::vector<Fault>& faults) {
   if (!holds_repeated(study)) return;
   using Key = std::tuple<std::string, std::string, std::string>;
   std::map<Key, std::vector<StudyAnswer>> by_key;
@@ -130,16 +140,15 @@ void settle_repeated(StudyAnswers& study, AnswerRules::Repeated rule, std::vecto
     const auto& same = by_key.at({answer.participant, answer.stimulus, answer.scale});
     const bool is_first = same.front().place.line == answer.place.line;
     if (is_first && same.size() == 1) settled.push_back(answer);
-    if (is_first && same.size() > 1) settled.push_back(one_of(same, rule));
+    if (is_first && same.size() > 1) settled.push_back(one_of(same, rules.repeated));
     if (is_first) continue;
-    const std::string wrong = fmt::format("a second answer of {}", subject_of(answer));
-    if (rule == AnswerRules::Repeated::refuse) {
-      faults.push_back({answer.place, "", wrong,
-                        "keep one of them, or choose with --repeated first, last or mean"});
+    const std::string wrong = "a second answer " + whose(answer);
+    if (rules.repeated == AnswerRules::Repeated::refuse) {
+      faults.push_back({answer.place, "", wrong, remedy_of_repeated(rules)});
     } else {
       study.warnings.push_back({"repeated", answer.place,
                                 fmt::format("{} (the other in line {}): {}", wrong,
-                                            same.front().place.line, words_for(rule))});
+                                            same.front().place.line, words_for(rules.repeated))});
     }
   }
   study.answers = std::move(settled);

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "pipeline/analysis/answer_rules.h"
 #include "pipeline/documents/csv.h"
+#include "pipeline/ratings/answer_rules.h"
 #include "pipeline/ratings/impressions.h"
 #include "pipeline/ratings/scales.h"
 
@@ -17,6 +17,9 @@ namespace mien::pipeline {
 /// Missing is also what a participant did not answer about a stimulus that he saw, and, when at
 /// least half of the participants saw every example, an example that he did not see. Constant is a
 /// participant with at least three answers, all at the same place of their scales.
+///
+/// Plain answers (rules.plain) are about any stimuli, `examples` or not; their other columns are
+/// not looked at and nothing is missing or constant.
 ///
 /// Throws Faults with every fault at once: a column missing, a value that is no number or outside
 /// the scale's range, and whatever the rules refuse.
