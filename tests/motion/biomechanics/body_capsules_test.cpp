@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "injected_faults.h"
+#include "motion/lint/injected_faults.h"
 
 namespace mien::motion {
 namespace {

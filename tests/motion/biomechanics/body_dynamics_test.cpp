@@ -4,8 +4,7 @@
 
 #include "motion/biomechanics/body_mass.h"
 #include "motion/biomechanics/inverse_dynamics.h"
-
-#include "injected_faults.h"
+#include "motion/lint/injected_faults.h"
 
 namespace mien::motion {
 namespace {

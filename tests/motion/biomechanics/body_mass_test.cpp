@@ -4,10 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/random_motion.h"
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/mirror.h"
-
-#include "random_motion.h"
 
 namespace mien::motion {
 namespace {

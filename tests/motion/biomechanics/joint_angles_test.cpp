@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/lint/injected_faults.h"
 #include "motion/skeleton/mirror.h"
-
-#include "injected_faults.h"
 
 namespace mien::motion {
 namespace {

@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/refusal.h"
+
 #include "real_data.h"
-#include "refusal.h"
 
 namespace mien::motion {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "refusal.h"
+#include "motion/refusal.h"
 
 namespace mien::motion {
 namespace {

@@ -4,10 +4,9 @@
 
 #include "motion/gait/loop.h"
 #include "motion/math/rotation.h"
+#include "motion/refusal.h"
 #include "motion/skeleton/floor.h"
-
-#include "refusal.h"
-#include "synthetic_walk.h"
+#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

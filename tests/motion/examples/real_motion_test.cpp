@@ -8,12 +8,12 @@
 #include "motion/formats/motion_file.h"
 #include "motion/gait/contact.h"
 #include "motion/math/rotation.h"
+#include "motion/other_rigs.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/rig_motion.h"
 #include "motion/skeleton/floor.h"
 #include "motion/skeleton/straighten.h"
 
-#include "other_rigs.h"
 #include "real_data.h"
 
 // What the mapping and the gait make of real recordings.

@@ -4,8 +4,7 @@
 
 #include "motion/gait/loop.h"
 #include "motion/skeleton/straighten.h"
-
-#include "synthetic_walk.h"
+#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

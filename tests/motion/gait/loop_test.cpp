@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/skeleton/mirror.h"
-
-#include "synthetic_walk.h"
+#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

@@ -8,10 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "motion/measures/distance.h"
-
-#include "random_motion.h"
-#include "random_places.h"
-#include "refusal.h"
+#include "motion/random_motion.h"
+#include "motion/random_places.h"
+#include "motion/refusal.h"
 
 namespace mien::motion {
 namespace {

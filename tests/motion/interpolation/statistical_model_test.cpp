@@ -4,9 +4,8 @@
 
 #include "motion/measures/distance.h"
 #include "motion/procedural/builtin_sets.h"
-
-#include "random_motion.h"
-#include "random_places.h"
+#include "motion/random_motion.h"
+#include "motion/random_places.h"
 
 namespace mien::motion {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "random_places.h"
+#include "motion/random_places.h"
 
 namespace mien::motion {
 namespace {

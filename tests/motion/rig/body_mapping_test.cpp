@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/other_rigs.h"
+#include "motion/refusal.h"
 #include "motion/skeleton/mirror.h"
 #include "motion/skeleton/straighten.h"
-
-#include "other_rigs.h"
-#include "refusal.h"
-#include "synthetic_walk.h"
+#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

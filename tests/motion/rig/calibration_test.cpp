@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/other_rigs.h"
 #include "motion/rig/rest_calibration.h"
 #include "motion/rig/rig_names.h"
-
-#include "other_rigs.h"
-#include "synthetic_walk.h"
+#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

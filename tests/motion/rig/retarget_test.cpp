@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/skeleton/floor.h"
-
-#include "synthetic_walk.h"
+#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "named_rigs.h"
+#include "motion/named_rigs.h"
 
 namespace mien::motion {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "other_rigs.h"
-#include "synthetic_walk.h"
+#include "motion/other_rigs.h"
+#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

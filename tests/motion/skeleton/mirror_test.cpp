@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "synthetic_walk.h"
+#include "motion/synthetic_walk.h"
 
 namespace mien::motion {
 namespace {

@@ -7,8 +7,7 @@
 
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/manifest_reader.h"
-
-#include "temporary_folder.h"
+#include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
 namespace {

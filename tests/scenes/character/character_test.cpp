@@ -14,8 +14,7 @@
 #include "motion/error.h"
 #include "motion/math/rotation.h"
 #include "scenes/mannequin/mannequin_flesh.h"
-
-#include "skinned_gltf.h"
+#include "scenes/skinned_gltf.h"
 
 namespace mien::scenes {
 namespace {

@@ -7,9 +7,8 @@
 
 #include "motion/math/rotation.h"
 #include "motion/skeleton/sole.h"
+#include "scenes/closed_surface.h"
 #include "scenes/mannequin/mannequin_paint.h"
-
-#include "closed_surface.h"
 
 namespace mien::scenes {
 namespace {

@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scenes/closed_surface.h"
 #include "scenes/mannequin/lump.h"
-
-#include "closed_surface.h"
 
 namespace mien::scenes {
 namespace {

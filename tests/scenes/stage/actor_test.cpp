@@ -8,9 +8,8 @@
 #include <unistd.h>
 
 #include "motion/error.h"
+#include "scenes/skinned_gltf.h"
 #include "scenes/stage/shot.h"
-
-#include "skinned_gltf.h"
 
 namespace mien::scenes {
 namespace {
