@@ -254,11 +254,13 @@ std::string distance_table(const Manifest& manifest, Motions& motions) {
 std::string feature_agreement(const Manifest& manifest, Motions& motions) {
   std::string rows;
   for (const Sheet& sheet : manifest.sheets) {
-    const std::vector<FeatureChange> changes = feature_changes(sheet, motions);
-    const auto moved = std::count_if(changes.begin(), changes.end(),
-                                     [](const FeatureChange& change) { return change.moved(); });
-    const auto agree = std::count_if(changes.begin(), changes.end(),
-                                     [](const FeatureChange& change) { return change.agrees(); });
+    const std::vector<motion::FeatureChange> changes = feature_changes(sheet, motions);
+    const auto moved =
+        std::count_if(changes.begin(), changes.end(),
+                      [](const motion::FeatureChange& change) { return change.moved(); });
+    const auto agree =
+        std::count_if(changes.begin(), changes.end(),
+                      [](const motion::FeatureChange& change) { return change.agrees(); });
     if (moved == 0) continue;
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                         html_escaped(sheet.target), html_escaped(sheet.created), moved, agree);

@@ -210,7 +210,7 @@ std::string feature_changes_csv(const Manifest& manifest, Motions& motions) {
                    "name_ja", "unit", "reference_value", "target_change", "created_change", "moved",
                    "agrees"});
   for (const Sheet& sheet : manifest.sheets) {
-    for (const FeatureChange& change : feature_changes(sheet, motions)) {
+    for (const motion::FeatureChange& change : feature_changes(sheet, motions)) {
       const motion::MotionFeature& what =
           motion::motion_features()[static_cast<std::size_t>(change.feature)];
       table.row({sheet.id, sheet.reference, sheet.target, sheet.created,

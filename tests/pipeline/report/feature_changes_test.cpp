@@ -9,6 +9,8 @@
 namespace mien::pipeline {
 namespace {
 
+using motion::FeatureChange;
+
 Manifest manifest() {
   const ManifestReading reading = parse_manifest(
       "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nstimuli:\n"
