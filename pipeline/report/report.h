@@ -1,15 +1,11 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/synthesis/motions.h"
 
 namespace mien::pipeline {
-
-/// Text as HTML content or attribute value.
-std::string html_escaped(std::string_view text);
 
 /// report.html: the whole study on one page that works from disk without a network. Videos, contact
 /// sheets and comparison sheets are linked by paths relative to the study's folder; style is

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/documents/html.h"
 #include "pipeline/ratings/expectation.h"
-#include "pipeline/report/report.h"
 
 namespace mien::pipeline {
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien::pipeline {
+
+// Pieces of pages that work from disk, without a network and without scripts.
+
+/// Text as HTML content or attribute value.
+std::string html_escaped(std::string_view text);
+
+/// A list of plain texts; empty without any.
+std::string html_list(std::string_view css_class, const std::vector<std::string>& texts);
+
+/// A table from the HTML of its heads and of its rows.
+std::string html_table(std::initializer_list<std::string_view> heads, const std::string& rows);
+
+/// A vector drawing as part of the page. A picture of its own, since glyphs of drawings in one page
+/// would share their names.
+std::string embedded_svg(std::string_view svg, std::string_view alternative);
+
+/// A whole page in English: its plain title, its style sheet and the HTML of its body.
+std::string html_page(std::string_view title, std::string_view style, std::string_view body);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/synthesis/motions.h"
+
+namespace mien::pipeline {
+
+// Cards of report.html, one a film or sheet. Videos and pictures are linked by paths relative to
+// the study's folder.
+
+/// The film of a stimulus, what was made for it and what lint found.
+std::string stimulus_card(const Stimulus& stimulus, Motions& motions);
+
+/// The film of an overlay and which motions are in it.
+std::string overlay_card(const Overlay& overlay, const Manifest& manifest);
+
+/// A sheet's picture and what it says.
+std::string sheet_card(const Sheet& sheet, Motions& motions);
+
+}  // namespace mien::pipeline

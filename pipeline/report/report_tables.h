@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/synthesis/motions.h"
+#include "pipeline/synthesis/synthesis.h"
+
+namespace mien::pipeline {
+
+// Tables of report.html.
+
+/// What a stimulus asked for and has. Empty when it names no parameters.
+std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions);
+
+/// The examples that have the most weight in a motion. Empty for a file shown as it is.
+std::string weight_table(const Synthesis& made, Motions& motions);
+
+/// Of every comparison: how far the motions are from each other.
+std::string distance_table(const Manifest& manifest, Motions& motions);
+
+/// Of comparisons with a reference: how many features went the target's way. Empty without any.
+std::string feature_agreement_table(const Manifest& manifest, Motions& motions);
+
+}  // namespace mien::pipeline
