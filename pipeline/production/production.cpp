@@ -49,60 +49,81 @@ Production::Production(Manifest manifest, ProductionOptions options)
       motions_(manifest_) {
   refuse_unknown_ids(manifest_, options_.only);
   const SharedDeterminants shared = shared_determinants(manifest_);
-  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int threads = std::min(options_.jobs, processors);
+  add_motions(shared);
+  add_stimuli(shared);
+  add_overlays(shared);
+  add_sheets(shared);
+  if (is_whole()) add_study(shared);
+}
+
+/// The motions, and what films need to know of all of them to be alike.
+void Production::add_motions(const SharedDeterminants& shared) {
   for (const Stimulus& stimulus : manifest_.stimuli) {
     graph_.add(motion_task(stimulus, shared, motions_));
   }
-  for (Task& task : equalizing_tasks(manifest_, shared,
-                                     {.seed = manifest_.seed, .threads = threads}, motions_)) {
+  const FilmSettings settings{.seed = manifest_.seed, .threads = threads()};
+  for (Task& task : equalizing_tasks(manifest_, shared, settings, motions_)) {
     graph_.add(std::move(task));
   }
+}
+
+void Production::add_stimuli(const SharedDeterminants& shared) {
+  const Equalize& equalize = manifest_.equalize;
   for (const Stimulus& stimulus : manifest_.stimuli) {
     if (!is_wanted(stimulus.id)) continue;
     if (stimulus.output.clips.bvh || stimulus.output.clips.glb) {
-      Task clip = clip_task(stimulus, shared, motions_);
-      if (manifest_.equalize.duration) depend_on_motions(clip);
-      graph_.add(std::move(clip));
+      add(clip_task(stimulus, shared, motions_), equalize);
     }
     if (has_dots(stimulus)) {
-      Task dots = dots_task(stimulus, manifest_.seed, manifest_.equalize, shared, motions_);
-      if (manifest_.equalize.duration) depend_on_motions(dots);
-      graph_.add(std::move(dots));
+      add(dots_task(stimulus, manifest_.seed, equalize, shared, motions_), equalize);
     }
-    add_film(subject_of(stimulus, manifest_, motions_), threads, shared);
+    add_film(subject_of(stimulus, manifest_, motions_), shared);
   }
+}
+
+void Production::add_overlays(const SharedDeterminants& shared) {
   for (const Overlay& overlay : manifest_.overlays) {
-    if (!is_wanted(overlay)) continue;
-    add_film(subject_of(overlay, manifest_, motions_, shared), threads, shared);
+    if (is_wanted(overlay)) add_film(subject_of(overlay, manifest_, motions_, shared), shared);
   }
+}
+
+void Production::add_sheets(const SharedDeterminants& shared) {
   for (const Sheet& sheet : manifest_.sheets) {
     if (!is_wanted(sheet)) continue;
     if (sheet.stills.empty()) {
       graph_.add(sheet_task(sheet, manifest_, shared, motions_));
-      continue;
+    } else {
+      add(stills_task(sheet, manifest_, film_settings({}), shared, motions_), manifest_.equalize);
     }
-    const FilmSettings settings{
-        .seed = manifest_.seed, .threads = threads, .drawing = options_.drawing};
-    Task stills = stills_task(sheet, manifest_, settings, shared, motions_);
-    if (manifest_.equalize.duration) depend_on_motions(stills);
-    graph_.add(std::move(stills));
   }
-  if (!is_whole()) return;
+}
+
+/// What covers the whole study.
+void Production::add_study(const SharedDeterminants& shared) {
   graph_.add(tables_task(manifest_, motions_, shared));
   graph_.add(films_task(manifest_, shared));
   graph_.add(report_task(manifest_, motions_, shared, graph_));
 }
 
-void Production::add_film(const FilmSubject& subject, int threads,
-                          const SharedDeterminants& shared) {
-  const FilmSettings settings{.output = subject.film.output,
-                              .seed = manifest_.seed,
-                              .threads = threads,
-                              .drawing = options_.drawing};
-  Task task = film_task(subject, settings, shared, manifest_, motions_);
-  if (subject.equalize.duration) depend_on_motions(task);
+void Production::add_film(const FilmSubject& subject, const SharedDeterminants& shared) {
+  const FilmSettings settings = film_settings(subject.film.output);
+  add(film_task(subject, settings, shared, manifest_, motions_), subject.equalize);
+}
+
+/// A task that shows one motion, and all the others' lengths where these are made alike.
+void Production::add(Task task, const Equalize& equalize) {
+  if (equalize.duration) depend_on_motions(task);
   graph_.add(std::move(task));
+}
+
+int Production::threads() const {
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return std::min(options_.jobs, processors);
+}
+
+FilmSettings Production::film_settings(const Output& output) const {
+  return {
+      .output = output, .seed = manifest_.seed, .threads = threads(), .drawing = options_.drawing};
 }
 
 /// Where all stimuli last as long as the shortest, each depends on all motions.

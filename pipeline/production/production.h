@@ -49,8 +49,16 @@ class Production {
   bool is_whole() const { return options_.only.empty(); }
 
  private:
-  void add_film(const FilmSubject& subject, int threads, const SharedDeterminants& shared);
+  void add_motions(const SharedDeterminants& shared);
+  void add_stimuli(const SharedDeterminants& shared);
+  void add_overlays(const SharedDeterminants& shared);
+  void add_sheets(const SharedDeterminants& shared);
+  void add_study(const SharedDeterminants& shared);
+  void add_film(const FilmSubject& subject, const SharedDeterminants& shared);
+  void add(Task task, const Equalize& equalize);
   void depend_on_motions(Task& task) const;
+  int threads() const;
+  FilmSettings film_settings(const Output& output) const;
   bool is_wanted(const std::string& id) const;
   bool is_wanted_motion(const std::string& name) const;
   bool is_wanted(const Sheet& sheet) const;
