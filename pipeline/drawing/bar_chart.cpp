@@ -17,8 +17,10 @@ constexpr double header_height = 52.0;
 constexpr double plot_height = 210.0;
 constexpr double names_height = 36.0;
 constexpr double axis_width = 46.0;
-constexpr double bar_width = 44.0;
-constexpr double slot_width = 92.0;
+constexpr double widest_bar = 44.0;
+constexpr double widest_bar_share = 0.6;  // of its slot
+constexpr double gap = 30.0;              // between charts
+constexpr double page_title_height = 34.0;
 constexpr double least_width = 380.0;
 constexpr double line_name_width = 78.0;
 
@@ -37,13 +39,15 @@ struct Scale {
   }
 };
 
+double line_name_room(const BarChart& chart) { return chart.line ? line_name_width : 0.0; }
+
+/// Of axis and bars, without the page's margins.
 double width_of(const BarChart& chart) {
-  const double bars = slot_width * static_cast<double>(chart.bars.size());
-  const double room = chart.line ? line_name_width : 0.0;
-  return std::max(least_width, 2.0 * margin + axis_width + bars + room);
+  return axis_width + chart.slot_width * static_cast<double>(chart.bars.size()) +
+         line_name_room(chart);
 }
 
-Scale scale_of(const BarChart& chart) {
+Scale scale_of(const BarChart& chart, const Box& place) {
   Scale scale;
   double least = 0.0;
   double most = chart.percent ? 1.0 : chart.line.value_or(0.0);
@@ -58,9 +62,8 @@ Scale scale_of(const BarChart& chart) {
   const double room = 0.09 * (most - least);  // for the values printed beyond the bars
   scale.least = least < 0.0 ? least - room : 0.0;
   scale.most = most + room;
-  scale.plot = {margin + axis_width, margin + header_height,
-                width_of(chart) - 2.0 * margin - axis_width - (chart.line ? line_name_width : 0.0),
-                plot_height};
+  scale.plot = {place.x + axis_width, place.y + header_height,
+                place.width - axis_width - line_name_room(chart), plot_height};
   return scale;
 }
 
@@ -74,14 +77,11 @@ std::string printed(const BarChart& chart, double value) {
                                    : fmt::format("{:.{}f}", value, chart.decimals));
 }
 
-void draw_header(Canvas& canvas, const BarChart& chart) {
-  canvas.text({margin, margin + 12.0}, chart.title, {.size = 12.0, .bold = true});
+void draw_header(Canvas& canvas, const BarChart& chart, const Box& place) {
+  canvas.text({place.x, place.y + 12.0}, chart.title, {.size = 12.0, .bold = true});
   const std::string words =
       chart.whiskers.empty() ? chart.axis : chart.axis + "; whiskers: " + chart.whiskers;
-  canvas.text({margin, margin + 27.0}, words, {.size = 8.5, .colour = quiet_ink});
-  if (chart.simulated) {
-    draw_simulated_mark(canvas, {width_of(chart) - margin, margin + 31.0}, "Simulated sessions");
-  }
+  canvas.text({place.x, place.y + 27.0}, words, {.size = 8.5, .colour = quiet_ink});
 }
 
 void draw_axis(Canvas& canvas, const BarChart& chart, const Scale& scale) {
@@ -124,8 +124,9 @@ void draw_bar(Canvas& canvas, const BarChart& chart, size_t number, const Scale&
   const double slot = scale.plot.width / static_cast<double>(chart.bars.size());
   const double x = scale.plot.x + slot * (static_cast<double>(number) + 0.5);
   const double top = std::min(scale.y(0.0), scale.y(bar.value));
-  canvas.fill(Box{x - 0.5 * bar_width, top, bar_width, std::abs(scale.y(0.0) - scale.y(bar.value))},
-              bar_colours[chart.one_colour ? 0 : number % bar_colours.size()]);
+  const double width = std::min(widest_bar, widest_bar_share * slot);
+  canvas.fill(Box{x - 0.5 * width, top, width, std::abs(scale.y(0.0) - scale.y(bar.value))},
+              bar.colour.value_or(bar_colours[chart.one_colour ? 0 : number % bar_colours.size()]));
   draw_whisker(canvas, bar, scale, x);
   // Beyond bar and whisker, away from 0.
   const bool upwards = bar.value >= 0.0;
@@ -141,17 +142,44 @@ void draw_bar(Canvas& canvas, const BarChart& chart, size_t number, const Scale&
               {.size = 7.5, .colour = quiet_ink, .align = Align::centre});
 }
 
+void draw_chart(Canvas& canvas, const BarChart& chart, const Box& place) {
+  const Scale scale = scale_of(chart, place);
+  draw_header(canvas, chart, place);
+  draw_axis(canvas, chart, scale);
+  for (size_t i = 0; i < chart.bars.size(); ++i) draw_bar(canvas, chart, i, scale);
+  draw_marked_value(canvas, chart, scale);
+}
+
+constexpr double chart_height = header_height + plot_height + names_height;
+
 }  // namespace
 
 Plot bar_chart_plot(const BarChart& chart) {
-  const double height = 2.0 * margin + header_height + plot_height + names_height;
-  return {chart.title, width_of(chart), height, [chart](Canvas& canvas) {
-            const Scale scale = scale_of(chart);
-            draw_header(canvas, chart);
-            draw_axis(canvas, chart, scale);
-            for (size_t i = 0; i < chart.bars.size(); ++i) draw_bar(canvas, chart, i, scale);
-            draw_marked_value(canvas, chart, scale);
+  const double width = std::max(least_width, 2.0 * margin + width_of(chart));
+  return {chart.title, width, 2.0 * margin + chart_height, [chart, width](Canvas& canvas) {
+            draw_chart(canvas, chart, {margin, margin, width - 2.0 * margin, chart_height});
+            if (!chart.simulated) return;
+            draw_simulated_mark(canvas, {width - margin, margin + 31.0}, "Simulated sessions");
           }};
+}
+
+Plot bar_charts_plot(const std::string& title, const std::vector<BarChart>& charts,
+                     const std::string& mark) {
+  double width = 2.0 * margin - gap;
+  for (const BarChart& chart : charts) width += width_of(chart) + gap;
+  width = std::max(least_width, width);
+  const double height = 2.0 * margin + page_title_height + chart_height;
+  return {
+      title, width, height, [=](Canvas& canvas) {
+        canvas.text({margin, margin + 13.0}, title, {.size = 14.0, .bold = true});
+        double x = margin;
+        for (const BarChart& chart : charts) {
+          draw_chart(canvas, chart, {x, margin + page_title_height, width_of(chart), chart_height});
+          x += width_of(chart) + gap;
+        }
+        if (!std::ranges::any_of(charts, &BarChart::simulated)) return;
+        draw_simulated_mark(canvas, {width - margin, margin}, mark);
+      }};
 }
 
 }  // namespace mien::pipeline

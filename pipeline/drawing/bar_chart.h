@@ -14,7 +14,8 @@ struct Bar {
   double value = 0.0;
   double low = 0.0;  ///< ends of the whisker; none where they are NaN
   double high = 0.0;
-  std::string note;  ///< under the name: "n = 13"
+  std::string note;              ///< under the name: "n = 13"
+  std::optional<Colour> colour;  ///< else the chart's
 };
 
 struct BarChart {
@@ -28,10 +29,16 @@ struct BarChart {
   bool percent = false;     ///< values are shares; the axis goes to 100 %
   bool one_colour = false;  ///< bars are of one kind; else each has a colour of its own
   bool simulated = false;
+  double slot_width = 92.0;  ///< points that a bar has with the room beside it
 };
 
 /// Upright bars on a common axis that always holds 0, each with its value printed; as wide as it
 /// has bars.
 Plot bar_chart_plot(const BarChart& chart);
+
+/// Charts side by side under a common title, marked once, with `mark`, when one of them is
+/// simulated.
+Plot bar_charts_plot(const std::string& title, const std::vector<BarChart>& charts,
+                     const std::string& mark);
 
 }  // namespace mien::pipeline

@@ -45,11 +45,14 @@ void write_plot(const Plot& plot, const std::filesystem::path& folder, const std
   write_file(folder / (name + ".png"), as_png(plot, resolution_of(plot)));
 }
 
-void draw_simulated_mark(Canvas& canvas, Point corner, std::string_view words) {
-  const TextStyle style = {.size = 8.5, .colour = caution_ink, .bold = true};
-  const double width = canvas.text_width(words, style) + 18.0;
-  canvas.fill(Box{corner.x - width, corner.y, width, 17.0}, caution, 8.5);
-  canvas.text({corner.x - width + 9.0, corner.y + 11.7}, words, style);
+Box draw_simulated_mark(Canvas& canvas, Point corner, std::string_view words, double size) {
+  const TextStyle style = {.size = size, .colour = caution_ink, .bold = true};
+  const double scale = size / 8.5;
+  const double width = canvas.text_width(words, style) + 18.0 * scale;
+  const Box pill = {corner.x - width, corner.y, width, 2.0 * size};
+  canvas.fill(pill, caution, size);
+  canvas.text({pill.x + 9.0 * scale, pill.y + 11.7 * scale}, words, style);
+  return pill;
 }
 
 }  // namespace mien::pipeline

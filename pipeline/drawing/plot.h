@@ -26,8 +26,11 @@ std::string as_png(const Plot& plot, double dots_per_inch = 200.0);
 /// when a file cannot be written.
 void write_plot(const Plot& plot, const std::filesystem::path& folder, const std::string& name);
 
-/// The mark of plots that rest on what nobody answered or did, its right top corner at `corner`.
-void draw_simulated_mark(Canvas& canvas, Point corner,
-                         std::string_view words = "Simulated ratings  模擬評定");
+inline constexpr std::string_view simulated_ratings_mark = "Simulated ratings  模擬評定";
+
+/// The mark of pages that rest on what nobody answered or did: a pill with its right top corner at
+/// `corner`, text of `size` points. Returns its box.
+Box draw_simulated_mark(Canvas& canvas, Point corner,
+                        std::string_view words = simulated_ratings_mark, double size = 8.5);
 
 }  // namespace mien::pipeline

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/drawing/figure_drawing.h"
+#include "pipeline/drawing/plot.h"
 #include "pipeline/sheets/sheet_parts.h"
 
 namespace mien::pipeline {
@@ -43,7 +44,7 @@ void draw_title(Canvas& canvas, const GalleryContent& content) {
                           content.motions.size()),
               {.size = 9.0, .colour = quiet_ink});
   if (!content.simulated_ratings) return;
-  canvas.text({page_width - margin, baseline}, "Simulated ratings  模擬評定",
+  canvas.text({page_width - margin, baseline}, simulated_ratings_mark,
               {.size = 11.0, .colour = caution_ink, .bold = true, .align = Align::right});
 }
 

@@ -4,19 +4,15 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/drawing/plot.h"
 #include "pipeline/sheets/sheet_parts.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-void draw_simulated_mark(Canvas& canvas, const Box& box) {
-  const std::string words = "Simulated ratings  模擬評定";
-  const TextStyle style = {.size = 11.0, .colour = caution_ink, .bold = true};
-  const double width = canvas.text_width(words, style) + 24.0;
-  const Box pill = {box.right() - width, box.y, width, 22.0};
-  canvas.fill(pill, caution, 11.0);
-  canvas.text({pill.x + 12.0, pill.y + 15.2}, words, style);
+void draw_unrated_mark(Canvas& canvas, const Box& box) {
+  const Box pill = draw_simulated_mark(canvas, {box.right(), box.y}, simulated_ratings_mark, 11.0);
   canvas.text({box.right(), pill.bottom() + 14.0}, "no person has rated these motions",
               {.size = 8.0, .colour = caution_ink, .align = Align::right});
 }
@@ -103,7 +99,7 @@ void draw_header(Canvas& canvas, const SheetContent& content, const Box& box) {
               {.size = 21.0, .bold = true, .max_width = width});
   canvas.text({box.x, box.y + 38.0}, "Study " + content.study,
               {.size = 10.0, .colour = quiet_ink, .max_width = width});
-  if (content.simulated_ratings) draw_simulated_mark(canvas, box);
+  if (content.simulated_ratings) draw_unrated_mark(canvas, box);
 }
 
 void draw_verdict(Canvas& canvas, const SheetContent& content, const Box& box) {

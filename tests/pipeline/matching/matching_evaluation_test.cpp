@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/documents/fault.h"
-#include "pipeline/matching/matching_charts.h"
 #include "pipeline/matching/matching_tables.h"
 #include "pipeline/temporary_folder.h"
 
@@ -148,28 +147,6 @@ TEST(MatchingEvaluation, WritesTablesAndFigures) {
     for (const char* ending : {".pdf", ".svg", ".png"}) {
       EXPECT_GT(std::filesystem::file_size(folder.path() / "e" / (std::string(figure) + ending)),
                 1000u);
-    }
-  }
-}
-
-TEST(BarChart, TextsKeepToThePageAndApart) {
-  const MatchingEvaluation e = evaluate(sessions());
-  BarChart negative = time_saved_chart(e, true);
-  negative.bars.push_back({"the other way", -40.0, -90.0, 10.0, "n = 3"});
-  for (const BarChart& chart : {first_guess_chart(e, true), first_guess_success_chart(e, false),
-                                time_chart(e, true), negative, failures_chart(e, true)}) {
-    const Plot plot = bar_chart_plot(chart);
-    Canvas canvas = Canvas::pdf(plot.width, plot.height, "t");
-    plot.draw(canvas);
-    const auto& texts = canvas.texts();
-    for (size_t i = 0; i < texts.size(); ++i) {
-      const Box& box = texts[i].box;
-      EXPECT_TRUE(box.x >= 0.0 && box.y >= 0.0 && box.right() <= plot.width &&
-                  box.bottom() <= plot.height)
-          << texts[i].text;
-      for (size_t k = 0; k < i; ++k) {
-        EXPECT_FALSE(overlap(box, texts[k].box)) << texts[i].text << " over " << texts[k].text;
-      }
     }
   }
 }
