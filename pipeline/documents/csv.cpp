@@ -6,13 +6,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/utf8.h"
 
@@ -133,11 +132,8 @@ std::string quoted(const std::string& field) {
 }
 
 std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw Error({file.string(), 0, 0}, "cannot be read", "name a CSV file");
-  }
-  return {std::istreambuf_iterator<char>(stream), {}};
+  if (std::optional<std::string> bytes = motion::bytes_of_file(file)) return *std::move(bytes);
+  throw Error({file.string(), 0, 0}, "cannot be read", "name a CSV file");
 }
 
 }  // namespace

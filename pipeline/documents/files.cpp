@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "motion/text/file_contents.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -45,18 +47,8 @@ class Descriptor {
 }  // namespace
 
 std::string read_file(const std::filesystem::path& file) {
-  const Descriptor descriptor(file, O_RDONLY);
-  std::string bytes;
-  std::string buffer(1 << 16, '\0');
-  while (true) {
-    const ssize_t count = ::read(descriptor.number(), buffer.data(), buffer.size());
-    if (count == 0) return bytes;
-    if (count > 0) {
-      bytes.append(buffer.data(), static_cast<std::size_t>(count));
-    } else if (errno != EINTR) {
-      throw_errno(file);
-    }
-  }
+  if (std::optional<std::string> bytes = motion::bytes_of_file(file)) return *std::move(bytes);
+  throw std::runtime_error(file.string() + ": cannot be read");
 }
 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {

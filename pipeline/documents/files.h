@@ -6,7 +6,8 @@
 
 namespace mien::pipeline {
 
-/// All of a file. Throws std::system_error.
+/// All of a file of ours. Throws std::runtime_error: that it cannot be read is no fault of what the
+/// user wrote.
 std::string read_file(const std::filesystem::path& file);
 
 /// Creates or replaces a file. Throws std::runtime_error, also when the disk is full.

@@ -1,11 +1,10 @@
 #include "pipeline/ratings/scales.h"
 
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <utility>
 
+#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/environment.h"
 #include "pipeline/documents/fault.h"
@@ -117,18 +116,17 @@ ScaleSet builtin_scales() {
   }
   for (int i = 0; i < primary_count; ++i) {
     const auto primary = static_cast<Primary>(i);
-    set.groups.push_back({std::string(name_of(primary)),
-                          std::string(japanese_name_of(primary)), members[primary]});
+    set.groups.push_back(
+        {std::string(name_of(primary)), std::string(japanese_name_of(primary)), members[primary]});
   }
   return set;
 }
 
 ScaleSet read_scales(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw Error({file.string(), 0, 0}, "cannot be read", "name a scales file (YAML)");
+  if (const std::optional<std::string> text = motion::bytes_of_file(file)) {
+    return parse_scales(*text, file.string());
   }
-  return parse_scales(std::string((std::istreambuf_iterator<char>(stream)), {}), file.string());
+  throw Error({file.string(), 0, 0}, "cannot be read", "name a scales file (YAML)");
 }
 
 ScaleSet parse_scales(std::string_view yaml, const std::string& file) {
