@@ -2,17 +2,10 @@
 
 #include <vector>
 
+#include "motion/gait/foot_plant.h"
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {
-
-/// A stretch of frames in which one foot stands on the floor. In a looping clip `last` may lie
-/// beyond the last frame: the plant goes on in the next cycle.
-struct FootPlant {
-  bool left = true;
-  int first = 0;  ///< frame
-  int last = 0;   ///< frame, included
-};
 
 struct FootLockOptions {
   double blend_seconds = 0.17;  ///< a foot's correction fades in and out over this (Kovar 2002)

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "motion/biomechanics/subject.h"
-#include "motion/gait/foot_lock.h"
+#include "motion/gait/foot_plant.h"
 
 namespace mien::motion {
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "motion/gait/foot_plant.h"
 #include "motion/modify/modification.h"
 
 namespace mien::motion {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "motion/gait/foot_lock.h"
 #include "motion/gait/foot_path.h"
 #include "motion/math/filter.h"
 #include "motion/skeleton/sole.h"

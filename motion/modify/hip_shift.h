@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "motion/gait/foot_lock.h"
+#include "motion/gait/foot_plant.h"
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {

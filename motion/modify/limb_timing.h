@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "motion/gait/foot_plant.h"
 #include "motion/modify/modification.h"
 
 namespace mien::motion {

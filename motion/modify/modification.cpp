@@ -6,6 +6,7 @@
 
 #include "motion/error.h"
 #include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/foot_repair.h"
 #include "motion/modify/nine_grid.h"

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "motion/gait/foot_lock.h"
 #include "motion/modify/posture.h"
 #include "motion/skeleton/clip.h"
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/gait/foot_plant.h"
 #include "motion/modify/modification.h"
 
 namespace mien::motion {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
 #include "motion/gait/foot_path.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/hip_shift.h"

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace mien::motion {
+
+/// A stretch of frames in which one foot stands on the floor. In a looping clip `last` may lie
+/// beyond the last frame: the plant goes on in the next cycle.
+struct FootPlant {
+  bool left = true;
+  int first = 0;  ///< frame
+  int last = 0;   ///< frame, included
+};
+
+}  // namespace mien::motion
