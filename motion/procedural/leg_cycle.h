@@ -1,8 +1,8 @@
 #pragma once
 
 #include "motion/procedural/foot_roll.h"
-#include "motion/procedural/gait_curves.h"
 #include "motion/procedural/pelvis_path.h"
+#include "motion/procedural/walk_curves.h"
 
 namespace mien::motion {
 

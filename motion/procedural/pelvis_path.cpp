@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "motion/procedural/gait_curves.h"
+#include "motion/procedural/walk_curves.h"
 
 namespace mien::motion {
 

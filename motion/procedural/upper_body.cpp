@@ -1,6 +1,6 @@
 #include "motion/procedural/upper_body.h"
 
-#include "motion/procedural/gait_curves.h"
+#include "motion/procedural/walk_curves.h"
 #include "motion/skeleton/body.h"
 
 namespace mien::motion {

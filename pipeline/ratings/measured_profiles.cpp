@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "motion/measures/measured_style.h"
+#include "motion/measures/motion_measures.h"
 
 namespace mien::pipeline {
 

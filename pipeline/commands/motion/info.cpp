@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/formats/motion_file.h"
-#include "motion/measures/summary.h"
+#include "motion/measures/motion_summary.h"
 #include "pipeline/commands/motion/motion.h"
 
 namespace mien::pipeline {

@@ -1,4 +1,4 @@
-#include "motion/procedural/gait_curves.h"
+#include "motion/procedural/walk_curves.h"
 
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ double curvature(const CurveEnd& from, const CurveEnd& to, double x) {
          (h * h);
 }
 
-TEST(GaitCurves, QuinticMeetsItsEndsWithoutCurvature) {
+TEST(WalkCurves, QuinticMeetsItsEndsWithoutCurvature) {
   const CurveEnd from{2.0, -3.0};
   const CurveEnd to{-1.0, 5.0};
   EXPECT_DOUBLE_EQ(quintic(from, to, 0.0), 2.0);
@@ -30,14 +30,14 @@ TEST(GaitCurves, QuinticMeetsItsEndsWithoutCurvature) {
   EXPECT_NEAR(curvature(from, to, 1.0), 0.0, 0.05);
 }
 
-TEST(GaitCurves, FourierSumsItsHarmonics) {
+TEST(WalkCurves, FourierSumsItsHarmonics) {
   const std::array<Harmonic, 2> harmonics = {{{1, 2.0, 0.0}, {2, 0.0, 3.0}}};
   EXPECT_NEAR(fourier(1.0, harmonics, 0.0), 3.0, 1e-12);
   EXPECT_NEAR(fourier(1.0, harmonics, 0.125), 1.0 + std::sqrt(2.0) + 3.0, 1e-12);
   EXPECT_NEAR(fourier(1.0, harmonics, -0.875), fourier(1.0, harmonics, 0.125), 1e-12);
 }
 
-TEST(GaitCurves, NormalKneeHasItsTwoFlexionWaves) {
+TEST(WalkCurves, NormalKneeHasItsTwoFlexionWaves) {
   // Level walking at natural cadence (Winter 1991): degrees, within two.
   EXPECT_NEAR(normal_knee_flexion_deg(0.00), 4.0, 2.0);
   EXPECT_NEAR(normal_knee_flexion_deg(0.15), 19.0, 2.0);
@@ -47,7 +47,7 @@ TEST(GaitCurves, NormalKneeHasItsTwoFlexionWaves) {
   EXPECT_NEAR(normal_knee_flexion_deg(0.975), 4.0, 2.0);
 }
 
-TEST(GaitCurves, ShapesAreOppositeHalfACycleLaterAndOfAmplitudeOne) {
+TEST(WalkCurves, ShapesAreOppositeHalfACycleLaterAndOfAmplitudeOne) {
   double pelvis = 0.0;
   double obliquity = 0.0;
   double arm = 0.0;
@@ -66,7 +66,7 @@ TEST(GaitCurves, ShapesAreOppositeHalfACycleLaterAndOfAmplitudeOne) {
   EXPECT_NEAR(arm, 1.0, 0.01);
 }
 
-TEST(GaitCurves, SharpSwingDwellsAtItsEnds) {
+TEST(WalkCurves, SharpSwingDwellsAtItsEnds) {
   int soft = 0;
   int sharp = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -76,7 +76,7 @@ TEST(GaitCurves, SharpSwingDwellsAtItsEnds) {
   EXPECT_GT(sharp, soft + 100);
 }
 
-TEST(GaitCurves, PhasesWrapIntoOneCycle) {
+TEST(WalkCurves, PhasesWrapIntoOneCycle) {
   EXPECT_DOUBLE_EQ(wrapped_phase(1.25), 0.25);
   EXPECT_DOUBLE_EQ(wrapped_phase(-0.25), 0.75);
   EXPECT_DOUBLE_EQ(wrapped_phase(2.0), 0.0);

@@ -1,4 +1,4 @@
-#include "motion/measures/measured_style.h"
+#include "motion/measures/motion_measures.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 MotionMeasures of(const WalkStyle& style) { return measure(walk(style, 60.0, standard_body())); }
 
-TEST(MeasuredStyle, OfAnOrdinaryWalkIsWhatWasAskedFor) {
+TEST(MotionMeasures, OfAnOrdinaryWalkIsWhatWasAskedFor) {
   const MotionMeasures m = of(WalkStyle{});
   EXPECT_NEAR(m.speed_m_s, 1.35, 0.01);
   EXPECT_NEAR(m.tempo_hz, 112.0 / 120.0, 0.02);
@@ -18,7 +18,7 @@ TEST(MeasuredStyle, OfAnOrdinaryWalkIsWhatWasAskedFor) {
   EXPECT_EQ(values_of(m).size(), motion_measure_names().size());
 }
 
-TEST(MeasuredStyle, EachMeasureFollowsItsOwnKnob) {
+TEST(MotionMeasures, EachMeasureFollowsItsOwnKnob) {
   const MotionMeasures usual = of(WalkStyle{});
   EXPECT_GT(of({.trunk_rotation_deg = 12.0}).trunk_turn_rad, 1.2 * usual.trunk_turn_rad);
   EXPECT_GT(of({.stance_knee_deg = 20.0}).least_knee_rad, usual.least_knee_rad + 0.1);

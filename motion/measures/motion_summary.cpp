@@ -1,4 +1,4 @@
-#include "motion/measures/summary.h"
+#include "motion/measures/motion_summary.h"
 
 #include "motion/math/filter.h"
 #include "motion/rig/body_mapping.h"

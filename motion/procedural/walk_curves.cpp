@@ -1,4 +1,4 @@
-#include "motion/procedural/gait_curves.h"
+#include "motion/procedural/walk_curves.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "motion/measures/measured_style.h"
+#include "motion/measures/motion_measures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "motion/measures/summary.h"
+#include "motion/measures/motion_summary.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using namespace mien::test;
 
-TEST(Summary, TellsWhatWasRecognised) {
+TEST(MotionSummary, TellsWhatWasRecognised) {
   const Recording recording =
       scaled(on_other_rig(synthetic_clip(long_take()), bones_along_x()), 100.0);
   const MotionSummary summary = summarise(recording);
@@ -33,7 +33,7 @@ TEST(Summary, TellsWhatWasRecognised) {
   EXPECT_NEAR(summary.cycles[summary.steadiest].keytimes.back(), 1.0, 0.03);
 }
 
-TEST(Summary, OfWhatIsNoHumanSaysWhy) {
+TEST(MotionSummary, OfWhatIsNoHumanSaysWhy) {
   Recording chain;
   chain.name = "chain";
   Joint joint;
@@ -49,7 +49,7 @@ TEST(Summary, OfWhatIsNoHumanSaysWhy) {
   EXPECT_NE(summary.warnings[0].find("not recognised as a human"), std::string::npos);
 }
 
-TEST(Summary, OfOnePoseHasNoGait) {
+TEST(MotionSummary, OfOnePoseHasNoGait) {
   Clip clip = synthetic_clip(steady_walk(1.2, 1.0));
   clip.poses.resize(1);
   const MotionSummary summary = summarise(to_recording(clip));
