@@ -29,6 +29,77 @@ double bend(const Vec3& upper, const Vec3& lower) {
   return std::atan2(upper.cross(lower).norm(), upper.dot(lower));
 }
 
+/// World positions of all joints, a row a frame.
+using JointPaths = std::vector<std::vector<Vec3>>;
+
+/// Of a joint's way relative to the pelvis.
+Extent extent(const JointPaths& paths, BodyJoint joint) {
+  Extent result;
+  for (const auto& at : paths) result.add(at[joint] - at[Pelvis]);
+  return result;
+}
+
+void add_travel(MotionMeasures& m, const Clip& clip, const JointPaths& paths) {
+  const double duration = std::max(clip.duration_seconds(), 1e-9);
+  const Vec3 last =
+      clip.loops ? Vec3(paths.front()[Pelvis] + clip.cycle_displacement) : paths.back()[Pelvis];
+  const Vec3 travel = last - paths.front()[Pelvis];
+  m.travel_m = std::hypot(travel.x(), travel.z());
+  m.speed_m_s = m.travel_m / duration;
+  m.tempo_hz = 1.0 / duration;
+  Extent pelvis;  // the way along +Z is travel, not bounce or sway
+  for (const auto& at : paths) pelvis.add(at[Pelvis]);
+  m.bounce_m = pelvis.size().y();
+  m.sway_m = pelvis.size().x();
+  const double rise_and_sway = m.bounce_m + m.sway_m;
+  m.lift_share = rise_and_sway > 0.0 ? m.bounce_m / rise_and_sway : 0.5;
+}
+
+void add_hands(MotionMeasures& m, double frames_per_second, const JointPaths& paths) {
+  const auto count = static_cast<double>(paths.size());
+  for (size_t f = 0; f < paths.size(); ++f) {
+    const auto& at = paths[f];
+    m.hand_spread_m += (at[LeftWrist] - at[RightWrist]).norm() / count;
+    m.elbow_flexion_rad +=
+        0.5 / count *
+        (bend(at[LeftElbow] - at[LeftShoulder], at[LeftWrist] - at[LeftElbow]) +
+         bend(at[RightElbow] - at[RightShoulder], at[RightWrist] - at[RightElbow]));
+    if (f == 0) continue;
+    const auto& before = paths[f - 1];
+    for (const BodyJoint wrist : {LeftWrist, RightWrist}) {
+      const Vec3 step = (at[wrist] - at[Pelvis]) - (before[wrist] - before[Pelvis]);
+      m.hand_speed_m_s += 0.5 * step.norm() * frames_per_second / std::max(count - 1.0, 1.0);
+    }
+  }
+  m.hand_range_m =
+      0.5 * (extent(paths, LeftWrist).size().norm() + extent(paths, RightWrist).size().norm());
+}
+
+void add_trunk(MotionMeasures& m, const JointPaths& paths) {
+  const auto count = static_cast<double>(paths.size());
+  double least_turn = std::numeric_limits<double>::infinity();
+  double most_turn = -least_turn;
+  for (const auto& at : paths) {
+    m.trunk_lean_rad += forward_tilt(at[Neck] - at[Pelvis]) / count;
+    m.head_pitch_rad += forward_tilt(at[Head] - at[Neck]) / count;
+    const double shoulders = turn(at[LeftShoulder] - at[RightShoulder]);
+    least_turn = std::min(least_turn, shoulders);
+    most_turn = std::max(most_turn, shoulders);
+  }
+  m.trunk_turn_rad = most_turn - least_turn;
+}
+
+/// Least flexion of the knee below a hip.
+double least_knee(const JointPaths& paths, BodyJoint hip) {
+  const auto knee = BodyJoint(hip + 1);
+  const auto ankle = BodyJoint(hip + 2);
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& at : paths) {
+    least = std::min(least, bend(at[knee] - at[hip], at[ankle] - at[knee]));
+  }
+  return least;
+}
+
 }  // namespace
 
 std::array<double, motion_measure_count> values_of(const MotionMeasures& m) {
@@ -47,61 +118,13 @@ const std::array<std::string_view, motion_measure_count>& motion_measure_names()
 }
 
 MotionMeasures measure(const Example& example) {
-  const Clip& clip = example.clip;
-  const double duration = std::max(clip.duration_seconds(), 1e-9);
-  const auto paths = joint_paths(clip);
-  const auto count = static_cast<double>(paths.size());
-
+  const JointPaths paths = joint_paths(example.clip);
   MotionMeasures m;
-  const Vec3 last =
-      clip.loops ? Vec3(paths.front()[Pelvis] + clip.cycle_displacement) : paths.back()[Pelvis];
-  const Vec3 travel = last - paths.front()[Pelvis];
-  m.travel_m = std::hypot(travel.x(), travel.z());
-  m.speed_m_s = m.travel_m / duration;
-  m.tempo_hz = 1.0 / duration;
-
-  Extent left_hand, right_hand, pelvis, left_ankle, right_ankle;
-  double least_turn = std::numeric_limits<double>::infinity();
-  double most_turn = -least_turn;
-  double left_knee = least_turn;
-  double right_knee = least_turn;
-  for (size_t f = 0; f < paths.size(); ++f) {
-    const auto& at = paths[f];
-    const Vec3& origin = at[Pelvis];
-    left_hand.add(at[LeftWrist] - origin);
-    right_hand.add(at[RightWrist] - origin);
-    left_ankle.add(at[LeftAnkle] - origin);
-    right_ankle.add(at[RightAnkle] - origin);
-    // The way along +Z is travel, not bounce or sway.
-    pelvis.add(origin);
-    m.hand_spread_m += (at[LeftWrist] - at[RightWrist]).norm() / count;
-    m.elbow_flexion_rad +=
-        0.5 / count *
-        (bend(at[LeftElbow] - at[LeftShoulder], at[LeftWrist] - at[LeftElbow]) +
-         bend(at[RightElbow] - at[RightShoulder], at[RightWrist] - at[RightElbow]));
-    m.trunk_lean_rad += forward_tilt(at[Neck] - origin) / count;
-    m.head_pitch_rad += forward_tilt(at[Head] - at[Neck]) / count;
-    const double shoulders = turn(at[LeftShoulder] - at[RightShoulder]);
-    least_turn = std::min(least_turn, shoulders);
-    most_turn = std::max(most_turn, shoulders);
-    left_knee = std::min(left_knee, bend(at[LeftKnee] - at[LeftHip], at[LeftAnkle] - at[LeftKnee]));
-    right_knee =
-        std::min(right_knee, bend(at[RightKnee] - at[RightHip], at[RightAnkle] - at[RightKnee]));
-    if (f == 0) continue;
-    const auto& before = paths[f - 1];
-    for (const BodyJoint wrist : {LeftWrist, RightWrist}) {
-      const Vec3 step = (at[wrist] - origin) - (before[wrist] - before[Pelvis]);
-      m.hand_speed_m_s += 0.5 * step.norm() * clip.frames_per_second / std::max(count - 1.0, 1.0);
-    }
-  }
-  m.hand_range_m = 0.5 * (left_hand.size().norm() + right_hand.size().norm());
-  m.trunk_turn_rad = most_turn - least_turn;
-  m.least_knee_rad = 0.5 * (left_knee + right_knee);
-  m.bounce_m = pelvis.size().y();
-  m.sway_m = pelvis.size().x();
-  const double rise_and_sway = m.bounce_m + m.sway_m;
-  m.lift_share = rise_and_sway > 0.0 ? m.bounce_m / rise_and_sway : 0.5;
-  m.asymmetry_m = (left_ankle.size() - right_ankle.size()).norm();
+  add_travel(m, example.clip, paths);
+  add_hands(m, example.clip.frames_per_second, paths);
+  add_trunk(m, paths);
+  m.least_knee_rad = 0.5 * (least_knee(paths, LeftHip) + least_knee(paths, RightHip));
+  m.asymmetry_m = (extent(paths, LeftAnkle).size() - extent(paths, RightAnkle).size()).norm();
   return m;
 }
 
