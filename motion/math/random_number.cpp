@@ -1,5 +1,7 @@
 #include "motion/math/random_number.h"
 
+#include <algorithm>
+
 namespace mien::motion {
 
 std::uint64_t random_bits(std::uint64_t seed, std::uint64_t n) {
@@ -14,7 +16,8 @@ double centred_number(std::uint64_t bits) {
 }
 
 double open_unit_number(std::uint64_t bits) {
-  return (static_cast<double>(bits >> 11) + 0.5) * 0x1.0p-53;
+  // 2⁵³ − ½ is no double and would round to 1.
+  return std::min((static_cast<double>(bits >> 11) + 0.5) * 0x1.0p-53, 1.0 - 0x1.0p-53);
 }
 
 double random_number(std::uint64_t seed, std::string_view name, std::uint64_t index) {
