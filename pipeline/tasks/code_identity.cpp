@@ -9,5 +9,6 @@ std::string_view motion_code() { return motion_code_hash; }
 std::string_view film_code() { return film_code_hash; }
 std::string_view pipeline_code() { return pipeline_code_hash; }
 std::string_view program_version() { return program_version_text; }
+std::string_view release_date() { return release_date_text; }
 
 }  // namespace mien::pipeline
