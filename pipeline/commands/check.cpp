@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/cli.h"
+#include "pipeline/commands/installed_manifests.h"
 #include "pipeline/look/set_file.h"
 #include "pipeline/manifest/checked_manifest.h"
 #include "pipeline/ratings/scales.h"
@@ -43,7 +44,8 @@ std::vector<Fault> faults_in(const std::string& file) {
 int check(const CheckOptions& options, const Console& console) {
   nlohmann::ordered_json listed = nlohmann::ordered_json::array();
   bool is_good = true;
-  for (const std::string& file : options.manifests) {
+  for (const std::string& name : options.manifests) {
+    const std::string file = given_or_installed(name, console);
     const std::vector<Fault> faults = faults_in(file);
     for (const Fault& fault : faults) {
       if (options.json) {
@@ -74,7 +76,7 @@ void add_check_command(CLI::App& app, Command& chosen) {
   command->add_flag("--json", options->json, "Faults as JSON on standard output");
   command->footer(
       "\nWrites no file. Faults are told as file:line:column: path.to.key: what is wrong; how to "
-      "mend it.\n\nExample:\n  mien check manifests/quickstart.yaml");
+      "mend it.\n\nExample:\n  mien check my.yaml");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return check(*options, console); };
   });

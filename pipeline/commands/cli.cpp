@@ -23,13 +23,21 @@ constexpr char description[] =
 
 constexpr char examples[] = R"(
 Examples:
-  mien check manifests/quickstart.yaml     what is wrong with a manifest, if anything
-  mien run manifests/quickstart.yaml       make everything it asks for
+  mien run quickstart                      make everything that a manifest asks for
+  mien manifests quickstart > my.yaml      the same manifest, to begin your own with
+  mien check my.yaml                       what is wrong with a manifest, if anything
   mien render walk.bvh                     a video of any motion file
   mien motion info walk.bvh                what is in a motion file
+)";
 
-Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted.
-Progress and faults go to standard error, results to standard output.)";
+/// "Exit codes: 0 done, …"
+std::string told_exit_codes() {
+  std::string text;
+  for (const ExitCode& exit : exit_codes) {
+    text += (text.empty() ? "Exit codes: " : ", ") + std::to_string(exit.code) + " " + exit.meaning;
+  }
+  return text + ".\n";
+}
 
 std::vector<std::string> names_of_subcommands(const CLI::App& app) {
   std::vector<std::string> names;
@@ -100,7 +108,8 @@ int perform(const Command& command, const Console& console) {
 
 int run_command_line(int argc, const char* const* argv, const Console& console) {
   CLI::App app(description, "mien");
-  app.footer(examples);
+  app.footer(examples + ("\n" + told_exit_codes()) +
+             "Progress and faults go to standard error, results to standard output.");
   app.set_version_flag("--version", "mien " + std::string(program_version()));
   app.require_subcommand(1);
   Command chosen;
@@ -109,6 +118,7 @@ int run_command_line(int argc, const char* const* argv, const Console& console) 
   add_plan_command(app, chosen);
   add_render_command(app, chosen);
   add_motion_command(app, chosen);
+  add_manifests_command(app, chosen);
   add_sets_command(app, chosen);
   add_study_command(app, chosen);
   add_version_command(app, chosen);

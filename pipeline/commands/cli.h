@@ -16,6 +16,15 @@ inline constexpr int exit_failed = 1;
 inline constexpr int exit_bad_input = 2;
 inline constexpr int exit_interrupted = 130;
 
+struct ExitCode {
+  int code;
+  const char* meaning;
+};
+inline constexpr ExitCode exit_codes[] = {{exit_done, "done"},
+                                          {exit_failed, "failed"},
+                                          {exit_bad_input, "bad input"},
+                                          {exit_interrupted, "interrupted"}};
+
 /// What a command works with.
 struct Console {
   std::ostream& out;     ///< results
@@ -29,6 +38,7 @@ using Command = std::function<int(const Console&)>;
 
 /// Each adds its subcommand to `app` and sets `chosen` when it is the one that was typed.
 void add_check_command(CLI::App& app, Command& chosen);
+void add_manifests_command(CLI::App& app, Command& chosen);
 void add_plan_command(CLI::App& app, Command& chosen);
 void add_run_command(CLI::App& app, Command& chosen);
 void add_render_command(CLI::App& app, Command& chosen);

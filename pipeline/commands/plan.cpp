@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/cli.h"
+#include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
 #include "pipeline/manifest/checked_manifest.h"
 #include "pipeline/tasks/progress.h"
@@ -57,8 +58,9 @@ void show_table(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
 }
 
 int show_plan(const ProductionArguments& arguments, const Console& console) {
-  const Production production(load_manifest(arguments.manifest, process_environment()),
-                              options_of(arguments));
+  const Production production(
+      load_manifest(manifest_meant(arguments.manifest, console), process_environment()),
+      options_of(arguments));
   const std::filesystem::path folder = folder_of(arguments, production.manifest());
   const std::vector<TaskOutcome> planned = plan(production.graph(), folder);
   if (arguments.json) {
@@ -77,7 +79,7 @@ void add_plan_command(CLI::App& app, Command& chosen) {
   add_production_options(*command, *arguments);
   command->footer(
       "\ncached: present and unchanged; due: will be made; waiting: depends on what is due. Times "
-      "are estimates.\n\nExample:\n  mien plan manifests/quickstart.yaml");
+      "are estimates.\n\nExample:\n  mien plan quickstart");
   command->callback([&chosen, arguments] {
     chosen = [arguments](const Console& console) { return show_plan(*arguments, console); };
   });

@@ -8,7 +8,10 @@
 namespace mien::pipeline {
 
 void add_production_options(CLI::App& command, ProductionArguments& arguments) {
-  command.add_option("manifest", arguments.manifest, "Manifest (YAML)")->required();
+  command
+      .add_option("manifest", arguments.manifest,
+                  "Manifest (YAML), or the name of one of mien manifests")
+      ->required();
   command
       .add_option("--out,-o", arguments.out, "Folder of all studies; results go to <out>/<study>")
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/cli.h"
+#include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
 #include "pipeline/manifest/checked_manifest.h"
 #include "pipeline/tasks/progress.h"
@@ -105,8 +106,9 @@ int exit_code(const RunResult& result) {
 }
 
 int run_production(const ProductionArguments& arguments, const Console& console) {
-  Production production(load_manifest(arguments.manifest, process_environment()),
-                        options_of(arguments));
+  Production production(
+      load_manifest(manifest_meant(arguments.manifest, console), process_environment()),
+      options_of(arguments));
   const fs::path folder = folder_of(arguments, production.manifest());
   RunResult result;
   {
@@ -132,8 +134,8 @@ void add_run_command(CLI::App& app, Command& chosen) {
   command->footer(
       "\nWhat is there and unchanged is not made again; an interrupted run goes on where it "
       "stopped.\n\nExamples:\n"
-      "  mien run manifests/quickstart.yaml\n"
-      "  mien run manifests/quickstart.yaml --only target-1,guess-1 --quality draft");
+      "  mien run quickstart\n"
+      "  mien run my.yaml --only target-1,guess-1 --quality draft");
   command->callback([&chosen, arguments] {
     chosen = [arguments](const Console& console) { return run_production(*arguments, console); };
   });

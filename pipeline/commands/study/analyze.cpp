@@ -120,7 +120,7 @@ ordered_json as_json(const Analysis& analysis, const ScaleSet& scales, const fs:
 
 int analyze(AnalyzeOptions options, const Console& console) {
   options.analysis.clusters = cluster_count(options.clusters);
-  const Manifest subject = manifest_of({options.examples, "", options.scales});
+  const Manifest subject = manifest_of({options.examples, "", options.scales}, console);
   const ScaleSet scales =
       subject.scales.file.empty() ? builtin_scales() : read_scales(subject.scales.file);
   const std::vector<RatedExample> examples = rated_examples(subject);

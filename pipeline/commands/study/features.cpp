@@ -43,7 +43,7 @@ void write_all(const FeatureClusters& clusters, const Repertoire& repertoire,
 }
 
 int cluster(const FeaturesOptions& options, const Console& console) {
-  Manifest manifest = manifest_of(options.subject);
+  Manifest manifest = manifest_of(options.subject, console);
   manifest.ratings.source = Ratings::Source::none;
   const Repertoire repertoire = load_repertoire(manifest);
   const FeatureClusters clusters =

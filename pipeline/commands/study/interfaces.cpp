@@ -77,7 +77,7 @@ void write_all(const fs::path& folder, const std::vector<InterfaceResult>& resul
 }
 
 int evaluate(InterfacesCommand command, const Console& console) {
-  const Manifest manifest = manifest_of(command.subject);
+  const Manifest manifest = manifest_of(command.subject, console);
   const Repertoire repertoire = load_repertoire(manifest);
   command.evaluation.seed = command.seed.value_or(manifest.seed);
   const SliderInterface first = interfaces_of(repertoire).front();

@@ -139,7 +139,7 @@ void write_tables(const fs::path& folder, const std::vector<Unrated>& motions,
 }
 
 int show_prediction(const PredictOptions& options, const Console& console) {
-  const Repertoire repertoire = load_repertoire(manifest_of(options.subject));
+  const Repertoire repertoire = load_repertoire(manifest_of(options.subject, console));
   const FeatureRegression regression = fit_feature_regression(repertoire);
   const std::vector<Unrated> motions = predicted_motions(options, repertoire, regression);
   show_checks(regression, console);

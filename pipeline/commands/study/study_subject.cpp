@@ -2,17 +2,18 @@
 
 #include <filesystem>
 
+#include "pipeline/commands/installed_manifests.h"
 #include "pipeline/documents/environment.h"
 #include "pipeline/manifest/checked_manifest.h"
 #include "pipeline/manifest/example_source.h"
 
 namespace mien::pipeline {
 
-Manifest manifest_of(const StudySubject& subject) {
+Manifest manifest_of(const StudySubject& subject, const Console& console) {
   const std::filesystem::path file(subject.examples);
   Manifest manifest;
   if (file.extension() == ".yaml" || file.extension() == ".yml") {
-    manifest = load_manifest(file, process_environment());
+    manifest = load_manifest(given_or_installed(subject.examples, console), process_environment());
     refuse_unblendable(manifest.examples);
   } else {
     manifest.examples = parse_examples(subject.examples);

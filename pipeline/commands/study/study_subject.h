@@ -6,6 +6,8 @@
 
 namespace mien::pipeline {
 
+struct Console;
+
 /// What a study command is about, as its options say it.
 struct StudySubject {
   std::string examples;  ///< a manifest (.yaml), or what `parse_examples` takes
@@ -13,7 +15,8 @@ struct StudySubject {
   std::string scales;    ///< YAML; empty: the manifest's, or the built-in pairs
 };
 
-/// The manifest with what the options say over it, or one of the options alone. Throws Error.
-Manifest manifest_of(const StudySubject& subject);
+/// The manifest with what the options say over it, or one of the options alone. A manifest that is
+/// not there is looked for among the installed ones. Throws Error.
+Manifest manifest_of(const StudySubject& subject, const Console& console);
 
 }  // namespace mien::pipeline

@@ -65,7 +65,7 @@ void show(const TargetSet& set, const std::string& ratings,
 }
 
 int make_targets(TargetsCommand command, const Console& console) {
-  const Manifest manifest = manifest_of(command.subject);
+  const Manifest manifest = manifest_of(command.subject, console);
   command.sampling.seed = command.seed.value_or(manifest.seed);
   const Repertoire repertoire = load_repertoire(manifest);
   const TargetSet set = sampled(command, repertoire);

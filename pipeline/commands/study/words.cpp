@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/ratings/word_answers.h"
@@ -102,7 +103,7 @@ void tell_words(const WordAnswers& words, std::ostream& out) {
 }
 
 int turn_words_into_answers(const WordsOptions& options, const Console& console) {
-  const ScaleSet scales = read_scales(options.lexicon);
+  const ScaleSet scales = read_scales(given_or_installed(options.lexicon, console));
   const WordAnswers words =
       answers_from_words(read_csv(options.words), scales, options.unmentioned);
   write_file(options.out, to_csv(words.answers));

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "motion/error.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/commands/cli.h"
+#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/documents/files.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What editors read the schema's name from.
+constexpr std::string_view schema_line = "# yaml-language-server: $schema=";
+
+/// What the comment that a file begins with says first, up to a full stop or colon.
+std::string first_sentence(const std::string& text) {
+  std::istringstream lines(text);
+  std::string comment;
+  for (std::string line; std::getline(lines, line) && line.starts_with("# ");) {
+    if (!line.starts_with(schema_line)) comment += line.substr(2) + " ";
+  }
+  return comment.substr(0, std::min(comment.find(". "), comment.find(": ")));
+}
+
+void list_manifests(const fs::path& folder, const Console& console) {
+  for (const std::string& name : manifest_names(folder)) {
+    const std::string about = first_sentence(read_file(folder / (name + ".yaml")));
+    console.out << fmt::format("{:16} {}\n", name, about);
+  }
+}
+
+/// The text with its schema named so that an editor finds it wherever the text is saved.
+std::string with_schema_of(const fs::path& folder, std::string text) {
+  const std::size_t end = text.find('\n');
+  if (!text.starts_with(schema_line) || end == std::string::npos) return text;
+  const std::string schema = text.substr(schema_line.size(), end - schema_line.size());
+  return text.replace(schema_line.size(), schema.size(), (folder / schema).string());
+}
+
+/// Names of files beside `printed` that its text names, comments aside.
+std::vector<std::string> files_named_in(const std::string& text, const fs::path& printed) {
+  std::istringstream lines(text);
+  std::string content;
+  for (std::string line; std::getline(lines, line);) content += line.substr(0, line.find('#'));
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(printed.parent_path())) {
+    const std::string name = entry.path().filename();
+    if (content.find(" " + name) != std::string::npos) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+int show_manifest(const std::string& name, const Console& console) {
+  const fs::path folder = installed_manifests();
+  if (folder.empty()) {
+    throw Error("no manifests came with this program",
+                "install it with its manifests (share/mien/manifests beside bin)");
+  }
+  if (name.empty()) {
+    list_manifests(folder, console);
+    return exit_done;
+  }
+  const auto file = file_among(folder, name);
+  if (!file) {
+    throw Error("there is no manifest \"" + name + "\"",
+                motion::did_you_mean(name, manifest_names(folder)));
+  }
+  const std::string text = read_file(*file);
+  console.out << with_schema_of(folder, text);
+  for (const std::string& other : files_named_in(text, *file)) {
+    console.err << "it names a file that has to lie beside it: mien manifests " << other << " > "
+                << other << '\n';
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_manifests_command(CLI::App& app, Command& chosen) {
+  CLI::App* command =
+      app.add_subcommand("manifests", "List the manifests that came with mien, or print one");
+  const auto name = std::make_shared<std::string>();
+  command->add_option("name", *name, "Manifest, or file of scales or recipes, that is printed");
+  command->footer(
+      "\nA manifest that mien does not find where it is said to be is looked for among these, "
+      "with and without manifests/ before its name and .yaml behind it.\n\nExamples:\n"
+      "  mien run quickstart\n"
+      "  mien manifests quickstart > my.yaml");
+  command->callback([&chosen, name] {
+    chosen = [name](const Console& console) { return show_manifest(*name, console); };
+  });
+}
+
+}  // namespace mien::pipeline
