@@ -122,6 +122,8 @@ int run_command_line(int argc, const char* const* argv, const Console& console) 
   add_sets_command(app, chosen);
   add_study_command(app, chosen);
   add_version_command(app, chosen);
+  add_completion_command(app, chosen);
+  add_man_command(app, chosen);
   if (const int code = parse(app, words_of(argc, argv), console); code != exit_done || !chosen)
     return code;
   return perform(chosen, console);

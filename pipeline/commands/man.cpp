@@ -1,0 +1,219 @@
+#include "pipeline/commands/man.h"
+
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "pipeline/commands/cli.h"
+#include "pipeline/tasks/code_identity.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// The code point at the front of valid UTF-8, which is taken off.
+unsigned take_character(std::string_view& text) {
+  const auto first = static_cast<unsigned char>(text.front());
+  const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  unsigned code = length == 1 ? first : first & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length && i < text.size(); ++i) {
+    code = code << 6U | (static_cast<unsigned char>(text[i]) & 0x3FU);
+  }
+  text.remove_prefix(std::min(length, text.size()));
+  return code;
+}
+
+/// Text as roff shows it: what is typed comes out as the ASCII characters that a shell wants.
+std::string roff(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    switch (const unsigned code = take_character(text); code) {
+      case '\\':
+        result += "\\e";
+        break;
+      case '-':
+        result += "\\-";
+        break;
+      case '\'':
+        result += "\\(aq";
+        break;
+      case '"':
+        result += "\\(dq";
+        break;
+      case '`':
+        result += "\\(ga";
+        break;
+      case '^':
+        result += "\\(ha";
+        break;
+      case '~':
+        result += "\\(ti";
+        break;
+      default:
+        result += code < 0x80 ? std::string(1, static_cast<char>(code))
+                              : fmt::format("\\[u{:04X}]", code);
+    }
+  }
+  return result;
+}
+
+std::string bold(std::string_view text) { return "\\fB" + roff(text) + "\\fR"; }
+std::string italic(std::string_view text) { return "\\fI" + roff(text) + "\\fR"; }
+
+/// A line as it is; a dot at its start is no request.
+std::string whole_line(std::string_view text) {
+  return (text.starts_with('.') ? "\\&" : "") + roff(text) + "\n";
+}
+
+/// Running text in lines of at most 80 characters.
+std::string running_text(const std::string& text) {
+  constexpr std::size_t longest = 80;
+  std::istringstream words(text);
+  std::string page;
+  std::string line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && roff(line + " " + word).size() > longest - 2) {
+      page += whole_line(line);
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return page + whole_line(line);
+}
+
+/// Paragraphs of running text, and lines that are indented as they are.
+std::string notes_in_roff(const std::string& notes) {
+  std::istringstream lines(notes);
+  std::string page;
+  bool is_shown = false;  // between .EX and .EE
+  bool begins = true;
+  for (std::string line; std::getline(lines, line);) {
+    const bool indented = line.starts_with("  ");
+    if (line.empty() && is_shown) page += ".EE\n";
+    if (line.empty()) {
+      is_shown = false;
+      begins = true;
+      continue;
+    }
+    if (indented != is_shown) {
+      page += indented ? ".PP\n.EX\n" : ".EE\n";
+      is_shown = indented;
+    } else if (begins) {
+      page += ".PP\n";
+    }
+    begins = false;
+    page += indented ? whole_line(line) : running_text(line);
+  }
+  return page + (is_shown ? ".EE\n" : "");
+}
+
+std::string value_in_roff(const CommandOption& option) {
+  if (option.choices.empty()) return italic(option.value);
+  std::string choices;
+  for (const std::string& choice : option.choices) {
+    choices += (choices.empty() ? "" : "|") + bold(choice);
+  }
+  return choices;
+}
+
+std::string option_in_roff(const CommandOption& option) {
+  std::string page = ".TP\n";
+  for (const std::string& name : option.names) {
+    page += (&name == &option.names.front() ? "" : ", ") + bold(name);
+  }
+  if (option.names.empty()) {
+    page += italic(option.argument);
+  } else if (!option.value.empty()) {
+    page += " " + value_in_roff(option);
+  }
+  if (option.repeats) page += " .\\|.\\|.";
+  std::string told = option.help;
+  if (!option.limits.empty()) told += " (" + option.limits + ")";
+  if (!option.usual.empty() && told.find("[" + option.usual + "]") == std::string::npos) {
+    told += " [" + option.usual + "]";
+  }
+  if (option.required && !option.names.empty()) told += " (required)";
+  return page + "\n" + running_text(told);
+}
+
+/// "mien run [options] manifest" with what is typed in bold.
+std::string usage_in_roff(const CommandPage& page) {
+  std::string usage = bold(page.name);
+  if (!page.options.empty()) usage += " [" + italic("options") + "]";
+  for (const CommandOption& argument : page.arguments) {
+    const std::string name = italic(argument.argument) + (argument.repeats ? "\\ .\\|.\\|." : "");
+    usage += argument.required ? " " + name : " [" + name + "]";
+  }
+  if (!page.commands.empty()) usage += " " + italic("command") + " .\\|.\\|.";
+  return usage + "\n";
+}
+
+std::string command_in_roff(const CommandPage& page) {
+  std::string text =
+      ".SS " + roff(page.name) + "\n" + usage_in_roff(page) + ".PP\n" + running_text(page.summary);
+  for (const CommandOption& argument : page.arguments) text += option_in_roff(argument);
+  for (const CommandOption& option : page.options) text += option_in_roff(option);
+  return text + notes_in_roff(page.notes);
+}
+
+/// The indented lines of a text, as they are.
+std::string examples_in_roff(const std::string& notes) {
+  std::istringstream lines(notes);
+  std::string page = ".SH EXAMPLES\n.EX\n";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("  ")) page += whole_line(line);
+  }
+  return page + ".EE\n";
+}
+
+std::string exit_codes_in_roff() {
+  std::string page = ".SH EXIT STATUS\n";
+  for (const ExitCode& exit : exit_codes) {
+    page += ".TP\n" + bold(std::to_string(exit.code)) + "\n" + running_text(exit.meaning);
+  }
+  return page;
+}
+
+constexpr char files_in_roff[] = R"(.SH FILES
+.TP
+\fIout/\fRstudy
+What a run makes of a manifest, in the current folder;
+\fIreport.html\fR shows it on one page.
+.TP
+\fI../share/mien/manifests\fR
+From the folder of the program: the manifests that came with it, which
+.B mien manifests
+lists, and the JSON Schemas that editors help with.
+)";
+
+}  // namespace
+
+std::string manual_page(const CommandPage& program, const std::string& version,
+                        const std::string& date) {
+  std::string page = fmt::format(".TH MIEN 1 {} \"mien {}\" \"User Commands\"\n", date, version);
+  page += ".SH NAME\nmien \\- make human motion stimuli\n.SH SYNOPSIS\n" + usage_in_roff(program);
+  page += ".SH DESCRIPTION\n" + running_text(program.summary);
+  page += "Results go to standard output, progress and faults to standard error.\n";
+  page += ".SH OPTIONS\n.TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nSay what a command takes.\n";
+  for (const CommandOption& option : program.options) page += option_in_roff(option);
+  page += ".SH COMMANDS\n";
+  for (const CommandPage* command : every_page(program)) {
+    if (command != &program) page += command_in_roff(*command);
+  }
+  return page + exit_codes_in_roff() + files_in_roff + examples_in_roff(program.notes);
+}
+
+void add_man_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("man", "Print the manual page");
+  command->footer("\nExample:\n  mien man | man -l -");
+  command->callback([&app, &chosen] {
+    chosen = [&app](const Console& console) {
+      console.out << manual_page(command_tree(app), std::string(program_version()),
+                                 std::string(release_date()));
+      return exit_done;
+    };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = MIEN_SOURCE_DIR;
+
+/// What a script for bash says on both streams, and its exit code.
+Ended run_bash(const std::string& script) {
+  const Scratch scratch;
+  const std::string command = "bash " + scratch.write("script", script).string() + " 2>&1";
+  Ended ended;
+  FILE* pipe = popen(command.c_str(), "r");
+  for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) ended.output += static_cast<char>(c);
+  ended.code = WEXITSTATUS(pclose(pipe));
+  return ended;
+}
+
+bool is_there(const std::string& program) { return run_bash("command -v " + program).code == 0; }
+
+TEST(Manifests, AreListedWithWhatTheyAreAbout) {
+  const Ended ended = run_mien({"manifests"});
+  EXPECT_EQ(ended.code, 0) << ended.errors;
+  EXPECT_NE(ended.output.find("quickstart       Three walks that nobody has walked"),
+            std::string::npos)
+      << ended.output;
+  EXPECT_EQ(ended.output.find("scales"), std::string::npos);
+}
+
+TEST(Manifests, ArePrintedWithASchemaThatEditorsFind) {
+  const Ended ended = run_mien({"manifests", "quickstart"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.errors, "");
+  const std::string text = text_of(source / "manifests/quickstart.yaml");
+  EXPECT_EQ(ended.output.substr(ended.output.find('\n')), text.substr(text.find('\n')));
+  const std::size_t start = ended.output.find("$schema=") + 8;
+  const fs::path schema = ended.output.substr(start, ended.output.find('\n') - start);
+  EXPECT_TRUE(schema.is_absolute() && fs::exists(schema)) << schema;
+}
+
+TEST(Manifests, SayWhatHasToLieBesideThem) {
+  EXPECT_EQ(run_mien({"manifests", "real-walks"}).errors,
+            "it names a file that has to lie beside it: mien manifests five-factors.scales.yaml > "
+            "five-factors.scales.yaml\n");
+}
+
+TEST(Manifests, AreUsedByNameFromAnyFolder) {
+  const Scratch scratch;
+  const std::string out = (scratch.path() / "out").string();
+  for (const char* name : {"quickstart", "manifests/quickstart.yaml"}) {
+    const Ended plan = run_mien({"plan", name, "--out", out});
+    EXPECT_EQ(plan.code, 0);
+    EXPECT_EQ(plan.errors, "using " + (source / "manifests/quickstart.yaml").string() + "\n");
+  }
+  EXPECT_EQ(run_mien({"check", "gallery"}).code, 0);
+}
+
+TEST(Manifests, ThatAreMisspeltAreGuessed) {
+  for (const char* command : {"run", "plan", "manifests"}) {
+    const Ended ended = run_mien({command, "quikstart"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.errors.find("; did you mean \"quickstart\"?\n"), std::string::npos)
+        << ended.errors;
+  }
+}
+
+TEST(Manifests, GoWithTheProgramWhenItsPrefixIsMoved) {
+  const Scratch scratch;
+  const fs::path manifests = scratch.path() / "prefix/share/mien/manifests";
+  fs::create_directories(scratch.path() / "prefix/bin");
+  fs::create_directories(manifests);
+  fs::copy_file(MIEN_PROGRAM, scratch.path() / "prefix/bin/mien");
+  fs::copy_file(source / "manifests/mien.schema.json", manifests / "mien.schema.json");
+  fs::copy_file(source / "manifests/quickstart.yaml", manifests / "mine.yaml");
+  fs::rename(scratch.path() / "prefix", scratch.path() / "moved");
+  const Ended ended = run_bash("cd " + scratch.path().string() + "\nmoved/bin/mien check mine");
+  EXPECT_EQ(ended.code, 0);
+  const std::string file = scratch.path() / "moved/share/mien/manifests/mine.yaml";
+  EXPECT_EQ(ended.output, "using " + file + "\n" + file + ": no faults\n");
+}
+
+/// The words that stand at the start of a help's lines between two headings, or its end.
+std::vector<std::string> words_below(const std::string& help, const std::string& heading) {
+  std::vector<std::string> words;
+  std::istringstream lines(help.substr(std::min(help.find("\n" + heading + ":\n"), help.size())));
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines, line);
+  const std::regex entry("  ([^ ]+).*");
+  std::smatch match;
+  while (std::getline(lines, line) && !line.empty()) {
+    if (std::regex_match(line, match, entry)) words.push_back(match[1]);
+  }
+  return words;
+}
+
+/// The page as it is read: roff's escapes of hyphens and fonts resolved.
+std::string read_page(const std::string& page) {
+  return std::regex_replace(std::regex_replace(page, std::regex(R"(\\f[BIR])"), ""),
+                            std::regex(R"(\\-)"), "-");
+}
+
+/// The lines of a page below one of its headings, to the next.
+std::string section(const std::string& page, const std::string& heading) {
+  const std::size_t start = page.find(heading + "\n");
+  if (start == std::string::npos) return "";
+  return page.substr(start, page.find("\n.S", start + 1) - start);
+}
+
+void expect_told(const std::string& page, const std::vector<std::string>& command) {
+  std::vector<std::string> words = command;
+  words.emplace_back("--help");
+  const std::string help = run_mien(words).output;
+  std::string name = "mien";
+  for (const std::string& word : command) name += " " + word;
+  const std::string own = section(page, command.empty() ? ".SH OPTIONS" : ".SS " + name);
+  EXPECT_NE(own, "") << name;
+  for (const std::string& names : words_below(help, "Options")) {
+    std::istringstream each(names);
+    for (std::string option; std::getline(each, option, ',');) {
+      if (option == "-h" || option == "--help") continue;
+      EXPECT_TRUE(std::regex_search(own, std::regex("\n(-., )?" + option + "\\b")))
+          << name << " " << option;
+    }
+  }
+  for (const std::string& argument : words_below(help, "Positionals")) {
+    EXPECT_NE(own.find("\n.TP\n" + argument), std::string::npos) << name << " " << argument;
+  }
+  for (const std::string& below : words_below(help, "Subcommands")) {
+    std::vector<std::string> deeper = command;
+    deeper.push_back(below);
+    expect_told(page, deeper);
+  }
+}
+
+TEST(ManualPage, TellsEveryCommandOptionAndArgumentOfHelp) {
+  const Ended ended = run_mien({"man"});
+  ASSERT_EQ(ended.code, 0);
+  expect_told(read_page(ended.output), {});
+}
+
+TEST(ManualPage, IsOfThisVersionWhichTheChangelogBeginsWith) {
+  const std::string changelog = text_of(source / "CHANGELOG.md");
+  std::smatch top;
+  ASSERT_TRUE(std::regex_search(
+      changelog, top, std::regex(R"(\n## \[([0-9.]+)\] - ([0-9]{4}-[0-9]{2}-[0-9]{2})\n)")));
+  EXPECT_EQ(run_mien({"--version"}).output, "mien " + top[1].str() + "\n");
+  EXPECT_TRUE(run_mien({"man"}).output.starts_with(".TH MIEN 1 " + top[2].str() + " \"mien " +
+                                                   top[1].str() + "\" \"User Commands\"\n"));
+}
+
+TEST(ManualPage, IsPlainTextThatGroffAndMandocTake) {
+  const std::string page = run_mien({"man"}).output;
+  for (const char c : page) ASSERT_LT(static_cast<unsigned char>(c), 0x80);
+  const Scratch scratch;
+  const std::string file = scratch.write("mien.1", page);
+  if (!is_there("groff") && !is_there("mandoc")) GTEST_SKIP() << "neither groff nor mandoc here";
+  for (const char* checker : {"groff -ww -z -man ", "mandoc -T lint -W warning "}) {
+    const std::string program(checker, std::string_view(checker).find(' '));
+    if (is_there(program)) {
+      EXPECT_EQ(run_bash(checker + file).output, "") << program;
+    }
+  }
+}
+
+/// What bash offers for the last of the words, a line each.
+std::string completed(const std::string& words) {
+  const fs::path folder = fs::path(MIEN_PROGRAM).parent_path();
+  return run_bash("PATH=" + folder.string() +
+                  ":$PATH\nsource <(mien completion bash)\nCOMP_WORDS=(" + words +
+                  ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_mien\n" +
+                  "[[ ${#COMPREPLY[@]} -eq 0 ]] || printf '%s\\n' \"${COMPREPLY[@]}\"\n")
+      .output;
+}
+
+TEST(BashCompletion, CompletesCommands) {
+  EXPECT_EQ(completed("mien ru"), "run\n");
+  EXPECT_EQ(completed("mien study an"), "analyze\n");
+  EXPECT_EQ(completed("mien help study an"), "analyze\n");
+  EXPECT_EQ(completed("mien motion zzz"), "");
+}
+
+TEST(BashCompletion, CompletesOptionsAndTheirChoices) {
+  EXPECT_EQ(completed("mien run --qual"), "--quality\n");
+  EXPECT_EQ(completed("mien run x.yaml --quality ''"), "draft\nstandard\nfinal\n");
+  EXPECT_EQ(completed("mien run --quality = f"), "final\n");
+  EXPECT_EQ(completed("mien run --quality ="), "draft\nstandard\nfinal\n");
+  EXPECT_EQ(completed("mien study analyze --repeated l"), "last\n");
+  EXPECT_EQ(completed("mien completion z"), "zsh\n");
+  EXPECT_EQ(completed("mien run --jobs ''"), "");
+}
+
+TEST(BashCompletion, CompletesManifestsSetsAndFiles) {
+  EXPECT_EQ(completed("mien run quick"), "quickstart\n");
+  EXPECT_EQ(completed("mien sets tread"), "treadmill\n");
+  const Scratch scratch;
+  const std::string file = scratch.write("a walk.bvh", "");
+  EXPECT_EQ(completed("mien render '" + (scratch.path() / "a w").string() + "'"), file + "\n");
+  EXPECT_EQ(completed("mien run -o '" + (scratch.path() / "a w").string() + "'"), file + "\n");
+}
+
+TEST(ZshCompletion, IsAScript) {
+  if (!is_there("zsh")) GTEST_SKIP() << "no zsh here";
+  const Scratch scratch;
+  const std::string file = scratch.write("_mien", run_mien({"completion", "zsh"}).output);
+  EXPECT_EQ(run_bash("zsh -n " + file).output, "");
+}
+
+TEST(Completion, RefusesOtherShells) {
+  const Ended ended = run_mien({"completion", "fish"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.errors.find("bash"), std::string::npos) << ended.errors;
+}
+
+}  // namespace
+}  // namespace mien::test
