@@ -27,14 +27,15 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Sheets are set in this font, English and Japanese; with another one they are other bytes.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-noto-cjk)
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "videos for studies of how people see human motion
- A study is described in a YAML file: example motions, the adjectives that a new
- motion should answer to, how it is to be shown. mien synthesises the motions,
- ray-traces them, encodes and checks the videos, draws comparison sheets, and
- writes down exactly what it did. The same file gives the same bytes each time.
- .
- It also renders, measures, checks, compares, modifies and converts any human
- motion in BVH, Acclaim or glTF files, and analyses the answers of rating studies.")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"mien makes the videos of studies of how people see human motion. A study is
+described in a YAML file: example motions, the adjectives that a new motion
+should answer to, how it is to be shown. mien synthesises the motions,
+ray-traces them, encodes and checks the videos, draws comparison sheets, and
+writes down exactly what it did. The same file gives the same bytes each time.
+
+It also renders, measures, checks, compares, modifies and converts any human
+motion in BVH, Acclaim or glTF files, and analyses answers of rating studies.")
 
 find_program(DATE date)
 execute_process(COMMAND ${DATE} -u -R -d ${MIEN_RELEASE_DATE} OUTPUT_VARIABLE MIEN_DEBIAN_DATE
