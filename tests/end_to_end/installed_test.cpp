@@ -60,13 +60,16 @@ TEST(Manifests, SayWhatHasToLieBesideThem) {
 
 TEST(Manifests, AreUsedByNameFromAnyFolder) {
   const Scratch scratch;
-  const std::string out = (scratch.path() / "out").string();
-  for (const char* name : {"quickstart", "manifests/quickstart.yaml"}) {
-    const Ended plan = run_mien({"plan", name, "--out", out});
+  const std::string there = "cd " + scratch.path().string() + "\n" MIEN_PROGRAM;
+  const std::string told = "using " + (source / "manifests/quickstart.yaml").string() + "\n";
+  for (const char* name : {"quickstart", "quickstart.yaml", "manifests/quickstart.yaml"}) {
+    const Ended plan = run_bash(there + " plan " + name);
     EXPECT_EQ(plan.code, 0);
-    EXPECT_EQ(plan.errors, "using " + (source / "manifests/quickstart.yaml").string() + "\n");
+    EXPECT_EQ(plan.output.substr(0, told.size()), told) << plan.output;
   }
-  EXPECT_EQ(run_mien({"check", "gallery"}).code, 0);
+  scratch.write("quickstart.yaml", "mien: 1\n");
+  EXPECT_EQ(run_bash(there + " plan quickstart.yaml").code, 2) << "one's own comes first";
+  EXPECT_EQ(run_bash(there + " check gallery").code, 0);
 }
 
 TEST(Manifests, ThatAreMisspeltAreGuessed) {
@@ -129,7 +132,9 @@ void expect_told(const std::string& page, const std::vector<std::string>& comman
   for (const std::string& word : command) name += " " + word;
   const std::string own = section(page, command.empty() ? ".SH OPTIONS" : ".SS " + name);
   EXPECT_NE(own, "") << name;
-  for (const std::string& names : words_below(help, "Options")) {
+  const std::vector<std::string> options = words_below(help, "Options");
+  EXPECT_FALSE(options.empty()) << help;
+  for (const std::string& names : options) {
     std::istringstream each(names);
     for (std::string option; std::getline(each, option, ',');) {
       if (option == "-h" || option == "--help") continue;
@@ -150,6 +155,7 @@ void expect_told(const std::string& page, const std::vector<std::string>& comman
 TEST(ManualPage, TellsEveryCommandOptionAndArgumentOfHelp) {
   const Ended ended = run_mien({"man"});
   ASSERT_EQ(ended.code, 0);
+  EXPECT_GE(words_below(run_mien({"--help"}).output, "Subcommands").size(), 10u);
   expect_told(read_page(ended.output), {});
 }
 
