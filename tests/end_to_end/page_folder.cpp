@@ -1,0 +1,140 @@
+#include "end_to_end/page_folder.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <sys/wait.h>
+
+namespace mien::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* small_study = R"(mien: 1
+study: small
+examples: {set: builtin:walks-10}
+output: {size: [64, 48], fps: 10, cycles: 1, frames: none}
+stimuli:
+  - {id: target-1, role: target, weights: {normal: 1}}
+  - {id: guess-1, weights: {sad: 1}}
+)";
+
+constexpr const char* sessions = R"(participant,target,interface,first_guess_d,time_s,success
+p1,t1,adjectives,0.05,60,1
+p1,t1,weights,0.09,140,1
+p2,t1,adjectives,0.04,75,1
+p2,t1,weights,0.11,300,0
+p3,t1,adjectives,0.07,90,1
+p3,t1,weights,0.08,120,1
+)";
+
+constexpr const char* words = R"(participant,language,motion,verb,modifier1
+p1,english,walk-slow,walking,very slowly
+p2,english,walk-fast,walking,fast
+p1,finnish,walk-sad,kävelee,surullisesti
+)";
+
+/// Each file and the built-in walk that stands for it.
+const std::vector<std::pair<std::string, std::string>> motions = {
+    {"walk.bvh", "normal"},
+    {"new.bvh", "brisk"},
+    {"target.bvh", "happy"},
+    {"created.bvh", "relaxed"},
+    {"a.bvh", "tired"},
+    {"b.bvh", "slow"},
+    {"walks/normal.bvh", "normal"},
+    {"walks/proud.bvh", "proud"},
+    {"captures/walk.bvh", "normal"},
+    {"captures/anna_walk_slow.bvh", "slow"},
+    {"captures/anna_walk_fast.bvh", "brisk"},
+    {"captures/anna_walk_sad.bvh", "sad"},
+};
+
+void make(const std::vector<std::string>& arguments) {
+  const Ended ended = run_mien(arguments);
+  if (ended.code != 0) throw std::runtime_error(ended.errors);
+}
+
+void make_motion(const std::string& walk, const fs::path& file) {
+  fs::create_directories(file.parent_path());
+  make({"motion", "blend", "--examples", "builtin:walks-10", "--weights", walk + "=1", "--cycles",
+        "4", "-o", file.string()});
+}
+
+/// A walk that leaps 5 m in one frame.
+std::string broken(const std::string& bvh) {
+  std::istringstream lines(bvh);
+  std::string text;
+  int frame = -1;
+  for (std::string line; std::getline(lines, line);) {
+    if (frame >= 0) ++frame;
+    if (line.starts_with("Frame Time:")) frame = 0;
+    text += (frame == 40 ? "5" + line.substr(line.find(' ')) : line) + "\n";
+  }
+  return text;
+}
+
+std::string replaced(const std::string& text, const std::string& pattern, const std::string& by) {
+  return std::regex_replace(text, std::regex(pattern), by);
+}
+
+}  // namespace
+
+PageFolder::PageFolder() {
+  fs::create_symlink(MIEN_PROGRAM, path() / "mien");
+  fs::create_directory_symlink(fs::path(MIEN_SOURCE_DIR) / "manifests", path() / "manifests");
+  for (const auto& [file, walk] : motions) make_motion(walk, path() / file);
+  make({"study", "simulate", "--examples", "builtin:walks-27", "-o", path() / "answers.csv"});
+  write("broken.bvh", broken(text_of(path() / "walk.bvh")));
+  write("study.yaml", small_study);
+  write("sessions.csv", sessions);
+  write("words.csv", words);
+}
+
+Ended PageFolder::run(const std::string& command) const {
+  const Scratch said;
+  const std::string output = said.path() / "output";
+  const std::string errors = said.path() / "errors";
+  const std::string script =
+      "cd '" + path().string() + "' && {\n" + command + "\n} >'" + output + "' 2>'" + errors + "'";
+  const int status = std::system(script.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 255, text_of(output), text_of(errors)};
+}
+
+fs::path PageFolder::write(const std::string& name, const std::string& text) const {
+  return scratch_.write(name, text);
+}
+
+std::string made_cheap(const std::string& command) {
+  std::string cheap = replaced(command, R"(\./mien run (manifests|out)/)", "./mien plan $1/");
+  cheap = replaced(cheap, R"( \| jq .*)", "");
+  const bool cropped = cheap.find("--crop") != std::string::npos;
+  if (!cropped) cheap = replaced(cheap, R"( --size \S+)", "");
+  return replaced(cheap, R"(\./mien render)",
+                  cropped ? "$& --quality draft" : "$& --quality draft --size 160x120");
+}
+
+std::string completed(const std::string& yaml) {
+  std::vector<std::string> parts = top_level_parts(yaml);
+  const auto has = [&parts](const std::string& key) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const std::string& part) { return key_of(part) == key; });
+  };
+  if (has("mien")) return yaml;
+  if (has("modify")) {
+    return completed("stimuli:\n- id: page\n  weights: {normal: 1}\n  " + parts.front());
+  }
+  std::string text = "mien: 1\nstudy: page\n" + yaml;
+  if (!has("examples")) text += "examples: {set: builtin:walks-10}\n";
+  if (!has("stimuli")) {
+    text += "stimuli: [{id: target-1, clip: walk.bvh}, {id: guess-1, clip: walk.bvh}]\n";
+  }
+  return text;
+}
+
+}  // namespace mien::test
