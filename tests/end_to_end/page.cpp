@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <regex>
 #include <sstream>
 
@@ -105,11 +106,16 @@ Page read_page(const std::string& name) {
   return page;
 }
 
+std::vector<PageBlock> blocks_of(const Page& page, const std::string& language) {
+  std::vector<PageBlock> blocks;
+  std::copy_if(page.blocks.begin(), page.blocks.end(), std::back_inserter(blocks),
+               [&](const PageBlock& block) { return block.language == language; });
+  return blocks;
+}
+
 std::vector<PageCommand> commands_of(const Page& page) {
   std::vector<PageCommand> commands;
-  for (const PageBlock& block : page.blocks) {
-    if (block.language == "sh") add_commands(block, commands);
-  }
+  for (const PageBlock& block : blocks_of(page, "sh")) add_commands(block, commands);
   return commands;
 }
 

@@ -40,6 +40,7 @@ struct Page {
 std::vector<std::string> page_names();
 
 Page read_page(const std::string& name);
+std::vector<PageBlock> blocks_of(const Page& page, const std::string& language);
 std::vector<PageCommand> commands_of(const Page& page);
 
 /// Parts of a YAML text that begin at its left edge: {"look: {…}\n", "output:\n  size: …\n"}.

@@ -5,7 +5,7 @@
 #include <regex>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
+#include <vector>
 
 #include <sys/wait.h>
 
@@ -39,20 +39,19 @@ p2,english,walk-fast,walking,fast
 p1,finnish,walk-sad,kävelee,surullisesti
 )";
 
-/// Each file and the built-in walk that stands for it.
-const std::vector<std::pair<std::string, std::string>> motions = {
-    {"walk.bvh", "normal"},
-    {"new.bvh", "brisk"},
-    {"target.bvh", "happy"},
-    {"created.bvh", "relaxed"},
-    {"a.bvh", "tired"},
-    {"b.bvh", "slow"},
-    {"walks/normal.bvh", "normal"},
-    {"walks/proud.bvh", "proud"},
-    {"captures/walk.bvh", "normal"},
-    {"captures/anna_walk_slow.bvh", "slow"},
-    {"captures/anna_walk_fast.bvh", "brisk"},
-    {"captures/anna_walk_sad.bvh", "sad"},
+/// A walk of the built-in set, and the files that it stands for.
+struct Standing {
+  std::string walk;
+  std::vector<std::string> files;
+};
+
+const std::vector<Standing> motions = {
+    {"normal",
+     {"walk.bvh", "new.bvh", "target.bvh", "a.bvh", "walks/normal.bvh", "captures/walk.bvh",
+      "captures/anna_walk_fast.bvh"}},
+    {"sad",
+     {"created.bvh", "b.bvh", "walks/proud.bvh", "captures/anna_walk_sad.bvh",
+      "captures/anna_walk_slow.bvh"}},
 };
 
 void make(const std::vector<std::string>& arguments) {
@@ -60,10 +59,12 @@ void make(const std::vector<std::string>& arguments) {
   if (ended.code != 0) throw std::runtime_error(ended.errors);
 }
 
-void make_motion(const std::string& walk, const fs::path& file) {
-  fs::create_directories(file.parent_path());
+std::string bvh_of(const std::string& walk) {
+  const Scratch scratch;
+  const std::string file = scratch.path() / "walk.bvh";
   make({"motion", "blend", "--examples", "builtin:walks-10", "--weights", walk + "=1", "--cycles",
-        "4", "-o", file.string()});
+        "3", "-o", file});
+  return text_of(file);
 }
 
 /// A walk that leaps 5 m in one frame.
@@ -88,7 +89,10 @@ std::string replaced(const std::string& text, const std::string& pattern, const 
 PageFolder::PageFolder() {
   fs::create_symlink(MIEN_PROGRAM, path() / "mien");
   fs::create_directory_symlink(fs::path(MIEN_SOURCE_DIR) / "manifests", path() / "manifests");
-  for (const auto& [file, walk] : motions) make_motion(walk, path() / file);
+  for (const Standing& motion : motions) {
+    const std::string bvh = bvh_of(motion.walk);
+    for (const std::string& file : motion.files) write(file, bvh);
+  }
   make({"study", "simulate", "--examples", "builtin:walks-27", "-o", path() / "answers.csv"});
   write("broken.bvh", broken(text_of(path() / "walk.bvh")));
   write("study.yaml", small_study);
@@ -107,16 +111,18 @@ Ended PageFolder::run(const std::string& command) const {
 }
 
 fs::path PageFolder::write(const std::string& name, const std::string& text) const {
+  fs::create_directories((path() / name).parent_path());
   return scratch_.write(name, text);
 }
 
 std::string made_cheap(const std::string& command) {
   std::string cheap = replaced(command, R"(\./mien run (manifests|out)/)", "./mien plan $1/");
   cheap = replaced(cheap, R"( \| jq .*)", "");
-  const bool cropped = cheap.find("--crop") != std::string::npos;
-  if (!cropped) cheap = replaced(cheap, R"( --size \S+)", "");
-  return replaced(cheap, R"(\./mien render)",
-                  cropped ? "$& --quality draft" : "$& --quality draft --size 160x120");
+  if (cheap.find("--crop") == std::string::npos) {
+    cheap = replaced(cheap, R"( --size \S+)", "");
+    cheap = replaced(cheap, R"(\./mien render)", "$& --size 160x120");
+  }
+  return replaced(cheap, R"(\./mien render)", "$& --quality draft --fps 5");
 }
 
 std::string completed(const std::string& yaml) {

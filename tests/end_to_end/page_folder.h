@@ -25,8 +25,8 @@ class PageFolder {
   Scratch scratch_;
 };
 
-/// The command as it is run here: pictures are small and drafts, ready-made manifests are planned
-/// in place of run, and what is piped into jq is not.
+/// The command as it is run here: pictures are few, small and drafts, ready-made manifests are
+/// planned in place of run, and what is piped into jq is not.
 std::string made_cheap(const std::string& command);
 
 /// A manifest out of a part of one. What is missing is added: built-in examples, two stimuli; what
