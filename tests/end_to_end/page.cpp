@@ -36,7 +36,8 @@ std::string anchor_of(const std::string& heading) {
   std::string anchor;
   for (const unsigned char c : heading.substr(heading.find_first_not_of("# "))) {
     if (c == ' ') anchor += '-';
-    if (std::isalnum(c) || c == '-' || c == '_' || c >= 0x80) anchor += std::tolower(c);
+    if (std::isalnum(c) || c == '-' || c == '_' || c >= 0x80)
+      anchor += static_cast<char>(std::tolower(c));
   }
   return anchor;
 }

@@ -104,8 +104,8 @@ Ended PageFolder::run(const std::string& command) const {
   const Scratch said;
   const std::string output = said.path() / "output";
   const std::string errors = said.path() / "errors";
-  const std::string script =
-      "cd '" + path().string() + "' && {\n" + command + "\n} >'" + output + "' 2>'" + errors + "'";
+  const std::string script = "set -e\ncd '" + path().string() + "'\n{\n" + command + "\n} >'" +
+                             output + "' 2>'" + errors + "'";
   const int status = std::system(script.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 255, text_of(output), text_of(errors)};
 }

@@ -99,7 +99,7 @@ TEST_P(Pages, CommandsRun) {
   const PageFolder folder;
   for (const PageCommand& command : commands) {
     const std::string text = made_cheap(command.text);
-    EXPECT_TRUE(text.find("./mien") != std::string::npos) << at(command.line) << "is not run";
+    ASSERT_TRUE(text.find("./mien") != std::string::npos) << at(command.line) << "is not run";
     const Ended ended = folder.run(text);
     EXPECT_EQ(ended.code, command.code) << at(command.line) << text << "\n" << ended.errors;
     EXPECT_TRUE(fs::exists(folder.path() / output_of(text))) << at(command.line) << text;
