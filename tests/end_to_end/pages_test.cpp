@@ -130,17 +130,23 @@ void write_named_files(const Page& page, const PageFolder& folder) {
       "--scales my.scales.yaml -o answers.csv");
 }
 
+/// Writes a block as a file that can be checked, and gives its name.
+std::string written(const PageBlock& block, const PageFolder& folder) {
+  if (!file_name(block).empty()) return file_name(block);
+  const std::string name = "line-" + std::to_string(block.line) + ".yaml";
+  folder.write(name, completed(block.text));
+  return name;
+}
+
 TEST_P(Pages, ManifestsAreAccepted) {
   const std::vector<PageBlock> manifests = blocks_of(page, "yaml");
   if (manifests.empty()) return;
   const PageFolder folder;
   write_named_files(page, folder);
-  for (const PageBlock& block : manifests) {
-    std::string name = file_name(block);
-    if (name.empty()) folder.write(name = "page.yaml", completed(block.text));
-    const Ended ended = folder.run("./mien check " + name);
-    EXPECT_EQ(ended.code, 0) << at(block.line) << "\n" << ended.errors;
-  }
+  std::string check = "./mien check";
+  for (const PageBlock& block : manifests) check += " " + written(block, folder);
+  const Ended ended = folder.run(check);
+  EXPECT_EQ(ended.code, 0) << page.name << "\n" << ended.errors;
 }
 
 std::string name_of(const testing::TestParamInfo<std::string>& page) {
