@@ -33,7 +33,7 @@ double lowest_sole(const Clip& clip, bool left, size_t frame) {
 TEST(HipShift, LeavesFeetThatStand) {
   const Clip clip = ordinary();
   const Clip shifted = with_hip_shift(clip, clip, foot_plants(clip), HipPath::exact);
-  EXPECT_LT(largest_difference(shifted, clip), 0.01);
+  EXPECT_LT(largest_distance(shifted, clip), 0.01);
   EXPECT_NEAR(shifted.cycle_displacement.z(), clip.cycle_displacement.z(), 0.01);
 }
 
@@ -138,10 +138,10 @@ TEST(FootRepair, BendsKneesForwardThatWereBentBackwards) {
 TEST(FootRepair, OfNoneLeavesTheClip) {
   const Clip clip = ordinary();
   const Clip changed = with_paths(clip, longest_path_gains());
-  EXPECT_EQ(largest_difference(
-                with_repaired_feet(changed, clip, foot_plants(clip), FootRepair::none), changed),
+  EXPECT_EQ(largest_distance(with_repaired_feet(changed, clip, foot_plants(clip), FootRepair::none),
+                             changed),
             0.0);
-  EXPECT_EQ(largest_difference(with_repaired_feet(changed, clip, {}, FootRepair::plants), changed),
+  EXPECT_EQ(largest_distance(with_repaired_feet(changed, clip, {}, FootRepair::plants), changed),
             0.0);
 }
 
@@ -161,7 +161,7 @@ TEST(FootRepair, LiftsToesThatWouldScrapeTheFloor) {
     }
   }
   EXPECT_GT(lifted, 0.02);
-  EXPECT_LT(largest_difference(with_toe_clearance(clip, clip, plants), clip), 1e-9);
+  EXPECT_LT(largest_distance(with_toe_clearance(clip, clip, plants), clip), 1e-9);
 }
 
 }  // namespace

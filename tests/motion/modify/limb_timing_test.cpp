@@ -92,8 +92,8 @@ TEST(LimbTiming, AcceleratedVariesMore) {
 
 TEST(LimbTiming, LeavesWhatStandsStill) {
   const Clip still = moving_arm([](double) { return 0.5; });
-  EXPECT_LT(largest_difference(with_acceleration(still, {}), still), 1e-12);
-  EXPECT_LT(largest_difference(with_constant_speed(still, {}), still), 1e-12);
+  EXPECT_LT(largest_distance(with_acceleration(still, {}), still), 1e-12);
+  EXPECT_LT(largest_distance(with_constant_speed(still, {}), still), 1e-12);
 }
 
 TEST(LimbTiming, LeavesFeetUnlessAsked) {

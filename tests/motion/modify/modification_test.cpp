@@ -67,7 +67,7 @@ TEST(Modification, ByDefaultChangesNothing) {
   std::mt19937_64 random(2);
   const Clip clip = random_loop(random, 40).clip;
   EXPECT_TRUE(is_identity({}));
-  EXPECT_EQ(largest_difference(modified(clip, {}), clip), 0.0);
+  EXPECT_EQ(largest_distance(modified(clip, {}), clip), 0.0);
 }
 
 TEST(Modification, OfNoStrengthChangesNothing) {
@@ -77,7 +77,7 @@ TEST(Modification, OfNoStrengthChangesNothing) {
   for (const Modification& m : {everything(), with_gains}) {
     EXPECT_FALSE(is_identity(m));
     EXPECT_TRUE(is_identity(scaled(m, 0.0)));
-    EXPECT_EQ(largest_difference(modified(clip, scaled(m, 0.0)), clip), 0.0);
+    EXPECT_EQ(largest_distance(modified(clip, scaled(m, 0.0)), clip), 0.0);
   }
 }
 
@@ -200,15 +200,15 @@ TEST(Modification, RepeatsItselfAndFollowsItsSeed) {
   Modification m;
   m.variation = 1.0;
   const Clip first = modified(clip, m);
-  EXPECT_EQ(largest_difference(modified(clip, m), first), 0.0);
+  EXPECT_EQ(largest_distance(modified(clip, m), first), 0.0);
   m.seed = 2;
-  EXPECT_GT(largest_difference(modified(clip, m), first), 0.01);
+  EXPECT_GT(largest_distance(modified(clip, m), first), 0.01);
 }
 
 TEST(Modification, OfAMirroredWalkIsTheMirroredModification) {
   const Clip clip = walk({}, 100.0, standard_body()).clip;
   Modification m = recipe(1.7, 0.5, {{shoulder_abduction, 12.0}, {spine_flexion, 5.0}});
-  EXPECT_LT(largest_difference(modified(mirrored(clip), m), mirrored(modified(clip, m))), 1e-6);
+  EXPECT_LT(largest_distance(modified(mirrored(clip), m), mirrored(modified(clip, m))), 1e-6);
 }
 
 TEST(Modification, RefusesWhatIsOutOfRange) {

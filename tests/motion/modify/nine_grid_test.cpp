@@ -21,7 +21,7 @@ TEST(NineGrid, HoldsTheOriginalInItsMiddle) {
   const auto grid = nine_motions(clip, foot_plants(clip), {});
   ASSERT_EQ(grid.size(), 9u);
   EXPECT_EQ(grid[4].name, "as is");
-  EXPECT_EQ(largest_difference(grid[4].clip, clip), 0.0);
+  EXPECT_EQ(largest_distance(grid[4].clip, clip), 0.0);
 }
 
 TEST(NineGrid, GrowsFromShortToLongAndFromConstantToAccelerated) {
@@ -46,7 +46,7 @@ TEST(NineGrid, IsReproducedAtItsNodes) {
     Modification place;
     place.paths = node.paths;
     place.acceleration = node.acceleration;
-    EXPECT_LT(largest_difference(grid_motion(clip, plants, place), node.clip), 1e-12) << node.name;
+    EXPECT_LT(largest_distance(grid_motion(clip, plants, place), node.clip), 1e-12) << node.name;
   }
 }
 
@@ -60,8 +60,7 @@ TEST(NineGrid, IsBilinearBetweenItsNodes) {
   // As is, accelerated, long, and both.
   const std::array<Clip, 4> around = {grid[4].clip, grid[5].clip, grid[7].clip, grid[8].clip};
   const std::array<double, 4> weights = {0.7 * 0.75, 0.7 * 0.25, 0.3 * 0.75, 0.3 * 0.25};
-  EXPECT_LT(largest_difference(grid_motion(clip, plants, place), mean_clip(around, weights)),
-            1e-12);
+  EXPECT_LT(largest_distance(grid_motion(clip, plants, place), mean_clip(around, weights)), 1e-12);
 }
 
 TEST(NineGrid, MixesClipsInAnyOrder) {
@@ -71,7 +70,7 @@ TEST(NineGrid, MixesClipsInAnyOrder) {
   const std::array<Clip, 3> others = {grid[8].clip, grid[0].clip, grid[4].clip};
   const std::array<double, 3> weights = {0.2, 0.5, 0.3};
   const std::array<double, 3> other_weights = {0.3, 0.2, 0.5};
-  EXPECT_LT(largest_difference(mean_clip(clips, weights), mean_clip(others, other_weights)), 1e-12);
+  EXPECT_LT(largest_distance(mean_clip(clips, weights), mean_clip(others, other_weights)), 1e-12);
 }
 
 TEST(NineGrid, TakesExplicitGainsForItsPaths) {
@@ -81,9 +80,8 @@ TEST(NineGrid, TakesExplicitGainsForItsPaths) {
   place.gains = PathGains{1.0, 1.8, 0.3, {}};
   Modification longest;
   longest.paths = 2.0;
-  EXPECT_LT(
-      largest_difference(grid_motion(clip, plants, place), grid_motion(clip, plants, longest)),
-      1e-12);
+  EXPECT_LT(largest_distance(grid_motion(clip, plants, place), grid_motion(clip, plants, longest)),
+            1e-12);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(PathLength, AtUnitGainsIsTheInput) {
   for (const double rate : {24.0, 30.0, 60.0, 100.0, 120.0}) {
     for (const auto signal : {RotationSignal::direction_vectors, RotationSignal::quaternions}) {
       const Clip clip = ordinary(rate);
-      EXPECT_LT(largest_difference(with_path_gains(clip, {}, signal), clip), 1e-12);
+      EXPECT_LT(largest_distance(with_path_gains(clip, {}, signal), clip), 1e-12);
     }
   }
 }
@@ -117,7 +117,7 @@ TEST(PathLength, OfDirectionVectorsMindsRatiosOfGainsOnly) {
   const auto signal = RotationSignal::direction_vectors;
   const Clip doubled = with_path_gains(clip, {1.0, 2.0, 2.0, {}}, signal);
   const Clip halved = with_path_gains(clip, {0.5, 1.0, 1.0, {}}, signal);
-  EXPECT_LT(largest_difference(doubled, halved), 1e-9);
+  EXPECT_LT(largest_distance(doubled, halved), 1e-9);
 }
 
 TEST(PathLength, OfSingleBandsIsThatOfTheirGroup) {
@@ -125,8 +125,8 @@ TEST(PathLength, OfSingleBandsIsThatOfTheirGroup) {
   const PathGains groups = longest_path_gains();
   PathGains single = groups;
   single.bands = band_gains(groups, 100.0);
-  EXPECT_LT(largest_difference(with_path_gains(clip, single, RotationSignal::direction_vectors),
-                               with_path_gains(clip, groups, RotationSignal::direction_vectors)),
+  EXPECT_LT(largest_distance(with_path_gains(clip, single, RotationSignal::direction_vectors),
+                             with_path_gains(clip, groups, RotationSignal::direction_vectors)),
             1e-12);
 }
 
@@ -135,7 +135,7 @@ TEST(PathLength, OfALoopDoesNotMindWhereItBegins) {
   Clip turned = shifted_loop(clip, 7);
   clip = with_path_gains(clip, longest_path_gains(), RotationSignal::direction_vectors);
   turned = with_path_gains(turned, longest_path_gains(), RotationSignal::direction_vectors);
-  EXPECT_LT(largest_difference(turned, shifted_loop(clip, 7)), 1e-9);
+  EXPECT_LT(largest_distance(turned, shifted_loop(clip, 7)), 1e-9);
 }
 
 TEST(PathLength, FiltersAHundredThousandFrames) {

@@ -39,7 +39,7 @@ inline double speed_variation(const motion::Clip& clip, motion::BodyJoint joint)
 }
 
 /// Largest distance between the same joints of two clips, metres.
-inline double largest_difference(const motion::Clip& a, const motion::Clip& b) {
+inline double largest_distance(const motion::Clip& a, const motion::Clip& b) {
   const auto first = motion::joint_paths(a);
   const auto second = motion::joint_paths(b);
   if (first.size() != second.size()) return INFINITY;

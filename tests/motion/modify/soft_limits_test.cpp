@@ -35,7 +35,7 @@ TEST(SoftLimits, NeverPassTheLimitAndNeverGoBack) {
 TEST(SoftLimits, LeaveWhatTheOriginalDoes) {
   const Clip clip = walk({}, 30.0, standard_body()).clip;
   const SoftLimits limits = with_soft_limits(clip, clip);
-  EXPECT_LT(largest_difference(limits.clip, clip), 1e-12);
+  EXPECT_LT(largest_distance(limits.clip, clip), 1e-12);
   EXPECT_EQ(limits.largest_excess, 0.0);
 }
 
