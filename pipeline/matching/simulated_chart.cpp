@@ -54,7 +54,7 @@ BarChart distance_chart(const std::vector<InterfaceSummary>& summaries, double t
 
 BarChart share_chart(const std::vector<InterfaceSummary>& summaries, const std::string& title,
                      double InterfaceSummary::*share) {
-  BarChart chart = simulated_bars(title, "share of simulated users");
+  BarChart chart = simulated_bars(title, "share of simulated trials");
   chart.percent = true;
   chart.decimals = 0;
   for (const InterfaceSummary& s : summaries) {
