@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/LU>
-
+#include "motion/math/linear_system.h"
 #include "motion/math/singular_values.h"
 
 namespace mien::motion {
@@ -19,7 +18,6 @@ double cubic_b_spline(double x) {
 namespace {
 
 constexpr double largest_condition = 1e8;
-constexpr double singular_share = 1e-8;
 
 /// Least squares of [1 P]·lᵀ ≈ I on centred parameters. The constant alone is the mean of the
 /// targets because the columns of P sum to zero, so only the slopes need the minimum-norm solution.
@@ -74,14 +72,13 @@ CardinalBasis fit_cardinal_basis(const Eigen::MatrixXd& example_parameters) {
       Eigen::MatrixXd::Identity(count, count) - design * basis.linear.transpose();
 
   basis.widths = nearest_distances(centres);
-  const Eigen::MatrixXd phi = radial_matrix(centres, basis.widths);
-  Eigen::PartialPivLU<Eigen::MatrixXd> solver(phi);
-  while (solver.rcond() < 1.0 / largest_condition) {
+  LinearSystem system(radial_matrix(centres, basis.widths));
+  while (system.reciprocal_condition() < 1.0 / largest_condition) {
     basis.widths *= 0.5;
     ++basis.halvings;
-    solver.compute(radial_matrix(centres, basis.widths));
+    system = LinearSystem(radial_matrix(centres, basis.widths));
   }
-  basis.radial = solver.solve(residual).transpose();
+  basis.radial = system.solve_columns(residual).transpose();
   return basis;
 }
 

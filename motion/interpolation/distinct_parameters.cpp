@@ -7,7 +7,6 @@ namespace mien::motion {
 namespace {
 
 constexpr double same_parameters = 1e-6;
-constexpr double singular_share = 1e-8;
 
 }  // namespace
 

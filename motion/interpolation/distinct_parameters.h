@@ -21,8 +21,11 @@ DistinctParameters distinct_parameters(const Eigen::MatrixXd& example_parameters
 /// Weights of examples from weights of places: those who share a place share its weight equally.
 Eigen::VectorXd by_example(const DistinctParameters& distinct, const Eigen::VectorXd& by_place);
 
+/// Singular values below this share of the largest are directions in which nothing spreads.
+inline constexpr double singular_share = 1e-8;
+
 /// Directions in which the rows spread: the number of singular values of the centred matrix above
-/// 1e-8 of the largest. 0 for one row.
+/// that share. 0 for one row.
 int spread_rank(const Eigen::MatrixXd& places);
 
 }  // namespace mien::motion

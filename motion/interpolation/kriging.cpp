@@ -12,7 +12,6 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double singular_share = 1e-8;
 constexpr double least_rcond = 1e-11;
 
 double median_distance(const Eigen::MatrixXd& places) {
@@ -106,11 +105,11 @@ Kriging fit_kriging(const Eigen::MatrixXd& places, const KrigingOptions& options
     kriging.variogram = fitted_variogram(places, *half_squared_differences, median);
     kriging.fitted = true;
   }
-  kriging.system.compute(system_matrix(kriging, options.nugget));
-  while (kriging.system.rcond() < least_rcond && kriging.halvings < 30) {
+  kriging.system = LinearSystem(system_matrix(kriging, options.nugget));
+  while (kriging.system.reciprocal_condition() < least_rcond && kriging.halvings < 30) {
     kriging.variogram.range *= 0.5;
     ++kriging.halvings;
-    kriging.system.compute(system_matrix(kriging, options.nugget));
+    kriging.system = LinearSystem(system_matrix(kriging, options.nugget));
   }
   return kriging;
 }

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include "motion/interpolation/interpolation_options.h"
+#include "motion/math/linear_system.h"
 
 namespace mien::motion {
 
@@ -27,7 +27,7 @@ struct Kriging {
   Variogram variogram;
   bool fitted = false;  ///< to dissimilarities of motions; otherwise sill 1 and median distance
   int halvings = 0;     ///< how often the range was halved to stay solvable
-  Eigen::PartialPivLU<Eigen::MatrixXd> system;  ///< [Γ F; Fᵀ 0], Γ in units of the sill
+  LinearSystem system;  ///< [Γ F; Fᵀ 0], Γ in units of the sill
 };
 
 /// Weights of the K places, and the expected squared error of the blend in the unit of the

@@ -4,10 +4,10 @@
 #include <cassert>
 #include <cmath>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "motion/interpolation/time_warp.h"
+#include "motion/math/linear_system.h"
 #include "motion/math/rotation.h"
 
 namespace mien::motion {
@@ -100,7 +100,7 @@ Eigen::MatrixXd regression_of(const StatisticalModel& model, const Eigen::Matrix
     added = options.noise * options.noise;
   }
   covariance.diagonal().array() += added;
-  return covariance.ldlt().solve(joint.transpose()).transpose();
+  return solve_symmetric(covariance, joint.transpose()).transpose();
 }
 
 Eigen::VectorXd moment_at(const StatisticalModel& model, const Eigen::VectorXd& x, double share) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <Eigen/LU>
+#include "motion/math/linear_system.h"
 
 namespace mien::motion {
 
@@ -38,7 +38,7 @@ CubicSpline level_spline(std::vector<double> times, const Eigen::MatrixXd& value
     system(k, k + 1) = smooth.after;
     right.row(k) = smooth.right;
   }
-  return {std::move(times), values, system.partialPivLu().solve(right)};
+  return {std::move(times), values, LinearSystem(system).solve_columns(right)};
 }
 
 CubicSpline periodic_spline(std::vector<double> times, const Eigen::MatrixXd& values,
@@ -58,7 +58,7 @@ CubicSpline periodic_spline(std::vector<double> times, const Eigen::MatrixXd& va
     system(k, after) += smooth.after;
     right.row(k) = smooth.right;
   }
-  const Eigen::MatrixXd slopes = system.partialPivLu().solve(right);
+  const Eigen::MatrixXd slopes = LinearSystem(system).solve_columns(right);
   CubicSpline spline{std::move(times), Eigen::MatrixXd(knots + 1, values.cols()),
                      Eigen::MatrixXd(knots + 1, values.cols())};
   spline.times.push_back(spline.times.front() + period);

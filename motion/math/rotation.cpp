@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/math/singular_values.h"
+
 namespace mien::motion {
 
 Vec3 log(const Quat& rotation) {
@@ -36,7 +38,23 @@ Quat in_hemisphere_of(const Quat& reference, const Quat& rotation) {
   return reference.dot(rotation) < 0 ? Quat(-rotation.coeffs()) : rotation;
 }
 
-Quat turn_between(const Vec3& from, const Vec3& to) { return Quat::FromTwoVectors(from, to); }
+// As Eigen's FromTwoVectors, whose own matrices take ten seconds to compile.
+Quat turn_between(const Vec3& from, const Vec3& to) {
+  const Vec3 a = from.normalized();
+  const Vec3 b = to.normalized();
+  const double cosine = b.dot(a);
+  Quat turn;
+  if (cosine < -1.0 + Eigen::NumTraits<double>::dummy_precision()) {
+    const double half = 0.5 * (1.0 + std::max(cosine, -1.0));
+    turn.w() = std::sqrt(half);
+    turn.vec() = perpendicular_to(a, b) * std::sqrt(1.0 - half);
+    return turn;
+  }
+  const double twice = std::sqrt(2.0 * (1.0 + cosine));
+  turn.w() = 0.5 * twice;
+  turn.vec() = a.cross(b) * (1.0 / twice);
+  return turn;
+}
 
 Quat heading(const Vec3& direction) {
   if (std::hypot(direction.x(), direction.z()) < 1e-12) return Quat::Identity();

@@ -29,4 +29,10 @@ SingularValues singular_values(const Eigen::MatrixXd& matrix) {
   return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
 }
 
+Eigen::Vector3d perpendicular_to(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  Eigen::MatrixXd rows(2, 3);
+  rows << a.transpose(), b.transpose();
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(rows, Eigen::ComputeFullV).matrixV().col(2);
+}
+
 }  // namespace mien::motion

@@ -21,4 +21,7 @@ struct SingularValues {
 
 SingularValues singular_values(const Eigen::MatrixXd& matrix);
 
+/// A unit vector at right angles to both, which may be parallel.
+Eigen::Vector3d perpendicular_to(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
 }  // namespace mien::motion

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
 
+#include "motion/math/linear_system.h"
 #include "motion/math/singular_values.h"
 
 namespace mien::motion {
@@ -103,7 +101,7 @@ Matrix simulated_states(const StateSpace& system, const Matrix& inputs, InitialS
     still = identity - power;
     right = state;
   }
-  if (order > 0) state = still.partialPivLu().solve(right);
+  if (order > 0) state = LinearSystem(still).solve(right);
   Matrix states(inputs.rows(), order);
   for (Eigen::Index t = 0; t < inputs.rows(); ++t) {
     states.row(t) = state.transpose();
@@ -120,7 +118,7 @@ double fit_outputs(StateSpace& system, const Matrix& inputs, const Matrix& outpu
   known << simulated_states(system, inputs, initial), inputs;
   Matrix normal = known.transpose() * known;
   normal.diagonal().array() += ridge * normal.trace() / static_cast<double>(normal.rows());
-  const Matrix both = normal.ldlt().solve(known.transpose() * outputs).transpose();
+  const Matrix both = solve_symmetric(normal, known.transpose() * outputs).transpose();
   system.c = both.leftCols(order);
   system.d = both.rightCols(inputs.cols());
   return (known * both.transpose() - outputs).squaredNorm();

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-
+#include "motion/math/linear_system.h"
 #include "motion/math/singular_values.h"
 
 namespace mien::pipeline {
@@ -61,7 +59,7 @@ Eigen::VectorXd left_out_errors(const Eigen::MatrixXd& hat, const Eigen::VectorX
     const Eigen::MatrixXd own = hat(groups[g], groups[g]);
     const Eigen::VectorXd e = residuals(groups[g]);
     const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(own.rows(), own.cols()) - own;
-    errors[static_cast<Eigen::Index>(g)] = rest.partialPivLu().solve(e).squaredNorm();
+    errors[static_cast<Eigen::Index>(g)] = motion::LinearSystem(rest).solve(e).squaredNorm();
   }
   return errors;
 }
@@ -88,7 +86,7 @@ RidgeModel fit_ridge(const Eigen::MatrixXd& predictors, const Eigen::VectorXd& v
   model.intercept = values.mean();
   const auto unit = Eigen::MatrixXd::Identity(z.cols(), z.cols());
   const Eigen::MatrixXd normal = z.transpose() * z + penalty * unit;
-  model.inverse = normal.llt().solve(unit);
+  model.inverse = motion::inverse_of_positive(normal);
   model.coefficients =
       (model.inverse * (z.transpose() * (values.array() - model.intercept).matrix())).transpose();
   return model;

@@ -1,0 +1,27 @@
+#include "motion/math/linear_system.h"
+
+#include <Eigen/Cholesky>
+
+namespace mien::motion {
+
+LinearSystem::LinearSystem(const Eigen::MatrixXd& matrix) : factors_(matrix) {}
+
+Eigen::VectorXd LinearSystem::solve(const Eigen::VectorXd& right) const {
+  return factors_.solve(right);
+}
+
+Eigen::MatrixXd LinearSystem::solve_columns(const Eigen::MatrixXd& right) const {
+  return factors_.solve(right);
+}
+
+double LinearSystem::reciprocal_condition() const { return factors_.rcond(); }
+
+Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  return matrix.ldlt().solve(right);
+}
+
+Eigen::MatrixXd inverse_of_positive(const Eigen::MatrixXd& matrix) {
+  return matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+}
+
+}  // namespace mien::motion
