@@ -14,8 +14,6 @@ namespace {
 constexpr double sole_width = 0.09;  // m at 1.75 m
 constexpr double bearing = 0.03;     // m
 
-Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
-
 double lowest_of(const SolePoints& sole) {
   return std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
 }

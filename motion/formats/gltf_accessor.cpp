@@ -14,8 +14,6 @@ namespace {
 
 using Bytes = std::span<const unsigned char>;
 
-constexpr std::string_view get_it_again = "export or download the file again";
-
 [[noreturn]] void refuse_use(const GltfFile& file, std::string_view use, std::string_view wrong) {
   refuse(file, std::string(use) + ": " + std::string(wrong), get_it_again);
 }

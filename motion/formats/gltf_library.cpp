@@ -18,8 +18,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view get_it_again = "export or download the file again";
-
 /// The two parts of a binary glTF file, or a text file as a whole.
 struct Container {
   std::string_view json;

@@ -35,6 +35,9 @@ std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::
                                              const std::optional<std::filesystem::path>& folder,
                                              std::string_view use);
 
+/// The remedy for a file that was written wrongly.
+inline constexpr std::string_view get_it_again = "export or download the file again";
+
 /// Throws mien::Error naming the file.
 [[noreturn]] void refuse(const GltfFile& file, std::string_view wrong, std::string_view remedy);
 

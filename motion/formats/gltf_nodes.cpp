@@ -8,8 +8,6 @@ namespace mien::motion {
 
 namespace {
 
-constexpr std::string_view get_it_again = "export or download the file again";
-
 std::string title(int node) { return "node " + std::to_string(node); }
 
 /// The numbers when there are `count`, all usable; false when there are none.

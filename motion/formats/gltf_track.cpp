@@ -18,8 +18,6 @@ namespace {
 using Part = GltfTrack::Part;
 using Interpolation = GltfTrack::Interpolation;
 
-constexpr std::string_view get_it_again = "export or download the file again";
-
 std::optional<Part> part_of(const std::string& path) {
   if (path == "translation") return Part::translation;
   if (path == "rotation") return Part::rotation;

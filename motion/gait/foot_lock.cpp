@@ -7,6 +7,7 @@
 #include "motion/gait/foot_path.h"
 #include "motion/gait/foot_placement.h"
 #include "motion/math/rotation.h"
+#include "motion/math/smooth_envelope.h"
 
 namespace mien::motion {
 
@@ -15,13 +16,6 @@ namespace {
 /// A foot that is just leaving the floor may move: drift is measured a little below the height at
 /// which the lock lets go.
 constexpr double standing_share = 0.7;
-
-/// 1 at 0, 0 at and beyond 1, level at both.
-double fade(double x) {
-  if (x <= 0.0) return 1.0;
-  if (x >= 1.0) return 0.0;
-  return 2.0 * x * x * x - 3.0 * x * x + 1.0;
-}
 
 Quat mean_rotation(const FootPath& path, int first, int last) {
   Quat mean = path.rotation_at((first + last) / 2);

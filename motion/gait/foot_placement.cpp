@@ -19,13 +19,6 @@ struct Correction {
   Vec3 turn = Vec3::Zero();
 };
 
-/// 1 at 0, 0 at and beyond 1, level at both.
-double fade(double x) {
-  if (x <= 0.0) return 1.0;
-  if (x >= 1.0) return 0.0;
-  return 2.0 * x * x * x - 3.0 * x * x + 1.0;
-}
-
 /// A correction at the end of a stretch.
 struct Edge {
   int frame;

@@ -18,8 +18,6 @@ constexpr double least_steadiness = 0.1;
 // Seam cost: a tenth of that between the extremes of a stride.
 constexpr double alike_enough = 0.5;
 
-Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
-
 std::optional<GaitCycle> cycle_of(const Clip& clip, const Stride& stride) {
   const auto keyframes = left_based_keyframes(stride);
   if (!keyframes) return std::nullopt;

@@ -29,8 +29,6 @@ ContactOptions event_contact() {
   return options;
 }
 
-Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
-
 std::vector<double> along(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
                           const std::vector<Vec3>& directions, double rate) {
   std::vector<double> progress;

@@ -10,7 +10,6 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double standing_speed = 0.1;  // m/s, of the centre of mass
 constexpr double standing_seconds = 0.3;
 constexpr double falling_seconds = 0.15;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion/biomechanics/body_mass.h"
 #include "motion/gait/contact.h"
@@ -16,7 +15,6 @@ namespace {
 constexpr double shortest_seconds = 0.1;
 constexpr double falling =
     -5.0;  // m/s²: half of free fall, for feet leave and meet the floor softly
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> sole_heights(const LintSubject& subject, bool left) {
   std::vector<double> heights;

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "motion/biomechanics/inverse_dynamics.h"
 #include "motion/lint/checks.h"
@@ -9,8 +8,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double shortest_seconds = 0.1;
+constexpr double least_overload_seconds = 0.1;
 constexpr double light = 0.3;  // body weights; below, friction says nothing
 
 std::vector<double> presses(const LintSubject& subject, const BodyOnFloor& body) {
@@ -65,7 +63,7 @@ Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& bo
         original ? measure(*original, *original_body) : std::vector<double>();
     const auto sentence = [&](double worst) { return what + rounded(worst, 1) + after; };
     add_stretches(findings, subject,
-                  {"forces", "", unit, raised(levels, before), shortest_seconds, 3, sentence},
+                  {"forces", "", unit, raised(levels, before), least_overload_seconds, 3, sentence},
                   measure(subject, body));
   };
   add(presses, options.press, "body weights", "The feet press the floor with ",
@@ -95,10 +93,10 @@ Findings find_unnatural_torques(const LintSubject& subject, const BodyOnFloor& b
       return "The " + spoken(name) + " would need " + rounded(worst, 0) + " N·m, more than the " +
              rounded(limit, 0) + " N·m that strong adults have.";
     };
-    add_stretches(
-        findings, subject,
-        {"joint-torque", name, "N·m", raised(levels, before[j]), shortest_seconds, 3, sentence},
-        rows[j]);
+    add_stretches(findings, subject,
+                  {"joint-torque", name, "N·m", raised(levels, before[j]), least_overload_seconds,
+                   3, sentence},
+                  rows[j]);
   }
   return findings;
 }

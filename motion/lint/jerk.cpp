@@ -11,7 +11,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double window_seconds = 0.5;
+constexpr double jerk_window_seconds = 0.5;
 constexpr double smooth_jerk = 10.0;  // m/s³; what is smoother is as good as still
 
 /// Root mean square of the jerk around each frame, m/s³.
@@ -20,7 +20,7 @@ std::vector<double> jerks(const LintSubject& subject, int joint) {
   std::vector<Vec3> way = low_pass(limb_way(subject, joint), std::min(10.0, 0.3 * rate), rate);
   for (int order = 0; order < 3; ++order) way = derivative(way, rate);
   const int count = static_cast<int>(way.size());
-  const int reach = static_cast<int>(std::lround(0.5 * window_seconds * rate));
+  const int reach = static_cast<int>(std::lround(0.5 * jerk_window_seconds * rate));
   std::vector<double> values;
   for (int t = 0; t < count; ++t) {
     const int first = std::max(0, t - reach);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion/biomechanics/joint_angles.h"
 #include "motion/lint/checks.h"

@@ -8,7 +8,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double shortest_seconds = 0.05;
+constexpr double least_excess_seconds = 0.05;
 
 bool is_leg(int joint) { return joint >= LeftHip; }
 
@@ -42,7 +42,7 @@ Findings find_fast_joints(const LintSubject& subject, const LintOptions& options
     const Levels levels = raised(is_leg(j) ? options.leg_speed : options.arm_speed,
                                  original ? speeds(*original, j) : std::vector<double>());
     add_stretches(findings, subject,
-                  {"joint-speed", name, "rad/s", levels, shortest_seconds, 2, sentence},
+                  {"joint-speed", name, "rad/s", levels, least_excess_seconds, 2, sentence},
                   speeds(subject, j));
   }
   return findings;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
@@ -10,8 +9,6 @@
 namespace mien::motion {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Steps from each frame to the next.
 std::vector<Vec3> turns(const Clip& clip, int joint) {

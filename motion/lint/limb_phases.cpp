@@ -11,7 +11,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double window_seconds = 2.0;
+constexpr double phase_window_seconds = 2.0;
 constexpr double farthest_seconds = 0.6;  // a limb half a second late is still found
 constexpr double smallest_way = 0.02;     // m; of what hardly moves the phase means nothing
 constexpr double least_correlation = 0.6;
@@ -25,7 +25,7 @@ struct Window {
 std::vector<Window> windows(const LintSubject& subject) {
   const int whole = subject.frame_count();
   const int length =
-      std::min(whole, static_cast<int>(std::lround(window_seconds * subject.rate())));
+      std::min(whole, static_cast<int>(std::lround(phase_window_seconds * subject.rate())));
   const int hop = std::max(1, length / 2);
   if (subject.was_loop) return {{subject.start, subject.start + subject.frames - 1}};
   std::vector<Window> result;

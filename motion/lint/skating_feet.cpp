@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion/gait/contact.h"
 #include "motion/lint/checks.h"
@@ -13,7 +12,6 @@ namespace {
 
 constexpr double shortest_slide_seconds = 0.13;
 constexpr double beyond_original_metres = 0.012;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double largest_slip(const LintSubject& subject) {
   double largest = 0.0;

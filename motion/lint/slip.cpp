@@ -16,8 +16,6 @@ constexpr double ends_seconds = 0.05;
 constexpr double flat_metres = 0.01;
 constexpr double near_metres = 0.04;
 
-Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
-
 /// What the supporting part of a sole moves between two frames. Of a flat sole all of it bears, and
 /// what moves least tells how far it slides.
 Vec3 slide(const SolePoints& from, const SolePoints& to) {

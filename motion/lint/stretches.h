@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@
 #include "motion/lint/lint_options.h"
 
 namespace mien::motion {
+
+/// The value of a frame of which nothing can be said.
+inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A value that is measured in every frame, and when it is a fault.
 struct MeasuredFault {
@@ -24,9 +28,9 @@ struct MeasuredFault {
 };
 
 /// One finding for every stretch of frames in which `values` (one for each frame of the subject's
-/// clip, in the fault's unit; NaN where nothing can be said) lie above the warning level; gaps of
-/// up to 0.1 s are bridged. A stretch is an error when its values pass the error level for as long
-/// as a stretch must last.
+/// clip, in the fault's unit; `nothing` where it cannot be said) lie above the warning level; gaps
+/// of up to 0.1 s are bridged. A stretch is an error when its values pass the error level for as
+/// long as a stretch must last.
 void add_stretches(std::vector<Finding>& findings, const LintSubject& subject,
                    const MeasuredFault& fault, std::span<const double> values);
 

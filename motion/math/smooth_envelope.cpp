@@ -32,4 +32,10 @@ std::vector<double> smooth_envelope(const std::vector<double>& needed, int half_
   return smooth;
 }
 
+double fade(double x) {
+  if (x <= 0.0) return 1.0;
+  if (x >= 1.0) return 0.0;
+  return 2.0 * x * x * x - 3.0 * x * x + 1.0;
+}
+
 }  // namespace mien::motion

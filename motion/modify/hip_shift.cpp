@@ -82,7 +82,7 @@ std::vector<Vec3> shifts(const Clip& clip, const Clip& original,
   return without_gaps(sums, clip.loops);
 }
 
-double lowest(const SolePoints& sole) {
+double height_of(const SolePoints& sole) {
   return std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
 }
 
@@ -101,11 +101,11 @@ std::vector<Vec3> rises(const Clip& clip, const Clip& original,
       const auto at = static_cast<size_t>(clip.loops ? f % count : std::min(f, count - 1));
       double rise = 0.0;
       if (path == HipPath::exact) {
-        rise = std::min(lowest(before[0][at]), lowest(before[1][at])) -
-               std::min(lowest(now[0][at]), lowest(now[1][at]));
+        rise = std::min(height_of(before[0][at]), height_of(before[1][at])) -
+               std::min(height_of(now[0][at]), height_of(now[1][at]));
       } else {
         const size_t foot = plant.left ? 0 : 1;
-        rise = lowest(before[foot][at]) - lowest(now[foot][at]);
+        rise = height_of(before[foot][at]) - height_of(now[foot][at]);
       }
       known[at] = known[at].value_or(Vec3::Zero()) + Vec3(0, rise, 0);
       standing[at] += 1.0;

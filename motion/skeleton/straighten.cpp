@@ -10,8 +10,6 @@ namespace {
 
 constexpr double slowest_walk = 0.1;  // m/s
 
-Vec3 level(const Vec3& v) { return {v.x(), 0.0, v.z()}; }
-
 Vec3 displacement(const Clip& clip) {
   if (clip.loops) return level(clip.cycle_displacement);
   return level(clip.poses.back().root_position - clip.poses.front().root_position);

@@ -14,7 +14,7 @@ namespace mien::motion {
 
 namespace {
 
-std::string seconds_text(double seconds) {
+std::string in_milliseconds(double seconds) {
   return std::to_string(std::lround(1000.0 * seconds)) + " ms";
 }
 
@@ -29,13 +29,13 @@ void require_window(const Clip& motion, const std::vector<DisplacementKey>& keys
   const bool outside = window.start_seconds < 0.0 || window.end_seconds > duration + 1e-9;
   if (motion.loops ? length > duration + 1e-9 : outside) {
     throw Error("the window of a displacement map goes beyond the motion, which lasts " +
-                    seconds_text(duration),
+                    in_milliseconds(duration),
                 "shorten the window");
   }
   for (const DisplacementKey& key : keys) {
     if (key.seconds <= window.start_seconds || key.seconds >= window.end_seconds) {
       throw Error("the displacement of " + std::string(name_of(key.joint)) + " at " +
-                      seconds_text(key.seconds) + " is not inside its window",
+                      in_milliseconds(key.seconds) + " is not inside its window",
                   "move the key, or widen the window");
     }
     if (key.joint != Pelvis && !key.shift.isZero(0.0)) {
@@ -55,7 +55,7 @@ CubicSpline spline_of(std::vector<DisplacementKey> keys, const DisplacementMapOp
   for (const DisplacementKey& key : keys) {
     if (key.seconds <= times.back()) {
       throw Error("two displacements of " + std::string(name_of(key.joint)) + " are at " +
-                      seconds_text(key.seconds),
+                      in_milliseconds(key.seconds),
                   "leave one of them out");
     }
     const auto row = static_cast<Eigen::Index>(times.size());

@@ -12,7 +12,7 @@ namespace {
 /// Below this an amplitude (radians, metres) is stillness, and its ratio says nothing.
 constexpr double stillness = 1e-4;
 /// Below this a way along the floor is none, metres.
-constexpr double least_way = 0.1;
+constexpr double least_travel = 0.1;
 
 PeriodTransform transform_between(const PeriodMeasure& neutral, const PeriodMeasure& emotional) {
   PeriodTransform transform;
@@ -105,7 +105,7 @@ EmotionTransform emotion_transform(const Clip& neutral, const Clip& emotional) {
     transform.periods.push_back(transform_between(from[p], to[p]));
   }
   const double way = to_curves(neutral).way.norm();
-  if (way > least_way) transform.way_ratio = to_curves(emotional).way.norm() / way;
+  if (way > least_travel) transform.way_ratio = to_curves(emotional).way.norm() / way;
   return transform;
 }
 

@@ -47,9 +47,9 @@ WordColumns columns_of(const CsvTable& table) {
   return columns;
 }
 
-using Tally = std::map<std::pair<std::string, std::string>, WordCount>;
+using WordTally = std::map<std::pair<std::string, std::string>, WordCount>;
 
-void count(Tally& tally, const std::string& language, const std::string& text,
+void count(WordTally& tally, const std::string& language, const std::string& text,
            const std::string& as = "") {
   WordCount& entry = tally[{language, text}];
   entry.language = language;
@@ -58,7 +58,7 @@ void count(Tally& tally, const std::string& language, const std::string& text,
   ++entry.count;
 }
 
-std::vector<WordCount> most_frequent_first(const Tally& tally) {
+std::vector<WordCount> most_frequent_first(const WordTally& tally) {
   std::vector<WordCount> counts;
   for (const auto& [key, entry] : tally) counts.push_back(entry);
   std::stable_sort(counts.begin(), counts.end(),
@@ -173,9 +173,9 @@ class WordsReader {
   const Lexicon& lexicon_;
   WordColumns columns_;
   std::vector<WordCoverage> coverage_;
-  Tally not_understood_;
-  Tally respelled_;
-  Tally left_out_;
+  WordTally not_understood_;
+  WordTally respelled_;
+  WordTally left_out_;
   std::map<std::string, StimulusCount> stimuli_;
 };
 

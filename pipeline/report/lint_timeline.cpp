@@ -12,10 +12,10 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr double width = 720.0;
+constexpr double page_width = 720.0;
 constexpr double margin = 24.0;
 constexpr double plot_left = 236.0;
-constexpr double plot_right = width - 30.0;
+constexpr double plot_right = page_width - 30.0;
 constexpr double plot_top = 88.0;
 constexpr double row_height = 17.0;
 constexpr double least_bar = 2.5;  // points; a single frame of a long take would not be seen
@@ -162,11 +162,11 @@ Plot lint_timeline(const LintedMotion& motion) {
   const std::vector<std::string> clean = clean_lines(motion);
   const double plot_height = row_height * std::max<double>(1.0, static_cast<double>(rows.size()));
   const double height = plot_top + plot_height + 40.0 + 12.0 * static_cast<double>(clean.size());
-  Plot plot{"Faults of " + motion.name, width, height, {}};
+  Plot plot{"Faults of " + motion.name, page_width, height, {}};
   // The rows point into the plot's own copy of the findings.
   plot.draw = [motion, plot_height, clean](Canvas& canvas) {
     canvas.text({margin, 30.0}, motion.name,
-                {.size = 13.0, .bold = true, .max_width = width - 2 * margin});
+                {.size = 13.0, .bold = true, .max_width = page_width - 2 * margin});
     canvas.text({margin, 48.0}, subtitle_of(motion), {.size = 8.5, .colour = quiet_ink});
     draw_legend(canvas, plot_right);
     const Layout layout = {{plot_left, plot_top, plot_right - plot_left, plot_height},

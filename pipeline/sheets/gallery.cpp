@@ -11,16 +11,16 @@ namespace mien::pipeline {
 namespace {
 
 constexpr double page_width = 1190.55;
-constexpr double margin = 36.0;
-constexpr double header_height = 56.0;
-constexpr double footer_height = 30.0;
-constexpr double row_height = 84.0;
+constexpr double gallery_margin = 36.0;
+constexpr double gallery_header = 56.0;
+constexpr double gallery_footer = 30.0;
+constexpr double motion_height = 84.0;
 constexpr double label_width = 205.0;
-constexpr int pixels_wide = 3508;
+constexpr int gallery_pixels_wide = 3508;
 
 double page_height(const GalleryContent& content) {
-  return 2.0 * margin + header_height + footer_height +
-         row_height * static_cast<double>(content.motions.size());
+  return 2.0 * gallery_margin + gallery_header + gallery_footer +
+         motion_height * static_cast<double>(content.motions.size());
 }
 
 std::vector<Figure> figures_of(const GalleryContent& content, const SheetMotion& shown) {
@@ -36,15 +36,16 @@ std::vector<Figure> figures_of(const GalleryContent& content, const SheetMotion&
 }
 
 void draw_title(Canvas& canvas, const GalleryContent& content) {
-  const double baseline = margin + 16.0;
-  const Box title = canvas.text({margin, baseline}, content.title, {.size = 18.0, .bold = true});
+  const double baseline = gallery_margin + 16.0;
+  const Box title =
+      canvas.text({gallery_margin, baseline}, content.title, {.size = 18.0, .bold = true});
   canvas.text({title.right() + 10.0, baseline}, content.study, {.size = 11.0, .colour = quiet_ink});
-  canvas.text({margin, baseline + 17.0},
+  canvas.text({gallery_margin, baseline + 17.0},
               fmt::format("{} motions at corresponding moments; D from the first of them",
                           content.motions.size()),
               {.size = 9.0, .colour = quiet_ink});
   if (!content.simulated_ratings) return;
-  canvas.text({page_width - margin, baseline}, simulated_ratings_mark,
+  canvas.text({page_width - gallery_margin, baseline}, simulated_ratings_mark,
               {.size = 11.0, .colour = caution_ink, .bold = true, .align = Align::right});
 }
 
@@ -69,12 +70,13 @@ void draw_rows(Canvas& canvas, const GalleryContent& content) {
     rows.push_back(figures_of(content, shown));
     for (const Figure& figure : rows.back()) extent.include(figure);
   }
-  const double column = (page_width - 2.0 * margin - label_width) / motion::distance_times;
+  const double column = (page_width - 2.0 * gallery_margin - label_width) / motion::distance_times;
   const double scale = std::min((column - 6.0) / (extent.right - extent.left),
-                                (row_height - 12.0) / (extent.top - extent.bottom));
+                                (motion_height - 12.0) / (extent.top - extent.bottom));
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    const Box row = {margin, margin + header_height + row_height * static_cast<double>(r),
-                     page_width - 2.0 * margin, row_height};
+    const Box row = {gallery_margin,
+                     gallery_margin + gallery_header + motion_height * static_cast<double>(r),
+                     page_width - 2.0 * gallery_margin, motion_height};
     const MotionColours& colours = content.colours[r];
     const double ground = row.bottom() - 5.0 + scale * extent.bottom;
     canvas.line({row.x + label_width, ground}, {row.right(), ground},
@@ -93,7 +95,8 @@ void draw_page(Canvas& canvas, const GalleryContent& content) {
   draw_rows(canvas, content);
   std::string facts = "lighter limbs: left";
   for (const auto& [name, value] : content.provenance) facts += "  ·  " + name + " " + value;
-  canvas.text({margin, page_height(content) - margin}, facts, {.size = 8.0, .colour = quiet_ink});
+  canvas.text({gallery_margin, page_height(content) - gallery_margin}, facts,
+              {.size = 8.0, .colour = quiet_ink});
 }
 
 }  // namespace
@@ -105,7 +108,7 @@ std::string gallery_as_pdf(const GalleryContent& content) {
 }
 
 std::string gallery_as_png(const GalleryContent& content) {
-  Canvas canvas = Canvas::png(page_width, page_height(content), pixels_wide);
+  Canvas canvas = Canvas::png(page_width, page_height(content), gallery_pixels_wide);
   draw_page(canvas, content);
   return canvas.finish();
 }

@@ -9,8 +9,8 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr double heading_height = 20.0;
-constexpr double row_height = 9.4;
+constexpr double rows_heading_height = 20.0;
+constexpr double map_row_height = 9.4;
 constexpr double part_gap = 3.2;
 
 /// Parts of the body before the one that the joint belongs to: trunk, arms, legs.
@@ -24,7 +24,8 @@ int parts_before(int joint) {
 }
 
 double row_top(const Box& block, int joint) {
-  return block.y + heading_height + (joint - 1) * row_height + parts_before(joint) * part_gap;
+  return block.y + rows_heading_height + (joint - 1) * map_row_height +
+         parts_before(joint) * part_gap;
 }
 
 }  // namespace
@@ -52,12 +53,12 @@ Box time_column(const Box& block, int t) {
 }
 
 Box joint_row(const Box& block, int joint) {
-  return {block.x, row_top(block, joint), block.width, row_height};
+  return {block.x, row_top(block, joint), block.width, map_row_height};
 }
 
 Box mean_row(const Box& block) {
-  const double top = row_top(block, motion::distance_joints) + row_height + 2 * part_gap;
-  return {block.x, top, block.width, row_height + 2.0};
+  const double top = row_top(block, motion::distance_joints) + map_row_height + 2 * part_gap;
+  return {block.x, top, block.width, map_row_height + 2.0};
 }
 
 double amount_limit(const motion::Distance& distance) {

@@ -13,9 +13,9 @@ namespace mien::pipeline {
 namespace {
 
 constexpr double pixels_per_point = 2.0;
-constexpr double margin = 24.0;
-constexpr double header_height = 34.0;
-constexpr double footer_height = 14.0;
+constexpr double stills_margin = 24.0;
+constexpr double stills_header = 34.0;
+constexpr double stills_footer = 14.0;
 constexpr double gap = 8.0;
 constexpr double caption_height = 16.0;
 constexpr double rim = 0.25;
@@ -37,16 +37,17 @@ class Page {
                               : render::resized(still.picture, width, height));
       tallest_ = std::max(tallest_, height);
     }
-    cell_ = {margin, margin + header_height, width / pixels_per_point, tallest_ / pixels_per_point};
+    cell_ = {stills_margin, stills_margin + stills_header, width / pixels_per_point,
+             tallest_ / pixels_per_point};
   }
 
   double width() const {
-    return 2.0 * margin + std::max(least_width, columns_ * (cell_.width + gap) - gap);
+    return 2.0 * stills_margin + std::max(least_width, columns_ * (cell_.width + gap) - gap);
   }
 
   double height() const {
     const int rows = (static_cast<int>(pictures_.size()) + columns_ - 1) / columns_;
-    return 2.0 * margin + header_height + rows * row_height() - gap + footer_height;
+    return 2.0 * stills_margin + stills_header + rows * row_height() - gap + stills_footer;
   }
 
   const render::Image8& picture(std::size_t still) const { return pictures_[still]; }
@@ -76,14 +77,14 @@ class Page {
 };
 
 void draw_page(Canvas& canvas, const StillsContent& content, const Page& page) {
-  const double baseline = margin + 14.0;
-  const double width = page.width() - 2.0 * margin;
-  const Box title = canvas.text({margin, baseline}, content.title,
+  const double baseline = stills_margin + 14.0;
+  const double width = page.width() - 2.0 * stills_margin;
+  const Box title = canvas.text({stills_margin, baseline}, content.title,
                                 {.size = 16.0, .bold = true, .max_width = width});
   const double beside = title.right() + 10.0;
-  if (beside < margin + 0.8 * width) {
+  if (beside < stills_margin + 0.8 * width) {
     canvas.text({beside, baseline}, content.study,
-                {.size = 10.0, .colour = quiet_ink, .max_width = margin + width - beside});
+                {.size = 10.0, .colour = quiet_ink, .max_width = stills_margin + width - beside});
   }
   for (std::size_t i = 0; i < content.stills.size(); ++i) {
     const Box box = page.box(i);
@@ -96,7 +97,7 @@ void draw_page(Canvas& canvas, const StillsContent& content, const Page& page) {
   }
   std::string facts = fmt::format("the middle frame of each of {} films", content.stills.size());
   for (const auto& [name, value] : content.provenance) facts += "  ·  " + name + " " + value;
-  canvas.text({margin, page.height() - margin}, facts,
+  canvas.text({stills_margin, page.height() - stills_margin}, facts,
               {.size = 7.0, .colour = quiet_ink, .max_width = width});
 }
 

@@ -9,7 +9,7 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 double mean_of(const std::vector<double>& values) {
   double sum = 0.0;
@@ -33,7 +33,7 @@ TTest finished(TTest test) {
 }
 
 double margin(const TTest& test, double confidence) {
-  if (!(test.degrees > 0.0)) return unknown;
+  if (!(test.degrees > 0.0)) return not_known;
   return quantile(boost::math::students_t(test.degrees), 0.5 + 0.5 * confidence) *
          test.standard_error;
 }
@@ -45,14 +45,14 @@ double TTest::high(double confidence) const { return mean + margin(*this, confid
 
 TTest paired_t_test(const std::vector<double>& differences) {
   if (differences.size() < 2) {
-    return {differences.empty() ? unknown : differences[0], unknown, 0.0, unknown, unknown};
+    return {differences.empty() ? not_known : differences[0], not_known, 0.0, not_known, not_known};
   }
   const auto n = static_cast<double>(differences.size());
   return finished({mean_of(differences), std::sqrt(variance_of(differences) / n), n - 1.0});
 }
 
 TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() < 2 || b.size() < 2) return {unknown, unknown, 0.0, unknown, unknown};
+  if (a.size() < 2 || b.size() < 2) return {not_known, not_known, 0.0, not_known, not_known};
   const auto n = static_cast<double>(a.size());
   const auto m = static_cast<double>(b.size());
   const double of_a = variance_of(a) / n;
@@ -64,7 +64,7 @@ TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 double cohens_dz(const std::vector<double>& differences) {
-  if (differences.size() < 2) return unknown;
+  if (differences.size() < 2) return not_known;
   return mean_of(differences) / std::sqrt(variance_of(differences));
 }
 

@@ -4,16 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include "render/error.h"
 #include "render/geometry/embree_api.h"
+#include "render/math/constants.h"
 
 namespace mien::render {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 bool machine_has(const std::string& instruction_set) {
   if (instruction_set == "sse2") return __builtin_cpu_supports("sse2");

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "render/math/constants.h"
 
 namespace mien::render {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 struct Ball {
   Vec3 centre;

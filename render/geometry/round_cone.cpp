@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "render/math/constants.h"
 #include "render/math/for_avx2.h"
 
 namespace mien::render {
@@ -60,7 +60,6 @@ Vec3 normal_at(const RoundCone& cone, const Vec3& point) {
 
 MIEN_FOR_AVX2_TOO void intersect_lines(const RoundCone& cone, const RayLanes& rays, unsigned count,
                                        float* enter, float* leave) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   const float ax = cone.axis.x(), ay = cone.axis.y(), az = cone.axis.z();
   const float hx = 0.5f * ax, hy = 0.5f * ay, hz = 0.5f * az;
   const float mx = cone.a.x() + hx, my = cone.a.y() + hy, mz = cone.a.z() + hz;

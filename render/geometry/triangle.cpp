@@ -1,14 +1,12 @@
 #include "render/geometry/triangle.h"
 
-#include <limits>
-
+#include "render/math/constants.h"
 #include "render/math/for_avx2.h"
 
 namespace mien::render {
 
 MIEN_FOR_AVX2_TOO void intersect_triangle(const Triangle& triangle, const RayLanes& rays,
                                           unsigned count, float* distance) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   const float ax = triangle.a.x(), ay = triangle.a.y(), az = triangle.a.z();
   const float bx = triangle.b.x(), by = triangle.b.y(), bz = triangle.b.z();
   const float cx = triangle.c.x(), cy = triangle.c.y(), cz = triangle.c.z();

@@ -4,16 +4,14 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "render/light/lanes.h"
 #include "render/light/sky_cone.h"
+#include "render/math/constants.h"
 #include "render/math/sampler.h"
 
 namespace mien::render {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 constexpr float unit = 1.0f / 64.0f;  // metres; the smallest cell
 constexpr int root_side = 64 * 128;   // units

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
+
+#include "render/math/constants.h"
 
 namespace mien::render {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 // Where the figure covers little of the sky, few rays from a surface are enough. So many that the
 // noise stays below `sky_noise` of the sky's light, when a figure fills about a ninth of the sphere

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "render/math/constants.h"
 
 namespace mien::render {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 // Point on the unit circle at `eighths`·π/4, −1 … 1. Chebyshev fits, error below 4e-8.
 DiscPoint on_arc(float eighths) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
+#include "render/math/constants.h"
 #include "render/math/directions.h"
 
 namespace mien::render {
@@ -164,7 +164,6 @@ Color sky_radiance(const Sky& sky, const Vec3& towards) {
 Color open_sky_light(const Sky& sky, const Vec3& normal) {
   // With the angle β between the normal and the zenith,
   // ∫ max(ω·up, 0) max(ω·n, 0) dω = ⅔ (sin β + (π − β) cos β), over the sphere.
-  constexpr float pi = std::numbers::pi_v<float>;
   const float cosine = std::clamp(normal.y(), -1.0f, 1.0f);
   const float sine = std::sqrt(1.0f - cosine * cosine);
   const float angle = 0.5f * pi - std::copysign(arc_sine(std::abs(cosine)), cosine);
@@ -180,7 +179,6 @@ Color backdrop_radiance(const Sky& sky, const Vec3& towards) {
 
 Color sky_irradiance_on_floor(const Sky& sky) {
   // ∫ (h + (z − h) cos θ) cos θ dω = π h + (z − h) 2π/3
-  constexpr float pi = std::numbers::pi_v<float>;
   return pi * (sky.horizon + (2.0f / 3.0f) * (sky.zenith - sky.horizon));
 }
 

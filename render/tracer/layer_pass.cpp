@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 
 #include "render/light/floor.h"
 #include "render/light/shading.h"
+#include "render/math/constants.h"
 #include "render/tracer/pixel.h"
 
 namespace mien::render {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// What a ray from the eye meets.
 struct Seen {

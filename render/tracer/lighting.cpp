@@ -1,20 +1,16 @@
 #include "render/tracer/lighting.h"
 
 #include <bit>
-#include <limits>
-#include <numbers>
 #include <optional>
 
 #include "render/light/floor.h"
 #include "render/light/light.h"
 #include "render/light/sky_cone.h"
+#include "render/math/constants.h"
 #include "render/math/directions.h"
 
 namespace mien::render {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float pi = std::numbers::pi_v<float>;
 
 float distance_to_end(const Scene& scene, const Vec3& origin, const Vec3& direction) {
   if (!scene.has_ground) return infinity;

@@ -1,17 +1,15 @@
 #include "render/tracer/pixel_plan.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "render/light/floor.h"
 #include "render/light/sky_cone.h"
+#include "render/math/constants.h"
 #include "render/math/for_avx2.h"
 
 namespace mien::render {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 struct FilmArea {
   float x_min;

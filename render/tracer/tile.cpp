@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "render/image/luminance.h"
 #include "render/light/floor.h"
+#include "render/math/constants.h"
 #include "render/math/directions.h"
 #include "render/tracer/lighting.h"
 #include "render/tracer/pixel.h"
@@ -15,8 +15,6 @@
 
 namespace mien::render {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 Vec3 floor_point(const EyeRay& ray, float distance) {
   Vec3 point = ray.origin + distance * ray.direction;

@@ -12,7 +12,7 @@ using motion::Mat3;
 using motion::Vec3;
 using nlohmann::json;
 
-constexpr std::string_view get_it_again = "export or download the file again";
+using motion::get_it_again;
 constexpr size_t most_vertices = 4'000'000;
 constexpr int triangles_mode = 4;
 constexpr int strip_mode = 5;

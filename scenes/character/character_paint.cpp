@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view get_it_again = "export or download the file again";
+using motion::get_it_again;
 
 /// What stands under `key` when it is an object, else an empty object.
 const json& object_in(const json& object, const char* key) {

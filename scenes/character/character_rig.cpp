@@ -12,7 +12,7 @@ namespace {
 using motion::Vec3;
 using nlohmann::json;
 
-constexpr std::string_view get_it_again = "export or download the file again";
+using motion::get_it_again;
 constexpr std::string_view with_armature = "export the figure with its armature and skin weights";
 
 /// Every mesh that a node places. Meshes of nodes without a skin are kept for later judgement.
