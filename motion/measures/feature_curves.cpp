@@ -52,10 +52,10 @@ void append(std::vector<double>& curve, double angle) {
 enum class Pointing { up, down };
 
 // Sine of 10°: nearer to the axis of an angle a segment says nothing of it.
-constexpr double least_share = 0.17;
+constexpr double least_in_plane = 0.17;
 
 bool is_told_by(double x, double y, const Vec3& segment) {
-  return std::hypot(x, y) > least_share * segment.norm();
+  return std::hypot(x, y) > least_in_plane * segment.norm();
 }
 
 void append_segment(SegmentAngles& angles, const Vec3& segment, const Directions& to,
@@ -73,7 +73,7 @@ void append_foot(SegmentAngles& angles, const Vec3& sole, const Directions& to) 
   const double left = sole.dot(to.left);
   const double up = sole.dot(to.up);
   if (is_told_by(forward, up, sole)) append(angles.forward, std::atan2(up, forward));
-  if (forward > least_share) append(angles.sideways, std::atan2(left, forward));
+  if (forward > least_in_plane) append(angles.sideways, std::atan2(left, forward));
 }
 
 /// The way from ankle to toes as it lies when standing, turned with the ankle.

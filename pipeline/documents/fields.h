@@ -5,8 +5,8 @@
 #include <concepts>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -390,48 +390,49 @@ void FieldWriter::each(const char* key, const std::vector<Element>& list, unsign
 
 // Names -----------------------------------------------------------------------------------------
 
-/// Collects the paths of all options that a list knows, elements of arrays as "[]":
-/// "stimuli[].output.presentation.card.text".
+/// Collects the paths of all options that a list knows and what they concern, elements of arrays as
+/// "[]": "stimuli[].output.presentation.card.text".
 class FieldNames {
  public:
-  explicit FieldNames(std::string prefix = "") : prefix_(std::move(prefix)) {}
+  explicit FieldNames(std::string prefix = "", unsigned inherited = concerns::nothing)
+      : prefix_(std::move(prefix)), inherited_(inherited) {}
 
-  const std::set<std::string>& names() const { return names_; }
+  /// Path → what it concerns. Of a map that stands around others it is nothing by itself.
+  const std::map<std::string, unsigned>& names() const { return names_; }
 
   template <class Value>
-  void operator()(const char* key, Value&, unsigned) {
-    add(key);
-    walk<std::remove_const_t<Value>>(key);
+  void operator()(const char* key, Value&, unsigned concerned) {
+    add(key, concerned);
+    walk<std::remove_const_t<Value>>(key, concerned);
   }
 
   template <class Enum>
-  void operator()(const char* key, Enum&, unsigned, Words<std::remove_const_t<Enum>>) {
-    add(key);
+  void operator()(const char* key, Enum&, unsigned concerned, Words<std::remove_const_t<Enum>>) {
+    add(key, concerned);
   }
 
   template <class Walk>
   void group(const char* key, Walk&& walk_group) {
-    add(key);
-    nested(key, walk_group);
+    add(key, concerns::nothing);
+    nested(key, inherited_, walk_group);
   }
 
   template <class Value>
-  void whole(const char* key, Value& value, unsigned concerns) {
-    (*this)(key, value, concerns);
+  void whole(const char* key, Value& value, unsigned concerned) {
+    (*this)(key, value, concerned);
   }
 
   template <class Element, class Prototype>
-  void each(const char* key, std::vector<Element>&, unsigned, Prototype&&) {
-    add(key);
-    walk<Element>(std::string(key) + "[]");
+  void each(const char* key, std::vector<Element>&, unsigned concerned, Prototype&&) {
+    add(key, concerned);
+    walk<Element>(std::string(key) + "[]", concerned);
   }
 
   template <class Value, class Form>
-  void by(const char* key, Value&, unsigned, Form) {
-    add(key);
-    if constexpr (requires(FieldNames & inner) { Form::walk(inner); }) {
-      nested(key, [](FieldNames& inner) { Form::walk(inner); });
-    }
+  void by(const char* key, Value&, unsigned concerned, Form) {
+    add(key, concerned);
+    if constexpr (requires(FieldNames& inner) { Form::walk(inner); })
+      nested(key, concerned, [](FieldNames& inner) { Form::walk(inner); });
   }
 
   template <class Value, class Form>
@@ -439,7 +440,9 @@ class FieldNames {
     Form::walk(*this);
   }
 
-  void add(const std::string& key) { names_.insert(prefix_ + key); }
+  void add(const std::string& key, unsigned concerned) { names_[prefix_ + key] |= concerned; }
+  /// What concerns the same as the option around it.
+  void add(const std::string& key) { add(key, inherited_); }
 
   /// The options of a struct, as if they stood here.
   template <class Value>
@@ -463,23 +466,24 @@ class FieldNames {
   };
 
   template <class Walk>
-  void nested(const std::string& key, Walk&& walk_inner) {
-    FieldNames inner(prefix_ + key + ".");
+  void nested(const std::string& key, unsigned concerned, Walk&& walk_inner) {
+    FieldNames inner(prefix_ + key + ".", concerned);
     walk_inner(inner);
-    names_.merge(inner.names_);
+    for (const auto& [path, concern] : inner.names_) names_[path] |= concern;
   }
 
   template <class Value>
-  void walk(const std::string& key) {
+  void walk(const std::string& key, unsigned concerned) {
     if constexpr (HasFields<Value>) {
-      nested(key, [](FieldNames& inner) { inner.of<Value>(); });
+      nested(key, concerned, [](FieldNames& inner) { inner.of<Value>(); });
     } else if constexpr (requires { typename ElementOf<Value>::Type; }) {
-      walk<typename ElementOf<Value>::Type>(key + ElementOf<Value>::mark);
+      walk<typename ElementOf<Value>::Type>(key + ElementOf<Value>::mark, concerned);
     }
   }
 
   std::string prefix_;
-  std::set<std::string> names_;
+  unsigned inherited_;
+  std::map<std::string, unsigned> names_;
 };
 
 }  // namespace mien::pipeline

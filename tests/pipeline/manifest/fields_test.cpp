@@ -1,0 +1,131 @@
+#include "pipeline/documents/fields.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/documents/schema.h"
+#include "pipeline/look/point_form.h"
+#include "pipeline/look/set_fields.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/manifest_reader.h"
+#include "pipeline/manifest/recipes.h"
+#include "pipeline/manifest/schema_paths.h"
+
+namespace mien::pipeline {
+namespace {
+
+using nlohmann::json;
+
+template <class Struct>
+std::set<std::string> listed() {
+  FieldNames names;
+  names.of<Struct>();
+  std::set<std::string> paths;
+  for (const auto& [path, concerned] : names.names()) paths.insert(path);
+  return paths;
+}
+
+std::set<std::string> in_schema(const json& schema) {
+  std::set<std::string> paths;
+  for (const auto& [path, node] : test::properties_of(schema)) paths.insert(path);
+  return paths;
+}
+
+TEST(Fields, OfAManifestAreThoseOfItsSchema) {
+  EXPECT_GT(in_schema(manifest_schema()).size(), 200u);
+  EXPECT_EQ(listed<Manifest>(), in_schema(manifest_schema()));
+}
+
+TEST(Fields, OfASetAreThoseOfItsSchema) {
+  EXPECT_EQ(listed<scenes::SetPlan>(), in_schema(set_schema()));
+}
+
+TEST(Fields, OfRecipesAreThoseOfTheirSchema) {
+  EXPECT_EQ(listed<RecipeBook>(), in_schema(recipes_schema()));
+}
+
+/// Each default that the schema states under `path` beside what a struct has unless told.
+template <class Struct>
+void expect_defaults(const std::string& path) {
+  const auto properties = test::properties_of(manifest_schema());
+  int compared = 0;
+  for (const FieldEntry& entry : entries_of(Struct{}, {})) {
+    const auto property = properties.find(path + "." + entry.path);
+    if (property == properties.end() || !property->second.contains("default")) continue;
+    const json& stated = property->second["default"];
+    EXPECT_EQ(stated.is_array() && stated.empty() ? json(nullptr) : stated, json(entry.value))
+        << property->first;
+    ++compared;
+  }
+  EXPECT_GT(compared, 0) << path;
+}
+
+TEST(Fields, HaveTheDefaultsThatTheSchemaStates) {
+  expect_defaults<Output>("output");
+  expect_defaults<Interpolation>("interpolation");
+  expect_defaults<Examples>("examples.set");
+  expect_defaults<scenes::CameraSettings>("look.camera");
+  expect_defaults<scenes::DepthOfField>("look.camera.depth_of_field");
+  expect_defaults<scenes::MannequinOptions>("look.figure.mannequin");
+  expect_defaults<scenes::PointLightOptions>("look.figure.point-light");
+  expect_defaults<scenes::TrailOptions>("look.figure.trail");
+  expect_defaults<motion::Modification>("stimuli[].modify");
+  expect_defaults<motion::PathGains>("stimuli[].modify.gains");
+  expect_defaults<StyleStep>("stimuli[].modify");
+  expect_defaults<Stimulus>("stimuli[]");
+  expect_defaults<Overlay>("overlays[]");
+  expect_defaults<Sheet>("sheets[]");
+}
+
+Manifest parsed(const std::string& text) {
+  const ManifestReading reading =
+      parse_manifest(text, "/nowhere/m.yaml", [](const std::string&) { return std::nullopt; });
+  EXPECT_TRUE(reading.faults.empty()) << Faults(reading.faults).what();
+  return reading.manifest;
+}
+
+TEST(Fields, ThatAreWrittenAreReadAgain) {
+  const Manifest manifest = parsed(R"(mien: 1
+study: s
+seed: 3
+examples: {set: builtin:walks-10, ratings: simulated, raters: 5}
+look: {figure: {trail: {before: 3, figure: {mannequin: {sex: 0.2}}}}, camera: {view: side, fov: 30}}
+output: {size: [64, 48], presentation: {card: Look, fixation: {seconds: 0.5, size: 9}}, video: [gif]}
+interpolation: {method: knn, neighbours: 4}
+recipes: fig29
+equalize: [luminance]
+stimuli:
+  - {id: a, role: target, adjectives: {quickness: 0.8, clearness: 0.1}, look: {figure: stick}}
+  - {id: b, weights: {sad: 2, normal: 1}, output: {fps: 25, crop: [0, 0, 32, 32]}, interpolation: {drift: linear},
+     modify: [{emotion: sad, posture: {spine-flexion: 4, head-flexion: 12}}, {method: hsu, neutral: normal, styled: sad, order: 4}]}
+overlays: [{target: a, created: b, opacity: 0.5}]
+sheets: [{compare: {target: a, created: b}}, {id: both, stills: [a, b], columns: 2}]
+)");
+  const OrderedJson text = written(manifest, Writing{});
+  const Manifest again = parsed(text.dump());
+  EXPECT_EQ(written(again, Writing{}), text);
+  ASSERT_EQ(again.stimuli.size(), 2u);
+  EXPECT_EQ(again.stimuli[1].output, manifest.stimuli[1].output);
+  EXPECT_EQ(again.stimuli[0].look.figure, manifest.stimuli[0].look.figure);
+  EXPECT_EQ(again.stimuli[1].modify[0].edit.named, manifest.stimuli[1].modify[0].edit.named);
+  EXPECT_EQ(again.stimuli[1].modify[1].style->order, 4);
+}
+
+TEST(Fields, ThatAreLaidOverOthersLeaveTheRestAsItIs) {
+  const Manifest manifest = parsed(R"(mien: 1
+study: s
+output: {size: [64, 48], fps: 25, presentation: {card: Look, blank_after: 0.5}}
+look: {camera: {view: side, fov: 30}}
+examples: {set: builtin:walks-10}
+stimuli: [{id: a, weights: {sad: 1}, output: {presentation: {blank_after: 0.2}}, look: {camera: {view: front}}}]
+)");
+  const Stimulus& stimulus = manifest.stimuli[0];
+  EXPECT_EQ(stimulus.output.fps, 25.0);
+  EXPECT_EQ(stimulus.output.presentation.card, "Look");
+  EXPECT_EQ(stimulus.output.presentation.blank_after, 0.2);
+  EXPECT_FALSE(stimulus.look.camera.fov_degrees);  // a camera is replaced as a whole
+}
+
+}  // namespace
+}  // namespace mien::pipeline
