@@ -7,6 +7,7 @@
 
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/manifest_checks.h"
+#include "pipeline/manifest/name_checks.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -224,9 +225,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"output: {size: [961, 540]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              "m.yaml:4:16: output.size: mp4 needs an even width and height; use 962 × 540, or no "
              "video\n"},
-        Case{"output: {size: [8192, 8192]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:16: output.size: too large for a video; use at most 35 million pixels, or no "
-             "video\n"},
+        Case{
+            "output: {size: [8192, 8192]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
+            "m.yaml:4:16: output.size: too large for a video; use at most 35 million pixels, or no "
+            "video\n"},
         Case{"output: {size: [961, 541], video: [gif, mkv]}\nstimuli: [{id: a, clip: walk.bvh}]\n",
              ""},
         Case{"output: {fps: 60, video: [gif]}\nstimuli: [{id: a, clip: walk.bvh}]\n",

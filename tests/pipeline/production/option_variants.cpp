@@ -1,0 +1,364 @@
+#include "pipeline/production/option_variants.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "motion/formats/motion_file.h"
+#include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/recording.h"
+#include "scenes/skinned_gltf.h"
+
+namespace mien::test {
+
+namespace {
+
+using nlohmann::json;
+
+json parsed(const char* text) { return json::parse(text); }
+
+/// As small and quick as a study can be that still makes every kind of artifact.
+json tiny_study() {
+  return parsed(R"({"mien": 1, "study": "s", "seed": 1, "examples": {"set": "builtin:walks-10"},
+    "output": {"size": [32, 24], "fps": 6, "cycles": 1, "quality": "draft", "video": ["gif"]},
+    "stimuli": [{"id": "a", "weights": {"normal": 1}}, {"id": "b", "weights": {"sad": 1}}],
+    "sheets": [{"compare": {"target": "a", "created": "b"}}]})");
+}
+
+/// What must stand around an option for it to count: patches of the whole manifest, and values of
+/// the map that the option stands in. The first entry whose text the path holds is taken, of each.
+struct Surroundings {
+  const char* path;
+  const char* patch;
+  const char* siblings;
+};
+
+constexpr char with_wishes[] =
+    R"({"stimuli": [{"id": "a", "adjectives": {"quickness": 0.7}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_folder[] =
+    R"({"examples": {"set": null, "ratings": "simulated"}, "stimuli": [{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"normal": 1}}]})";
+constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
+constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
+
+const Surroundings surroundings[] = {
+    {"interpolation.neighbours", with_wishes, R"({"method": "knn"})"},
+    {"interpolation.blends", with_wishes, R"({"method": "knn"})"},
+    {"interpolation.power", with_wishes, R"({"method": "inverse-distance"})"},
+    {"interpolation.cells", with_wishes, R"({"method": "grid"})"},
+    {"interpolation.nodes", with_wishes, R"({"method": "grid"})"},
+    {"interpolation.drift", with_wishes, R"({"method": "kriging"})"},
+    {"interpolation.nugget", with_wishes, R"({"method": "kriging"})"},
+    {"interpolation.variance", with_wishes, R"({"method": "pca"})"},
+    {"interpolation.estimate", with_wishes, R"({"method": "pca"})"},
+    {"interpolation.noise", with_wishes, R"({"method": "pca", "estimate": "most-likely"})"},
+    {"interpolation.step", with_wishes, R"({"method": "incremental"})"},
+    {"interpolation", with_wishes, "{}"},
+    {"stimuli[].adjectives", with_wishes, "{}"},
+    {"modify.harmonics", "{}", R"({"method": "unuma", "neutral": "normal", "styled": "sad"})"},
+    {"modify.order", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
+    {"modify.inputs", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
+    {"modify.components", "{}", R"({"method": "shapiro", "neutral": "normal", "styled": "sad"})"},
+    {"modify.swap", "{}", R"({"method": "shapiro", "neutral": "normal", "styled": "sad"})"},
+    {"modify.method", "{}", R"({"neutral": "normal", "styled": "sad"})"},
+    {"modify.neutral", "{}", R"({"method": "waveshape", "styled": "sad"})"},
+    {"modify.styled", "{}", R"({"method": "waveshape", "neutral": "normal"})"},
+    {"modify.strength", "{}", R"({"emotion": "sad"})"},
+    {"modify.acceleration_at", "{}", R"({"acceleration": 0.5})"},
+    {"modify.limbs", "{}", R"({"acceleration": 0.5})"},
+    {"modify.signal", "{}", R"({"paths": 0.5})"},
+    {"modify.seed", "{}", R"({"variation": 0.5})"},
+    {"modify.pose.neutral.frame", "{}", R"({"motion": "normal"})"},
+    {"modify.pose.posed.frame", "{}", R"({"motion": "sad"})"},
+    {"modify.pose.neutral", "{}", R"({"posed": "sad"})"},
+    {"modify.pose.posed", "{}", R"({"neutral": "sad"})"},
+    {"on_fault",
+     R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})",
+     "{}"},
+    {"recipes",
+     R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})",
+     "{}"},
+    {"examples.set.", with_folder, R"({"folder": "one", "cycle": "whole"})"},
+    {"examples.scales", R"({"examples": {"ratings": "simulated"}})", "{}"},
+    {"examples.expect[].", "{}", R"({"parameter": "quickness", "order": ["sad", "normal"]})"},
+    {"stimuli[].features", "{}", "{}"},
+    {"stimuli[].clip.frames", "{}", R"({"file": "one/normal.bvh"})"},
+    {"camera.position", "{}", R"({"target": [0, 1, 0]})"},
+    {"camera.target", "{}", R"({"position": [3, 1, 1]})"},
+    {"screen.distance_cm", "{}", R"({"width_cm": 50})"},
+    {"screen.width_cm", "{}", R"({"distance_cm": 60})"},
+    {"screen.degrees", "{}", R"({"distance_cm": 60, "width_cm": 50})"},
+    {"trail.every", "{}", R"({"before": 2})"},
+    {"trail.faintest", "{}", R"({"before": 2})"},
+    {"trail.trace_width", "{}", R"({"traces": ["hands"]})"},
+    {"look.scene.background", "{}", R"({"set": "studio"})"},
+    {"card.seconds", "{}", R"({"text": "Look"})"},
+    {"fixation.size", "{}", R"({"seconds": 0.2})"},
+    {"overlays[].opacity", with_overlay, "{}"},
+    {"overlays[].layout", with_overlay, "{}"},
+    {"sheets[].compare", "{}", "{}"},
+    {"sheets[].columns", with_stills, R"({"stills": ["a", "b"], "compare": null})"},
+    {"sheets[].stills", with_stills, R"({"compare": null})"},
+    {"sheets[].gallery", "{}", R"({"compare": null})"},
+};
+
+/// Values that the schema's own examples and limits do not give, or that would take long.
+struct Values {
+  const char* path;
+  const char* two;
+};
+
+const Values chosen_values[] = {
+    {"output.size", "[[32, 24], [40, 24]]"},
+    {"output.scale", "[0.8, 0.9]"},
+    {"output.crop", "[[0, 0, 16, 16], [8, 0, 16, 16]]"},
+    {"output.fps", "[5, 6]"},
+    {"output.cycles", "[1, 2]"},
+    {"output.video", R"([["gif"], ["gif", "apng"]])"},
+    {"output.clips", R"([["bvh"], ["glb"]])"},
+    {"card.seconds", "[0.2, 0.4]"},
+    {"presentation.card", R"([{"text": "A", "seconds": 0.2}, {"text": "B", "seconds": 0.2}])"},
+    {"card.text", R"(["A", "B"])"},
+    {"presentation.fixation.size", "[7, 9]"},
+    {"presentation", R"([0.2, 0.4])"},
+    {"output.shutter", "[90, 180]"},
+    {"study", R"(["s", "t"])"},
+    {"mien", "[1]"},
+    {"seed", "[1, 2]"},
+    {"raters", "[5, 9]"},
+    {"examples.set.folder", R"(["one", "two"])"},
+    {"examples.set.include", R"(["*.bvh", "{normal,sad}.bvh"])"},
+    {"examples.set.exclude", R"(["x*", "old.bvh"])"},
+    {"examples.set.cycle", R"(["whole", "start-peak-end"])"},
+    {"examples.set.keytimes",
+     R"([{"normal": [0.1, 0.6], "old": [0.1, 0.6], "sad": [0.1, 0.6]}, {"normal": [0.1, 0.7], "old": [0.1, 0.6], "sad": [0.1, 0.6]}])"},
+    {"examples.set.labels", R"(["file-name", {"old": "aged"}])"},
+    {"examples.set", R"(["builtin:walks-10", "builtin:walks-27"])"},
+    {"examples.ratings", R"(["builtin", "simulated"])"},
+    {"examples.scales", R"(["builtin", "my.scales.yaml"])"},
+    {"examples.expect[].parameter", R"(["quickness", "largeness"])"},
+    {"examples.expect[].order", R"([["sad", "normal"], ["normal", "sad"]])"},
+    {"examples.expect",
+     R"([[{"parameter": "quickness", "order": ["sad", "normal"]}], [{"parameter": "largeness", "order": ["sad", "normal"]}]])"},
+    {"recipes", R"(["builtin", "fig29"])"},
+    {"look.scene.set", R"(["void", "corridor"])"},
+    {"look.scene.background", R"(["#405060", "#605040"])"},
+    {"look.scene", R"(["void", "my.set.yaml"])"},
+    {"figure.character", R"(["one.gltf", "two.gltf"])"},
+    {"look.figure.mannequin.", "[0.2, 0.6]"},
+    {"look.figure.mannequin", R"([{"sex": 0.1}, {"sex": 0.9}])"},
+    {"trail.figure.mannequin.", "[0.2, 0.6]"},
+    {"trail.figure.mannequin", R"([{"sex": 0.1}, {"sex": 0.9}])"},
+    {"look.figure.point-light.noise", "[2, 5]"},
+    {"look.figure.point-light.mask", "[2, 5]"},
+    {"look.figure.point-light.joints", R"(["standard", ["Head", "Pelvis"]])"},
+    {"look.figure.point-light.colour", R"(["#ff0000", "#00ff00"])"},
+    {"look.figure.point-light.background", R"(["#100000", "#001000"])"},
+    {"look.figure.point-light", R"([{}, {"inverted": true}])"},
+    {"look.figure.trail.figure", R"(["stick", "mannequin"])"},
+    {"look.figure.trail.traces", R"([["hands"], ["feet"]])"},
+    {"look.figure.trail", R"([{"poses": 2}, {"poses": 3}])"},
+    {"look.figure", R"(["stick", "point-light"])"},
+    {"camera.position", "[[3, 1, 1], [3, 1, 2]]"},
+    {"camera.target", "[[0, 1, 0], [0, 0.5, 0]]"},
+    {"camera.path[].at", "[0, 0.1]"},
+    {"camera.path[].position", "[[3, 1, 1], [3, 1, 2]]"},
+    {"camera.path[].target", "[[0, 1, 0], [0, 0.5, 0]]"},
+    {"camera.path",
+     R"([[{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [3, 1, 2], "target": [0, 1, 0]}],
+         [{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [2, 1, 2], "target": [0, 1, 0]}]])"},
+    {"camera.figure_px", "[8, 12]"},
+    {"camera.fov", "[20, 40]"},
+    {"camera.stereo.separation", "[0.06, 0.2]"},
+    {"camera.stereo", R"([{"separation": 0.06}, {"separation": 0.2}])"},
+    {"camera.screen.distance_cm", "[60, 90]"},
+    {"camera.screen.width_cm", "[50, 70]"},
+    {"camera.screen.degrees", "[4, 8]"},
+    {"camera.screen",
+     R"([{"distance_cm": 60, "width_cm": 50}, {"distance_cm": 90, "width_cm": 50}])"},
+    {"camera.depth_of_field.aperture", "[0.1, 0.4]"},
+    {"camera.depth_of_field.focus", "[1, 4]"},
+    {"camera.depth_of_field", R"([{"aperture": 0.1}, {"aperture": 0.4}])"},
+    {"look.camera", R"(["front", "side"])"},
+    {"look", R"([{"camera": "front"}, {"camera": "side"}])"},
+    {"stimuli[].id", R"(["a", "c"])"},
+    {"stimuli[].adjectives", R"([{"quickness": 0.6}, {"quickness": 0.7}])"},
+    {"stimuli[].features", R"([{"step-length": 0.4}, {"step-length": 0.6}])"},
+    {"stimuli[].weights", R"([{"normal": 1}, {"normal": 1, "sad": 1}])"},
+    {"stimuli[].clip.file", R"(["one/normal.bvh", "one/sad.bvh"])"},
+    {"stimuli[].clip.frames", "[[0, 8], [0, 9]]"},
+    {"stimuli[].clip", R"(["one/normal.bvh", "one/sad.bvh"])"},
+    {"modify.emotion", R"(["sad", "tired"])"},
+    {"modify.strength", "[0.5, 1]"},
+    {"modify.gains.bands", "[[1.2, 1], [0.8, 1]]"},
+    {"modify.gains.", "[1.2, 0.7]"},
+    {"modify.gains", R"([{"low": 1.2}, {"low": 0.8}])"},
+    {"modify.posture.", "[4, 8]"},
+    {"modify.posture", R"([{"head-flexion": 4}, {"head-flexion": 8}])"},
+    {"modify.pose.neutral.motion", R"(["sad", "old"])"},
+    {"modify.pose.posed.motion", R"(["sad", "old"])"},
+    {"modify.pose.neutral.frame", "[0, 5]"},
+    {"modify.pose.posed.frame", "[0, 5]"},
+    {"modify.pose.", R"(["normal", "old"])"},
+    {"modify.pose",
+     R"([{"neutral": "normal", "posed": "sad"}, {"neutral": "normal", "posed": "old"}])"},
+    {"modify.neutral", R"(["normal", "old"])"},
+    {"modify.styled", R"(["sad", "old"])"},
+    {"modify.method", R"(["waveshape", "displacement"])"},
+    {"modify.harmonics", "[3, 5]"},
+    {"modify.order", "[3, 5]"},
+    {"modify.inputs", "[2, 3]"},
+    {"modify.components", "[4, 6]"},
+    {"modify.swap", "[[0], [1]]"},
+    {"modify.limbs", R"([["head"], ["hands"]])"},
+    {"modify.paths", "[0.6, 0.8]"},
+    {"modify.acceleration", "[0.2, 0.5]"},
+    {"modify.tempo", "[0.9, 1.1]"},
+    {"modify.variation", "[0.2, 0.5]"},
+    {"modify", R"([{"emotion": "sad"}, {"emotion": "tired"}])"},
+    {"overlays[].id", R"(["x", "y"])"},
+    {"overlays[].target", R"(["a", "normal"])"},
+    {"overlays[].created", R"(["b", "normal"])"},
+    {"overlays[].reference", R"(["normal", "sad"])"},
+    {"overlays[].output", R"([{"cycles": 1}, {"cycles": 2}])"},
+    {"overlays", R"([[{"target": "a", "created": "b"}], [{"target": "b", "created": "a"}]])"},
+    {"sheets[].id", R"(["x", "y"])"},
+    {"sheets[].compare.target", R"(["a", "normal"])"},
+    {"sheets[].compare.created", R"(["b", "normal"])"},
+    {"sheets[].compare.reference", R"(["normal", "sad"])"},
+    {"sheets[].compare", R"([{"target": "a", "created": "b"}, {"target": "b", "created": "a"}])"},
+    {"sheets[].gallery", R"([["a", "b"], ["b", "a"]])"},
+    {"sheets[].stills", R"([["a", "b"], ["b", "a"]])"},
+    {"sheets[].columns", "[1, 2]"},
+    {"sheets", R"([[{"stills": ["a", "b"]}], [{"stills": ["b", "a"]}]])"},
+    {"equalize", R"([["duration"], ["size"]])"},
+    {"output", R"([{"cycles": 1}, {"cycles": 2}])"},
+    {"interpolation", R"([{"rotations": "karcher-mean"}, {"rotations": "markley-mean"}])"},
+    {"interpolation.neighbours", "[4, 6]"},
+    {"interpolation.blends", "[10, 20]"},
+    {"interpolation.cells", "[2, 3]"},
+    {"examples", R"([{"set": "builtin:walks-10"}, {"set": "builtin:walks-27"}])"},
+    {"stimuli",
+     R"([[{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"sad": 1}}], [{"id": "a", "weights": {"old": 1}}, {"id": "b", "weights": {"sad": 1}}]])"},
+};
+
+/// Two different values within the schema's limits.
+json two_values(const json& node) {
+  if (node.contains("enum")) return {node["enum"][0], node["enum"][1]};
+  if (node.value("type", "") == "boolean") return {false, true};
+  const double least = node.value("minimum", 0.0), most = node.value("maximum", 1.0);
+  const double reach = std::min(most - least, 10.0);
+  if (node.value("type", "") == "integer")
+    return {static_cast<int>(least + 0.3 * reach), static_cast<int>(least + 0.6 * reach)};
+  return {least + 0.3 * reach, least + 0.6 * reach};
+}
+
+/// The longest entry whose text the path ends in or, where it ends in a dot, holds.
+template <class Entry, std::size_t Count>
+const Entry* entry_for(const Entry (&entries)[Count], const std::string& path) {
+  const Entry* best = nullptr;
+  for (const Entry& entry : entries) {
+    const std::string_view text(entry.path);
+    const bool fits =
+        text.ends_with('.') ? path.find(text) != std::string::npos : path.ends_with(text);
+    if (fits && (best == nullptr || text.size() > std::string_view(best->path).size()))
+      best = &entry;
+  }
+  return best;
+}
+
+std::vector<std::string> steps_of(const std::string& path) {
+  std::vector<std::string> steps;
+  std::istringstream text(path);
+  for (std::string step; std::getline(text, step, '.');) steps.push_back(step);
+  return steps;
+}
+
+/// The map that an option stands in, made where it is not there.
+json& parent_of(json& manifest, const std::vector<std::string>& steps) {
+  json* node = &manifest;
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    const bool is_array = steps[i].ends_with("[]");
+    const std::string key = is_array ? steps[i].substr(0, steps[i].size() - 2) : steps[i];
+    json& child = (*node)[key];
+    if (is_array && (!child.is_array() || child.empty())) child = json::array({json::object()});
+    if (!is_array && !child.is_object()) child = json::object();
+    node = is_array ? &child[0] : &child;
+  }
+  return *node;
+}
+
+/// Values without which the map around an option is none.
+void add_around(json& manifest, const std::string& path) {
+  if (path.starts_with("overlays[].")) {
+    json& overlay = manifest["overlays"][0];
+    overlay["target"] = "a";
+    overlay["created"] = "b";
+  }
+  if (path.find("camera.path[].") != std::string::npos) {
+    const std::string list = path.substr(0, path.find("[]", path.find("camera.path")));
+    parent_of(manifest, steps_of(list))["path"] = parsed(
+        R"([{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [3, 1, 2], "target": [0, 1, 0]}])");
+  }
+  if (path.starts_with("stimuli[].") && !path.starts_with("stimuli[].adjectives")) {
+    json& stimulus = manifest["stimuli"][0];
+    const bool other = path.starts_with("stimuli[].clip") || path == "stimuli[].features";
+    if (other) stimulus.erase("weights");
+  }
+  if (path == "stimuli[].adjectives") manifest["stimuli"][0].erase("weights");
+}
+
+json with_value(const std::string& path, const json& value) {
+  json manifest = tiny_study();
+  const Surroundings* around = nullptr;
+  for (const Surroundings& entry : surroundings) {
+    if (around == nullptr && path.find(entry.path) != std::string::npos) around = &entry;
+  }
+  if (around != nullptr) manifest.merge_patch(parsed(around->patch));
+  add_around(manifest, path);
+  const std::vector<std::string> steps = steps_of(path);
+  json& parent = parent_of(manifest, steps);
+  if (around != nullptr) parent.merge_patch(parsed(around->siblings));
+  parent[steps.back()] = value;
+  return manifest;
+}
+
+}  // namespace
+
+bool has_one_value(const std::string& path) { return path == "mien" || path.ends_with(".stick"); }
+
+OptionVariants variants_of(const std::string& path, const json& node) {
+  const Values* chosen = entry_for(chosen_values, path);
+  const bool inside_presentation =
+      path.find("presentation.") != std::string::npos && chosen == nullptr;
+  const json two = inside_presentation ? parsed("[0.2, 0.4]")
+                   : chosen != nullptr ? parsed(chosen->two)
+                                       : two_values(node);
+  return {with_value(path, two[0]), with_value(path, two[1])};
+}
+
+void write_variant_files(const std::filesystem::path& folder) {
+  const motion::ExampleSet walks = motion::builtin_examples("walks-10");
+  for (const char* name : {"one", "two"}) {
+    std::filesystem::create_directories(folder / name);
+    for (const motion::Example& example : walks.examples) {
+      const std::string label = example.clip.name;
+      if (label != "normal" && label != "sad" && label != "old") continue;
+      motion::Clip clip = example.clip;
+      if (std::string(name) == "two") clip.poses.pop_back();
+      motion::write_motion(motion::to_recording(clip), folder / name / (label + ".bvh"));
+    }
+  }
+  std::ofstream(folder / "my.set.yaml") << "background: \"#204060\"\n";
+  std::ofstream(folder / "my.scales.yaml") << R"(
+name: mine
+scales:
+  - {id: slow-quick, low: slow, high: quick, range: [1, 7]}
+)";
+  const std::string figure = skinned_gltf(motion::standard_body(), {}).text();
+  std::ofstream(folder / "one.gltf") << figure;
+  std::ofstream(folder / "two.gltf") << figure << "\n";
+}
+
+}  // namespace mien::test
