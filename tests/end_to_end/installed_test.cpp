@@ -112,7 +112,7 @@ std::vector<std::string> words_below(const std::string& help, const std::string&
 }
 
 /// The page as it is read: roff's escapes of hyphens and fonts resolved.
-std::string read_page(const std::string& page) {
+std::string without_roff(const std::string& page) {
   return std::regex_replace(std::regex_replace(page, std::regex(R"(\\f[BIR])"), ""),
                             std::regex(R"(\\-)"), "-");
 }
@@ -156,7 +156,7 @@ TEST(ManualPage, TellsEveryCommandOptionAndArgumentOfHelp) {
   const Ended ended = run_mien({"man"});
   ASSERT_EQ(ended.code, 0);
   EXPECT_GE(words_below(run_mien({"--help"}).output, "Subcommands").size(), 10u);
-  expect_told(read_page(ended.output), {});
+  expect_told(without_roff(ended.output), {});
 }
 
 TEST(ManualPage, IsOfThisVersionWhichTheChangelogBeginsWith) {
@@ -184,7 +184,7 @@ TEST(ManualPage, IsPlainTextThatGroffAndMandocTake) {
 }
 
 /// What bash offers for the last of the words, a line each.
-std::string completed(const std::string& words) {
+std::string completions_of(const std::string& words) {
   const fs::path folder = fs::path(MIEN_PROGRAM).parent_path();
   return run_bash("PATH=" + folder.string() +
                   ":$PATH\nsource <(mien completion bash)\nCOMP_WORDS=(" + words +
@@ -194,29 +194,29 @@ std::string completed(const std::string& words) {
 }
 
 TEST(BashCompletion, CompletesCommands) {
-  EXPECT_EQ(completed("mien ru"), "run\n");
-  EXPECT_EQ(completed("mien study an"), "analyze\n");
-  EXPECT_EQ(completed("mien help study an"), "analyze\n");
-  EXPECT_EQ(completed("mien motion zzz"), "");
+  EXPECT_EQ(completions_of("mien ru"), "run\n");
+  EXPECT_EQ(completions_of("mien study an"), "analyze\n");
+  EXPECT_EQ(completions_of("mien help study an"), "analyze\n");
+  EXPECT_EQ(completions_of("mien motion zzz"), "");
 }
 
 TEST(BashCompletion, CompletesOptionsAndTheirChoices) {
-  EXPECT_EQ(completed("mien run --qual"), "--quality\n");
-  EXPECT_EQ(completed("mien run x.yaml --quality ''"), "draft\nstandard\nfinal\n");
-  EXPECT_EQ(completed("mien run --quality = f"), "final\n");
-  EXPECT_EQ(completed("mien run --quality ="), "draft\nstandard\nfinal\n");
-  EXPECT_EQ(completed("mien study analyze --repeated l"), "last\n");
-  EXPECT_EQ(completed("mien completion z"), "zsh\n");
-  EXPECT_EQ(completed("mien run --jobs ''"), "");
+  EXPECT_EQ(completions_of("mien run --qual"), "--quality\n");
+  EXPECT_EQ(completions_of("mien run x.yaml --quality ''"), "draft\nstandard\nfinal\n");
+  EXPECT_EQ(completions_of("mien run --quality = f"), "final\n");
+  EXPECT_EQ(completions_of("mien run --quality ="), "draft\nstandard\nfinal\n");
+  EXPECT_EQ(completions_of("mien study analyze --repeated l"), "last\n");
+  EXPECT_EQ(completions_of("mien completion z"), "zsh\n");
+  EXPECT_EQ(completions_of("mien run --jobs ''"), "");
 }
 
 TEST(BashCompletion, CompletesManifestsSetsAndFiles) {
-  EXPECT_EQ(completed("mien run quick"), "quickstart\n");
-  EXPECT_EQ(completed("mien sets tread"), "treadmill\n");
+  EXPECT_EQ(completions_of("mien run quick"), "quickstart\n");
+  EXPECT_EQ(completions_of("mien sets tread"), "treadmill\n");
   const Scratch scratch;
   const std::string file = scratch.write("a walk.bvh", "");
-  EXPECT_EQ(completed("mien render '" + (scratch.path() / "a w").string() + "'"), file + "\n");
-  EXPECT_EQ(completed("mien run -o '" + (scratch.path() / "a w").string() + "'"), file + "\n");
+  EXPECT_EQ(completions_of("mien render '" + (scratch.path() / "a w").string() + "'"), file + "\n");
+  EXPECT_EQ(completions_of("mien run -o '" + (scratch.path() / "a w").string() + "'"), file + "\n");
 }
 
 TEST(ZshCompletion, IsAScript) {

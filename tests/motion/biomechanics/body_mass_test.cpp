@@ -14,7 +14,7 @@ namespace {
 constexpr std::array models = {MassModel::de_leva_male, MassModel::de_leva_female,
                                MassModel::winter};
 
-JointTransforms standing(const Skeleton& body) {
+JointTransforms standing_joints(const Skeleton& body) {
   Pose pose;
   pose.rotations.assign(body_joint_count, Quat::Identity());
   return world_transforms(body, pose);
@@ -24,7 +24,7 @@ TEST(BodyMass, SegmentsAddUpToOneBody) {
   const Skeleton body = standard_body();
   for (const MassModel model : models) {
     double sum = 0.0;
-    for (const SegmentMass& segment : segment_masses(body, standing(body), model)) {
+    for (const SegmentMass& segment : segment_masses(body, standing_joints(body), model)) {
       sum += segment.share;
     }
     // The published shares are rounded.
@@ -34,7 +34,7 @@ TEST(BodyMass, SegmentsAddUpToOneBody) {
 
 TEST(BodyMass, TheCentreOfASegmentDividesItAsPublished) {
   const Skeleton body = standard_body();
-  const JointTransforms pose = standing(body);
+  const JointTransforms pose = standing_joints(body);
   for (const SegmentMass& segment : segment_masses(body, pose)) {
     if (segment.name != "left thigh") continue;
     const Vec3 hip = pose.positions[LeftHip];
@@ -49,7 +49,7 @@ TEST(BodyMass, TheCentreOfASegmentDividesItAsPublished) {
 TEST(BodyMass, TheHandsCentreLiesBeyondTheWristInProportionToStature) {
   for (const double height : {1.5, 1.741, 1.9}) {
     const Skeleton body = standard_body(height);
-    const JointTransforms pose = standing(body);
+    const JointTransforms pose = standing_joints(body);
     for (const SegmentMass& segment : segment_masses(body, pose)) {
       if (segment.name != "right hand") continue;
       const Vec3 beyond = segment.centre - pose.positions[RightWrist];
@@ -62,9 +62,9 @@ TEST(BodyMass, TheHandsCentreLiesBeyondTheWristInProportionToStature) {
 TEST(BodyMass, AStandingAdultsCentreIsAtHalfToThreeFifthsOfStature) {
   // With the arms spread the centre is a little higher than the 55–57 % of anatomical standing.
   const Skeleton body = standard_body();
-  const double sole = standing(body).positions[LeftToe].y() - 0.02;
+  const double sole = standing_joints(body).positions[LeftToe].y() - 0.02;
   for (const MassModel model : models) {
-    const double height = centre_of_mass(body, standing(body), model).y() - sole;
+    const double height = centre_of_mass(body, standing_joints(body), model).y() - sole;
     EXPECT_GT(height / standing_height(body), 0.53);
     EXPECT_LT(height / standing_height(body), 0.61);
   }

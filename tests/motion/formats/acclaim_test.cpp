@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/format_checks.h"
 #include "motion/random_recording.h"
 #include "motion/refusal.h"
 #include "motion/text/file_contents.h"
@@ -13,6 +14,9 @@
 using namespace mien::motion;
 
 namespace {
+
+using mien::test::expect_near;
+using mien::test::replaced;
 
 const std::string arm_asf =
     "# a hand-made arm\n"
@@ -79,20 +83,10 @@ Recording arm(const std::string& amc = arm_amc, const std::string& asf = arm_asf
   return parse_amc({amc, "data/arm.amc"}, {asf, "data/arm.asf"});
 }
 
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 Vec3 tip_of(const Recording& recording, size_t frame, std::string_view name) {
   const auto joint = static_cast<size_t>(find_joint(recording.skeleton, name));
   const JointTransforms world = world_transforms(recording.skeleton, recording.poses[frame]);
   return world.positions[joint] + world.rotations[joint] * *recording.skeleton.joints[joint].tip;
-}
-
-void expect_near(const Vec3& a, const Vec3& b) {
-  EXPECT_LT((a - b).norm(), 1e-12) << a.transpose() << " is not " << b.transpose();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/format_checks.h"
 #include "motion/random_recording.h"
 #include "motion/refusal.h"
 #include "motion/text/file_contents.h"
@@ -16,6 +17,10 @@ using namespace mien::motion;
 using mien::test::random_recording;
 
 namespace {
+
+using mien::test::expect_near;
+using mien::test::replaced;
+using mien::test::tip_at;
 
 constexpr std::string_view arm_head =
     "HIERARCHY\n"
@@ -34,13 +39,7 @@ constexpr std::string_view arm_head =
     "  }\n"
     "}\n";
 
-std::string arm(std::string_view motion) { return std::string(arm_head) + std::string(motion); }
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
+std::string bvh_arm(std::string_view motion) { return std::string(arm_head) + std::string(motion); }
 
 std::string all_replaced(std::string text, std::string_view from, std::string_view to) {
   for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
@@ -54,15 +53,6 @@ const std::string arm_motion =
     "0 0 0 0 0 0 0 0 0\n"
     "10 20 30 90 0 0 90 0 0\n";
 
-Vec3 tip_at(const Recording& recording, size_t frame, size_t joint) {
-  const JointTransforms world = world_transforms(recording.skeleton, recording.poses[frame]);
-  return world.positions[joint] + world.rotations[joint] * *recording.skeleton.joints[joint].tip;
-}
-
-void expect_near(const Vec3& a, const Vec3& b, double tolerance = 1e-12) {
-  EXPECT_LT((a - b).norm(), tolerance) << a.transpose() << " is not " << b.transpose();
-}
-
 void expect_same_motion(const Recording& a, const Recording& b) {
   ASSERT_EQ(a.frame_count(), b.frame_count());
   EXPECT_NEAR(mien::test::largest_joint_distance(a, b), 0.0, 1e-12);
@@ -72,7 +62,7 @@ void expect_same_motion(const Recording& a, const Recording& b) {
 }  // namespace
 
 TEST(Bvh, PutsJointsWhereForwardKinematicsSays) {
-  const Recording recording = parse_bvh(arm(arm_motion), "some/arm.bvh");
+  const Recording recording = parse_bvh(bvh_arm(arm_motion), "some/arm.bvh");
   EXPECT_EQ(recording.name, "arm");
   EXPECT_EQ(recording.format, "bvh");
   EXPECT_EQ(recording.frames_per_second, 120.0);
@@ -134,16 +124,16 @@ TEST(Bvh, LeavesARootWithoutPositionChannelsAtItsOffset) {
 }
 
 TEST(Bvh, ReadsTheSameMotionHoweverTheTextIsLaidOut) {
-  const Recording plain = parse_bvh(arm(arm_motion), "arm.bvh");
-  const std::string crlf = all_replaced(arm(arm_motion), "\n", "\r\n");
-  const std::string cr = all_replaced(arm(arm_motion), "\n", "\r");
-  const std::string tabs = all_replaced(arm(arm_motion), " 0 0", "\t 0\t0\t");
-  const std::string scientific = replaced(arm(arm_motion), "10 20 30", "1e1 +2.0E+01 .3e2");
-  const std::string marked = "\xEF\xBB\xBF\n\n" + arm(arm_motion) + "\n\n \n";
-  const std::string shouted = replaced(arm(arm_motion), "End Site", "END SITE");
-  const std::string one_line_heads = all_replaced(arm(arm_motion), "\n{", " {");
-  const std::string packed = all_replaced(arm(arm_motion), " 0\n    }", " 0}");
-  const std::string loose = replaced(arm(arm_motion), "Frame Time: ", "Frame Time :\t");
+  const Recording plain = parse_bvh(bvh_arm(arm_motion), "arm.bvh");
+  const std::string crlf = all_replaced(bvh_arm(arm_motion), "\n", "\r\n");
+  const std::string cr = all_replaced(bvh_arm(arm_motion), "\n", "\r");
+  const std::string tabs = all_replaced(bvh_arm(arm_motion), " 0 0", "\t 0\t0\t");
+  const std::string scientific = replaced(bvh_arm(arm_motion), "10 20 30", "1e1 +2.0E+01 .3e2");
+  const std::string marked = "\xEF\xBB\xBF\n\n" + bvh_arm(arm_motion) + "\n\n \n";
+  const std::string shouted = replaced(bvh_arm(arm_motion), "End Site", "END SITE");
+  const std::string one_line_heads = all_replaced(bvh_arm(arm_motion), "\n{", " {");
+  const std::string packed = all_replaced(bvh_arm(arm_motion), " 0\n    }", " 0}");
+  const std::string loose = replaced(bvh_arm(arm_motion), "Frame Time: ", "Frame Time :\t");
   for (const std::string& text :
        {crlf, cr, tabs, scientific, marked, shouted, one_line_heads, packed, loose}) {
     const Recording other = parse_bvh(text, "arm.bvh");
@@ -156,7 +146,7 @@ TEST(Bvh, ReadsTheSameMotionHoweverTheTextIsLaidOut) {
 
 TEST(Bvh, TakesNumbersTooSmallForADoubleAsZero) {
   const Recording recording =
-      parse_bvh(arm(replaced(arm_motion, "10 20 30", "1e-400 -1e-400 3")), "arm.bvh");
+      parse_bvh(bvh_arm(replaced(arm_motion, "10 20 30", "1e-400 -1e-400 3")), "arm.bvh");
   expect_near(recording.poses[1].root_position, {0, 0, 3});
 }
 
@@ -177,7 +167,7 @@ TEST(Bvh, RefusesWhatIsWrongAtItsPlace) {
     std::string place;
     std::string words;
   };
-  const std::string good = arm(arm_motion);
+  const std::string good = bvh_arm(arm_motion);
   const std::vector<Case> cases = {
       {"", "f.bvh:1:1", "a BVH file starts with HIERARCHY"},
       {"v 1 2 3\n", "f.bvh:1:1", "a BVH file starts with HIERARCHY"},
@@ -206,7 +196,7 @@ TEST(Bvh, RefusesWhatIsWrongAtItsPlace) {
       {replaced(good, "}\nMOTION", "}\n}\nMOTION"), "f.bvh:16:1", "expected MOTION, found \"}\""},
       {std::string(arm_head), "f.bvh:16:1", "expected MOTION, found the end"},
       {std::string(arm_head.substr(0, 200)), "f.bvh:9:45", "is not closed by"},
-      {arm("MOTION\n"), "f.bvh:17:1", "expected \"Frames:\""},
+      {bvh_arm("MOTION\n"), "f.bvh:17:1", "expected \"Frames:\""},
       {replaced(good, "Frames: 2", "Frames: two"), "f.bvh:17:9", "\"two\" is not a usable count"},
       {replaced(good, "Frames: 2", "Frames: 0"), "f.bvh:17:9", "there are no frames"},
       {replaced(good, "Frames: 2", "Frames: 1"), "f.bvh:20:1", "more frames than the 1"},
@@ -233,7 +223,7 @@ TEST(Bvh, RefusesWhatIsWrongAtItsPlace) {
 }
 
 TEST(Bvh, RefusesATextCutShortAnywhere) {
-  const std::string good = arm(arm_motion);
+  const std::string good = bvh_arm(arm_motion);
   for (size_t length = 0; length + 2 < good.size(); ++length) {
     EXPECT_THROW(parse_bvh(good.substr(0, length), "f.bvh"), mien::Error) << length;
   }

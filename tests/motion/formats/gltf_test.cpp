@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/format_checks.h"
 #include "motion/formats/motion_file.h"
 #include "motion/gltf_text.h"
 #include "motion/random_recording.h"
@@ -23,6 +24,9 @@ using mien::test::GltfNumbers;
 
 namespace {
 
+using mien::test::replaced;
+using mien::test::tip_at;
+
 const float half = static_cast<float>(std::sqrt(0.5));
 
 /// Upper arm and forearm, 2 long, bent by the forearm's rotation about z from 0° to 90° in a
@@ -32,7 +36,7 @@ const std::string arm_nodes =
     R"({"name":"fore","translation":[0,2,0],"children":[2]},{"translation":[0,1,0]}],)"
     R"("skins":[{"joints":[1,0]}])";
 
-std::string arm(const std::string& nodes = arm_nodes, const std::string& kind = "LINEAR") {
+std::string gltf_arm(const std::string& nodes = arm_nodes, const std::string& kind = "LINEAR") {
   GltfNumbers numbers;
   const int times = numbers.add({0, 1}, "SCALAR");
   const int turns = numbers.add({0, 0, 0, 1, 0, 0, half, half}, "VEC4");
@@ -42,19 +46,8 @@ std::string arm(const std::string& nodes = arm_nodes, const std::string& kind = 
                    gltf_sampler(times, turns, kind) + "," + gltf_sampler(times, places, kind));
 }
 
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-void expect_near(const Vec3& a, const Vec3& b, double tolerance = 1e-6) {
+void expect_close(const Vec3& a, const Vec3& b, double tolerance = 1e-6) {
   EXPECT_LT((a - b).norm(), tolerance) << a.transpose() << " is not " << b.transpose();
-}
-
-Vec3 tip_at(const Recording& recording, size_t frame, size_t joint) {
-  const JointTransforms world = world_transforms(recording.skeleton, recording.poses[frame]);
-  return world.positions[joint] + world.rotations[joint] * *recording.skeleton.joints[joint].tip;
 }
 
 /// A single node that a track turns about z; the angles at the frames, degrees.
@@ -72,7 +65,7 @@ std::vector<double> angles_of(const GltfNumbers& numbers, const std::string& sam
 }  // namespace
 
 TEST(Gltf, PutsJointsWhereForwardKinematicsSays) {
-  const Recording recording = parse_gltf(arm(), "some/arm.gltf");
+  const Recording recording = parse_gltf(gltf_arm(), "some/arm.gltf");
   EXPECT_EQ(recording.name, "arm");
   EXPECT_EQ(recording.format, "gltf");
   EXPECT_EQ(recording.frames_per_second, 30.0);
@@ -81,16 +74,16 @@ TEST(Gltf, PutsJointsWhereForwardKinematicsSays) {
   EXPECT_EQ(recording.skeleton.joints[0].name, "upper");
   EXPECT_EQ(recording.skeleton.joints[1].parent, 0);
   EXPECT_TRUE(recording.poses[0].offsets.empty());
-  expect_near(tip_at(recording, 0, 1), {0, 3, 0});
+  expect_close(tip_at(recording, 0, 1), {0, 3, 0});
   // Half way the forearm stands at 45°.
-  expect_near(tip_at(recording, 15, 1), {2.0 - half, 2.0 + half, 0});
-  expect_near(tip_at(recording, 30, 1), {3, 2, 0});
+  expect_close(tip_at(recording, 15, 1), {2.0 - half, 2.0 + half, 0});
+  expect_close(tip_at(recording, 30, 1), {3, 2, 0});
 }
 
 TEST(Gltf, HoldsStepsUntilTheNextKey) {
-  const Recording recording = parse_gltf(arm(arm_nodes, "STEP"), "arm.gltf");
-  expect_near(tip_at(recording, 29, 1), {0, 3, 0});
-  expect_near(tip_at(recording, 30, 1), {3, 2, 0});
+  const Recording recording = parse_gltf(gltf_arm(arm_nodes, "STEP"), "arm.gltf");
+  expect_close(tip_at(recording, 29, 1), {0, 3, 0});
+  expect_close(tip_at(recording, 30, 1), {3, 2, 0});
 }
 
 TEST(Gltf, FoldsWhatIsAboveTheRootIntoItsPose) {
@@ -101,7 +94,7 @@ TEST(Gltf, FoldsWhatIsAboveTheRootIntoItsPose) {
   for (const std::string& above : {matrix, trs}) {
     const std::string nodes =
         replaced(arm_nodes, R"("nodes":[)", R"("nodes":[{"children":[1],)" + above + "},");
-    std::string text = arm(nodes);
+    std::string text = gltf_arm(nodes);
     for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
              {R"("upper","children":[1])", R"("upper","children":[2])"},
              {R"([0,2,0],"children":[2])", R"([0,2,0],"children":[3])"},
@@ -114,19 +107,19 @@ TEST(Gltf, FoldsWhatIsAboveTheRootIntoItsPose) {
     ASSERT_EQ(recording.skeleton.size(), 2);
     EXPECT_TRUE(recording.poses[0].offsets.empty());
     // y becomes −z.
-    expect_near(tip_at(recording, 0, 1), {10, 0, -1.5});
-    expect_near(tip_at(recording, 30, 1), {11.5, 0, -1});
-    expect_near(recording.skeleton.joints[1].offset, {0, 1, 0});
+    expect_close(tip_at(recording, 0, 1), {10, 0, -1.5});
+    expect_close(tip_at(recording, 30, 1), {11.5, 0, -1});
+    expect_close(recording.skeleton.joints[1].offset, {0, 1, 0});
   }
 }
 
 TEST(Gltf, KeepsPositionsUnderScalesThatDifferByAxis) {
   const std::string nodes =
       replaced(arm_nodes, R"("upper",)", R"("upper","scale":[3,1,1],"rotation":[0,0,0,1],)");
-  const Recording recording = parse_gltf(arm(nodes), "arm.gltf");
-  expect_near(tip_at(recording, 0, 1), {0, 3, 0});
+  const Recording recording = parse_gltf(gltf_arm(nodes), "arm.gltf");
+  expect_close(tip_at(recording, 0, 1), {0, 3, 0});
   const Vec3 elbow = world_positions(recording.skeleton, recording.poses[30])[1];
-  expect_near(elbow, {4, 2, 0});
+  expect_close(elbow, {4, 2, 0});
 }
 
 TEST(Gltf, FollowsCubicSplines) {
@@ -141,15 +134,15 @@ TEST(Gltf, FollowsCubicSplines) {
                            gltf_sampler(times, places, "CUBICSPLINE")),
                  "spline.gltf");
   ASSERT_EQ(recording.frame_count(), 61);
-  expect_near(recording.poses[0].root_position, {1, 2, 3});
-  expect_near(recording.poses[60].root_position, {5, 6, 7});
+  expect_close(recording.poses[0].root_position, {1, 2, 3});
+  expect_close(recording.poses[60].root_position, {5, 6, 7});
   const double t = 0.25;
   const double start = 2 * t * t * t - 3 * t * t + 1;
   const double leave = 2.0 * (t * t * t - 2 * t * t + t);
   const double arrive = 2.0 * (t * t * t - t * t);
   const Vec3 expected = start * Vec3(1, 2, 3) + (1 - start) * Vec3(5, 6, 7) +
                         leave * Vec3(0, 4, 0) + arrive * Vec3(0, 2, 0);
-  expect_near(recording.poses[15].root_position, expected);
+  expect_close(recording.poses[15].root_position, expected);
 }
 
 TEST(Gltf, ReadsNormalisedIntegers) {
@@ -183,9 +176,9 @@ TEST(Gltf, PutsSparseValuesIn) {
       R"("values":{"bufferView":3}},"count":3,"type":"VEC3")";
   const Recording recording =
       parse_gltf(replaced(text, R"("count":3,"type":"VEC3")", sparse), "sparse.gltf");
-  expect_near(recording.poses[0].root_position, {1, 0, 0});
-  expect_near(recording.poses[1].root_position, {7, 8, 9});
-  expect_near(recording.poses[2].root_position, {3, 0, 0});
+  expect_close(recording.poses[0].root_position, {1, 0, 0});
+  expect_close(recording.poses[1].root_position, {7, 8, 9});
+  expect_close(recording.poses[2].root_position, {3, 0, 0});
 }
 
 TEST(Gltf, TakesTheFrameRateFromEvenKeys) {
@@ -204,7 +197,7 @@ TEST(Gltf, TakesTheFrameRateFromEvenKeys) {
                    "rate.gltf");
     EXPECT_EQ(recording.frames_per_second, rate);
     ASSERT_EQ(recording.frame_count(), 50);
-    expect_near(recording.poses[49].root_position, {49, 0, 0}, 1e-3);
+    expect_close(recording.poses[49].root_position, {49, 0, 0}, 1e-3);
   }
 }
 
@@ -213,22 +206,23 @@ TEST(Gltf, GivesTheRestPoseWhenThereIsNoAnimation) {
       R"({"asset":{"version":"2.0"},)" + replaced(arm_nodes, "[0,2,0]", "[0,5,0]") + "}";
   const Recording recording = parse_gltf(text, "rest.gltf");
   ASSERT_EQ(recording.frame_count(), 1);
-  expect_near(tip_at(recording, 0, 1), {0, 6, 0});
+  expect_close(tip_at(recording, 0, 1), {0, 6, 0});
 }
 
 TEST(Gltf, NamesJointsThatHaveNone) {
-  const Recording recording = parse_gltf(replaced(arm(), R"("name":"fore",)", ""), "nameless.gltf");
+  const Recording recording =
+      parse_gltf(replaced(gltf_arm(), R"("name":"fore",)", ""), "nameless.gltf");
   EXPECT_EQ(recording.skeleton.joints[0].name, "upper");
   EXPECT_EQ(recording.skeleton.joints[1].name, "joint_1");
 }
 
 TEST(Gltf, MovesJointsOnTheirParentsOnlyWhenTheyMove) {
   const Recording recording = parse_gltf(
-      replaced(arm(), R"("node":0,"path":"translation")", R"("node":1,"path":"translation")"),
+      replaced(gltf_arm(), R"("node":0,"path":"translation")", R"("node":1,"path":"translation")"),
       "sliding.gltf");
   ASSERT_EQ(recording.poses[0].offsets.size(), 2u);
-  expect_near(recording.poses[30].offsets[1], {4, 0, 0});
-  expect_near(world_positions(recording.skeleton, recording.poses[15])[1], {2, 0, 0});
+  expect_close(recording.poses[30].offsets[1], {4, 0, 0});
+  expect_close(world_positions(recording.skeleton, recording.poses[15])[1], {2, 0, 0});
 }
 
 TEST(Gltf, ReadsBuffersBesideTheFile) {
@@ -245,7 +239,7 @@ TEST(Gltf, ReadsBuffersBesideTheFile) {
       R"("samplers":[{"input":0,"output":1}]}]})";
   write_contents(folder / "walk.gltf", text);
   const Recording recording = read_motion(folder / "walk.gltf");
-  expect_near(recording.poses.back().root_position, {3, 0, 0});
+  expect_close(recording.poses.back().root_position, {3, 0, 0});
   const std::string said = mien::test::refusal_of([&] { parse_gltf(text, "walk.gltf"); });
   EXPECT_NE(said.find("walk.gltf: its buffers are not in the file"), std::string::npos) << said;
   std::filesystem::remove_all(folder);
@@ -256,7 +250,7 @@ TEST(Gltf, RefusesWhatIsWrongNamingTheFile) {
     std::string text;
     std::string words;
   };
-  const std::string good = arm();
+  const std::string good = gltf_arm();
   const std::string loop = replaced(good, R"({"translation":[0,1,0]})", R"({"children":[0]})");
   const std::vector<Case> cases = {
       {"", "f.gltf:1:1: this is not the JSON"},
@@ -378,9 +372,9 @@ TEST(GltfRoundTrip, KeepsRandomMotionsWithinAMillionth) {
       const Joint& b = read.skeleton.joints[j];
       EXPECT_EQ(a.name, b.name);
       EXPECT_EQ(a.parent, b.parent);
-      expect_near(a.offset, b.offset);
+      expect_close(a.offset, b.offset);
       ASSERT_EQ(a.tip.has_value(), b.tip.has_value());
-      if (a.tip) expect_near(*a.tip, *b.tip);
+      if (a.tip) expect_close(*a.tip, *b.tip);
     }
     EXPECT_LT(mien::test::largest_joint_distance(written, read), 1e-6);
     EXPECT_LT(mien::test::largest_turn(written, read), 1e-6);
@@ -399,7 +393,7 @@ TEST(GltfWriter, WritesNamesThatAreNoUtf8) {
   recording.poses = {{Vec3(1, 2, 3), {Quat::Identity()}, {}}};
   const Recording read = parse_gltf(to_glb(recording), "names.glb");
   EXPECT_EQ(read.skeleton.joints[0].name, "a\xEF\xBF\xBD\"b");
-  expect_near(read.poses[0].root_position, {1, 2, 3});
+  expect_close(read.poses[0].root_position, {1, 2, 3});
 }
 
 TEST(GltfFiles, GoToDiskAndBack) {

@@ -11,7 +11,7 @@
 namespace mien::motion {
 namespace {
 
-constexpr int frames = 60;
+constexpr int cycle_frames = 60;
 constexpr double fps = 60.0;
 constexpr double stride_m = 1.1;
 
@@ -47,8 +47,8 @@ Clip slipping_walk(double slip, double right_hang = 0.0) {
   clip.frames_per_second = fps;
   clip.loops = true;
   clip.cycle_displacement = Vec3(0, 0, stride_m);
-  for (int f = 0; f < frames; ++f) {
-    const double phase = double(f) / frames;
+  for (int f = 0; f < cycle_frames; ++f) {
+    const double phase = double(f) / cycle_frames;
     Pose pose;
     pose.rotations.assign(body_joint_count, Quat::Identity());
     pose.root_position = Vec3(0, 0.87, stride_m * (phase - 0.3));
@@ -159,8 +159,8 @@ TEST(FootLock, NothingPops) {
 TEST(FootLock, SinksThePelvisWhereALegWouldHaveToStretch) {
   Clip clip = slipping_walk(0.05);
   for (Pose& pose : clip.poses) pose.root_position.y() += 0.06;
-  for (int f = 0; f < frames; ++f) {
-    const double phase = double(f) / frames;
+  for (int f = 0; f < cycle_frames; ++f) {
+    const double phase = double(f) / cycle_frames;
     place_leg(clip.poses[f], clip.body, true, ankle_at(phase, 0.09, 0.05));
     place_leg(clip.poses[f], clip.body, false,
               ankle_at(phase - 0.5, -0.09, 0.05) + Vec3(0, 0, stride_m / 2));
@@ -168,7 +168,7 @@ TEST(FootLock, SinksThePelvisWhereALegWouldHaveToStretch) {
   const Clip locked = foot_locked(clip, plants);
   EXPECT_LT(planted_drift(locked, plants), 1e-4);
   double sunk = 0.0;
-  for (int f = 0; f < frames; ++f) {
+  for (int f = 0; f < cycle_frames; ++f) {
     sunk = std::max(sunk, clip.poses[f].root_position.y() - locked.poses[f].root_position.y());
   }
   EXPECT_GT(sunk, 0.001);

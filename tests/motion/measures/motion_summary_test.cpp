@@ -12,7 +12,7 @@ using namespace mien::test;
 
 TEST(MotionSummary, TellsWhatWasRecognised) {
   const Recording recording =
-      scaled(on_other_rig(synthetic_clip(long_take()), bones_along_x()), 100.0);
+      test::scaled(on_other_rig(synthetic_clip(long_take()), bones_along_x()), 100.0);
   const MotionSummary summary = summarise(recording);
   EXPECT_EQ(summary.frames, 1400);
   EXPECT_DOUBLE_EQ(summary.duration_seconds, 13.99);

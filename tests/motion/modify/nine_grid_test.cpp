@@ -14,10 +14,10 @@ namespace {
 
 using namespace mien::test;
 
-Clip ordinary() { return walk({}, 100.0, standard_body()).clip; }
+Clip ordinary_walk() { return walk({}, 100.0, standard_body()).clip; }
 
 TEST(NineGrid, HoldsTheOriginalInItsMiddle) {
-  const Clip clip = ordinary();
+  const Clip clip = ordinary_walk();
   const auto grid = nine_motions(clip, foot_plants(clip), {});
   ASSERT_EQ(grid.size(), 9u);
   EXPECT_EQ(grid[4].name, "as is");
@@ -25,7 +25,7 @@ TEST(NineGrid, HoldsTheOriginalInItsMiddle) {
 }
 
 TEST(NineGrid, GrowsFromShortToLongAndFromConstantToAccelerated) {
-  const Clip clip = ordinary();
+  const Clip clip = ordinary_walk();
   const auto grid = nine_motions(clip, foot_plants(clip), {});
   const auto length = [&](size_t i) { return path_length(grid[i].clip, LeftWrist); };
   const auto variation = [&](size_t i) { return speed_variation(grid[i].clip, LeftWrist); };
@@ -40,7 +40,7 @@ TEST(NineGrid, GrowsFromShortToLongAndFromConstantToAccelerated) {
 }
 
 TEST(NineGrid, IsReproducedAtItsNodes) {
-  const Clip clip = ordinary();
+  const Clip clip = ordinary_walk();
   const auto plants = foot_plants(clip);
   for (const GridMotion& node : nine_motions(clip, plants, {})) {
     Modification place;
@@ -51,7 +51,7 @@ TEST(NineGrid, IsReproducedAtItsNodes) {
 }
 
 TEST(NineGrid, IsBilinearBetweenItsNodes) {
-  const Clip clip = ordinary();
+  const Clip clip = ordinary_walk();
   const auto plants = foot_plants(clip);
   const auto grid = nine_motions(clip, plants, {});
   Modification place;
@@ -64,7 +64,7 @@ TEST(NineGrid, IsBilinearBetweenItsNodes) {
 }
 
 TEST(NineGrid, MixesClipsInAnyOrder) {
-  const Clip clip = ordinary();
+  const Clip clip = ordinary_walk();
   const auto grid = nine_motions(clip, foot_plants(clip), {});
   const std::array<Clip, 3> clips = {grid[0].clip, grid[4].clip, grid[8].clip};
   const std::array<Clip, 3> others = {grid[8].clip, grid[0].clip, grid[4].clip};
@@ -74,7 +74,7 @@ TEST(NineGrid, MixesClipsInAnyOrder) {
 }
 
 TEST(NineGrid, TakesExplicitGainsForItsPaths) {
-  const Clip clip = ordinary();
+  const Clip clip = ordinary_walk();
   const auto plants = foot_plants(clip);
   Modification place;
   place.gains = PathGains{1.0, 1.8, 0.3, {}};

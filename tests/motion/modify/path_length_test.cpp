@@ -16,7 +16,7 @@ namespace {
 
 using namespace mien::test;
 
-Clip ordinary(double frames_per_second) {
+Clip ordinary_at(double frames_per_second) {
   return walk(WalkStyle{}, frames_per_second, standard_body()).clip;
 }
 
@@ -51,7 +51,7 @@ double swing_of(const Clip& clip) {
 TEST(PathLength, AtUnitGainsIsTheInput) {
   for (const double rate : {24.0, 30.0, 60.0, 100.0, 120.0}) {
     for (const auto signal : {RotationSignal::direction_vectors, RotationSignal::quaternions}) {
-      const Clip clip = ordinary(rate);
+      const Clip clip = ordinary_at(rate);
       EXPECT_LT(largest_distance(with_path_gains(clip, {}, signal), clip), 1e-12);
     }
   }
@@ -77,7 +77,7 @@ TEST(PathLength, TakesFewFramesASecondFourfold) {
 // Bands are octaves of the frame rate, and a walk repeats just where two groups meet.
 TEST(PathLength, IsMuchTheSameAtEveryFrameRate) {
   const auto ratio = [](double rate) {
-    const Clip clip = ordinary(rate);
+    const Clip clip = ordinary_at(rate);
     const Clip longer =
         with_path_gains(clip, longest_path_gains(), RotationSignal::direction_vectors);
     return path_length(longer, LeftWrist) / path_length(clip, LeftWrist);
@@ -113,7 +113,7 @@ TEST(PathLength, OfDirectionVectorsScalesTheTangentAndDoesNotWindRound) {
 }
 
 TEST(PathLength, OfDirectionVectorsMindsRatiosOfGainsOnly) {
-  const Clip clip = ordinary(100.0);
+  const Clip clip = ordinary_at(100.0);
   const auto signal = RotationSignal::direction_vectors;
   const Clip doubled = with_path_gains(clip, {1.0, 2.0, 2.0, {}}, signal);
   const Clip halved = with_path_gains(clip, {0.5, 1.0, 1.0, {}}, signal);
@@ -121,7 +121,7 @@ TEST(PathLength, OfDirectionVectorsMindsRatiosOfGainsOnly) {
 }
 
 TEST(PathLength, OfSingleBandsIsThatOfTheirGroup) {
-  const Clip clip = ordinary(100.0);
+  const Clip clip = ordinary_at(100.0);
   const PathGains groups = longest_path_gains();
   PathGains single = groups;
   single.bands = band_gains(groups, 100.0);
@@ -131,7 +131,7 @@ TEST(PathLength, OfSingleBandsIsThatOfTheirGroup) {
 }
 
 TEST(PathLength, OfALoopDoesNotMindWhereItBegins) {
-  Clip clip = in_place(ordinary(30.0));
+  Clip clip = in_place(ordinary_at(30.0));
   Clip turned = shifted_loop(clip, 7);
   clip = with_path_gains(clip, longest_path_gains(), RotationSignal::direction_vectors);
   turned = with_path_gains(turned, longest_path_gains(), RotationSignal::direction_vectors);

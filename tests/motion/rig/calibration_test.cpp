@@ -12,8 +12,6 @@ namespace {
 
 using namespace mien::test;
 
-const double degree = radians_per_degree;
-
 MappedJoints joints_of(const Recording& recording) {
   return groups_of(recording.skeleton, *key_joints_by_name(recording.skeleton), 1.0, "name");
 }
@@ -24,10 +22,10 @@ Calibration calibration_of(const Recording& recording) {
   return calibrate(std::span(&motion, 1));
 }
 
-Clip walk() { return synthetic_clip(steady_walk(1.2, 3.0)); }
+Clip steady() { return synthetic_clip(steady_walk(1.2, 3.0)); }
 
 TEST(Calibration, TakesATPoseAsItIs) {
-  const Calibration calibration = calibration_of(to_recording(walk()));
+  const Calibration calibration = calibration_of(to_recording(steady()));
   EXPECT_TRUE(calibration.from_rest_pose);
   for (const Quat& constant : calibration.to_body) {
     EXPECT_LT(angle_between(constant, Quat::Identity()), 1e-6);
@@ -39,10 +37,10 @@ TEST(Calibration, TakesAFigureWithSpreadLegsForOneThatStands) {
   FrameTurns turns;
   turns.fill(Quat::Identity());
   for (const int hip : {LeftHip, RightHip}) {
-    const double outward = hip == LeftHip ? -20 * degree : 20 * degree;
+    const double outward = hip == LeftHip ? -20 * radians_per_degree : 20 * radians_per_degree;
     for (int j = hip; j < hip + 4; ++j) turns[j] = about(Vec3::UnitZ(), outward);
   }
-  const Calibration calibration = calibration_of(on_other_rig(walk(), turns));
+  const Calibration calibration = calibration_of(on_other_rig(steady(), turns));
   EXPECT_TRUE(calibration.from_rest_pose);
   for (int j = 0; j < body_joint_count; ++j) {
     EXPECT_LT(angle_between(calibration.to_body[j], turns[j].conjugate()), 1e-6)
@@ -54,18 +52,19 @@ TEST(Calibration, MeasuresWhatTheZeroPoseHasWrong) {
   // Upper arm and forearm twisted by 50° about their bone in an otherwise proper T-pose.
   FrameTurns turns;
   turns.fill(Quat::Identity());
-  for (const int j : {LeftShoulder, LeftElbow}) turns[j] = about(Vec3::UnitX(), 50 * degree);
-  const Recording recording = on_other_rig(walk(), turns);
+  for (const int j : {LeftShoulder, LeftElbow})
+    turns[j] = about(Vec3::UnitX(), 50 * radians_per_degree);
+  const Recording recording = on_other_rig(steady(), turns);
   const Calibration calibration = calibration_of(recording);
   EXPECT_TRUE(calibration.from_rest_pose);
   for (const int j : {LeftShoulder, LeftElbow, RightShoulder, RightElbow}) {
-    EXPECT_LT(angle_between(calibration.to_body[j], turns[j].conjugate()), 1.0 * degree)
+    EXPECT_LT(angle_between(calibration.to_body[j], turns[j].conjugate()), 1.0 * radians_per_degree)
         << name_of(BodyJoint(j));
   }
 }
 
 TEST(Calibration, DoesNotTakeALineOfBonesForAFigure) {
-  const Recording recording = on_other_rig(walk(), bones_along_x());
+  const Recording recording = on_other_rig(steady(), bones_along_x());
   const MappedJoints joints = joints_of(recording);
   const RigMotion motion = rig_motion(recording, joints, Quat::Identity());
   EXPECT_FALSE(rest_calibration(motion));
@@ -73,13 +72,13 @@ TEST(Calibration, DoesNotTakeALineOfBonesForAFigure) {
   EXPECT_FALSE(calibration.from_rest_pose);
   const FrameTurns turns = bones_along_x();
   for (int j = 0; j < body_joint_count; ++j) {
-    EXPECT_LT(angle_between(calibration.to_body[j], turns[j].conjugate()), 1.0 * degree)
+    EXPECT_LT(angle_between(calibration.to_body[j], turns[j].conjugate()), 1.0 * radians_per_degree)
         << name_of(BodyJoint(j));
   }
 }
 
 TEST(Calibration, GivesTheBodyItsProportions) {
-  Clip clip = walk();
+  Clip clip = steady();
   clip.body.joints[LeftElbow].offset *= 1.07;
   clip.body.joints[RightKnee].offset *= 0.96;
   const Calibration calibration = calibration_of(on_other_rig(clip, random_turns(8)));

@@ -15,7 +15,7 @@ using namespace mien::test;
 
 Quat about(const Vec3& axis, double angle) { return Quat(Eigen::AngleAxisd(angle, axis)); }
 
-const Quat nod = about(Vec3::UnitX(), 0.3);
+const Quat nodding = about(Vec3::UnitX(), 0.3);
 
 /// A key in which some joints are turned.
 WarpKey key_at(double seconds, std::vector<JointKey> joints) {
@@ -28,17 +28,17 @@ WarpKey key_at(double seconds, std::vector<JointKey> joints) {
 TEST(MotionWarp, PassesThroughItsKeys) {
   const Clip motion = reach(2.0, 0.8);
   for (const WarpBy by : {WarpBy::offset, WarpBy::scale}) {
-    const auto keys = {key_at(0.5, {{RightShoulder, nod, by}, {Head, nod, by}}),
-                       key_at(1.0, {{RightShoulder, nod.conjugate(), by}})};
+    const auto keys = {key_at(0.5, {{RightShoulder, nodding, by}, {Head, nodding, by}}),
+                       key_at(1.0, {{RightShoulder, nodding.conjugate(), by}})};
     const Clip result = motion_warped(motion, keys);
     EXPECT_LT(angle_between(result.poses[30].rotations[RightShoulder],
-                            nod * motion.poses[30].rotations[RightShoulder]),
+                            nodding * motion.poses[30].rotations[RightShoulder]),
               1e-9);
     EXPECT_LT(
-        angle_between(result.poses[30].rotations[Head], nod * motion.poses[30].rotations[Head]),
+        angle_between(result.poses[30].rotations[Head], nodding * motion.poses[30].rotations[Head]),
         1e-9);
     EXPECT_LT(angle_between(result.poses[60].rotations[RightShoulder],
-                            nod.conjugate() * motion.poses[60].rotations[RightShoulder]),
+                            nodding.conjugate() * motion.poses[60].rotations[RightShoulder]),
               1e-9);
     EXPECT_LT(largest_pop(result), 0.02);
   }
@@ -46,8 +46,9 @@ TEST(MotionWarp, PassesThroughItsKeys) {
 
 TEST(MotionWarp, IsTheMotionAwayFromItsKeys) {
   const Clip motion = reach(2.0, 0.8);
-  const Clip result = motion_warped(
-      motion, {key_at(0.5, {{Head, nod}}), key_at(1.5, {{Head, nod}})}, {.reach_seconds = 0.3});
+  const Clip result =
+      motion_warped(motion, {key_at(0.5, {{Head, nodding}}), key_at(1.5, {{Head, nodding}})},
+                    {.reach_seconds = 0.3});
   for (int i = 0; i < motion.frame_count(); ++i) {
     const double t = i / 60.0;
     const double away = std::min(std::abs(t - 0.5), std::abs(t - 1.5));
@@ -83,7 +84,7 @@ TEST(MotionWarp, MovesKeysInTime) {
 
 TEST(MotionWarp, WorksAcrossTheSeamOfALoop) {
   const Clip walk = builtin_walk("normal").clip;
-  const Clip result = motion_warped(walk, {key_at(0.0, {{Head, nod}})}, {.reach_seconds = 0.2});
+  const Clip result = motion_warped(walk, {key_at(0.0, {{Head, nodding}})}, {.reach_seconds = 0.2});
   const auto turned = [&](int i) {
     return angle_between(result.poses[i].rotations[Head], walk.poses[i].rotations[Head]);
   };

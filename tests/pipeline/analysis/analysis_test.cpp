@@ -35,7 +35,7 @@ ScaleSet seven_scales() {
   return set;
 }
 
-const std::vector<RatedExample> examples = {{"a", ""}, {"b", ""}, {"c", ""}, {"d", ""}};
+const std::vector<RatedExample> four_examples = {{"a", ""}, {"b", ""}, {"c", ""}, {"d", ""}};
 
 StudyAnswers seven_answers(double strength = 1.0) {
   // Means by example of the three pairs and of the neutral scale.
@@ -49,7 +49,7 @@ StudyAnswers seven_answers(double strength = 1.0) {
         const double answer = strength * means[j / 2][i] * (j % 2 == 0 ? 1.0 : 0.9);
         StudyAnswer given;
         given.participant = "p" + std::to_string(r);
-        given.stimulus = examples[i].name;
+        given.stimulus = four_examples[i].name;
         given.scale = scales.scales[j].id;
         given.value = std::clamp(answer + (r % 2 == 0 ? 0.25 : -0.25), -2.0, 2.0);
         study.answers.push_back(given);
@@ -61,7 +61,7 @@ StudyAnswers seven_answers(double strength = 1.0) {
 
 TEST(Analysis, ClustersTheKeptScalesAndNamesThemAfterTheGroups) {
   const ScaleSet scales = seven_scales();
-  const Analysis a = analyse(seven_answers(), scales, examples, {.clusters = 3});
+  const Analysis a = analyse(seven_answers(), scales, four_examples, {.clusters = 3});
   EXPECT_FALSE(a.none_kept);
   EXPECT_EQ(a.clustered, (std::vector<int>{0, 1, 2, 3, 4, 5}));
   EXPECT_TRUE(a.quantities[6].neutral);
@@ -83,8 +83,8 @@ TEST(Analysis, TakesGivenNamesAndRefusesBadOnes) {
   const ScaleSet scales = seven_scales();
   const auto names = [&](std::vector<std::string> given) {
     try {
-      const Analysis a =
-          analyse(seven_answers(), scales, examples, {.clusters = 3, .names = std::move(given)});
+      const Analysis a = analyse(seven_answers(), scales, four_examples,
+                                 {.clusters = 3, .names = std::move(given)});
       return a.clusters[0].name + a.clusters[1].name + a.clusters[2].name;
     } catch (const Error& error) {
       return std::string(error.what());
@@ -100,7 +100,7 @@ TEST(Analysis, TakesGivenNamesAndRefusesBadOnes) {
 
 TEST(Analysis, GoesOnWithAllScalesWhenNoneIsKept) {
   const ScaleSet scales = seven_scales();
-  const Analysis a = analyse(seven_answers(0.4), scales, examples, {.clusters = 3});
+  const Analysis a = analyse(seven_answers(0.4), scales, four_examples, {.clusters = 3});
   EXPECT_TRUE(a.none_kept);
   EXPECT_EQ(a.clustered.size(), 7u);
   ASSERT_TRUE(a.suggested);
@@ -114,7 +114,7 @@ TEST(Analysis, GoesOnWithAllScalesWhenNoneIsKept) {
 }
 
 TEST(Analysis, MakesAsManyClustersAsThereAreScalesAtMost) {
-  const Analysis a = analyse(seven_answers(), seven_scales(), examples, {.clusters = 20});
+  const Analysis a = analyse(seven_answers(), seven_scales(), four_examples, {.clusters = 20});
   EXPECT_EQ(a.clusters.size(), 6u);
   ASSERT_EQ(a.warnings.size(), 1u);
   EXPECT_EQ(a.warnings[0].kind, "clusters");
@@ -122,13 +122,13 @@ TEST(Analysis, MakesAsManyClustersAsThereAreScalesAtMost) {
 
 TEST(Analysis, TheOrderOfTheExamplesAndAnswersChangesNothing) {
   const ScaleSet scales = seven_scales();
-  const std::string before = linkage_csv(analyse(seven_answers(), scales, examples, {}));
-  std::vector<RatedExample> turned(examples.rbegin(), examples.rend());
+  const std::string before = linkage_csv(analyse(seven_answers(), scales, four_examples, {}));
+  std::vector<RatedExample> turned(four_examples.rbegin(), four_examples.rend());
   StudyAnswers shuffled = seven_answers();
   std::mt19937 random(1);
   std::shuffle(shuffled.answers.begin(), shuffled.answers.end(), random);
   const Analysis after = analyse(shuffled, scales, turned, {});
-  const Analysis first = analyse(seven_answers(), scales, examples, {});
+  const Analysis first = analyse(seven_answers(), scales, four_examples, {});
   ASSERT_EQ(after.linkage.merges.size(), first.linkage.merges.size());
   for (size_t k = 0; k < first.linkage.merges.size(); ++k) {
     EXPECT_EQ(after.linkage.merges[k].members, first.linkage.merges[k].members);
@@ -138,7 +138,7 @@ TEST(Analysis, TheOrderOfTheExamplesAndAnswersChangesNothing) {
 
 TEST(Analysis, WritesTablesThatReadBack) {
   const ScaleSet scales = seven_scales();
-  const Analysis a = analyse(seven_answers(), scales, examples, {.clusters = 3});
+  const Analysis a = analyse(seven_answers(), scales, four_examples, {.clusters = 3});
   const test::TemporaryFolder folder;
   write_analysis(a, scales, {}, folder.path() / "deep" / "results");
   const auto rows = [&](const std::string& name) {
@@ -172,7 +172,7 @@ TEST(Analysis, TablesSayWhoseRatingsTheyRestOn) {
   StudyAnswers study = seven_answers();
   for (const bool simulated : {false, true}) {
     study.simulated = simulated;
-    const Analysis a = analyse(study, scales, examples, {});
+    const Analysis a = analyse(study, scales, four_examples, {});
     for (const std::string& csv :
          {quantification_csv(a, scales), thresholds_csv(a, scales, {}), impressions_csv(a),
           linkage_csv(a), clusters_csv(a), primary_csv(a), agreement_csv(a)}) {

@@ -7,14 +7,14 @@
 namespace mien::pipeline {
 namespace {
 
-constexpr std::array<int, 2> size = {64, 36};
+constexpr std::array<int, 2> shown_size = {64, 36};
 
 /// What is shown of a film of white frames.
 std::vector<render::Image8> shown(const Output& output, int film_frames) {
   Presenter presenter(output, film_frames);
   std::vector<render::Image8> pictures;
   for (int i = 0; i < film_frames; ++i) {
-    presenter.take(blank_picture(size, 255),
+    presenter.take(blank_picture(shown_size, 255),
                    [&](const render::Image8& picture) { pictures.push_back(picture); });
   }
   EXPECT_EQ(static_cast<int>(pictures.size()), presenter.frames().all());
@@ -23,7 +23,7 @@ std::vector<render::Image8> shown(const Output& output, int film_frames) {
 
 Output output_of(const Presentation& presentation) {
   Output output;
-  output.size = size;
+  output.size = shown_size;
   output.fps = 10.0;
   output.presentation = presentation;
   return output;
@@ -31,7 +31,7 @@ Output output_of(const Presentation& presentation) {
 
 TEST(Presentation, OfNothingShowsTheFilmItself) {
   const auto pictures = shown(output_of({}), 3);
-  EXPECT_EQ(pictures, std::vector<render::Image8>(3, blank_picture(size, 255)));
+  EXPECT_EQ(pictures, std::vector<render::Image8>(3, blank_picture(shown_size, 255)));
 }
 
 TEST(Presentation, ShowsCardCrossBlankFilmBlankInThisOrder) {
@@ -44,14 +44,14 @@ TEST(Presentation, ShowsCardCrossBlankFilmBlankInThisOrder) {
                             .background = 0.0};
   const auto pictures = shown(output_of(around), 5);
   ASSERT_EQ(pictures.size(), 15u);
-  EXPECT_EQ(pictures[1], card_picture(size, 0, "Look"));
-  EXPECT_EQ(pictures[2], fixation_picture(size, 0, 9));
-  EXPECT_EQ(pictures[4], fixation_picture(size, 0, 9));
-  EXPECT_EQ(pictures[5], blank_picture(size, 0));
-  EXPECT_EQ(pictures[6], blank_picture(size, 255));
-  EXPECT_EQ(pictures[10], blank_picture(size, 255));
-  EXPECT_EQ(pictures[11], blank_picture(size, 0));
-  EXPECT_EQ(pictures[14], blank_picture(size, 0));
+  EXPECT_EQ(pictures[1], card_picture(shown_size, 0, "Look"));
+  EXPECT_EQ(pictures[2], fixation_picture(shown_size, 0, 9));
+  EXPECT_EQ(pictures[4], fixation_picture(shown_size, 0, 9));
+  EXPECT_EQ(pictures[5], blank_picture(shown_size, 0));
+  EXPECT_EQ(pictures[6], blank_picture(shown_size, 255));
+  EXPECT_EQ(pictures[10], blank_picture(shown_size, 255));
+  EXPECT_EQ(pictures[11], blank_picture(shown_size, 0));
+  EXPECT_EQ(pictures[14], blank_picture(shown_size, 0));
 }
 
 TEST(Presentation, GivesEachEyeItsOwnCardAndCross) {
@@ -59,15 +59,15 @@ TEST(Presentation, GivesEachEyeItsOwnCardAndCross) {
       output_of({.card = "Look", .card_seconds = 0.1, .fixation_seconds = 0.1, .fixation_size = 9});
   Presenter presenter(output, 1, 2);
   std::vector<render::Image8> pictures;
-  presenter.take(blank_picture(size, 255),
+  presenter.take(blank_picture(shown_size, 255),
                  [&](const render::Image8& picture) { pictures.push_back(picture); });
   ASSERT_EQ(pictures.size(), 3u);
-  const std::array<int, 2> half = {size[0] / 2, size[1]};
+  const std::array<int, 2> half = {shown_size[0] / 2, shown_size[1]};
   const std::uint8_t grey = pictures[1].at(0, 0)[0];
   const render::Image8 card = card_picture(half, grey, "Look");
   const render::Image8 cross = fixation_picture(half, grey, 9);
-  for (int y = 0; y < size[1]; ++y) {
-    for (int x = 0; x < size[0]; ++x) {
+  for (int y = 0; y < shown_size[1]; ++y) {
+    for (int x = 0; x < shown_size[0]; ++x) {
       for (int c = 0; c < 3; ++c) {
         EXPECT_EQ(pictures[0].at(x, y)[c], card.at(x % half[0], y)[c]) << x << ' ' << y;
         EXPECT_EQ(pictures[1].at(x, y)[c], cross.at(x % half[0], y)[c]) << x << ' ' << y;

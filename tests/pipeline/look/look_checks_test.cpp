@@ -12,7 +12,7 @@ namespace mien::pipeline {
 namespace {
 
 /// The faults of a manifest with that look in its fourth line, one a line.
-std::string faults_of(const std::string& look) {
+std::string faults_of_look(const std::string& look) {
   const std::string text = "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nlook: {" + look +
                            "}\nstimuli: [{id: a, weights: {normal: 1}}]\n";
   std::string told;
@@ -32,7 +32,7 @@ void PrintTo(const Case& example, std::ostream* out) { *out << example.look; }
 class LookFaults : public testing::TestWithParam<Case> {};
 
 TEST_P(LookFaults, AreToldWithPlaceAndRemedy) {
-  EXPECT_EQ(faults_of(GetParam().look), GetParam().fault + std::string("\n"));
+  EXPECT_EQ(faults_of_look(GetParam().look), GetParam().fault + std::string("\n"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -85,10 +85,11 @@ INSTANTIATE_TEST_SUITE_P(
              "\"Head\"?"}));
 
 TEST(LookChecks, LeaveContrastToDotsBeforeNothing) {
-  EXPECT_EQ(faults_of("scene: void, figure: {point-light: {contrast: 0.5}}"), "");
-  EXPECT_EQ(faults_of("figure: {point-light: {contrast: 0.5}}"), "");
-  EXPECT_EQ(faults_of("camera: {view: side, stereo: {}, screen: {distance_cm: 60, width_cm: 50}}"),
-            "");
+  EXPECT_EQ(faults_of_look("scene: void, figure: {point-light: {contrast: 0.5}}"), "");
+  EXPECT_EQ(faults_of_look("figure: {point-light: {contrast: 0.5}}"), "");
+  EXPECT_EQ(
+      faults_of_look("camera: {view: side, stereo: {}, screen: {distance_cm: 60, width_cm: 50}}"),
+      "");
 }
 
 }  // namespace

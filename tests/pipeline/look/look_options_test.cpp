@@ -11,7 +11,7 @@
 namespace mien::pipeline {
 namespace {
 
-std::string faults_of(const LookOptions& options) {
+std::string faults_of_options(const LookOptions& options) {
   try {
     look_of(options);
     return "";
@@ -50,19 +50,19 @@ TEST(LookOptions, PointLightsStandInTheVoidBeforeTheirOwnBackground) {
 }
 
 TEST(LookOptions, AreRefusedInTheWordsOfTheOptions) {
-  EXPECT_EQ(faults_of({.scene = "stduio"}),
+  EXPECT_EQ(faults_of_options({.scene = "stduio"}),
             "--scene: \"stduio\" is neither a set nor a file; did you mean \"studio\"?");
-  EXPECT_EQ(faults_of({.camera = "sied"}),
+  EXPECT_EQ(faults_of_options({.camera = "sied"}),
             "--camera: \"sied\" is not one of front, side, three-quarter, follow, orbit; did you "
             "mean \"side\"?");
-  EXPECT_EQ(faults_of({.figure = "point-light: {scrambeld: true}"}),
+  EXPECT_EQ(faults_of_options({.figure = "point-light: {scrambeld: true}"}),
             "--figure.point-light.scrambeld: unknown key; did you mean \"scrambled\"?");
-  EXPECT_EQ(faults_of({.figure = "point-light: {scrambled: true, lifetime: 4}"}),
+  EXPECT_EQ(faults_of_options({.figure = "point-light: {scrambled: true, lifetime: 4}"}),
             "--figure.point-light.lifetime: scrambled dots have no limbs to spend a limited "
             "lifetime on; leave scrambled or lifetime out");
-  EXPECT_EQ(faults_of({.camera = "position: [1, 2, 3]"}),
+  EXPECT_EQ(faults_of_options({.camera = "position: [1, 2, 3]"}),
             "--camera: target is missing; give position and target");
-  EXPECT_EQ(faults_of({.figure = "trail: {poses: 24, before: 12}"}),
+  EXPECT_EQ(faults_of_options({.figure = "trail: {poses: 24, before: 12}"}),
             "--figure.trail: too many poses for one picture; show at most 29 besides the present "
             "one");
 }
@@ -72,14 +72,14 @@ TEST(LookOptions, TakeACharacterByItsFileAloneOrAsAManifestHasIt) {
       "--figure.character: there is no file nobody.glb; give a skinned character (.gltf, .glb, "
       ".vrm); paths are taken from the manifest's folder";
   for (const char* figure : {"nobody.glb", "character: nobody.glb", "{character: nobody.glb}"})
-    EXPECT_EQ(faults_of({.figure = figure}), none) << figure;
+    EXPECT_EQ(faults_of_options({.figure = figure}), none) << figure;
 }
 
 TEST(LookOptions, FaultsOfASetAreToldAtTheirPlaceInItsFile) {
   const test::TemporaryFolder folder;
   const std::string file = (folder.path() / "my.set.yaml").string();
   write_file(file, "background: \"#808080\"\nsky: 3\n");
-  EXPECT_EQ(faults_of({.scene = file}),
+  EXPECT_EQ(faults_of_options({.scene = file}),
             file +
                 ":2:6: sky: must be a map of keys and values but is 3; for example {below: "
                 "#8b8b8a, horizon: #a2a3a4, zenith: #b4b6b8}");

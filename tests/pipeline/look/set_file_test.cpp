@@ -8,7 +8,7 @@
 namespace mien::pipeline {
 namespace {
 
-std::string faults_of(const std::string& yaml) {
+std::string faults_of_set(const std::string& yaml) {
   try {
     parse_set(yaml, "my.set.yaml");
     return "";
@@ -45,20 +45,21 @@ TEST(SetFile, TheStudioIsWhatItAlwaysWas) {
 }
 
 TEST(SetFile, TellsEveryFaultWithItsPlace) {
-  EXPECT_EQ(faults_of("background: \"#808080\"\ngruond: {colour: \"#808080\"}\n"),
+  EXPECT_EQ(faults_of_set("background: \"#808080\"\ngruond: {colour: \"#808080\"}\n"),
             "my.set.yaml:2:1: gruond: unknown key; did you mean \"ground\"?");
-  EXPECT_EQ(faults_of("background: grey\n"),
+  EXPECT_EQ(faults_of_set("background: grey\n"),
             "my.set.yaml:1:13: background: \"grey\" is no colour; write # and six hexadecimal "
             "digits, for "
             "example #808080");
-  EXPECT_EQ(faults_of("name: x\n"),
+  EXPECT_EQ(faults_of_set("name: x\n"),
             "my.set.yaml:1:1: background: missing; add it, for example background: #808080");
-  EXPECT_EQ(faults_of("background: \"#808080\"\nground: {colour: \"#808080\", fade: [30, 6]}\n"),
-            "my.set.yaml:2:35: ground.fade: the floor is gone before it begins to fade; write the "
-            "smaller first");
-  EXPECT_EQ(faults_of("background: \"#808080\"\nground: {colour: [1.4, 1, 1]}\n"),
+  EXPECT_EQ(
+      faults_of_set("background: \"#808080\"\nground: {colour: \"#808080\", fade: [30, 6]}\n"),
+      "my.set.yaml:2:35: ground.fade: the floor is gone before it begins to fade; write the "
+      "smaller first");
+  EXPECT_EQ(faults_of_set("background: \"#808080\"\nground: {colour: [1.4, 1, 1]}\n"),
             "my.set.yaml:2:19: ground.colour[0]: 1.4 is out of range; use a number from 0 to 1");
-  EXPECT_EQ(faults_of("background: \"#808080\"\nbelt: {colour: \"#808080\"}\n"),
+  EXPECT_EQ(faults_of_set("background: \"#808080\"\nbelt: {colour: \"#808080\"}\n"),
             "my.set.yaml:2:1: belt: a belt needs a figure in place; add in_place: true");
 }
 

@@ -8,7 +8,7 @@ namespace mien::pipeline {
 namespace {
 
 /// Three people, two targets, two interfaces; p3 never tried t2 with weights.
-MatchingResults sessions() {
+MatchingResults charted_sessions() {
   return matching_results(
       parse_csv("participant,target,interface,first_guess_d,time_s,success\n"
                 "p1,t1,weights,0.10,200,1\np1,t2,weights,0.08,,0\n"
@@ -21,7 +21,7 @@ MatchingResults sessions() {
 }
 
 TEST(MatchingCharts, KeepTheirTextsToThePageAndApart) {
-  const MatchingEvaluation e = evaluate(sessions());
+  const MatchingEvaluation e = evaluate(charted_sessions());
   for (const BarChart& chart :
        {first_guess_chart(e, true), first_guess_success_chart(e, false), time_chart(e, true),
         time_saved_chart(e, true), failures_chart(e, true)}) {

@@ -15,7 +15,7 @@ constexpr const char* small =
     "words:\n"
     "  slow-fast: {low: {finnish: [HIDAS, hitaasti]}, high: {finnish: [nopea]}}\n";
 
-std::string refusal(const std::string& yaml) {
+std::string lexicon_refusal(const std::string& yaml) {
   try {
     parse_scales(yaml, "l.yaml");
   } catch (const Faults& faults) {
@@ -55,25 +55,26 @@ TEST(Lexicon, FoldsItsWords) {
 }
 
 TEST(Lexicon, RefusesAWordOfTwoMeanings) {
-  EXPECT_EQ(refusal(replaced(small, "[nopea]", "[nopea, hidas]")),
+  EXPECT_EQ(lexicon_refusal(replaced(small, "[nopea]", "[nopea, hidas]")),
             "l.yaml:6:74: words.slow-fast.high.finnish[1]: \"hidas\" has a second meaning; leave "
             "one of them out, or the word altogether if readers would dispute it");
-  EXPECT_NE(refusal(replaced(small, "[nopea]", "[hyvin]")).find("\"hyvin\" has a second meaning"),
-            std::string::npos);
+  EXPECT_NE(
+      lexicon_refusal(replaced(small, "[nopea]", "[hyvin]")).find("\"hyvin\" has a second meaning"),
+      std::string::npos);
 }
 
 TEST(Lexicon, RefusesUnknownScalesAndLanguages) {
-  EXPECT_NE(refusal(replaced(small, "  slow-fast: {low: {", "  slow-fist: {low: {"))
+  EXPECT_NE(lexicon_refusal(replaced(small, "  slow-fast: {low: {", "  slow-fist: {low: {"))
                 .find("l.yaml:6:3: words.slow-fist: unknown scale \"slow-fist\"; did you mean "
                       "\"slow-fast\"?"),
             std::string::npos);
-  EXPECT_NE(refusal(replaced(small, "high: {finnish", "high: {svenska"))
+  EXPECT_NE(lexicon_refusal(replaced(small, "high: {finnish", "high: {svenska"))
                 .find("unknown language \"svenska\"; describe it under languages"),
             std::string::npos);
 }
 
 TEST(Lexicon, RefusesTwoLanguagesOfOneName) {
-  EXPECT_NE(refusal(replaced(small, "words:\n", "  other: {called: [suomi]}\nwords:\n"))
+  EXPECT_NE(lexicon_refusal(replaced(small, "words:\n", "  other: {called: [suomi]}\nwords:\n"))
                 .find("is also called \"suomi\"; name each language once"),
             std::string::npos);
 }

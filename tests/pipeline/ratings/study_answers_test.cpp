@@ -11,20 +11,20 @@ namespace {
 
 using Rules = AnswerRules;
 
-ScaleSet two_scales() {
+ScaleSet studied_scales() {
   ScaleSet set;
   set.scales.push_back({.id = "slow-fast", .low = "slow", .high = "fast"});
   set.scales.push_back({.id = "open", .low = "closed", .high = "open", .least = -3, .most = 3});
   return set;
 }
 
-const std::vector<RatedExample> examples = {{"a", "walk_a"}, {"b", "walk_b"}};
+const std::vector<RatedExample> studied_examples = {{"a", "walk_a"}, {"b", "walk_b"}};
 
 StudyAnswers read(const std::string& csv, const AnswerRules& rules = {}) {
-  return study_answers(parse_csv(csv, "x.csv"), two_scales(), examples, rules);
+  return study_answers(parse_csv(csv, "x.csv"), studied_scales(), studied_examples, rules);
 }
 
-std::string refusal(const std::string& csv, const AnswerRules& rules = {}) {
+std::string study_refusal(const std::string& csv, const AnswerRules& rules = {}) {
   try {
     read(csv, rules);
   } catch (const Error& error) {
@@ -41,9 +41,9 @@ std::vector<std::string> told(const StudyAnswers& study) {
   return lines;
 }
 
-constexpr const char* header = "participant,stimulus,scale,value\n";
+constexpr const char* study_header = "participant,stimulus,scale,value\n";
 
-const std::string clean = std::string(header) +
+const std::string clean = std::string(study_header) +
                           "p,a,slow-fast,1\np,b,slow-fast,-1\np,a,open,0\np,b,open,3\n"
                           "q,walk_a,slow-fast,2\nq,b,slow-fast,-2\nq,a,open,1\nq,b,open,3\n";
 
@@ -73,7 +73,7 @@ TEST(StudyAnswers, CompleteOnesAreToldNothingAbout) {
 
 TEST(StudyAnswers, RepeatedOnesAreSettledByTheRule) {
   const std::string csv = clean + "p,a,slow-fast,-2\n";
-  EXPECT_EQ(refusal(csv),
+  EXPECT_EQ(study_refusal(csv),
             "x.csv:10:15: a second answer of participant \"p\" about \"a\" on \"slow-fast\"; keep "
             "one of them, or choose with --repeated first, last or mean");
   const auto value = [&](Rules::Repeated rule) { return read(csv, {.repeated = rule}); };
@@ -97,7 +97,7 @@ TEST(StudyAnswers, FirstAndLastGoByTheOrderOfAnswering) {
 
 TEST(StudyAnswers, UnknownNamesAreToldOnceWithTheirRows) {
   const std::string csv = clean + "p,c,open,1\nq,c,open,1\np,a,opne,1\n";
-  EXPECT_EQ(refusal(csv),
+  EXPECT_EQ(study_refusal(csv),
             "x.csv:10:3: unknown stimulus \"c\" (2 rows); did you mean \"a\"? (--unknown "
             "ignore leaves it out)\nx.csv:12:5: unknown scale \"opne\" (1 row); did you mean "
             "\"open\"? (--unknown ignore leaves it out)");
@@ -112,7 +112,7 @@ TEST(StudyAnswers, UnknownNamesAreToldOnceWithTheirRows) {
 
 TEST(StudyAnswers, MissingOnesAreToldOrRefused) {
   // p left one value empty, q saw only a and skipped a scale, r and s saw all.
-  const std::string csv = std::string(header) +
+  const std::string csv = std::string(study_header) +
                           "p,a,slow-fast,\np,b,slow-fast,-1\np,a,open,0\np,b,open,3\n"
                           "q,a,open,1\n"
                           "r,a,slow-fast,1\nr,b,slow-fast,2\nr,a,open,1\nr,b,open,3\n";
@@ -122,7 +122,7 @@ TEST(StudyAnswers, MissingOnesAreToldOrRefused) {
       "missing x.csv:6:10 participant \"q\" did not answer about \"a\" on \"slow-fast\""};
   EXPECT_EQ(told(read(csv)), expected);
   EXPECT_EQ(read(csv).answers.size(), 8u);
-  EXPECT_EQ(refusal(csv, {.missing = Rules::Missing::refuse}),
+  EXPECT_EQ(study_refusal(csv, {.missing = Rules::Missing::refuse}),
             "x.csv:2:15: no value of participant \"p\" about \"a\" on \"slow-fast\"; complete it, "
             "or use --missing ignore\n"
             "x.csv:6:10: participant \"q\" did not answer about \"a\" on \"slow-fast\"; complete "
@@ -133,7 +133,7 @@ TEST(StudyAnswers, MissingOnesAreToldOrRefused) {
 
 TEST(StudyAnswers, WhereEverybodySawAPartNothingIsMissing) {
   const StudyAnswers study =
-      read(std::string(header) + "p,a,open,1\nq,b,open,2\nr,a,open,-1\ns,b,open,0\n");
+      read(std::string(study_header) + "p,a,open,1\nq,b,open,2\nr,a,open,-1\ns,b,open,0\n");
   EXPECT_TRUE(study.warnings.empty()) << told(study).front();
 }
 
@@ -150,21 +150,22 @@ TEST(StudyAnswers, ConstantParticipantsAreToldAndDroppedOnDemand) {
 }
 
 TEST(StudyAnswers, EveryFaultIsToldAtOnce) {
-  EXPECT_EQ(refusal("participant,stimulus,scale,value,rt_ms\np,a,slow-fast,3,1\np,b,slow-fast,x,1\n"
+  EXPECT_EQ(
+      study_refusal("participant,stimulus,scale,value,rt_ms\np,a,slow-fast,3,1\np,b,slow-fast,x,1\n"
                     "p,a,open,3,-5\np,b,open,1,soon\n"),
-            "x.csv:2:15: 3 is outside the range of \"slow-fast\"; answers go from -2 to 2; state "
-            "another range in the scales file\n"
-            "x.csv:3:15: \"x\" is not a number; write a finite decimal number\n"
-            "x.csv:4:12: -5 ms is no response time; write milliseconds from 0 up, or leave the "
-            "field empty\n"
-            "x.csv:5:12: \"soon\" is not a number; write a finite decimal number");
-  EXPECT_EQ(refusal("participant,stimulus,value\np,a,1\n"),
+      "x.csv:2:15: 3 is outside the range of \"slow-fast\"; answers go from -2 to 2; state "
+      "another range in the scales file\n"
+      "x.csv:3:15: \"x\" is not a number; write a finite decimal number\n"
+      "x.csv:4:12: -5 ms is no response time; write milliseconds from 0 up, or leave the "
+      "field empty\n"
+      "x.csv:5:12: \"soon\" is not a number; write a finite decimal number");
+  EXPECT_EQ(study_refusal("participant,stimulus,value\np,a,1\n"),
             "x.csv:1:1: there is no column \"scale\"; the columns are participant, stimulus, "
             "value");
 }
 
 TEST(StudyAnswers, InWordsAreToBeTurnedIntoAnswersFirst) {
-  EXPECT_EQ(refusal("participant,language,motion,verb,modifier1\np,english,a,walk,slowly\n"),
+  EXPECT_EQ(study_refusal("participant,language,motion,verb,modifier1\np,english,a,walk,slowly\n"),
             "x.csv:1:1: words, not answers on scales; turn them into answers with mien study "
             "words");
 }

@@ -12,7 +12,7 @@
 namespace mien::pipeline {
 namespace {
 
-constexpr const char* header = "participant,language,order,motion,verb,modifier1,modifier2\n";
+constexpr const char* word_header = "participant,language,order,motion,verb,modifier1,modifier2\n";
 
 ScaleSet small_scales() {
   return parse_scales(
@@ -28,8 +28,8 @@ ScaleSet small_scales() {
       "l.yaml");
 }
 
-WordAnswers read(const std::string& rows, Unmentioned unmentioned = Unmentioned::neutral) {
-  return answers_from_words(parse_csv(header + rows, "w.csv"), small_scales(), unmentioned);
+WordAnswers read_words(const std::string& rows, Unmentioned unmentioned = Unmentioned::neutral) {
+  return answers_from_words(parse_csv(word_header + rows, "w.csv"), small_scales(), unmentioned);
 }
 
 std::map<std::string, double> by_scale(const WordAnswers& words) {
@@ -38,9 +38,9 @@ std::map<std::string, double> by_scale(const WordAnswers& words) {
   return values;
 }
 
-std::string refusal(const std::string& rows) {
+std::string words_refusal(const std::string& rows) {
   try {
-    read(rows);
+    read_words(rows);
   } catch (const Error& error) {
     return error.what();
   }
@@ -48,31 +48,31 @@ std::string refusal(const std::string& rows) {
 }
 
 TEST(WordAnswers, LieInTheRangeOfEachScale) {
-  const auto values = by_scale(read("1,en,1,walk,limps,very slowly,\n"));
+  const auto values = by_scale(read_words("1,en,1,walk,limps,very slowly,\n"));
   EXPECT_EQ(values.at("slow-fast"), -2.0);
   EXPECT_EQ(values.at("even-limping"), 5.5);  // 1 of 2 from the middle, 4, to the end, 7
 }
 
 TEST(WordAnswers, GradeTheVerbByModifiersOfDegree) {
-  EXPECT_EQ(by_scale(read("1,en,1,walk,limps,badly,\n")).at("even-limping"), 7.0);
-  EXPECT_EQ(by_scale(read("1,en,1,walk,limps,slightly,\n")).at("even-limping"), 5.5);
+  EXPECT_EQ(by_scale(read_words("1,en,1,walk,limps,badly,\n")).at("even-limping"), 7.0);
+  EXPECT_EQ(by_scale(read_words("1,en,1,walk,limps,slightly,\n")).at("even-limping"), 5.5);
 }
 
 TEST(WordAnswers, TakeTheStrongestMentionAndCancelContradictions) {
-  EXPECT_EQ(by_scale(read("1,en,1,walk,,slowly,very quickly\n")).at("slow-fast"), 2.0);
-  EXPECT_EQ(by_scale(read("1,en,1,walk,,slowly,quickly\n")).at("slow-fast"), 0.0);
+  EXPECT_EQ(by_scale(read_words("1,en,1,walk,,slowly,very quickly\n")).at("slow-fast"), 2.0);
+  EXPECT_EQ(by_scale(read_words("1,en,1,walk,,slowly,quickly\n")).at("slow-fast"), 0.0);
 }
 
 TEST(WordAnswers, CountTheUnmentionedAsNeutralOnlyByThatRule) {
   const std::string rows = "1,en,1,walk,,slowly,\n2,en,1,walk,limps,,\n";
-  const WordAnswers neutral = read(rows);
+  const WordAnswers neutral = read_words(rows);
   EXPECT_EQ(neutral.answers.answers.size(), 4u);  // two people, two scales that were mentioned
-  const WordAnswers sparse = read(rows, Unmentioned::no_answer);
+  const WordAnswers sparse = read_words(rows, Unmentioned::no_answer);
   EXPECT_EQ(sparse.answers.answers.size(), 2u);
 }
 
 TEST(WordAnswers, LeaveOutLanguagesTheLexiconLacksAndSaySo) {
-  const WordAnswers words = read("1,EN,1,walk,,slowly,\n2,فارسی,1,walk,,به آرامی,\n");
+  const WordAnswers words = read_words("1,EN,1,walk,,slowly,\n2,فارسی,1,walk,,به آرامی,\n");
   EXPECT_EQ(words.answers.answers.size(), 1u);
   ASSERT_EQ(words.left_out.size(), 1u);
   EXPECT_EQ(words.left_out[0].text, "فارسی");
@@ -82,7 +82,7 @@ TEST(WordAnswers, LeaveOutLanguagesTheLexiconLacksAndSaySo) {
 
 TEST(WordAnswers, TellTheirCoverage) {
   const WordAnswers words =
-      read("1,en,1,a,,slowly,horsely\n2,en,1,a,,horsely,\n3,en,1,b,limps,,\n");
+      read_words("1,en,1,a,,slowly,horsely\n2,en,1,a,,horsely,\n3,en,1,b,limps,,\n");
   ASSERT_EQ(words.coverage.size(), 1u);
   EXPECT_EQ(words.coverage[0].answers, 2);
   EXPECT_EQ(words.coverage[0].understood, 1);
@@ -97,16 +97,17 @@ TEST(WordAnswers, TellTheirCoverage) {
 }
 
 TEST(WordAnswers, RefuseASecondAnswerAndATableThatSaysNothing) {
-  EXPECT_EQ(refusal("1,en,1,walk,,slowly,\n1,en,2,walk,,quickly,\n"),
+  EXPECT_EQ(words_refusal("1,en,1,walk,,slowly,\n1,en,2,walk,,quickly,\n"),
             "w.csv:3:8: a second answer of participant \"1\" about \"walk\"; keep one of them");
-  EXPECT_EQ(refusal("1,en,1,walk,,horsely,\n"),
-            "w.csv: no answer could be read by the lexicon; compare the languages and words of "
-            "both files");
+  EXPECT_EQ(
+      words_refusal("1,en,1,walk,,horsely,\n"),
+      "w.csv: no answer could be read by the lexicon; compare the languages and words of "
+      "both files");
 }
 
 TEST(WordAnswers, NeedALexicon) {
   try {
-    parse_answers(std::string(header) + "1,en,1,walk,,slowly,\n", "w.csv", builtin_scales());
+    parse_answers(std::string(word_header) + "1,en,1,walk,,slowly,\n", "w.csv", builtin_scales());
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("the scales come without a lexicon"),

@@ -22,18 +22,18 @@ namespace {
 using test::bytes_of;
 using test::refusal_of;
 
-constexpr int width = 67, height = 41;
+constexpr int wide = 67, high = 41;
 
 template <class Channel>
 Image<Channel> noise() {
-  Image<Channel> image(width, height);
+  Image<Channel> image(wide, high);
   std::mt19937 random(5);
   for (Channel& channel : image.channels) channel = static_cast<Channel>(random());
   return image;
 }
 
 Film light() {
-  Film film(width, height);
+  Film film(wide, high);
   std::mt19937 random(6);
   std::uniform_real_distribution<float> stops(-12.0f, 12.0f);
   for (float& channel : film.channels) channel = std::exp2(stops(random));
@@ -84,8 +84,8 @@ TEST_F(ImageIo, TellsWhatAFileHolds) {
   write_png(png, noise<std::uint16_t>());
   const ImageSummary of_png = check_image(png);
   EXPECT_EQ(of_png.format, "png");
-  EXPECT_EQ(of_png.width, width);
-  EXPECT_EQ(of_png.height, height);
+  EXPECT_EQ(of_png.width, wide);
+  EXPECT_EQ(of_png.height, high);
   EXPECT_EQ(of_png.channels, 3);
   EXPECT_EQ(of_png.bits, 16);
   EXPECT_EQ(of_png.color_space, "sRGB");

@@ -7,7 +7,7 @@
 namespace mien::render {
 namespace {
 
-Image8 constant(int width, int height, std::uint8_t code) {
+Image8 uniform(int width, int height, std::uint8_t code) {
   Image8 image(width, height);
   image.channels.assign(image.channels.size(), code);
   return image;
@@ -16,7 +16,7 @@ Image8 constant(int width, int height, std::uint8_t code) {
 TEST(Resized, KeepsAConstantPictureConstant) {
   for (const std::uint8_t code : {0, 1, 77, 254, 255}) {
     for (const auto& [width, height] : {std::pair{5, 3}, {17, 11}, {40, 31}, {1, 1}}) {
-      EXPECT_EQ(resized(constant(17, 11, code), width, height), constant(width, height, code));
+      EXPECT_EQ(resized(uniform(17, 11, code), width, height), uniform(width, height, code));
     }
   }
 }
@@ -34,7 +34,7 @@ TEST(Resized, AveragesLightNotCodes) {
 }
 
 TEST(Resized, KeepsThingsWhereTheyAre) {
-  Image8 image = constant(40, 20, 0);
+  Image8 image = uniform(40, 20, 0);
   for (int y = 10; y < 20; ++y)
     for (int x = 0; x < 20; ++x) image.at(x, y)[0] = 255;  // lower left quarter is red
   const Image8 half = resized(image, 20, 10);
@@ -45,7 +45,7 @@ TEST(Resized, KeepsThingsWhereTheyAre) {
 }
 
 TEST(Resized, RefusesAnEmptySize) {
-  EXPECT_THROW(resized(constant(4, 4, 9), 0, 4), std::invalid_argument);
+  EXPECT_THROW(resized(uniform(4, 4, 9), 0, 4), std::invalid_argument);
   EXPECT_THROW(resized(Image8{}, 4, 4), std::invalid_argument);
 }
 

@@ -16,8 +16,8 @@ namespace {
 using test::refusal_of;
 using test::smooth_frames;
 
-constexpr int width = 160;
-constexpr int height = 96;
+constexpr int wide = 160;
+constexpr int high = 96;
 
 FilmSketch sketch_of(const std::vector<Image8>& frames) {
   FilmSketch film(frames[0].width, frames[0].height);
@@ -26,7 +26,7 @@ FilmSketch sketch_of(const std::vector<Image8>& frames) {
 }
 
 VideoFormat format_of(VideoKind kind, FrameRate rate = {30, 1}) {
-  return {.width = width, .height = height, .rate = rate, .kind = kind};
+  return {.width = wide, .height = high, .rate = rate, .kind = kind};
 }
 
 class VideoCheckTest : public testing::TestWithParam<VideoKind> {
@@ -42,7 +42,7 @@ class VideoCheckTest : public testing::TestWithParam<VideoKind> {
 
 TEST_P(VideoCheckTest, AcceptsWhatWasWritten) {
   // Still at first, as under a fixation cross, then moving.
-  std::vector<Image8> frames = smooth_frames(width, height, 20);
+  std::vector<Image8> frames = smooth_frames(wide, high, 20);
   std::fill_n(frames.begin(), 7, frames[7]);
   for (const FrameRate rate : {FrameRate{30, 1}, {30000, 1001}, {25, 1}, {50, 1}}) {
     test::write_video(path, frames, rate, GetParam());
@@ -53,26 +53,26 @@ TEST_P(VideoCheckTest, AcceptsWhatWasWritten) {
 }
 
 TEST_P(VideoCheckTest, AcceptsASingleFrame) {
-  const std::vector<Image8> frames = smooth_frames(width, height, 1);
+  const std::vector<Image8> frames = smooth_frames(wide, high, 1);
   test::write_video(path, frames, {30, 1}, GetParam());
   EXPECT_NO_THROW(check_video(path, format_of(GetParam()), sketch_of(frames)));
 }
 
 TEST_P(VideoCheckTest, RefusesALostFrame) {
-  const std::vector<Image8> frames = smooth_frames(width, height, 20);
+  const std::vector<Image8> frames = smooth_frames(wide, high, 20);
   const std::vector<Image8> fewer(frames.begin(), frames.end() - 1);
   EXPECT_NE(refusal_to(fewer, frames).find("has 19 frames instead of 20"), std::string::npos);
 }
 
 TEST_P(VideoCheckTest, RefusesFramesInAnotherOrder) {
-  const std::vector<Image8> frames = smooth_frames(width, height, 40);
+  const std::vector<Image8> frames = smooth_frames(wide, high, 40);
   std::vector<Image8> other = frames;
   std::swap(other[5], other[35]);
   EXPECT_NE(refusal_to(other, frames).find("frame "), std::string::npos);
 }
 
 TEST_P(VideoCheckTest, RefusesAFrameWithABrokenBlock) {
-  const std::vector<Image8> frames = smooth_frames(width, height, 12);
+  const std::vector<Image8> frames = smooth_frames(wide, high, 12);
   std::vector<Image8> other = frames;
   for (int y = 32; y < 64; ++y) std::fill_n(other[7].at(64, y), 3 * 32, std::uint8_t{255});
   const std::string refusal = refusal_to(other, frames);
@@ -80,7 +80,7 @@ TEST_P(VideoCheckTest, RefusesAFrameWithABrokenBlock) {
 }
 
 TEST_P(VideoCheckTest, RefusesExchangedColours) {
-  const std::vector<Image8> frames = smooth_frames(width, height, 3);
+  const std::vector<Image8> frames = smooth_frames(wide, high, 3);
   std::vector<Image8> other = frames;
   for (Image8& frame : other) {
     for (std::size_t i = 0; i < frame.channels.size(); i += 3) {
@@ -91,7 +91,7 @@ TEST_P(VideoCheckTest, RefusesExchangedColours) {
 }
 
 TEST_P(VideoCheckTest, RefusesAnotherRateOrSize) {
-  const std::vector<Image8> frames = smooth_frames(width, height, 20);
+  const std::vector<Image8> frames = smooth_frames(wide, high, 20);
   test::write_video(path, frames, {30, 1}, GetParam());
   const FilmSketch film = sketch_of(frames);
   VideoFormat other = format_of(GetParam(), {24, 1});
@@ -103,7 +103,7 @@ TEST_P(VideoCheckTest, RefusesAnotherRateOrSize) {
 }
 
 TEST_P(VideoCheckTest, RefusesAFileWithABrokenByteOrAnotherPicture) {
-  const std::vector<Image8> frames = smooth_frames(width, height, 20);
+  const std::vector<Image8> frames = smooth_frames(wide, high, 20);
   test::write_video(path, frames, {30, 1}, GetParam());
   const std::vector<char> whole = test::bytes_of(path);
   const FilmSketch film = sketch_of(frames);
@@ -121,7 +121,7 @@ TEST_P(VideoCheckTest, RefusesAFileWithABrokenByteOrAnotherPicture) {
 
 TEST(VideoCheck, RefusesAnotherKind) {
   const mien::test::TemporaryFolder temporary;
-  const std::vector<Image8> frames = smooth_frames(width, height, 3);
+  const std::vector<Image8> frames = smooth_frames(wide, high, 3);
   const auto path = temporary.path() / "video.mp4";
   test::write_video(path, frames, {30, 1}, VideoKind::mp4_lossless);
   EXPECT_NE(refusal_of([&] {

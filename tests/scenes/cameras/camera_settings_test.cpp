@@ -14,12 +14,12 @@ using motion::Vec3;
 
 constexpr std::array<int, 2> size = {960, 540};
 
-Action walk(double metres_a_frame = 0.04) {
+Action diagonal_walk(double metres_a_frame = 0.04) {
   return action_of(test::walking_clip(80, Vec3(0.6, 0.0, 0.8), metres_a_frame));
 }
 
 TEST(CameraSettings, AnOrthographicCameraKeepsTheWholeActionInThePicture) {
-  const Action action = walk();
+  const Action action = diagonal_walk();
   for (const char* view : {"front", "side", "three-quarter", "follow", "orbit"}) {
     CameraSettings settings{.view = view, .orthographic = true};
     const CameraRig rig = make_camera_rig(settings, action, size);
@@ -38,7 +38,7 @@ TEST(CameraSettings, AnOrthographicCameraKeepsTheWholeActionInThePicture) {
 }
 
 TEST(CameraSettings, NumbersAreInTheFiguresAxes) {
-  const Action action = walk();
+  const Action action = diagonal_walk();
   CameraSettings settings;
   settings.position = Vec3(-3.0, 1.5, 4.0);
   settings.target = Vec3(0.0, 0.9, 0.0);
@@ -51,7 +51,7 @@ TEST(CameraSettings, NumbersAreInTheFiguresAxes) {
 }
 
 TEST(CameraSettings, OnTheScreenTheFigureIsAsLargeAsWasAskedFor) {
-  const Action action = walk(0.0);
+  const Action action = diagonal_walk(0.0);
   for (const char* view : {"front", "side", "three-quarter", "follow", "orbit"}) {
     CameraSettings settings{.view = view};
     settings.screen = ScreenSettings{57.0, 50.0, 8.0};
@@ -70,7 +70,7 @@ TEST(CameraSettings, OnTheScreenTheFigureIsAsLargeAsWasAskedFor) {
 }
 
 TEST(CameraSettings, ShowsTheFigureInTheSizeAskedFor) {
-  const Action action = walk();
+  const Action action = diagonal_walk();
   for (const bool parallel : {false, true}) {
     for (const char* view : {"front", "side", "three-quarter", "follow", "orbit"}) {
       CameraSettings settings{.view = view, .orthographic = parallel};
@@ -95,7 +95,7 @@ TEST(CameraSettings, ShowsTheFigureInTheSizeAskedFor) {
 }
 
 TEST(CameraSettings, TheFocusGoesWithTheFigureUnlessItIsGiven) {
-  const Action action = walk();
+  const Action action = diagonal_walk();
   CameraSettings settings{.view = "front"};
   EXPECT_EQ(make_camera_rig(settings, action, size).cameras[0].aperture_radius, 0.0f);
   settings.depth_of_field = DepthOfField{.aperture_m = 0.08};
@@ -155,7 +155,7 @@ TEST(Stereo, WhatIsAtTheDistanceOfConvergenceIsAtTheSamePlaceInBothPictures) {
 TEST(Stereo, EachEyeHasHalfOfThePicture) {
   CameraSettings settings;
   settings.stereo_separation_m = 0.063;
-  const CameraRig rig = make_camera_rig(settings, walk(), size);
+  const CameraRig rig = make_camera_rig(settings, diagonal_walk(), size);
   EXPECT_EQ(rig.at(0).width, 480);
   EXPECT_EQ(rig.at(0).height, 540);
   EXPECT_EQ(rig.stereo_separation_m, 0.063);

@@ -24,7 +24,7 @@ using motion::Vec3;
 using test::SkinnedGltf;
 using test::SkinnedGltfOptions;
 
-const motion::Skeleton body = motion::standard_body();
+const motion::Skeleton standard = motion::standard_body();
 
 motion::Pose random_pose(std::mt19937_64& random) {
   std::uniform_real_distribution<double> angle(-0.7, 0.7);
@@ -37,17 +37,17 @@ motion::Pose random_pose(std::mt19937_64& random) {
 }
 
 /// An A-pose whose feet stand flat.
-motion::Pose a_pose() { return modelling_pose(body); }
+motion::Pose a_pose() { return modelling_pose(standard); }
 
-/// The character follows poses exactly: its joints are where the body's are, and each box, drawn
-/// round a bone, still is.
+/// The character follows poses exactly: its joints are where the body's are, and each box,
+/// drawn round a bone, still is.
 void expect_follows(const SkinnedGltf& file, double bend_tolerance) {
-  const Character character = fitted(parse_character(file.text(), "figure.gltf"), body);
+  const Character character = fitted(parse_character(file.text(), "figure.gltf"), standard);
   ASSERT_EQ(character.rig.size(), motion::body_joint_count);
   std::mt19937_64 random(17);
   for (int trial = 0; trial < 10; ++trial) {
     const motion::Pose pose = random_pose(random);
-    const motion::JointTransforms expected = motion::world_transforms(body, pose);
+    const motion::JointTransforms expected = motion::world_transforms(standard, pose);
     const motion::JointTransforms rig = rig_in(character, pose);
     const std::vector<render::Mesh> meshes = posed(character, pose);
     for (size_t j = 0; j < expected.positions.size(); ++j) {
@@ -62,32 +62,32 @@ void expect_follows(const SkinnedGltf& file, double bend_tolerance) {
 }
 
 TEST(ACharacter, BoundInATPoseFollowsTheBody) {
-  expect_follows(test::skinned_gltf(body, {{}, test::mixamo_names()}), 1e-5);
+  expect_follows(test::skinned_gltf(standard, {{}, test::mixamo_names()}), 1e-5);
 }
 
 // In an A-pose the feet are taken to stand square to the shanks, which costs their toes a
 // millimetre.
 
 TEST(ACharacter, BoundInAnAPoseTakesTheSameDirections) {
-  expect_follows(test::skinned_gltf(body, {a_pose(), test::mixamo_names()}), 2e-3);
+  expect_follows(test::skinned_gltf(standard, {a_pose(), test::mixamo_names()}), 2e-3);
 }
 
 TEST(ACharacter, WithoutNamesIsKnownByItsTree) {
-  expect_follows(test::skinned_gltf(body, {a_pose(), {}}), 2e-3);
+  expect_follows(test::skinned_gltf(standard, {a_pose(), {}}), 2e-3);
 }
 
 TEST(ACharacter, MayBeInOtherUnitsAndAxesWithItsNodesPosedAnyhow) {
   SkinnedGltfOptions options{a_pose(), test::mixamo_names()};
   options.unit = 100.0;
   options.z_up = true;
-  expect_follows(test::skinned_gltf(body, options), 2e-3);
+  expect_follows(test::skinned_gltf(standard, options), 2e-3);
   options.posed_nodes = false;
-  expect_follows(test::skinned_gltf(body, options), 2e-3);
+  expect_follows(test::skinned_gltf(standard, options), 2e-3);
 }
 
 TEST(ACharacter, OfVrmIsKnownByItsHumanoidBones) {
   // The nodes' own names say the opposite.
-  SkinnedGltf file = test::skinned_gltf(body, {{}, test::mixamo_names()});
+  SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
   for (auto& node : file.json["nodes"]) {
     if (node.contains("name")) node["name"] = "LeftArm";
   }
@@ -109,10 +109,10 @@ TEST(ACharacter, OfVrmIsKnownByItsHumanoidBones) {
 TEST(ACharacter, HasLegsAsLongAsTheBodysAndStandsOnTheFloor) {
   const SkinnedGltf file =
       test::skinned_gltf(motion::standard_body(1.2), {{}, test::mixamo_names()});
-  const Character character = fitted(parse_character(file.text(), "figure.gltf"), body);
-  EXPECT_NEAR(motion::leg_length(character.body), motion::leg_length(body), 1e-6);
+  const Character character = fitted(parse_character(file.text(), "figure.gltf"), standard);
+  EXPECT_NEAR(motion::leg_length(character.body), motion::leg_length(standard), 1e-6);
   motion::Clip clip;
-  clip.body = body;
+  clip.body = standard;
   motion::Pose stand;
   stand.rotations.assign(motion::body_joint_count, Quat::Identity());
   stand.root_position.y() = 0.96;  // the soles at 0
@@ -126,7 +126,7 @@ TEST(ACharacter, HasLegsAsLongAsTheBodysAndStandsOnTheFloor) {
 
 TEST(ACharacter, BringsItsColoursAlong) {
   const Character character =
-      parse_character(test::skinned_gltf(body, {{}, test::mixamo_names()}).text(), "f.gltf");
+      parse_character(test::skinned_gltf(standard, {{}, test::mixamo_names()}).text(), "f.gltf");
   ASSERT_EQ(character.textures.size(), 1u);
   EXPECT_EQ(character.textures[0].width, 2);
   EXPECT_LT((character.textures[0].texels[0] - render::Color(1, 0, 0)).matrix().norm(), 1e-6f);
@@ -145,7 +145,7 @@ TEST(ACharacter, BringsItsColoursAlong) {
 }
 
 TEST(ACharacter, ReadsNormalMapsAsNumbersNotColours) {
-  SkinnedGltf file = test::skinned_gltf(body, {{}, test::mixamo_names()});
+  SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
   file.json["materials"][0]["normalTexture"] = {{"index", 0}, {"scale", 0.5}};
   const Character character = parse_character(file.text(), "f.gltf");
   EXPECT_TRUE(character.warnings.empty());
@@ -164,7 +164,7 @@ TEST(ACharacter, ReadsNormalMapsAsNumbersNotColours) {
 }
 
 TEST(ACharacter, SaysWhatItLeavesOut) {
-  SkinnedGltf file = test::skinned_gltf(body, {{}, test::mixamo_names()});
+  SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
   file.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
   file.json["materials"][0]["normalTexture"] = {{"index", 0}, {"texCoord", 1}};
   file.json["materials"][0]["alphaMode"] = "BLEND";
@@ -187,7 +187,7 @@ void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 class AFaultyCharacter : public testing::TestWithParam<Fault> {};
 
 TEST_P(AFaultyCharacter, IsRefusedInPlainWords) {
-  SkinnedGltf file = test::skinned_gltf(body, {{}, test::mixamo_names()});
+  SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
   GetParam().make(file);
   try {
     parse_character(file.text(), "broken.gltf");
@@ -279,7 +279,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Fault>& fault) { return std::string(fault.param.name); });
 
 TEST(AFaultyCharacter, WithAPictureFileThatIsNotThereNamesIt) {
-  const SkinnedGltf file = test::skinned_gltf(body, {{}, test::mixamo_names()});
+  const SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
   SkinnedGltf broken = file;
   broken.json["images"][0]["uri"] = "skin.png";
   const std::filesystem::path path =
@@ -298,7 +298,7 @@ TEST(AFaultyCharacter, WithAPictureFileThatIsNotThereNamesIt) {
 }
 
 TEST(ACharacter, CutShortAnywhereIsRefused) {
-  const std::string text = test::skinned_gltf(body, {{}, {}}).text();
+  const std::string text = test::skinned_gltf(standard, {{}, {}}).text();
   for (size_t length = 0; length < text.size(); length += text.size() / 60 + 1) {
     EXPECT_THROW(parse_character(text.substr(0, length), "cut.gltf"), Error) << length;
   }
@@ -309,7 +309,7 @@ TEST(ACharacter, DamagedAnyhowIsTakenOrRefused) {
   const auto below = [&](size_t n) { return static_cast<size_t>(random() % n); };
   int refused = 0;
   for (int trial = 0; trial < 400; ++trial) {
-    SkinnedGltf file = test::skinned_gltf(body, {{}, test::mixamo_names()});
+    SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
     for (size_t k = below(4); k > 0; --k) {
       file.buffer[below(file.buffer.size())] = static_cast<unsigned char>(random());
     }
