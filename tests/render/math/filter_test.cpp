@@ -27,7 +27,7 @@ double share_left_of(double x) {
   return left / all;
 }
 
-TEST(Filter, PlacesSamplesWithTheDensityOfItsWindow) {
+TEST(PixelFilter, PlacesSamplesWithTheDensityOfItsWindow) {
   const Filter filter(2.0f);
   for (int i = 1; i < 1000; ++i) {
     const float share = static_cast<float>(i) / 1000.0f;
@@ -36,7 +36,7 @@ TEST(Filter, PlacesSamplesWithTheDensityOfItsWindow) {
   }
 }
 
-TEST(Filter, ReachesHalfItsWidthEachWay) {
+TEST(PixelFilter, ReachesHalfItsWidthEachWay) {
   const Filter filter(3.0f);
   EXPECT_EQ(filter.half_width(), 1.5f);
   EXPECT_EQ(filter.offset(0.0f), -1.5f);

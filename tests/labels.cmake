@@ -1,0 +1,28 @@
+# Read by ctest, after the lists of the tests that are built. Labels each test with its module and its
+# room ("motion", "motion/gait"), and with what labels.txt says of it or of its suite.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/labels.txt lines REGEX "^[a-z]")
+foreach(line IN LISTS lines)
+  string(REGEX MATCH "^([a-z]+) +([^ ]+)" line "${line}")
+  list(APPEND labels_of_${CMAKE_MATCH_2} ${CMAKE_MATCH_1})
+endforeach()
+
+foreach(module IN ITEMS end_to_end house motion pipeline render scenes)
+  file(GLOB_RECURSE sources RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/${module}/*_test.cpp)
+  foreach(source IN LISTS sources)
+    get_filename_component(room ${source} DIRECTORY)
+    file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/${source} suites REGEX "^TEST(_F|_P)?\\(")
+    list(TRANSFORM suites REPLACE "^[A-Z_]+\\(([A-Za-z0-9_]+).*" "\\1")
+    list(REMOVE_DUPLICATES suites)
+    foreach(suite IN LISTS suites)
+      set(${module}_room_of_${suite} ${room})
+    endforeach()
+  endforeach()
+  foreach(test IN LISTS ${module}_tests)
+    # "Suite.Test", or with a parameter "All/Suite.Test/7".
+    string(REGEX MATCH "^([^/.]+/)?([^/.]+)\\.([^/]+)" name "${test}")
+    set(suite ${CMAKE_MATCH_2})
+    set(labels ${module} ${${module}_room_of_${suite}} ${labels_of_${suite}} ${labels_of_${suite}.${CMAKE_MATCH_3}})
+    list(REMOVE_DUPLICATES labels)
+    set_tests_properties("${test}" PROPERTIES LABELS "${labels}")
+  endforeach()
+endforeach()
