@@ -120,7 +120,7 @@ motion::Modification with_edit(motion::Modification modification, const Modifica
 void StyleRepairForm::read(const Given& given, bool& feet) { feet = given.value != "none"; }
 
 OrderedJson StyleRepairForm::write(bool feet, const Writing&) {
-  return feet ? OrderedJson() : OrderedJson("none");
+  return feet ? "plants" : "none";
 }
 
 void StyleForm::read(const Given& given, std::optional<StyleStep>& style) {

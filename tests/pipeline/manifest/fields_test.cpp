@@ -53,6 +53,7 @@ void expect_defaults(const std::string& path) {
   for (const FieldEntry& entry : entries_of(Struct{}, {})) {
     const auto property = properties.find(path + "." + entry.path);
     if (property == properties.end() || !property->second.contains("default")) continue;
+    if (entry.path.starts_with("look.")) continue;  // what was left open is told by scene_of
     const json& stated = property->second["default"];
     EXPECT_EQ(stated.is_array() && stated.empty() ? json(nullptr) : stated, json(entry.value))
         << property->first;
@@ -97,9 +98,9 @@ recipes: fig29
 equalize: [luminance]
 stimuli:
   - {id: a, role: target, adjectives: {quickness: 0.8, clearness: 0.1}, look: {figure: stick}}
-  - {id: b, weights: {sad: 2, normal: 1}, output: {fps: 25, crop: [0, 0, 32, 32]}, interpolation: {drift: linear},
+  - {id: b, weights: {sad: 2, normal: 1}, output: {fps: 25, crop: [0, 0, 32, 32]}, interpolation: {time_warp: linear},
      modify: [{emotion: sad, posture: {spine-flexion: 4, head-flexion: 12}}, {method: hsu, neutral: normal, styled: sad, order: 4}]}
-overlays: [{target: a, created: b, opacity: 0.5}]
+overlays: [{target: a, created: b, opacity: 0.5, look: {figure: stick}}]
 sheets: [{compare: {target: a, created: b}}, {id: both, stills: [a, b], columns: 2}]
 )");
   const OrderedJson text = written(manifest, Writing{});

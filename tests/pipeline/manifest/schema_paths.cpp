@@ -12,9 +12,12 @@ class SchemaWalk {
 
   void walk(const json& given, const std::string& path) {
     const json& node = followed(given);
-    for (const json& alternative : node.value("oneOf", json::array())) walk(alternative, path);
+    if (node.contains("oneOf")) {
+      for (const json& alternative : node["oneOf"]) walk(alternative, path);
+    }
     const std::string inside = path.empty() ? "" : path + ".";
-    for (const auto& [key, property] : node.value("properties", json::object()).items()) {
+    const json properties = node.value("properties", json::object());
+    for (const auto& [key, property] : properties.items()) {
       found_.emplace(inside + key, followed(property));
       walk(property, inside + key);
     }

@@ -39,6 +39,8 @@ constexpr char with_wishes[] =
     R"({"stimuli": [{"id": "a", "adjectives": {"quickness": 0.7}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_folder[] =
     R"({"examples": {"set": null, "ratings": "simulated"}, "stimuli": [{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"normal": 1}}]})";
+constexpr char with_a_folder_or_set[] =
+    R"({"stimuli": [{"id": "a", "features": {"step-length": 0.5}}, {"id": "b", "clip": "one/sad.bvh"}]})";
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
 constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
 
@@ -69,10 +71,11 @@ const Surroundings surroundings[] = {
     {"modify.limbs", "{}", R"({"acceleration": 0.5})"},
     {"modify.signal", "{}", R"({"paths": 0.5})"},
     {"modify.seed", "{}", R"({"variation": 0.5})"},
-    {"modify.pose.neutral.frame", "{}", R"({"motion": "normal"})"},
-    {"modify.pose.posed.frame", "{}", R"({"motion": "sad"})"},
+    {"modify.pose.neutral.", "{}", R"({"motion": "normal"})"},
+    {"modify.pose.posed.", "{}", R"({"motion": "sad"})"},
     {"modify.pose.neutral", "{}", R"({"posed": "sad"})"},
     {"modify.pose.posed", "{}", R"({"neutral": "sad"})"},
+    {"stimuli[].id", R"({"sheets": []})", "{}"},
     {"on_fault",
      R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})",
      "{}"},
@@ -80,6 +83,7 @@ const Surroundings surroundings[] = {
      R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})",
      "{}"},
     {"examples.set.", with_folder, R"({"folder": "one", "cycle": "whole"})"},
+    {"examples.set", with_a_folder_or_set, "{}"},
     {"examples.scales", R"({"examples": {"ratings": "simulated"}})", "{}"},
     {"examples.expect[].", "{}", R"({"parameter": "quickness", "order": ["sad", "normal"]})"},
     {"stimuli[].features", "{}", "{}"},
@@ -121,7 +125,14 @@ const Values chosen_values[] = {
     {"presentation.card", R"([{"text": "A", "seconds": 0.2}, {"text": "B", "seconds": 0.2}])"},
     {"card.text", R"(["A", "B"])"},
     {"presentation.fixation.size", "[7, 9]"},
-    {"presentation", R"([0.2, 0.4])"},
+    {"presentation", R"([{"blank_after": 0.2}, {"blank_after": 0.4}])"},
+    {"blank_before", "[0.2, 0.4]"},
+    {"blank_after", "[0.2, 0.4]"},
+    {"fade_in", "[0.2, 0.4]"},
+    {"fade_out", "[0.2, 0.4]"},
+    {"presentation.background", "[0.2, 0.4]"},
+    {"presentation.fixation", "[0.2, 0.4]"},
+    {"fixation.seconds", "[0.2, 0.4]"},
     {"output.shutter", "[90, 180]"},
     {"study", R"(["s", "t"])"},
     {"mien", "[1]"},
@@ -129,13 +140,14 @@ const Values chosen_values[] = {
     {"raters", "[5, 9]"},
     {"examples.set.folder", R"(["one", "two"])"},
     {"examples.set.include", R"(["*.bvh", "{normal,sad}.bvh"])"},
-    {"examples.set.exclude", R"(["x*", "old.bvh"])"},
+    {"examples.set.exclude", R"(["x*", "tired.bvh"])"},
     {"examples.set.cycle", R"(["whole", "start-peak-end"])"},
     {"examples.set.keytimes",
-     R"([{"normal": [0.1, 0.6], "old": [0.1, 0.6], "sad": [0.1, 0.6]}, {"normal": [0.1, 0.7], "old": [0.1, 0.6], "sad": [0.1, 0.6]}])"},
-    {"examples.set.labels", R"(["file-name", {"old": "aged"}])"},
+     R"([{"normal": [0.1, 0.6], "tired": [0.1, 0.6], "sad": [0.1, 0.6]}, {"normal": [0.1, 0.7], "tired": [0.1, 0.6], "sad": [0.1, 0.6]}])"},
+    {"examples.set.labels", R"(["file-name", {"tired": "aged"}])"},
     {"examples.set", R"(["builtin:walks-10", "builtin:walks-27"])"},
     {"examples.ratings", R"(["builtin", "simulated"])"},
+
     {"examples.scales", R"(["builtin", "my.scales.yaml"])"},
     {"examples.expect[].parameter", R"(["quickness", "largeness"])"},
     {"examples.expect[].order", R"([["sad", "normal"], ["normal", "sad"]])"},
@@ -159,7 +171,7 @@ const Values chosen_values[] = {
     {"look.figure.trail.figure", R"(["stick", "mannequin"])"},
     {"look.figure.trail.traces", R"([["hands"], ["feet"]])"},
     {"look.figure.trail", R"([{"poses": 2}, {"poses": 3}])"},
-    {"look.figure", R"(["stick", "point-light"])"},
+    {"look.figure", R"(["stick", "mannequin"])"},
     {"camera.position", "[[3, 1, 1], [3, 1, 2]]"},
     {"camera.target", "[[0, 1, 0], [0, 0.5, 0]]"},
     {"camera.path[].at", "[0, 0.1]"},
@@ -196,15 +208,15 @@ const Values chosen_values[] = {
     {"modify.gains", R"([{"low": 1.2}, {"low": 0.8}])"},
     {"modify.posture.", "[4, 8]"},
     {"modify.posture", R"([{"head-flexion": 4}, {"head-flexion": 8}])"},
-    {"modify.pose.neutral.motion", R"(["sad", "old"])"},
-    {"modify.pose.posed.motion", R"(["sad", "old"])"},
+    {"modify.pose.neutral.motion", R"(["sad", "tired"])"},
+    {"modify.pose.posed.motion", R"(["sad", "tired"])"},
     {"modify.pose.neutral.frame", "[0, 5]"},
     {"modify.pose.posed.frame", "[0, 5]"},
-    {"modify.pose.", R"(["normal", "old"])"},
+    {"modify.pose.", R"(["normal", "tired"])"},
     {"modify.pose",
-     R"([{"neutral": "normal", "posed": "sad"}, {"neutral": "normal", "posed": "old"}])"},
-    {"modify.neutral", R"(["normal", "old"])"},
-    {"modify.styled", R"(["sad", "old"])"},
+     R"([{"neutral": "normal", "posed": "sad"}, {"neutral": "normal", "posed": "tired"}])"},
+    {"modify.neutral", R"(["normal", "tired"])"},
+    {"modify.styled", R"(["sad", "tired"])"},
     {"modify.method", R"(["waveshape", "displacement"])"},
     {"modify.harmonics", "[3, 5]"},
     {"modify.order", "[3, 5]"},
@@ -238,9 +250,9 @@ const Values chosen_values[] = {
     {"interpolation.neighbours", "[4, 6]"},
     {"interpolation.blends", "[10, 20]"},
     {"interpolation.cells", "[2, 3]"},
-    {"examples", R"([{"set": "builtin:walks-10"}, {"set": "builtin:walks-27"}])"},
+    {"examples", R"([{"set": "builtin:walks-10"}, {"set": "builtin:walks-10", "raters": 5}])"},
     {"stimuli",
-     R"([[{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"sad": 1}}], [{"id": "a", "weights": {"old": 1}}, {"id": "b", "weights": {"sad": 1}}]])"},
+     R"([[{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"sad": 1}}], [{"id": "a", "weights": {"tired": 1}}, {"id": "b", "weights": {"sad": 1}}]])"},
 };
 
 /// Two different values within the schema's limits.
@@ -301,6 +313,9 @@ void add_around(json& manifest, const std::string& path) {
     parent_of(manifest, steps_of(list))["path"] = parsed(
         R"([{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [3, 1, 2], "target": [0, 1, 0]}])");
   }
+  if (path.find("modify.pose.") != std::string::npos) {
+    manifest["stimuli"][0]["modify"]["pose"] = {{"neutral", "normal"}, {"posed", "sad"}};
+  }
   if (path.starts_with("stimuli[].") && !path.starts_with("stimuli[].adjectives")) {
     json& stimulus = manifest["stimuli"][0];
     const bool other = path.starts_with("stimuli[].clip") || path == "stimuli[].features";
@@ -326,15 +341,16 @@ json with_value(const std::string& path, const json& value) {
 
 }  // namespace
 
-bool has_one_value(const std::string& path) { return path == "mien" || path.ends_with(".stick"); }
+bool has_one_value(const std::string& path) {
+  // An overlay takes neither point lights nor trails.
+  const bool is_refused = path.starts_with("overlays[].look.figure.point-light") ||
+                          path.starts_with("overlays[].look.figure.trail");
+  return path == "mien" || path.ends_with(".stick") || is_refused;
+}
 
 OptionVariants variants_of(const std::string& path, const json& node) {
   const Values* chosen = entry_for(chosen_values, path);
-  const bool inside_presentation =
-      path.find("presentation.") != std::string::npos && chosen == nullptr;
-  const json two = inside_presentation ? parsed("[0.2, 0.4]")
-                   : chosen != nullptr ? parsed(chosen->two)
-                                       : two_values(node);
+  const json two = chosen != nullptr ? parsed(chosen->two) : two_values(node);
   return {with_value(path, two[0]), with_value(path, two[1])};
 }
 
@@ -344,7 +360,7 @@ void write_variant_files(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder / name);
     for (const motion::Example& example : walks.examples) {
       const std::string label = example.clip.name;
-      if (label != "normal" && label != "sad" && label != "old") continue;
+      if (label != "normal" && label != "sad" && label != "tired") continue;
       motion::Clip clip = example.clip;
       if (std::string(name) == "two") clip.poses.pop_back();
       motion::write_motion(motion::to_recording(clip), folder / name / (label + ".bvh"));
@@ -354,7 +370,7 @@ void write_variant_files(const std::filesystem::path& folder) {
   std::ofstream(folder / "my.scales.yaml") << R"(
 name: mine
 scales:
-  - {id: slow-quick, low: slow, high: quick, range: [1, 7]}
+  slow-quick: {low: slow, high: quick}
 )";
   const std::string figure = skinned_gltf(motion::standard_body(), {}).text();
   std::ofstream(folder / "one.gltf") << figure;
