@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "pipeline/documents/environment.h"
-#include "pipeline/documents/fields.h"
-#include "pipeline/documents/option_document.h"
-#include "pipeline/documents/schema.h"
+#include "pipeline/reading/fields.h"
+#include "pipeline/reading/option_document.h"
+#include "pipeline/reading/schema.h"
 
 namespace mien::pipeline {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "motion/error.h"
-#include "pipeline/documents/option_document.h"
 #include "pipeline/manifest/film_checks.h"
+#include "pipeline/reading/option_document.h"
 #include "render/video/video_kind.h"
 
 namespace mien::pipeline {

@@ -30,7 +30,6 @@ namespace mien::pipeline {
 ///   `walk(names)`;
 /// - `inside(value, concerns, Form())`: likewise, of members that stand in the same map.
 ///
-/// A value that is no map where a map may stand is that of the first field.
 namespace concerns {
 enum : unsigned {
   nothing = 0,
@@ -41,7 +40,10 @@ enum : unsigned {
   shown = 1U << 4,       ///< what a video shows beside the film
   files = 1U << 5,       ///< which files are written, and nothing in them
   page = 1U << 6,        ///< sheets, tables and the report
-  required = 1U << 16,   ///< no artifact; the schema asks for it, so it is always written
+
+  // No artifacts, but how it is written:
+  required = 1U << 16,  ///< the schema asks for it, so it is written always
+  alone = 1U << 17,     ///< as the first of its map it may stand in the map's place
 };
 }  // namespace concerns
 

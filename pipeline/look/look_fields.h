@@ -120,7 +120,7 @@ struct StereoForm {
 
 template <class Field, MaybeConst<scenes::CameraSettings> C>
 void fields_of(Field&& field, C& camera) {
-  field("view", camera.view, concerns::picture);
+  field("view", camera.view, concerns::picture | concerns::alone);
   field("orthographic", camera.orthographic, concerns::picture);
   field("fov", camera.fov_degrees, concerns::picture);
   field("position", camera.position, concerns::picture);

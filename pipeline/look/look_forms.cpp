@@ -1,9 +1,9 @@
 #include <variant>
 
-#include "pipeline/documents/fields.h"
 #include "pipeline/look/look_fields.h"
 #include "pipeline/look/point_form.h"
 #include "pipeline/look/set_file.h"
+#include "pipeline/reading/fields.h"
 
 namespace mien::pipeline {
 

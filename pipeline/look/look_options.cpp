@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "pipeline/documents/environment.h"
-#include "pipeline/documents/fields.h"
-#include "pipeline/documents/option_document.h"
-#include "pipeline/documents/schema.h"
 #include "pipeline/look/look_checks.h"
 #include "pipeline/look/look_fields.h"
 #include "pipeline/look/point_form.h"
+#include "pipeline/reading/fields.h"
+#include "pipeline/reading/option_document.h"
+#include "pipeline/reading/schema.h"
 
 namespace mien::pipeline {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "motion/math/geometry.h"
-#include "pipeline/documents/fields.h"
 #include "pipeline/look/colour_json.h"
+#include "pipeline/reading/fields.h"
 #include "render/math/vector.h"
 
 namespace mien::pipeline {

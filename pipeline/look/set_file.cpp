@@ -7,12 +7,12 @@
 
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
-#include "pipeline/documents/fields.h"
-#include "pipeline/documents/schema.h"
-#include "pipeline/documents/yaml_json.h"
-#include "pipeline/documents/yaml_tree.h"
 #include "pipeline/look/point_form.h"
 #include "pipeline/look/set_fields.h"
+#include "pipeline/reading/fields.h"
+#include "pipeline/reading/schema.h"
+#include "pipeline/reading/yaml_json.h"
+#include "pipeline/reading/yaml_tree.h"
 
 #include "embedded/corridor_set.h"
 #include "embedded/lab_grid_set.h"

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/documents/fields.h"
 #include "pipeline/look/point_form.h"
 #include "pipeline/look/set_fields.h"
 #include "pipeline/manifest/example_files.h"
+#include "pipeline/reading/fields.h"
 #include "pipeline/tasks/code_identity.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"

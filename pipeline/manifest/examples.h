@@ -9,6 +9,7 @@
 
 #include "pipeline/documents/concerns.h"
 #include "pipeline/ratings/expectation.h"
+#include "pipeline/ratings/scales.h"
 
 namespace mien::pipeline {
 
@@ -93,7 +94,14 @@ void fields_of(Field&& field, E& expected) {
 /// What the ratings are on: the built-in 41 adjective pairs, or a file.
 struct ScalesSource {
   std::filesystem::path file;  ///< empty: built-in
+  ScaleSet set;                ///< what the file holds, once it has been read
 };
+
+/// Those that a file holds. Throws as read_scales.
+ScalesSource scales_in(const std::filesystem::path& file);
+
+/// The scales themselves.
+ScaleSet scales_of(const ScalesSource& source);
 
 /// `scales:`: builtin, or a file.
 struct ScalesForm {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "pipeline/documents/fields.h"
 #include "pipeline/look/point_form.h"
+#include "pipeline/reading/fields.h"
 
 namespace mien::pipeline {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "pipeline/documents/fields.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/recipes.h"
+#include "pipeline/reading/fields.h"
 
 namespace mien::pipeline {
 
@@ -17,6 +17,12 @@ constexpr Words<Examples::Labels> label_words = {{"from-name", Examples::Labels:
                                                  {"file-name", Examples::Labels::file_name}};
 
 }  // namespace
+
+ScalesSource scales_in(const std::filesystem::path& file) { return {file, read_scales(file)}; }
+
+ScaleSet scales_of(const ScalesSource& source) {
+  return source.file.empty() ? builtin_scales() : source.set;
+}
 
 void VideoKindsForm::read(const Given& given, std::vector<render::VideoKind>& video) {
   if (!given.value.is_array()) return;

@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "motion/skeleton/body.h"
-#include "pipeline/documents/schema.h"
-#include "pipeline/documents/yaml_json.h"
-#include "pipeline/documents/yaml_tree.h"
 #include "pipeline/look/look_checks.h"
 #include "pipeline/manifest/manifest_builder.h"
 #include "pipeline/manifest/manifest_checks.h"
 #include "pipeline/manifest/recipes.h"
+#include "pipeline/reading/schema.h"
+#include "pipeline/reading/yaml_json.h"
+#include "pipeline/reading/yaml_tree.h"
 #include "scenes/point_light/dot_joints.h"
 
 namespace mien::pipeline {
@@ -49,6 +49,20 @@ std::vector<Fault> complete_looks(Manifest& manifest) {
   return faults;
 }
 
+/// A file that is not there was told by the checks.
+std::vector<Fault> complete_scales(ScalesSource& scales) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(scales.file, unknown)) return {};
+  try {
+    scales = scales_in(scales.file);
+  } catch (const Faults& wrong) {
+    return wrong.list();
+  } catch (const Error& wrong) {
+    return {{{}, "examples.scales", wrong.what(), ""}};
+  }
+  return {};
+}
+
 }  // namespace
 
 ManifestReading parse_manifest(std::string_view text, const std::filesystem::path& file,
@@ -66,6 +80,8 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   add_at_new_paths(reading.faults, resolve_modifications(reading.manifest));
   add_at_new_paths(reading.faults, check_meaning(reading.manifest));
   add_at_new_paths(reading.faults, complete_looks(reading.manifest));
+  std::vector<Fault> in_scales = complete_scales(reading.manifest.scales);
+  reading.faults.insert(reading.faults.end(), in_scales.begin(), in_scales.end());
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
 }

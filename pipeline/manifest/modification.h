@@ -32,7 +32,8 @@ struct PoseMotionForm {
 
 template <class Field, MaybeConst<PoseSource> P>
 void fields_of(Field&& field, P& pose) {
-  field.by("motion", pose, concerns::motion | concerns::required, PoseMotionForm());
+  field.by("motion", pose, concerns::motion | concerns::required | concerns::alone,
+           PoseMotionForm());
   field("frame", pose.frame, concerns::motion);
 }
 

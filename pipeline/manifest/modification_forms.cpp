@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "motion/formats/motion_file.h"
-#include "pipeline/documents/fields.h"
 #include "pipeline/manifest/modification.h"
 #include "pipeline/manifest/stimulus.h"
+#include "pipeline/reading/fields.h"
 
 namespace mien::pipeline {
 
@@ -119,9 +119,7 @@ motion::Modification with_edit(motion::Modification modification, const Modifica
 
 void StyleRepairForm::read(const Given& given, bool& feet) { feet = given.value != "none"; }
 
-OrderedJson StyleRepairForm::write(bool feet, const Writing&) {
-  return feet ? "plants" : "none";
-}
+OrderedJson StyleRepairForm::write(bool feet, const Writing&) { return feet ? "plants" : "none"; }
 
 void StyleForm::read(const Given& given, std::optional<StyleStep>& style) {
   if (!member(given.value, "method")) return;

@@ -44,11 +44,11 @@ struct Presentation {
 template <class Field, MaybeConst<Presentation> P>
 void fields_of(Field&& field, P& shown) {
   field.group("card", [&](auto& card) {
-    card("text", shown.card, concerns::shown);
+    card("text", shown.card, concerns::shown | concerns::alone);
     card("seconds", shown.card_seconds, concerns::shown);
   });
   field.group("fixation", [&](auto& cross) {
-    cross("seconds", shown.fixation_seconds, concerns::shown);
+    cross("seconds", shown.fixation_seconds, concerns::shown | concerns::alone);
     cross("size", shown.fixation_size, concerns::shown);
   });
   field("blank_before", shown.blank_before, concerns::shown);

@@ -6,10 +6,10 @@
 
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
-#include "pipeline/documents/fields.h"
-#include "pipeline/documents/schema.h"
-#include "pipeline/documents/yaml_json.h"
-#include "pipeline/documents/yaml_tree.h"
+#include "pipeline/reading/fields.h"
+#include "pipeline/reading/schema.h"
+#include "pipeline/reading/yaml_json.h"
+#include "pipeline/reading/yaml_tree.h"
 #include "pipeline/statistics/named_random.h"
 
 #include "embedded/emotions_recipes.h"

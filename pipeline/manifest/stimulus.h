@@ -82,7 +82,7 @@ struct ClipSource {
 
 template <class Field, MaybeConst<ClipSource> C>
 void fields_of(Field&& field, C& clip) {
-  field("file", clip.file, concerns::motion | concerns::required);
+  field("file", clip.file, concerns::motion | concerns::required | concerns::alone);
   field("frames", clip.frames, concerns::motion);
 }
 

@@ -26,8 +26,7 @@ std::set<std::string> rated_scales(const Manifest& manifest, const ScaleSet& sca
 }
 
 std::vector<std::string> rated_parameters(const Manifest& manifest) {
-  const ScaleSet scales =
-      manifest.scales.file.empty() ? builtin_scales() : read_scales(manifest.scales.file);
+  const ScaleSet scales = scales_of(manifest.scales);
   const std::set<std::string> rated = rated_scales(manifest, scales);
   const auto is_rated = [&](const std::string& scale) { return rated.contains(scale); };
   std::vector<std::string> parameters;

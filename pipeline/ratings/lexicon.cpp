@@ -8,7 +8,7 @@
 #include <glib.h>
 
 #include "motion/text/nearest_word.h"
-#include "pipeline/documents/yaml_json.h"
+#include "pipeline/reading/yaml_json.h"
 
 namespace mien::pipeline {
 

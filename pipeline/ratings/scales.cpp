@@ -8,10 +8,10 @@
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/environment.h"
 #include "pipeline/documents/fault.h"
-#include "pipeline/documents/schema.h"
-#include "pipeline/documents/yaml_json.h"
-#include "pipeline/documents/yaml_tree.h"
 #include "pipeline/ratings/adjective_pairs.h"
+#include "pipeline/reading/schema.h"
+#include "pipeline/reading/yaml_json.h"
+#include "pipeline/reading/yaml_tree.h"
 
 namespace mien::pipeline {
 

@@ -33,8 +33,7 @@ void load_examples(const Manifest& manifest, Repertoire& repertoire) {
 /// Scales and examples, without ratings.
 Repertoire unrated_repertoire(const Manifest& manifest) {
   Repertoire repertoire;
-  repertoire.scales =
-      manifest.scales.file.empty() ? builtin_scales() : read_scales(manifest.scales.file);
+  repertoire.scales = scales_of(manifest.scales);
   if (manifest.examples.builtin.empty() && manifest.examples.folder.empty()) return repertoire;
   load_examples(manifest, repertoire);
   repertoire.settled = motion::with_settled_feet(repertoire.examples);

@@ -34,8 +34,8 @@ endfunction()
 
 hash_sources(motion motion)
 # Pictures: also what reads looks and sets, and what a picture's size is.
-hash_sources(film motion render scenes pipeline/documents pipeline/look pipeline/drawing pipeline/film
-             pipeline/manifest/manifest.h pipeline/manifest/manifest.cpp)
+hash_sources(film motion render scenes pipeline/documents pipeline/reading pipeline/look pipeline/drawing pipeline/film
+             pipeline/manifest/output.h pipeline/manifest/output.cpp)
 hash_sources(pipeline pipeline)
 file(WRITE ${OUTPUT}.new
 "// Generated from the sources' contents.

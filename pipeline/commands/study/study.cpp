@@ -26,7 +26,7 @@ struct SimulateOptions {
 int simulate(const SimulateOptions& options, const Console& console) {
   Manifest manifest;
   manifest.examples = parse_examples(options.examples);
-  manifest.scales.file = options.scales;
+  if (!options.scales.empty()) manifest.scales = scales_in(options.scales);
   manifest.ratings.source = Ratings::Source::simulated;
   manifest.ratings.raters = options.raters;
   manifest.seed = options.seed;

@@ -23,7 +23,7 @@ Manifest manifest_of(const StudySubject& subject, const Console& console) {
     manifest.ratings.source = Ratings::Source::file;
     manifest.ratings.file = subject.ratings;
   }
-  if (!subject.scales.empty()) manifest.scales.file = subject.scales;
+  if (!subject.scales.empty()) manifest.scales = scales_in(subject.scales);
   return manifest;
 }
 

@@ -6,6 +6,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_dots.h"
 #include "pipeline/film/film_presentation.h"
+#include "pipeline/look/set_file.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/manifest/manifest_checks.h"
 #include "pipeline/production/run.h"
@@ -24,6 +25,7 @@ Stimulus stimulus(const std::string& id, const std::string& example, int cycles)
   result.output.cycles = cycles;
   result.output.quality = Quality::draft;
   result.output.frames = FrameFormat::none;
+  result.look.set = read_set("studio", {});
   return result;
 }
 
@@ -73,6 +75,7 @@ TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
   manifest.stimuli.push_back(stimulus("dots", "normal", 1));
   manifest.stimuli[2].output.size = {64, 64};
   manifest.stimuli[2].look.figure = scenes::PointLightOptions{};
+  manifest.stimuli[2].look.set = read_set("void", {});
   Motions motions(manifest);
   std::vector<double> framed;
   for (const Stimulus& one : manifest.stimuli)
@@ -101,6 +104,7 @@ TEST(Equalize, FailsWhereNoExposureReachesTheOthersLuminance) {
   manifest.equalize = {.luminance = true};
   // However bright they are, a few dots on black are dark.
   manifest.stimuli[1].look.figure = scenes::PointLightOptions{.size_px = 1.0};
+  manifest.stimuli[1].look.set = read_set("void", {});
   Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
   const RunResult result = run(production, folder.path() / "out", 1, {}, {});
   EXPECT_FALSE(result.is_complete());
@@ -140,6 +144,7 @@ TEST(DotTables, CountFromTheCornerOfTheCropAndTellWhatItShows) {
   Manifest manifest = study();
   Stimulus& dots = manifest.stimuli[0];
   dots.look.figure = scenes::PointLightOptions{};
+  dots.look.set = read_set("void", {});
   Motions motions(manifest);
   const std::vector<DotRow> whole = dot_rows(shot_of(dots, motions, 0), folder.path());
   dots.output.crop = {{20, 4, 16, 12}};
@@ -163,6 +168,7 @@ TEST(DotTables, HaveEachDotOnceForEachEye) {
   Manifest manifest = study();
   Stimulus& dots = manifest.stimuli[0];
   dots.look.figure = scenes::PointLightOptions{};
+  dots.look.set = read_set("void", {});
   dots.look.camera.stereo_separation_m = 0.065;
   Motions motions(manifest);
   const scenes::Shot shot = shot_of(dots, motions, 0);

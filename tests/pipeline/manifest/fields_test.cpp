@@ -1,16 +1,16 @@
-#include "pipeline/documents/fields.h"
+#include "pipeline/reading/fields.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "pipeline/documents/schema.h"
 #include "pipeline/look/point_form.h"
 #include "pipeline/look/set_fields.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/manifest_reader.h"
 #include "pipeline/manifest/recipes.h"
 #include "pipeline/manifest/schema_paths.h"
+#include "pipeline/reading/schema.h"
 
 namespace mien::pipeline {
 namespace {

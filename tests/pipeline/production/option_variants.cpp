@@ -23,8 +23,7 @@ json parsed(const char* text) { return json::parse(text); }
 json tiny_study() {
   return parsed(R"({"mien": 1, "study": "s", "seed": 1, "examples": {"set": "builtin:walks-10"},
     "output": {"size": [32, 24], "fps": 6, "cycles": 1, "quality": "draft", "video": ["gif"]},
-    "stimuli": [{"id": "a", "weights": {"normal": 1}}, {"id": "b", "weights": {"sad": 1}}],
-    "sheets": [{"compare": {"target": "a", "created": "b"}}]})");
+    "stimuli": [{"id": "a", "weights": {"normal": 1}}, {"id": "b", "weights": {"sad": 1}}]})");
 }
 
 /// What must stand around an option for it to count: patches of the whole manifest, and values of
@@ -75,7 +74,6 @@ const Surroundings surroundings[] = {
     {"modify.pose.posed.", "{}", R"({"motion": "sad"})"},
     {"modify.pose.neutral", "{}", R"({"posed": "sad"})"},
     {"modify.pose.posed", "{}", R"({"neutral": "sad"})"},
-    {"stimuli[].id", R"({"sheets": []})", "{}"},
     {"on_fault",
      R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})",
      "{}"},
@@ -101,7 +99,8 @@ const Surroundings surroundings[] = {
     {"fixation.size", "{}", R"({"seconds": 0.2})"},
     {"overlays[].opacity", with_overlay, "{}"},
     {"overlays[].layout", with_overlay, "{}"},
-    {"sheets[].compare", "{}", "{}"},
+    {"sheets[].compare.", R"({"sheets": [{"compare": {"target": "a", "created": "b"}}]})", "{}"},
+    {"sheets[].id", R"({"sheets": [{"compare": {"target": "a", "created": "b"}}]})", "{}"},
     {"sheets[].columns", with_stills, R"({"stills": ["a", "b"], "compare": null})"},
     {"sheets[].stills", with_stills, R"({"compare": null})"},
     {"sheets[].gallery", "{}", R"({"compare": null})"},
@@ -120,7 +119,7 @@ const Values chosen_values[] = {
     {"output.fps", "[5, 6]"},
     {"output.cycles", "[1, 2]"},
     {"output.video", R"([["gif"], ["gif", "apng"]])"},
-    {"output.clips", R"([["bvh"], ["glb"]])"},
+    {"output.clips", R"([["bvh"], []])"},
     {"card.seconds", "[0.2, 0.4]"},
     {"presentation.card", R"([{"text": "A", "seconds": 0.2}, {"text": "B", "seconds": 0.2}])"},
     {"card.text", R"(["A", "B"])"},
@@ -154,6 +153,7 @@ const Values chosen_values[] = {
     {"examples.expect",
      R"([[{"parameter": "quickness", "order": ["sad", "normal"]}], [{"parameter": "largeness", "order": ["sad", "normal"]}]])"},
     {"recipes", R"(["builtin", "fig29"])"},
+    {"on_fault", R"(["warn", "reduce"])"},
     {"look.scene.set", R"(["void", "corridor"])"},
     {"look.scene.background", R"(["#405060", "#605040"])"},
     {"look.scene", R"(["void", "my.set.yaml"])"},
@@ -370,7 +370,7 @@ void write_variant_files(const std::filesystem::path& folder) {
   std::ofstream(folder / "my.scales.yaml") << R"(
 name: mine
 scales:
-  slow-quick: {low: slow, high: quick}
+  slow-quick: {low: slow, high: quick, loadings: {activeness: 0.6}}
 )";
   const std::string figure = skinned_gltf(motion::standard_body(), {}).text();
   std::ofstream(folder / "one.gltf") << figure;

@@ -99,10 +99,9 @@ TEST(WordAnswers, TellTheirCoverage) {
 TEST(WordAnswers, RefuseASecondAnswerAndATableThatSaysNothing) {
   EXPECT_EQ(words_refusal("1,en,1,walk,,slowly,\n1,en,2,walk,,quickly,\n"),
             "w.csv:3:8: a second answer of participant \"1\" about \"walk\"; keep one of them");
-  EXPECT_EQ(
-      words_refusal("1,en,1,walk,,horsely,\n"),
-      "w.csv: no answer could be read by the lexicon; compare the languages and words of "
-      "both files");
+  EXPECT_EQ(words_refusal("1,en,1,walk,,horsely,\n"),
+            "w.csv: no answer could be read by the lexicon; compare the languages and words of "
+            "both files");
 }
 
 TEST(WordAnswers, NeedALexicon) {

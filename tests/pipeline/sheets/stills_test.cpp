@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/look/set_file.h"
 #include "pipeline/production/run.h"
 #include "pipeline/temporary_folder.h"
 #include "render/image/image_io.h"
@@ -67,6 +68,7 @@ Stimulus stimulus(const std::string& id, const std::string& view) {
   result.output.cycles = 1;
   result.output.quality = Quality::draft;
   result.output.video = {};
+  result.look.set = read_set("studio", {});
   return result;
 }
 

@@ -7,8 +7,8 @@
 
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/csv.h"
-#include "pipeline/documents/schema.h"
 #include "pipeline/documents/utf8.h"
+#include "pipeline/reading/schema.h"
 
 namespace mien::pipeline {
 

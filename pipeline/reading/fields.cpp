@@ -1,4 +1,4 @@
-#include "pipeline/documents/fields.h"
+#include "pipeline/reading/fields.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "pipeline/documents/schema.h"
+#include "pipeline/reading/schema.h"
 
 #include <fstream>
 #include <iterator>

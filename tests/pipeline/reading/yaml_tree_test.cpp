@@ -1,4 +1,4 @@
-#include "pipeline/documents/yaml_tree.h"
+#include "pipeline/reading/yaml_tree.h"
 
 #include <string>
 

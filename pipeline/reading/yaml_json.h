@@ -8,8 +8,8 @@
 #include "pipeline/documents/environment.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/documents/places.h"
-#include "pipeline/documents/schema.h"
-#include "pipeline/documents/yaml_tree.h"
+#include "pipeline/reading/schema.h"
+#include "pipeline/reading/yaml_tree.h"
 
 namespace mien::pipeline {
 

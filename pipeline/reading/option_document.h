@@ -7,7 +7,7 @@
 
 #include "pipeline/documents/environment.h"
 #include "pipeline/documents/fault.h"
-#include "pipeline/documents/yaml_json.h"
+#include "pipeline/reading/yaml_json.h"
 
 namespace mien::pipeline {
 

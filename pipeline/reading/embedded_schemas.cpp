@@ -1,6 +1,6 @@
 #include <string>
 
-#include "pipeline/documents/schema.h"
+#include "pipeline/reading/schema.h"
 
 #include "embedded/manifest_schema.h"
 #include "embedded/recipes_schema.h"

@@ -14,9 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/documents/concerns.h"
-#include "pipeline/documents/json_assign.h"
 #include "pipeline/documents/places.h"
-#include "pipeline/documents/yaml_json.h"
+#include "pipeline/reading/json_assign.h"
+#include "pipeline/reading/yaml_json.h"
 
 namespace mien::pipeline {
 
@@ -64,34 +64,35 @@ class FieldReader {
   explicit FieldReader(const Given& given) : given_(given) {}
 
   template <class Value>
-  void operator()(const char* key, Value& value, unsigned) {
-    with(key, [&](const Given& member) { read(member, value); });
+  void operator()(const char* key, Value& value, unsigned concerned) {
+    with(key, concerned, [&](const Given& member) { read(member, value); });
   }
 
   template <class Enum>
-  void operator()(const char* key, Enum& value, unsigned, Words<Enum> words) {
-    with(key, [&](const Given& member) { assign(&member.value, value, words); });
+  void operator()(const char* key, Enum& value, unsigned concerned, Words<Enum> words) {
+    with(key, concerned, [&](const Given& member) { assign(&member.value, value, words); });
   }
 
   template <class Walk>
   void group(const char* key, Walk&& walk) {
-    with(key, [&](const Given& member) {
+    with(key, concerns::nothing, [&](const Given& member) {
       FieldReader inner(member);
       walk(inner);
     });
   }
 
   template <class Value>
-  void whole(const char* key, Value& value, unsigned) {
-    with(key, [&](const Given& member) {
+  void whole(const char* key, Value& value, unsigned concerned) {
+    with(key, concerned, [&](const Given& member) {
       value = Value{};
       read(member, value);
     });
   }
 
   template <class Element, class Prototype>
-  void each(const char* key, std::vector<Element>& list, unsigned, Prototype&& prototype) {
-    with(key, [&](const Given& member) {
+  void each(const char* key, std::vector<Element>& list, unsigned concerned,
+            Prototype&& prototype) {
+    with(key, concerned, [&](const Given& member) {
       if (!member.value.is_array()) return;
       list.clear();
       for (std::size_t i = 0; i < member.value.size(); ++i) {
@@ -102,8 +103,8 @@ class FieldReader {
   }
 
   template <class Value, class Form>
-  void by(const char* key, Value& value, unsigned, Form) {
-    with(key, [&](const Given& member) { Form::read(member, value); });
+  void by(const char* key, Value& value, unsigned concerned, Form) {
+    with(key, concerned, [&](const Given& member) { Form::read(member, value); });
   }
 
   template <class Value, class Form>
@@ -113,10 +114,9 @@ class FieldReader {
 
  private:
   template <class Use>
-  void with(const char* key, Use&& use) {
-    const bool is_first = std::exchange(at_first_, false);
+  void with(const char* key, unsigned concerned, Use&& use) {
     if (!given_.value.is_object()) {
-      if (is_first) use(given_);
+      if ((concerned & concerns::alone) != 0) use(given_);
       return;
     }
     const auto found = given_.value.find(key);
@@ -124,7 +124,6 @@ class FieldReader {
   }
 
   const Given& given_;
-  bool at_first_ = true;
 };
 
 /// How a type that has neither fields nor an `assign` (json_assign.h) stands in documents.
@@ -431,7 +430,7 @@ class FieldNames {
   template <class Value, class Form>
   void by(const char* key, Value&, unsigned concerned, Form) {
     add(key, concerned);
-    if constexpr (requires(FieldNames& inner) { Form::walk(inner); })
+    if constexpr (requires(FieldNames & inner) { Form::walk(inner); })
       nested(key, concerned, [](FieldNames& inner) { Form::walk(inner); });
   }
 

@@ -9,7 +9,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include "pipeline/documents/schema.h"
+#include "pipeline/reading/schema.h"
 
 namespace mien::pipeline {
 

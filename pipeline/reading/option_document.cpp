@@ -1,10 +1,10 @@
-#include "pipeline/documents/option_document.h"
+#include "pipeline/reading/option_document.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/documents/schema.h"
-#include "pipeline/documents/yaml_tree.h"
+#include "pipeline/reading/schema.h"
+#include "pipeline/reading/yaml_tree.h"
 
 namespace mien::pipeline {
 

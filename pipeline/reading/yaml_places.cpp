@@ -1,4 +1,4 @@
-#include "pipeline/documents/yaml_places.h"
+#include "pipeline/reading/yaml_places.h"
 
 #include <algorithm>
 #include <cstddef>

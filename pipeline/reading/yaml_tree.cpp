@@ -1,4 +1,4 @@
-#include "pipeline/documents/yaml_tree.h"
+#include "pipeline/reading/yaml_tree.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +14,7 @@
 #include <yaml-cpp/parser.h>
 
 #include "pipeline/documents/utf8.h"
-#include "pipeline/documents/yaml_places.h"
+#include "pipeline/reading/yaml_places.h"
 
 namespace mien::pipeline {
 

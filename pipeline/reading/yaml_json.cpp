@@ -1,4 +1,4 @@
-#include "pipeline/documents/yaml_json.h"
+#include "pipeline/reading/yaml_json.h"
 
 #include <algorithm>
 #include <charconv>
