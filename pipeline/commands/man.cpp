@@ -1,6 +1,9 @@
 #include "pipeline/commands/man.h"
 
+#include <algorithm>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,35 +27,25 @@ unsigned take_character(std::string_view& text) {
   return code;
 }
 
-/// Text as roff shows it: what is typed comes out as the ASCII characters that a shell wants.
+/// Characters that roff would turn into something else than a shell wants, and how it keeps them.
+constexpr std::pair<char, const char*> kept_characters[] = {
+    {'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"}, {'"', "\\(dq"},
+    {'`', "\\(ga"}, {'^', "\\(ha"}, {'~', "\\(ti"},
+};
+
+/// A text in roff, in ASCII.
 std::string roff(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    switch (const unsigned code = take_character(text); code) {
-      case '\\':
-        result += "\\e";
-        break;
-      case '-':
-        result += "\\-";
-        break;
-      case '\'':
-        result += "\\(aq";
-        break;
-      case '"':
-        result += "\\(dq";
-        break;
-      case '`':
-        result += "\\(ga";
-        break;
-      case '^':
-        result += "\\(ha";
-        break;
-      case '~':
-        result += "\\(ti";
-        break;
-      default:
-        result += code < 0x80 ? std::string(1, static_cast<char>(code))
-                              : fmt::format("\\[u{:04X}]", code);
+    const unsigned code = take_character(text);
+    const auto* kept = std::ranges::find_if(kept_characters, [&](const auto& each) {
+      return code == static_cast<unsigned>(each.first);
+    });
+    if (kept != std::end(kept_characters)) {
+      result += kept->second;
+    } else {
+      result +=
+          code < 0x80 ? std::string(1, static_cast<char>(code)) : fmt::format("\\[u{:04X}]", code);
     }
   }
   return result;
