@@ -106,7 +106,8 @@ class Options : public testing::Test {
 TEST_F(Options, AreInTheKeysOfWhatTheyConcernAndOfNothingElse) {
   int options = 0;
   for_each_option([&](const std::string& path, unsigned concerned, const auto& variants) {
-    if ((concerned & ~concerns::required) == concerns::nothing) return;  // a map around options that have their own
+    if ((concerned & ~concerns::required) == concerns::nothing)
+      return;  // a map around options that have their own
     ++options;
     const Production first(checked(variants.first), {.quality = {}, .only = {}, .jobs = 1});
     const Production second(checked(variants.second), {.quality = {}, .only = {}, .jobs = 1});
@@ -119,7 +120,8 @@ TEST_F(Options, AreInTheKeysOfWhatTheyConcernAndOfNothingElse) {
         (concerned & (concerns::picture | concerns::stored | concerns::shown)) != 0 ||
         (moves && is_overlay);
     EXPECT_EQ(kinds.contains("motion"), is_motion) << path;
-    const bool is_page = (concerned & ~(concerns::page | concerns::required | concerns::alone)) == 0;
+    const bool is_page =
+        (concerned & ~(concerns::page | concerns::required | concerns::alone)) == 0;
     if (is_film) {
       EXPECT_TRUE(kinds.contains("film")) << path;
     }
