@@ -82,15 +82,15 @@ TEST(StudyCommands, EvaluateComparesInterfaces) {
     csv += "p" + std::to_string(p) + ",t,weights,0.1," + std::to_string(200 + p) + ",1\n";
     csv += "p" + std::to_string(p) + ",t,adjectives,0.05," + std::to_string(90 + 2 * p) + ",1\n";
   }
-  const std::string sessions = scratch.write("sessions.csv", csv).string();
+  const std::string recorded = scratch.write("sessions.csv", csv).string();
   const fs::path out = scratch.path() / "out";
-  const Ended ended = run_mien({"study", "evaluate", sessions, "-o", out.string(), "--json"});
+  const Ended ended = run_mien({"study", "evaluate", recorded, "-o", out.string(), "--json"});
   ASSERT_EQ(ended.code, 0) << ended.errors;
   const json summary = json::parse(ended.output);
   EXPECT_EQ(summary["sessions"], "given");
   EXPECT_NEAR(summary["comparisons"][1]["p_exact"].get<double>(), 0.03125, 1e-9);
   EXPECT_TRUE(fs::exists(out / "time_saved.svg"));
-  EXPECT_EQ(run_mien({"study", "evaluate", sessions, "--limit", "0"}).code, 2);
+  EXPECT_EQ(run_mien({"study", "evaluate", recorded, "--limit", "0"}).code, 2);
 }
 
 TEST(StudyCommands, PrintTheBuiltInScales) {
