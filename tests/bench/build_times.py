@@ -17,7 +17,9 @@ def steps(build):
         if line.startswith("#"):
             continue
         start, end, _, output, _ = line.split("\t")
-        seconds[output] = (int(end) - int(start)) / 1000
+        # Outputs of files that are gone stay in the log.
+        if (build / output).exists():
+            seconds[output] = (int(end) - int(start)) / 1000
     return seconds
 
 
@@ -26,10 +28,11 @@ def room(output):
     parts = re.match(r"(\w+)/CMakeFiles/mien_(\w+)\.dir/(.*)", output)
     if not parts:
         return "other"
-    module = parts[1] if parts[1] != "tests" else "tests/" + parts[2].removesuffix("_tests")
+    tested = parts[2].removesuffix("_tests")
+    module = f"tests/{tested}" if parts[1] == "tests" else parts[1]
     united = re.match(r"Unity/unity_room_(\w+?)_\d+_cxx", parts[3])
-    folder = united[1] if united else str(pathlib.PurePosixPath(parts[3]).parent)
-    return f"{module}/{folder.removeprefix(parts[2].removesuffix('_tests') + '/')}"
+    folder = united[1].removeprefix(f"{tested}_") if united else str(pathlib.PurePosixPath(parts[3]).parent)
+    return f"{module}/{folder.removeprefix(f'{tested}/')}".removesuffix("/.")
 
 
 def main():
