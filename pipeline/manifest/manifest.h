@@ -75,7 +75,8 @@ void fields_of(Field&& field, M& manifest) {
   field("seed", manifest.seed, concerns::repertoire | concerns::motion | concerns::picture);
   field.group("examples", [&](auto& examples) {
     examples.by("set", manifest.examples, concerns::repertoire, ExampleSetForm());
-    examples.by("ratings", manifest.ratings, concerns::repertoire, RatingsForm());
+    examples.by("ratings", manifest.ratings, concerns::repertoire | concerns::required,
+                RatingsForm());
     examples.by("scales", manifest.scales, concerns::repertoire, ScalesForm());
     examples("raters", manifest.ratings.raters, concerns::repertoire);
     examples("expect", manifest.ratings.expected, concerns::page);

@@ -69,7 +69,8 @@ TEST(TargetManifest, FindsItsFilesFromWhereverItLies) {
   source.examples.folder = captures;
   source.examples.include = "*walk*.bvh";
   source.examples.exclude = "*run*";
-  source.examples.cycle = Examples::Cycle::whole;
+  source.examples.cycle = Examples::Cycle::start_peak_end;
+  source.examples.keytimes = {{"a walk", {0.1, 0.75}}};
   source.examples.given_labels = {{"a walk", "calm"}};
   source.ratings.source = Ratings::Source::file;
   source.ratings.file = folder.path() / "answers.csv";
@@ -82,7 +83,8 @@ TEST(TargetManifest, FindsItsFilesFromWhereverItLies) {
   EXPECT_TRUE(fs::equivalent(reading.manifest.ratings.file, source.ratings.file));
   EXPECT_EQ(examples.include, "*walk*.bvh");
   EXPECT_EQ(examples.exclude, "*run*");
-  EXPECT_EQ(examples.cycle, Examples::Cycle::whole);
+  EXPECT_EQ(examples.cycle, Examples::Cycle::start_peak_end);
+  EXPECT_EQ(examples.keytimes, source.examples.keytimes);
   EXPECT_EQ(examples.given_labels, source.examples.given_labels);
   EXPECT_EQ(reading.manifest.stimuli[1].features,
             (NamedValues{{"step-length", 0.125}, {"lateral-swing", 1.0}}));
