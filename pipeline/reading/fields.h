@@ -139,13 +139,14 @@ struct ValueForm<std::filesystem::path> {
   }
   static OrderedJson write(const std::filesystem::path& value, const Writing& how) {
     if (value.empty()) return {};
-    if (!how.for_key)
-      if (how.folder.empty()) return value.generic_string();
+    if (how.for_key) {
+      if (how.files != nullptr) how.files->push_back(value);
+      return value.filename().generic_string();
+    }
+    if (how.folder.empty()) return value.generic_string();
     return std::filesystem::proximate(std::filesystem::absolute(value),
                                       std::filesystem::absolute(how.folder))
         .generic_string();
-    if (how.files != nullptr) how.files->push_back(value);
-    return value.filename().generic_string();
   }
 };
 

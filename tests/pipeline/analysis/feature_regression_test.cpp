@@ -100,8 +100,8 @@ TEST(FeatureRegression, PredictsSomeOfWhatPeopleSaidOfRealWalks) {
   manifest.examples.include = "*walk*.bvh";
   manifest.ratings.source = Ratings::Source::file;
   manifest.ratings.file = *data / "mocap" / "bandai-namco-1" / "ratings.csv";
-  manifest.scales.file =
-      std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "five-factors.scales.yaml";
+  manifest.scales =
+      scales_in(std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "five-factors.scales.yaml");
   const FeatureRegression regression = fit_feature_regression(load_repertoire(manifest));
   ASSERT_EQ(regression.parameters.size(), 5u);
   EXPECT_EQ(regression.features.size(), 51u);

@@ -32,8 +32,8 @@ Manifest real_manifest(const std::filesystem::path& data) {
   manifest.examples.include = "*walk*.bvh";
   manifest.ratings.source = Ratings::Source::file;
   manifest.ratings.file = data / "mocap" / "bandai-namco-1" / "ratings.csv";
-  manifest.scales.file =
-      std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "five-factors.scales.yaml";
+  manifest.scales =
+      scales_in(std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "five-factors.scales.yaml");
   return manifest;
 }
 
