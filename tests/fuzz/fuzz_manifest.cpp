@@ -8,6 +8,7 @@
 
 #include "pipeline/documents/fault.h"
 #include "pipeline/manifest/manifest_checks.h"
+#include "pipeline/manifest/name_checks.h"
 #include "pipeline/manifest/manifest_reader.h"
 #include "pipeline/ratings/scales.h"
 
