@@ -8,8 +8,8 @@
 
 #include "pipeline/documents/fault.h"
 #include "pipeline/manifest/manifest_checks.h"
-#include "pipeline/manifest/name_checks.h"
 #include "pipeline/manifest/manifest_reader.h"
+#include "pipeline/manifest/name_checks.h"
 #include "pipeline/ratings/scales.h"
 
 using namespace mien::pipeline;
