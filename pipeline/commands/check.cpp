@@ -6,10 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/look/set_file.h"
-#include "pipeline/manifest/checked_manifest.h"
 #include "pipeline/ratings/scales.h"
 
 namespace mien::pipeline {

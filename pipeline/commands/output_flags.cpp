@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/documents/environment.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_reader.h"
 #include "pipeline/reading/option_document.h"
 #include "pipeline/reading/schema.h"
 

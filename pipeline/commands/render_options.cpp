@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "motion/error.h"
-#include "pipeline/manifest/film_checks.h"
+#include "pipeline/checks/film_checks.h"
 #include "pipeline/reading/option_document.h"
 #include "render/video/video_kind.h"
 

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
-#include "pipeline/manifest/checked_manifest.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {

@@ -18,9 +18,10 @@ namespace mien::pipeline {
 ///       field("quality", output.quality, concerns::picture, quality_words);
 ///     }
 ///
-/// Whatever is done with options walks that list: reading and writing (fields.h), keys of artifacts
-/// (determinants.h), options of the command line (option_flags.h), and the test that holds the list
-/// against the schema. Beside plain values a `field` takes
+/// Whatever is done with options walks that list: reading it (field_reader.h), writing it
+/// (field_writer.h), keys of artifacts (artifact_keys.h), options of the command line
+/// (output_flags.h), and the test that holds the list against the schema (field_names.h). Beside
+/// plain values a `field` takes
 ///
 /// - `group(key, [&](auto& inner) { … })`: a map within the map, of members of the same struct;
 /// - `whole(key, value, concerns)`: a map that replaces the value, instead of being laid over it;
@@ -47,7 +48,7 @@ enum : unsigned {
 };
 }  // namespace concerns
 
-// fields.h
+// field_values.h, value_forms.h
 struct Given;
 struct Writing;
 template <class Flags>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/film/film.h"
-#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/synthesis/motions.h"
 #include "pipeline/tasks/task_graph.h"

@@ -13,7 +13,7 @@
 #include "pipeline/film/film_recorder.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/film/film_tables.h"
-#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/tasks/code_identity.h"
 #include "render/image/image_io.h"
 #include "render/image/luminance.h"

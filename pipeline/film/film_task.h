@@ -6,10 +6,10 @@
 
 #include "pipeline/film/film.h"
 #include "pipeline/film/film_equalized.h"
-#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/synthesis/motions.h"
-#include "pipeline/tasks/hash.h"
+#include "pipeline/tasks/artifact_key.h"
 #include "pipeline/tasks/task_graph.h"
 #include "scenes/stage/shot.h"
 

@@ -3,7 +3,8 @@
 #include "pipeline/look/look_fields.h"
 #include "pipeline/look/point_form.h"
 #include "pipeline/look/set_file.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_reader.h"
+#include "pipeline/reading/field_writer.h"
 
 namespace mien::pipeline {
 

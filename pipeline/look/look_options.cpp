@@ -8,7 +8,7 @@
 #include "pipeline/look/look_checks.h"
 #include "pipeline/look/look_fields.h"
 #include "pipeline/look/point_form.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_reader.h"
 #include "pipeline/reading/option_document.h"
 #include "pipeline/reading/schema.h"
 

@@ -4,7 +4,7 @@
 
 #include "motion/math/geometry.h"
 #include "pipeline/look/colour_json.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/value_forms.h"
 #include "render/math/vector.h"
 
 namespace mien::pipeline {

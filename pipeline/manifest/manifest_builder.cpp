@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "pipeline/look/point_form.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_reader.h"
 
 namespace mien::pipeline {
 

@@ -3,7 +3,8 @@
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/recipes.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_reader.h"
+#include "pipeline/reading/field_writer.h"
 
 namespace mien::pipeline {
 

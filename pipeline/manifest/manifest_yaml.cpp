@@ -4,7 +4,7 @@
 #include <set>
 
 #include "pipeline/look/point_form.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_writer.h"
 
 namespace mien::pipeline {
 

@@ -3,7 +3,8 @@
 #include "motion/formats/motion_file.h"
 #include "pipeline/manifest/modification.h"
 #include "pipeline/manifest/stimulus.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_reader.h"
+#include "pipeline/reading/field_writer.h"
 
 namespace mien::pipeline {
 

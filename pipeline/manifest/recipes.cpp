@@ -6,7 +6,8 @@
 
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_reader.h"
+#include "pipeline/reading/field_writer.h"
 #include "pipeline/reading/schema.h"
 #include "pipeline/reading/yaml_json.h"
 #include "pipeline/reading/yaml_tree.h"

@@ -9,7 +9,7 @@
 #include "pipeline/film/film_equalized.h"
 #include "pipeline/film/film_tables.h"
 #include "pipeline/film/film_task.h"
-#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/report/study_tasks.h"
 #include "pipeline/sheets/sheet_task.h"
 #include "pipeline/sheets/stills_task.h"

@@ -5,7 +5,7 @@
 
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/report/report.h"
 #include "pipeline/report/tables.h"
 #include "pipeline/tasks/code_identity.h"

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "pipeline/documents/files.h"
-#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/sheets/sheet.h"
 #include "pipeline/sheets/sheet_content.h"
 #include "pipeline/tasks/code_identity.h"

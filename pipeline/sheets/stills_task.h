@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pipeline/film/film.h"
-#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/synthesis/motions.h"
 #include "pipeline/tasks/task_graph.h"

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/tasks/hash.h"
+#include "pipeline/tasks/artifact_key.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/synthesis/motion_record.h"
 #include "pipeline/tasks/code_identity.h"
 

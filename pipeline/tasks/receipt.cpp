@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/documents/files.h"
+#include "pipeline/tasks/artifact_key.h"
 
 namespace mien::pipeline {
 

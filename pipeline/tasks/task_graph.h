@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/tasks/artifact_key.h"
 #include "pipeline/tasks/store.h"
 
 namespace mien::pipeline {

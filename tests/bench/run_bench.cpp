@@ -11,7 +11,7 @@
 #include <benchmark/benchmark.h>
 #include <stdlib.h>
 
-#include "pipeline/manifest/checked_manifest.h"
+#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/production/run.h"
 
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "pipeline/checks/manifest_checks.h"
+#include "pipeline/checks/manifest_reader.h"
+#include "pipeline/checks/name_checks.h"
 #include "pipeline/documents/fault.h"
-#include "pipeline/manifest/manifest_checks.h"
-#include "pipeline/manifest/manifest_reader.h"
-#include "pipeline/manifest/name_checks.h"
 #include "pipeline/ratings/scales.h"
 
 using namespace mien::pipeline;

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
+#include "pipeline/checks/manifest_reader.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/manifest/manifest_reader.h"
 #include "pipeline/manifest/recipes.h"
 #include "pipeline/synthesis/modified_motion.h"
 #include "pipeline/synthesis/synthesis.h"

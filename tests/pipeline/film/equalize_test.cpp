@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/checks/manifest_checks.h"
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_dots.h"
 #include "pipeline/film/film_presentation.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/look/set_file.h"
-#include "pipeline/manifest/manifest_checks.h"
 #include "pipeline/production/run.h"
 #include "pipeline/temporary_folder.h"
 

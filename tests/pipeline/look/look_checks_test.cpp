@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/checks/manifest_reader.h"
 #include "pipeline/documents/fault.h"
-#include "pipeline/manifest/manifest_reader.h"
 
 namespace mien::pipeline {
 namespace {

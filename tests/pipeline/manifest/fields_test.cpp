@@ -1,15 +1,15 @@
-#include "pipeline/reading/fields.h"
-
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "pipeline/checks/manifest_reader.h"
 #include "pipeline/look/point_form.h"
 #include "pipeline/look/set_fields.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/manifest_reader.h"
 #include "pipeline/manifest/recipes.h"
 #include "pipeline/manifest/schema_paths.h"
+#include "pipeline/reading/field_names.h"
+#include "pipeline/reading/field_writer.h"
 #include "pipeline/reading/schema.h"
 
 namespace mien::pipeline {

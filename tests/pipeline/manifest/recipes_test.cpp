@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/checks/manifest_reader.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/manifest/manifest_reader.h"
 #include "pipeline/reading/schema.h"
 #include "pipeline/temporary_folder.h"
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/checks/manifest_reader.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/manifest/manifest_reader.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

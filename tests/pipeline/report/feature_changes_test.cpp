@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/checks/manifest_reader.h"
 #include "pipeline/documents/csv.h"
-#include "pipeline/manifest/manifest_reader.h"
 #include "pipeline/report/tables.h"
 
 namespace mien::pipeline {

@@ -6,7 +6,7 @@
 #include "motion/examples/settled_feet.h"
 #include "motion/measures/distance.h"
 #include "motion/procedural/builtin_sets.h"
-#include "pipeline/manifest/manifest_reader.h"
+#include "pipeline/checks/manifest_reader.h"
 #include "pipeline/synthesis/modified_motion.h"
 
 namespace mien::pipeline {

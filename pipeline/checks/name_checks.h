@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "pipeline/checks/vocabulary.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/vocabulary.h"
 
 namespace mien::pipeline {
 

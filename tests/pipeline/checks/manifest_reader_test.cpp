@@ -1,13 +1,13 @@
-#include "pipeline/manifest/manifest_reader.h"
+#include "pipeline/checks/manifest_reader.h"
 
 #include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "pipeline/checks/manifest_checks.h"
+#include "pipeline/checks/name_checks.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/manifest/manifest_checks.h"
-#include "pipeline/manifest/name_checks.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

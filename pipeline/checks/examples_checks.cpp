@@ -1,4 +1,4 @@
-#include "pipeline/manifest/examples_checks.h"
+#include "pipeline/checks/examples_checks.h"
 
 #include <algorithm>
 #include <filesystem>

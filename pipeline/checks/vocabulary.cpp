@@ -1,4 +1,4 @@
-#include "pipeline/manifest/vocabulary.h"
+#include "pipeline/checks/vocabulary.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "pipeline/manifest/manifest_reader.h"
+#include "pipeline/checks/manifest_reader.h"
 
 #include <fstream>
 #include <iterator>
@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "motion/skeleton/body.h"
+#include "pipeline/checks/manifest_checks.h"
 #include "pipeline/look/look_checks.h"
 #include "pipeline/manifest/manifest_builder.h"
-#include "pipeline/manifest/manifest_checks.h"
 #include "pipeline/manifest/recipes.h"
 #include "pipeline/reading/schema.h"
 #include "pipeline/reading/yaml_json.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/tasks/hash.h"
+#include "pipeline/tasks/artifact_key.h"
 
 namespace mien::pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/manifest/sheet_checks.h"
+#include "pipeline/checks/sheet_checks.h"
 
 #include <string>
 #include <variant>

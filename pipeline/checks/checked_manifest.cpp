@@ -1,12 +1,12 @@
-#include "pipeline/manifest/checked_manifest.h"
+#include "pipeline/checks/checked_manifest.h"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "pipeline/manifest/modification_checks.h"
-#include "pipeline/manifest/name_checks.h"
-#include "pipeline/manifest/vocabulary.h"
+#include "pipeline/checks/modification_checks.h"
+#include "pipeline/checks/name_checks.h"
+#include "pipeline/checks/vocabulary.h"
 
 namespace mien::pipeline {
 

@@ -1,16 +1,16 @@
-#include "pipeline/manifest/manifest_checks.h"
+#include "pipeline/checks/manifest_checks.h"
 
 #include <iterator>
 #include <string>
 #include <utility>
 
+#include "pipeline/checks/examples_checks.h"
+#include "pipeline/checks/film_checks.h"
+#include "pipeline/checks/modification_checks.h"
+#include "pipeline/checks/name_checks.h"
+#include "pipeline/checks/sheet_checks.h"
+#include "pipeline/checks/stimulus_checks.h"
 #include "pipeline/documents/fault_list.h"
-#include "pipeline/manifest/examples_checks.h"
-#include "pipeline/manifest/film_checks.h"
-#include "pipeline/manifest/modification_checks.h"
-#include "pipeline/manifest/name_checks.h"
-#include "pipeline/manifest/sheet_checks.h"
-#include "pipeline/manifest/stimulus_checks.h"
 
 namespace mien::pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/manifest/stimulus_checks.h"
+#include "pipeline/checks/stimulus_checks.h"
 
 #include <algorithm>
 #include <filesystem>

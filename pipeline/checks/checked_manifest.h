@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "pipeline/manifest/manifest_reader.h"
+#include "pipeline/checks/manifest_reader.h"
 
 namespace mien::pipeline {
 

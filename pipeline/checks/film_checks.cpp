@@ -1,4 +1,4 @@
-#include "pipeline/manifest/film_checks.h"
+#include "pipeline/checks/film_checks.h"
 
 #include <algorithm>
 #include <variant>

@@ -1,4 +1,4 @@
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_writer.h"
 
 #include <algorithm>
 

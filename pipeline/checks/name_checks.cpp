@@ -1,4 +1,4 @@
-#include "pipeline/manifest/name_checks.h"
+#include "pipeline/checks/name_checks.h"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/artifact_keys.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include "pipeline/look/point_form.h"
 #include "pipeline/look/set_fields.h"
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/reading/fields.h"
+#include "pipeline/reading/field_writer.h"
 #include "pipeline/tasks/code_identity.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"

@@ -1,4 +1,4 @@
-#include "pipeline/manifest/modification_checks.h"
+#include "pipeline/checks/modification_checks.h"
 
 #include <filesystem>
 #include <map>
