@@ -46,10 +46,11 @@ void tell_shared_places(const ExampleSet& set, Interpolator& interpolator) {
   }
 }
 
-void tell_dependence(Interpolator& interpolator) {
-  const Eigen::MatrixXd& places = interpolator.distinct.places;
+/// Of the parameters that are asked for, which come first.
+void tell_dependence(Interpolator& interpolator, Eigen::Index asked) {
+  const Eigen::MatrixXd places = interpolator.distinct.places.leftCols(asked);
   const Eigen::Index count = places.rows();
-  const std::string what = listed(interpolator.names);
+  const std::string what = listed({interpolator.names.begin(), interpolator.names.begin() + asked});
   if (count == 1) {
     interpolator.remarks.push_back(
         "all examples have the same parameters, so every wish gives the same motion");
@@ -68,6 +69,10 @@ void tell_dependence(Interpolator& interpolator) {
         what + " depend on each other over these examples: they vary in " +
         counted(rank, "direction") + " only, and wishes off it have no effect");
   }
+}
+
+std::string percent(double share) {
+  return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
 void tell_halvings(int halvings, const std::string& what, Interpolator& interpolator) {
@@ -121,13 +126,72 @@ Eigen::MatrixXd place_differences(const ExampleSet& set, const DistinctParameter
   return all(first, first);
 }
 
-Kriging fit_kriging_of(const ExampleSet& set, const InterpolationOptions& options,
-                       const DistinctParameters& distinct) {
-  return fit_kriging(distinct.places, options.kriging, place_differences(set, distinct));
+/// What methods are fitted to.
+struct Fit {
+  const ExampleSet& set;
+  const Eigen::MatrixXd& parameters;
+  const InterpolationOptions& options;
+  Eigen::Index held;
+};
+
+void fit_cardinal(Interpolator& fitted) {
+  CardinalBasis basis = fit_cardinal_basis(fitted.distinct.places);
+  tell_halvings(basis.halvings, "reach of the radial functions", fitted);
+  fitted.method = std::move(basis);
 }
 
-std::string percent(double share) {
-  return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
+void fit_reaching(const Fit& fit, Interpolator& fitted) {
+  Reach reach = fit_reach(fitted.distinct.places, fit.held);
+  tell_halvings(reach.basis.halvings, "reach of the radial functions", fitted);
+  fitted.method = std::move(reach);
+}
+
+void fit_grid_of_weights(const Fit& fit, Interpolator& fitted) {
+  GridOfWeights grid = fit_grid(fitted.distinct.places, fit.options);
+  tell_grid_misses(grid, fitted.distinct.places, fitted);
+  fitted.method = std::move(grid);
+}
+
+void fit_kriging_method(const Fit& fit, Interpolator& fitted) {
+  Kriging kriging = fit_kriging(fitted.distinct.places, fit.options.kriging,
+                                place_differences(fit.set, fitted.distinct));
+  tell_halvings(kriging.halvings, "range of the variogram", fitted);
+  fitted.method = std::move(kriging);
+}
+
+void fit_model(const Fit& fit, Interpolator& fitted) {
+  StatisticalModel model = fit_statistical_model(fit.set, fit.parameters, fit.options.pca);
+  fitted.remarks.push_back("the statistical model keeps " + percent(model.kept_variance) +
+                           " of the examples' variance in " +
+                           counted(model.variances.size(), "component"));
+  fitted.method = std::move(model);
+}
+
+void fit_method(const Fit& fit, Interpolator& fitted) {
+  const Eigen::MatrixXd& places = fitted.distinct.places;
+  switch (fit.options.method) {
+    case InterpolationMethod::reach:
+      return fit_reaching(fit, fitted);
+    case InterpolationMethod::cardinal:
+      return fit_cardinal(fitted);
+    case InterpolationMethod::grid:
+      return fit_grid_of_weights(fit, fitted);
+    case InterpolationMethod::kriging:
+      return fit_kriging_method(fit, fitted);
+    case InterpolationMethod::pca:
+      return fit_model(fit, fitted);
+    case InterpolationMethod::nearest:
+      fitted.method = fit_nearest_neighbours(places, fit.options.nearest);
+      break;
+    case InterpolationMethod::inverse_distance:
+      fitted.method = InverseDistance{fit.options.power};
+      break;
+    case InterpolationMethod::incremental:
+      fitted.method = fit_word_clicks(places, fit.options.click_step);
+      break;
+    case InterpolationMethod::direct:
+      break;
+  }
 }
 
 /// "3 × quickness up, 1 × largeness down": the clicks in their order, runs counted.
@@ -148,6 +212,8 @@ std::string click_log(const ClickPath& path, const std::vector<std::string>& nam
 
 std::string_view name_of(InterpolationMethod method) {
   switch (method) {
+    case InterpolationMethod::reach:
+      return "reach";
     case InterpolationMethod::cardinal:
       return "cardinal";
     case InterpolationMethod::nearest:
@@ -170,61 +236,22 @@ std::string_view name_of(InterpolationMethod method) {
 
 Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& parameters,
                               const InterpolationOptions& options,
-                              const std::vector<std::string>& names) {
+                              const std::vector<std::string>& names, Eigen::Index held) {
   assert(parameters.rows() == static_cast<Eigen::Index>(set.examples.size()));
-  assert(parameters.rows() > 0);
+  assert(parameters.rows() > 0 && held >= 0 && held < std::max<Eigen::Index>(1, parameters.cols()));
   Interpolator fitted;
   if (options.method == InterpolationMethod::direct) {
     fitted.method = DirectShares{};
     return fitted;
   }
   fitted.distinct = distinct_parameters(parameters);
-  const Eigen::MatrixXd& places = fitted.distinct.places;
   fitted.names = names;
-  for (Eigen::Index m = static_cast<Eigen::Index>(names.size()); m < places.cols(); ++m) {
+  for (Eigen::Index m = static_cast<Eigen::Index>(names.size()); m < parameters.cols(); ++m) {
     fitted.names.push_back("parameter " + std::to_string(m + 1));
   }
   tell_shared_places(set, fitted);
-  tell_dependence(fitted);
-  switch (options.method) {
-    case InterpolationMethod::cardinal: {
-      CardinalBasis basis = fit_cardinal_basis(places);
-      tell_halvings(basis.halvings, "reach of the radial functions", fitted);
-      fitted.method = std::move(basis);
-      break;
-    }
-    case InterpolationMethod::nearest:
-      fitted.method = fit_nearest_neighbours(places, options.nearest);
-      break;
-    case InterpolationMethod::inverse_distance:
-      fitted.method = InverseDistance{options.power};
-      break;
-    case InterpolationMethod::grid: {
-      GridOfWeights grid = fit_grid(places, options);
-      tell_grid_misses(grid, places, fitted);
-      fitted.method = std::move(grid);
-      break;
-    }
-    case InterpolationMethod::kriging: {
-      Kriging kriging = fit_kriging_of(set, options, fitted.distinct);
-      tell_halvings(kriging.halvings, "range of the variogram", fitted);
-      fitted.method = std::move(kriging);
-      break;
-    }
-    case InterpolationMethod::pca: {
-      StatisticalModel model = fit_statistical_model(set, parameters, options.pca);
-      fitted.remarks.push_back("the statistical model keeps " + percent(model.kept_variance) +
-                               " of the examples' variance in " +
-                               counted(model.variances.size(), "component"));
-      fitted.method = std::move(model);
-      break;
-    }
-    case InterpolationMethod::incremental:
-      fitted.method = fit_word_clicks(places, options.click_step);
-      break;
-    case InterpolationMethod::direct:
-      break;
-  }
+  tell_dependence(fitted, parameters.cols() - held);
+  fit_method({set, parameters, options, held}, fitted);
   return fitted;
 }
 
@@ -240,6 +267,7 @@ InterpolatedWeights weights_at(const Interpolator& interpolator,
           [&](const CardinalBasis& basis) {
             result.weights = of_places(raw_weights(basis, parameters));
           },
+          [&](const Reach& reach) { result.weights = of_places(weights(reach, parameters)); },
           [&](const NearestNeighbours& samples) {
             result.weights = of_places(weights(samples, parameters));
           },

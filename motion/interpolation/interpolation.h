@@ -13,6 +13,7 @@
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/interpolation/kriging.h"
 #include "motion/interpolation/nearest_neighbours.h"
+#include "motion/interpolation/reach.h"
 #include "motion/interpolation/statistical_model.h"
 #include "motion/interpolation/weight_grid.h"
 #include "motion/interpolation/word_clicks.h"
@@ -35,7 +36,7 @@ struct DirectShares {};
 struct Interpolator {
   DistinctParameters distinct;
   std::vector<std::string> names;  ///< of the parameters
-  std::variant<CardinalBasis, NearestNeighbours, InverseDistance, GridOfWeights, Kriging,
+  std::variant<CardinalBasis, Reach, NearestNeighbours, InverseDistance, GridOfWeights, Kriging,
                StatisticalModel, WordClicks, DirectShares>
       method;
   /// Plain sentences on what the user should know of the fit: examples that share a place,
@@ -51,11 +52,13 @@ struct InterpolatedWeights {
 };
 
 /// Fits once. `parameters`: one row an example of the set (N × M; N × N for `direct`, not looked
-/// at). `names`: of the parameters, for remarks; numbered without. Throws Error when the method
-/// cannot take so many parameters.
+/// at). `names`: of the parameters, for remarks; numbered without. The last `held` parameters are
+/// not asked for but to be kept as near as can be: `reach` lets them wait for the others, to the
+/// other methods they are parameters like all. Throws Error when the method cannot take so many
+/// parameters.
 Interpolator fit_interpolator(const ExampleSet& set, const Eigen::MatrixXd& parameters,
                               const InterpolationOptions& options,
-                              const std::vector<std::string>& names = {});
+                              const std::vector<std::string>& names = {}, Eigen::Index held = 0);
 
 InterpolatedWeights weights_at(const Interpolator& interpolator,
                                const Eigen::RowVectorXd& parameters);

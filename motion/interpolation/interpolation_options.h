@@ -7,7 +7,8 @@ namespace mien::motion {
 
 /// From parameters to a motion: how the examples' shares are found.
 enum class InterpolationMethod {
-  cardinal,          ///< linear part and cubic B-splines (cardinal_basis.h); default
+  reach,             ///< what is asked exactly, as near to `cardinal` as can be (reach.h); default
+  cardinal,          ///< linear part and cubic B-splines (cardinal_basis.h): the paper's
   nearest,           ///< nearest neighbours among examples and random blends of them
   inverse_distance,  ///< Shepard's inverse distances
   grid,              ///< multilinear on a regular grid of another method's weights
@@ -61,7 +62,7 @@ inline constexpr int most_grid_dimensions = 8;
 
 /// Only the chosen method's options count.
 struct InterpolationOptions {
-  InterpolationMethod method = InterpolationMethod::cardinal;
+  InterpolationMethod method = InterpolationMethod::reach;
   NearestNeighboursOptions nearest;
   double power = 2.0;  ///< of inverse distances, > 0
   int grid_cells = 8;  ///< a dimension

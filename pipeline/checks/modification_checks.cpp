@@ -122,6 +122,7 @@ class StepChecker : FaultList {
 std::vector<Fault> check_modifications(const Manifest& manifest) {
   StepChecker checker(manifest.places);
   for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.foil) continue;
     for (const ModificationStep& step : stimulus.modify) checker.check_step(step);
   }
   return checker.take();
@@ -130,7 +131,9 @@ std::vector<Fault> check_modifications(const Manifest& manifest) {
 std::vector<Fault> check_modification_names(const Manifest& manifest,
                                             const Vocabulary& vocabulary) {
   StepChecker checker(manifest.places);
-  for (const Stimulus& stimulus : manifest.stimuli) checker.names(stimulus, vocabulary);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (!stimulus.foil) checker.names(stimulus, vocabulary);
+  }
   return checker.take();
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "motion/interpolation/interpolation_options.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault_list.h"
 #include "render/video/video_kind.h"
@@ -59,6 +60,19 @@ void check_keys(const Stimulus& stimulus, const char* map, const NamedValues& va
     list.add_at_key(member_path(member_path(stimulus.path, map), name),
                     std::string("unknown ") + what, motion::did_you_mean(name, known));
   }
+}
+
+void check_hold(const Stimulus& stimulus, const Names& parameters, FaultList& list) {
+  const std::string path = member_path(stimulus.path, "hold");
+  for (std::size_t i = 0; i < stimulus.hold.names.size(); ++i)
+    list.check_word(element_path(path, i), stimulus.hold.names[i], "parameter", parameters);
+  check_keys(stimulus, "hold", stimulus.hold.values, "parameter", parameters, list);
+  const std::size_t count = stimulus.hold.others ? parameters.size() : 0;
+  if (stimulus.interpolation.weights.method != motion::InterpolationMethod::grid ||
+      count <= static_cast<std::size_t>(motion::most_grid_dimensions))
+    return;
+  list.add(path, "a grid over all parameters has too many corners",
+           "name the parameters to hold, or use another method");
 }
 
 void check_motion(const std::string& path, const std::string& name, const Names& known,
@@ -137,8 +151,10 @@ std::vector<Fault> check_ids(const Manifest& manifest) {
 std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary) {
   FaultList list(manifest.places);
   for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.foil) continue;
     check_keys(stimulus, "adjectives", stimulus.adjectives, "parameter", vocabulary.parameters,
                list);
+    check_hold(stimulus, vocabulary.parameters, list);
     check_keys(stimulus, "features", stimulus.features, "feature", vocabulary.features, list);
     check_keys(stimulus, "weights", stimulus.weights, "example", vocabulary.examples, list);
   }

@@ -85,6 +85,29 @@ void check_interpolation(const Stimulus& stimulus, FaultList& list) {
              list);
 }
 
+void check_hold(const Stimulus& stimulus, FaultList& list) {
+  const Hold& hold = stimulus.hold;
+  if (!hold.anything()) return;
+  const std::string path = member_path(stimulus.path, "hold");
+  if (stimulus.adjectives.empty()) {
+    list.add(path, "only what is made from adjectives can hold other parameters",
+             "give adjectives:, or leave hold: out");
+  }
+  const auto is_asked = [&](const std::string& name) {
+    return std::ranges::find(stimulus.adjectives, name, &NamedValues::value_type::first) !=
+           stimulus.adjectives.end();
+  };
+  const std::string remedy = "leave it to adjectives: or to hold:";
+  for (std::size_t i = 0; i < hold.names.size(); ++i) {
+    if (is_asked(hold.names[i]))
+      list.add(element_path(path, i), "\"" + hold.names[i] + "\" is asked for already", remedy);
+  }
+  for (const auto& value : hold.values) {
+    if (is_asked(value.first))
+      list.add_at_key(member_path(path, value.first), "this is asked for already", remedy);
+  }
+}
+
 void check_weights(const Stimulus& stimulus, bool has_examples, FaultList& list) {
   if (stimulus.weights.empty()) return;
   const std::string path = member_path(stimulus.path, "weights");
@@ -139,11 +162,13 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
 }
 
 void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultList& list) {
+  if (stimulus.foil) return;  // its motion is that of another, which is checked
   const bool has_examples = list.was_given("examples");
   check_adjectives(stimulus, manifest, has_examples, list);
   if (!stimulus.features.empty() && !has_examples) {
     list.add(member_path(stimulus.path, "features"), "features need examples", add_examples);
   }
+  check_hold(stimulus, list);
   check_weights(stimulus, has_examples, list);
   if (has_examples && !manifest.examples.blendable) check_single(stimulus, list);
   check_interpolation(stimulus, list);

@@ -9,6 +9,7 @@
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
+#include "pipeline/synthesis/wish.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
@@ -37,24 +38,28 @@ ordered_json as_json(const Task& task, const TaskOutcome& planned) {
 }
 
 void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
-               const std::string& study, const std::string& folder, const Console& console) {
+               const Manifest& manifest, const std::string& folder, const Console& console) {
   ordered_json tasks = ordered_json::array();
   for (std::size_t i = 0; i < planned.size(); ++i) {
     tasks.push_back(as_json(graph.tasks[i], planned[i]));
   }
-  const ordered_json result = {
-      {"study", study}, {"folder", folder}, {"cost_s", cost_of(graph, planned)}, {"tasks", tasks}};
+  const ordered_json result = {{"study", manifest.study},
+                               {"folder", folder},
+                               {"cost_s", cost_of(graph, planned)},
+                               {"tasks", tasks},
+                               {"adjectives", feasible_ranges(manifest)}};
   console.out << result.dump(2) << '\n';
 }
 
 void show_table(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
-                const Console& console) {
+                const Manifest& manifest, const Console& console) {
   for (std::size_t i = 0; i < planned.size(); ++i) {
     const Task& task = graph.tasks[i];
     console.out << fmt::format("{:8}{:>9}  {}\n", word_for(planned[i].state),
                                as_duration(task.cost_seconds), task.id);
   }
   console.out << fmt::format("about {} on one processor\n", as_duration(cost_of(graph, planned)));
+  for (const std::string& line : feasible_ranges(manifest)) console.out << line << '\n';
 }
 
 int show_plan(const ProductionArguments& arguments, const Console& console) {
@@ -64,9 +69,9 @@ int show_plan(const ProductionArguments& arguments, const Console& console) {
   const std::filesystem::path folder = folder_of(arguments, production.manifest());
   const std::vector<TaskOutcome> planned = plan(production.graph(), folder);
   if (arguments.json) {
-    show_json(production.graph(), planned, production.manifest().study, folder.string(), console);
+    show_json(production.graph(), planned, production.manifest(), folder.string(), console);
   } else {
-    show_table(production.graph(), planned, console);
+    show_table(production.graph(), planned, production.manifest(), console);
   }
   return exit_done;
 }

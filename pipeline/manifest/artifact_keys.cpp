@@ -97,8 +97,11 @@ void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
   Stimulus without =
       stimulus;  // whose modifications count as they were resolved, and not as written
   without.modify.clear();
+  without.foil.reset();
   add_fields(key, "", without, concerns::motion);
   add_steps(key, stimulus);
+  const Hold& hold = stimulus.hold;
+  if (hold.reference && (hold.others || !hold.names.empty())) add_motion(key, *hold.reference);
   key.add("blends seed", static_cast<std::int64_t>(stimulus.interpolation.weights.nearest.seed));
 }
 

@@ -1,5 +1,7 @@
 #include "pipeline/manifest/manifest_builder.h"
 
+#include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "pipeline/look/point_form.h"
@@ -26,6 +28,19 @@ void name_places(Manifest& manifest) {
     manifest.overlays[i].film.path = element_path("overlays", i);
   for (std::size_t i = 0; i < manifest.sheets.size(); ++i)
     manifest.sheets[i].path = element_path("sheets", i);
+}
+
+/// What is held stays where the study's reference has it, unless that is a captured motion.
+void find_reference(Manifest& manifest) {
+  const auto is_reference = [](const Stimulus& stimulus) {
+    return stimulus.role == Role::reference && !stimulus.clip;
+  };
+  const auto found = std::ranges::find_if(manifest.stimuli, is_reference);
+  if (found == manifest.stimuli.end()) return;
+  const auto reference = std::make_shared<const Stimulus>(*found);
+  for (Stimulus& stimulus : manifest.stimuli) {
+    if (&stimulus != &*found) stimulus.hold.reference = reference;
+  }
 }
 
 std::string usual_id(const Sheet& sheet) {
@@ -58,6 +73,7 @@ Manifest build_manifest(const json& document, Places places, const std::filesyst
   add_builtin_ratings(document, manifest);
   name_places(manifest);
   name_what_has_no_id(manifest);
+  find_reference(manifest);
   return manifest;
 }
 

@@ -15,6 +15,8 @@
 #include "pipeline/documents/concerns.h"
 #include "pipeline/look/look.h"
 #include "pipeline/look/look_fields.h"
+#include "pipeline/manifest/foil.h"
+#include "pipeline/manifest/hold.h"
 #include "pipeline/manifest/modification.h"
 #include "pipeline/manifest/output.h"
 
@@ -24,6 +26,7 @@ namespace mien::pipeline {
 using NamedValues = std::vector<std::pair<std::string, double>>;
 
 inline constexpr Words<motion::InterpolationMethod> method_words = {
+    {"reach", motion::InterpolationMethod::reach},
     {"cardinal", motion::InterpolationMethod::cardinal},
     {"knn", motion::InterpolationMethod::nearest},
     {"inverse-distance", motion::InterpolationMethod::inverse_distance},
@@ -102,18 +105,20 @@ struct StepsForm {
   }
 };
 
-/// One motion to make. Exactly one of adjectives, features, weights and clip is given.
+/// One motion to make. Exactly one of adjectives, features, weights, clip and foil is given.
 struct Stimulus {
   std::string path;  ///< in the manifest: "stimuli[2]"
   std::string id;    ///< safe as a file name
   Role role = Role::created;
   NamedValues adjectives;  ///< parameter → 0…1
+  Hold hold;               ///< other parameters; of adjectives alone
   NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
   NamedValues weights;     ///< example → share, ≥ 0, not all 0
   std::optional<ClipSource> clip;
-  Look look;                             ///< the manifest's with this stimulus's own values over it
-  Output output;                         ///< likewise
-  Interpolation interpolation;           ///< likewise
+  std::optional<Foil> foil;     ///< all of the motion is then as that of another (resolve_foils)
+  Look look;                    ///< the manifest's with this stimulus's own values over it
+  Output output;                ///< likewise
+  Interpolation interpolation;  ///< likewise
   std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
   OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
 };
@@ -122,14 +127,17 @@ template <class Field, MaybeConst<Stimulus> S>
 void fields_of(Field&& field, S& stimulus) {
   field("id", stimulus.id, concerns::motion | concerns::required);
   field("role", stimulus.role, concerns::picture, role_words);
+  field("foil", stimulus.foil, concerns::motion);
+  field("on_fault", stimulus.on_fault, concerns::motion, fault_words);
+  field("look", stimulus.look, concerns::picture);
+  field("output", stimulus.output, concerns::nothing);
+  if (stimulus.foil) return;
   field("adjectives", stimulus.adjectives, concerns::motion);
+  field.by("hold", stimulus.hold, concerns::motion, HoldForm());
   field("features", stimulus.features, concerns::motion);
   field("weights", stimulus.weights, concerns::motion);
   field("clip", stimulus.clip, concerns::motion);
   field.by("modify", stimulus.modify, concerns::motion, StepsForm());
-  field("on_fault", stimulus.on_fault, concerns::motion, fault_words);
-  field("look", stimulus.look, concerns::picture);
-  field("output", stimulus.output, concerns::nothing);
   field("interpolation", stimulus.interpolation, concerns::motion);
 }
 

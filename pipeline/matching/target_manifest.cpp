@@ -40,12 +40,13 @@ std::string target_manifest(const Manifest& source, const TargetSet& set,
 
 std::string targets_csv(const TargetSet& set, const std::vector<std::string>& examples,
                         const std::string& ratings) {
-  CsvWriter table({"target", "kind", "parameter", "value", "source", "ratings", "nearest_example",
-                   "distance", "seed"});
+  CsvWriter table({"target", "kind", "parameter", "asked", "reached", "source", "ratings",
+                   "nearest_example", "distance", "seed"});
   for (const SampledTarget& target : set.targets) {
     for (std::size_t d = 0; d < set.parameters.size(); ++d) {
       table.row({target.id, target.practice ? "practice" : "target", set.parameters[d],
                  shortest(target.place[static_cast<Eigen::Index>(d)]),
+                 shortest(target.reached[static_cast<Eigen::Index>(d)]),
                  set.are_features ? "features" : "adjectives", ratings,
                  examples[static_cast<std::size_t>(target.nearest_example)],
                  shortest(target.distance), std::to_string(set.seed)});

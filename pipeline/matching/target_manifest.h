@@ -22,8 +22,8 @@ struct TargetSet {
 std::string target_manifest(const Manifest& source, const TargetSet& set,
                             const std::filesystem::path& folder);
 
-/// A row a target and parameter: target, kind (target, practice), parameter, value, source
-/// (adjectives, features), ratings, nearest_example, distance (to it), seed.
+/// A row a target and parameter: target, kind (target, practice), parameter, asked, reached (by the
+/// blend), source (adjectives, features), ratings, nearest_example, distance (to it), seed.
 std::string targets_csv(const TargetSet& set, const std::vector<std::string>& examples,
                         const std::string& ratings);
 

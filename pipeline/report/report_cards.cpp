@@ -151,8 +151,10 @@ std::string sheet_card(const Sheet& sheet, Motions& motions) {
   if (sheet.gallery.empty() && sheet.stills.empty()) {
     alternative = fmt::format("Comparison sheet of {} and {}", html_escaped(sheet.target),
                               html_escaped(sheet.created));
-    caption = html_escaped(verdict(
-        motion::distance(motions.of(sheet.target).motion, motions.of(sheet.created).motion)));
+    const motion::Example& target = motions.of(sheet.target).motion;
+    const motion::Example& created = motions.of(sheet.created).motion;
+    const motion::Distance distance = motion::distance(target, created);
+    caption = html_escaped(verdict(distance) + "; " + beside_verdict(distance, target, created));
   }
   return fmt::format(
       "<figure>\n<a href=\"sheets/{0}.pdf\"><img loading=\"lazy\" src=\"sheets/{0}.png\" "

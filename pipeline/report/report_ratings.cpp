@@ -13,13 +13,12 @@ namespace {
 
 std::string expectation_list(const Manifest& manifest, const Repertoire& repertoire) {
   if (manifest.ratings.expected.empty()) return "";
-  std::vector<std::string> examples;
-  for (const RatedExample& example : repertoire.names) examples.push_back(example.name);
   std::string list = "<h3>Expected orders</h3>\n<ul class=\"expected\">\n";
-  for (const ExpectationCheck& check :
-       check_expectations(manifest.ratings.expected, repertoire.parameters, examples)) {
-    list += fmt::format("<li class=\"{}\">{}</li>\n", check.holds() ? "holds" : "fails",
-                        html_escaped(sentence_of(check)));
+  for (const ExpectationCheck& check : check_expectations(
+           manifest.ratings.expected,
+           {repertoire.parameters, repertoire.names, repertoire.answers, repertoire.scales})) {
+    const char* state = check.is_certain() ? "holds" : check.holds() ? "unsure" : "fails";
+    list += fmt::format("<li class=\"{}\">{}</li>\n", state, html_escaped(sentence_of(check)));
   }
   return list + "</ul>\n";
 }

@@ -44,6 +44,7 @@ section > table td:first-of-type { text-align: left; }
 .impressions .high { --tone: #3f8fb5; }
 .expected { list-style: none; padding: 0; }
 .holds::before { content: "✓ "; color: var(--target); font-weight: 700; }
+.unsure::before { content: "? "; color: var(--quiet, #777); font-weight: 700; }
 .fails::before { content: "✗ "; color: var(--reference); font-weight: 700; }
 summary { cursor: pointer; }
 meter { width: 100%; min-width: 5rem; }

@@ -7,6 +7,7 @@
 #include "motion/measures/distance.h"
 #include "pipeline/documents/html.h"
 #include "pipeline/report/feature_changes.h"
+#include "pipeline/sheets/sheet.h"
 #include "pipeline/synthesis/parameter_label.h"
 
 namespace mien::pipeline {
@@ -15,21 +16,60 @@ namespace {
 
 constexpr int most_weights = 6;
 
+/// What blends can have of a parameter, and beside which others.
+std::string range_cell(const FeasibleParameter& parameter) {
+  return fmt::format("<span title=\"{}\">{:.2f}–{:.2f}</span>",
+                     html_escaped(to_sentence(parameter)), parameter.range.least,
+                     parameter.range.most);
+}
+
+bool is_listed(const std::string& id, const Synthesis& made) {
+  const auto is_id = [&](const auto& value) { return value.first == id; };
+  return std::ranges::any_of(made.asked, is_id) || std::ranges::any_of(made.held, is_id);
+}
+
+/// The row of those that are left out; nothing where they weigh nothing.
+std::string smaller_weights(const std::vector<std::pair<double, std::string>>& weights, int shown) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = static_cast<std::size_t>(shown); i < weights.size(); ++i) {
+    if (weights[i].first == 0.0) continue;
+    sum += weights[i].first;
+    ++count;
+  }
+  if (count == 0) return "";
+  return fmt::format(
+      "<tr><th scope=\"row\">{} more (metrics/weights.csv)</th><td></td><td>{:.2f}</td></tr>\n",
+      count, sum);
+}
+
 }  // namespace
 
 std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions) {
+  if (made.weights.size() == 0) return "";
   std::string rows;
-  for (std::size_t i = 0; i < made.asked.size(); ++i) {
-    const auto& [id, asked] = made.asked[i];
+  const auto add = [&](const std::string& id, const std::string& asked, const std::string& possible,
+                       double reached) {
     const ParameterLabel label = label_of(id, stimulus, motions.repertoire());
     const std::string name = english_text(label) + " " + japanese_text(label);
     rows += fmt::format(
         "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
-        "value=\"{:.3f}\"></meter></td><td>{:.2f}</td><td>{:.2f}</td></tr>\n",
-        html_escaped(name), asked, asked, made.reached[i].second);
+        "value=\"{:.3f}\"></meter></td><td>{}</td><td>{:.2f}</td><td>{}</td></tr>\n",
+        html_escaped(name), reached, asked, reached, possible);
+  };
+  for (std::size_t i = 0; i < made.asked.size(); ++i) {
+    const std::string possible = i < made.feasible.size() ? range_cell(made.feasible[i]) : "";
+    add(made.asked[i].first, fmt::format("{:.2f}", made.asked[i].second), possible,
+        made.reached[i].second);
+  }
+  for (std::size_t i = 0; i < made.held.size(); ++i)
+    add(made.held[i].first, fmt::format("held {:.2f}", made.held[i].second), "",
+        made.held_reached[i].second);
+  for (const auto& [id, value] : rated_values(made, motions.repertoire())) {
+    if (!is_listed(id, made)) add(id, "", "", value);
   }
   if (rows.empty()) return rows;
-  return html_table({"parameter", "", "asked", "reached"}, rows);
+  return html_table({"parameter", "", "asked", "reached", "possible"}, rows);
 }
 
 std::string weight_table(const Synthesis& made, Motions& motions) {
@@ -44,29 +84,35 @@ std::string weight_table(const Synthesis& made, Motions& motions) {
   std::string rows;
   int shown = 0;
   for (const auto& [weight, name] : weights) {
-    if (weight < 0.005 || shown++ == most_weights) break;
+    if (weight < 0.005 || shown == most_weights) break;
+    ++shown;
     rows += fmt::format(
         "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
         "value=\"{:.3f}\"></meter></td><td>{:.2f}</td></tr>\n",
         html_escaped(name), weight, weight);
   }
-  return html_table({"example", "", "weight"}, rows);
+  return html_table({"example", "", "weight"}, rows + smaller_weights(weights, shown));
 }
 
 std::string distance_table(const Manifest& manifest, Motions& motions) {
   std::string rows;
   for (const Sheet& sheet : manifest.sheets) {
     for (const auto& [target, created] : pairs_on(sheet)) {
-      const motion::Distance d =
-          motion::distance(motions.of(target).motion, motions.of(created).motion);
+      const motion::Example& wanted = motions.of(target).motion;
+      const motion::Example& came = motions.of(created).motion;
+      const motion::Distance d = motion::distance(wanted, came);
+      // A gallery sets motions side by side; nobody said that they should be alike.
+      const std::string below = sheet.gallery.empty() ? (d.matches() ? "yes" : "no") : "";
       rows += fmt::format(
           "<tr><th scope=\"row\">{}</th><td>{}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.4f}</td>"
-          "<td>{}</td></tr>\n",
-          html_escaped(target), html_escaped(created), d.mean, d.sum, d.mpjpe,
-          d.matches() ? "yes" : "no");
+          "<td>{}</td><td>{}</td></tr>\n",
+          html_escaped(target), html_escaped(created), d.mean, d.sum, d.mpjpe, below,
+          html_escaped(beside_verdict(d, wanted, came)));
     }
   }
-  return html_table({"target", "created", "D (m)", "sum (m)", "MPJPE (m)", "D &lt; 0.06 m"}, rows);
+  return html_table({"target", "created", "D (m)", "sum (m)", "MPJPE (m)",
+                     "D &lt; 0.06 m (the paper's threshold)", "joint that differs most; durations"},
+                    rows);
 }
 
 std::string feature_agreement_table(const Manifest& manifest, Motions& motions) {

@@ -6,6 +6,7 @@
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/report/foils.h"
 #include "pipeline/report/report.h"
 #include "pipeline/report/tables.h"
 #include "pipeline/tasks/code_identity.h"
@@ -21,11 +22,15 @@ constexpr double report_cost_seconds = 0.01;
 
 using Table = std::pair<const char*, std::string (*)(const Manifest&, Motions&)>;
 
-constexpr Table tables[] = {
-    {"distances", distances_csv},   {"joint_distances", joint_distances_csv},
-    {"weights", weights_csv},       {"clips", clips_csv},
-    {"parameters", parameters_csv}, {"impressions", impressions_csv},
-    {"findings", findings_csv},     {"feature_changes", feature_changes_csv}};
+constexpr Table tables[] = {{"distances", distances_csv},
+                            {"joint_distances", joint_distances_csv},
+                            {"weights", weights_csv},
+                            {"clips", clips_csv},
+                            {"parameters", parameters_csv},
+                            {"impressions", impressions_csv},
+                            {"findings", findings_csv},
+                            {"feature_changes", feature_changes_csv},
+                            {"foils", foils_csv}};
 
 /// The manifest's own text: ids, roles and comparisons are all told in tables and report.
 void add_study(KeyBuilder& key, const Manifest& manifest, const SharedDeterminants& shared) {

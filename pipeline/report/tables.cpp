@@ -104,7 +104,9 @@ std::string distances_csv(const Manifest& manifest, Motions& motions) {
       table.row({sheet.id, pair.target, pair.created, ratings_of(pair, manifest, motions),
                  d.alignment == motion::Alignment::pelvis ? "pelvis" : "world", shortest(d.mean),
                  shortest(d.sum), shortest(d.mpjpe), shortest(motion::distance_threshold_m),
-                 d.matches() ? "1" : "0"});
+                 !sheet.gallery.empty() ? ""
+                 : d.matches()          ? "1"
+                                        : "0"});
     }
   }
   return table.text();

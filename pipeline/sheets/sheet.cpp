@@ -1,5 +1,7 @@
 #include "pipeline/sheets/sheet.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <system_error>
@@ -44,9 +46,21 @@ std::string verdict(const motion::Distance& distance) {
   int digits = 3;
   const auto printed = [&] { return std::stod(fmt::format("{:.{}f}", distance.mean, digits)); };
   while (digits < 12 && (printed() < threshold) != distance.matches()) ++digits;
-  return fmt::format("The created motion {} the target: D = {:.{}f} m {} {:g} m",
-                     distance.matches() ? "matches" : "does not match", distance.mean, digits,
+  return fmt::format("{} the adjective paper's threshold: D = {:.{}f} m {} {:g} m",
+                     distance.matches() ? "Below" : "Not below", distance.mean, digits,
                      distance.matches() ? "<" : "≥", threshold);
+}
+
+std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
+                           const motion::Example& created) {
+  const auto by_joint = distance.by_joint();
+  const auto worst = std::max_element(by_joint.begin(), by_joint.end());
+  std::string joint = spoken_name(motion::BodyJoint(worst - by_joint.begin() + 1));
+  joint[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(joint[0])));
+  const double wanted = target.clip.duration_seconds();
+  const double came = created.clip.duration_seconds();
+  return fmt::format("most: {}, {:.3f} m  ·  {:.2f} s against {:.2f} s ({:+.2f} s)", joint, *worst,
+                     came, wanted, came - wanted);
 }
 
 std::string sheet_as_pdf(const SheetContent& content) {

@@ -19,7 +19,14 @@ struct SheetMotion {
   std::vector<std::pair<std::string, double>> weights;  ///< example → share; empty for no blend
 };
 
-/// A parameter and what was asked of both motions, shares of its range: 0 low, 1 high.
+/// What a motion was asked to have of a parameter, and what it has: shares of its range, 0 low,
+/// 1 high. Empty: not asked for, or not known.
+struct SheetValue {
+  std::optional<double> asked;
+  std::optional<double> reached;
+};
+
+/// A parameter of both motions.
 struct SheetParameter {
   std::string name;      ///< of a group, "quickness"; empty for a scale, which has two ends
   std::string japanese;  ///< of a group, 速さ
@@ -27,8 +34,10 @@ struct SheetParameter {
   std::string high;
   std::string japanese_low;
   std::string japanese_high;
-  std::optional<double> target;   ///< empty: not asked of the target
-  std::optional<double> created;  ///< empty: not asked of the created motion
+  SheetValue target;
+  SheetValue created;
+
+  bool is_asked() const { return target.asked || created.asked; }
 };
 
 /// Everything that a comparison sheet shows.
@@ -36,16 +45,20 @@ struct SheetContent {
   std::string study;
   SheetMotion target;
   SheetMotion created;
-  std::optional<SheetMotion> reference;  ///< shown, not measured
-  motion::Distance distance;             ///< between target and created
-  std::vector<SheetParameter> parameters;
+  std::optional<SheetMotion> reference;    ///< shown, not measured
+  motion::Distance distance;               ///< between target and created
+  std::vector<SheetParameter> parameters;  ///< those asked for first
   bool simulated_ratings = false;
   std::vector<std::pair<std::string, std::string>> provenance;  ///< ("seed", "7"), …
 };
 
-/// "The created motion matches the target: D = 0.043 m < 0.06 m", or "does not match" with "≥".
-/// As many digits as the comparison needs to be true as printed.
+/// "Below the adjective paper's threshold: D = 0.043 m < 0.06 m", or "Not below" with "≥". As many
+/// digits as the comparison needs to be true as printed.
 std::string verdict(const motion::Distance& distance);
+
+/// What the mean may hide: "most: left wrist, 0.132 m · 1.40 s against 2.07 s (+0.67 s)".
+std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
+                           const motion::Example& created);
 
 /// The sheet as one A3 landscape page: a PDF (vector), and a PNG of the same page 3508 pixels wide.
 /// The same content gives the same bytes. Throws mien::Error when no font has Japanese letters.

@@ -1,5 +1,7 @@
 #include "pipeline/sheets/sheet_content.h"
 
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "pipeline/synthesis/modified_motion.h"
@@ -40,15 +42,32 @@ std::optional<double> value_of(const NamedValues& values, const std::string& nam
   return std::nullopt;
 }
 
-/// The parameters that a stimulus was asked for, and whether they are features.
-struct Asked {
-  NamedValues values;
+/// What a motion was asked to have, and what it has.
+struct Values {
+  NamedValues asked;
+  NamedValues reached;  ///< of what was asked for
+  NamedValues rated;    ///< every rated parameter, of a blend of rated examples
   bool are_features = false;
+
+  std::optional<double> reached_of(const std::string& id, bool is_feature) const {
+    if (is_feature != are_features) return is_feature ? std::nullopt : value_of(rated, id);
+    const auto own = value_of(reached, id);
+    return own || is_feature ? own : value_of(rated, id);
+  }
+  SheetValue of(const std::string& id, bool is_feature) const {
+    return {is_feature == are_features ? value_of(asked, id) : std::nullopt,
+            reached_of(id, is_feature)};
+  }
 };
 
-Asked asked_of(const std::string& name, const Manifest& manifest, Motions& motions) {
+/// What is shown as captured has nothing to do with the examples, of which there may be none.
+Values values_of(const std::string& name, const Manifest& manifest, Motions& motions) {
+  const Synthesis& made = motions.of(name);
   const Stimulus* stimulus = find_stimulus(manifest, name);
-  return {motions.of(name).asked, stimulus != nullptr && !stimulus->features.empty()};
+  const bool is_blend = made.weights.size() > 0;
+  return {made.asked, made.modified.empty() ? made.reached : NamedValues(),
+          is_blend ? rated_values(made, motions.repertoire()) : NamedValues(),
+          stimulus != nullptr && !stimulus->features.empty()};
 }
 
 SheetParameter sheet_parameter(const std::string& id, bool is_feature, const ScaleSet& scales) {
@@ -59,28 +78,44 @@ SheetParameter sheet_parameter(const std::string& id, bool is_feature, const Sca
           std::move(label.high),
           std::move(label.japanese_low),
           std::move(label.japanese_high),
-          std::nullopt,
-          std::nullopt};
+          {},
+          {}};
 }
 
-/// Parameters that either motion was asked for: the target's first.
-std::vector<SheetParameter> parameters_of(const Asked& target, const Asked& created,
-                                          const ScaleSet& scales) {
-  const bool same_kind = target.are_features == created.are_features;
-  std::vector<SheetParameter> parameters;
-  for (const auto& [id, value] : target.values) {
-    SheetParameter parameter = sheet_parameter(id, target.are_features, scales);
-    parameter.target = value;
-    if (same_kind) parameter.created = value_of(created.values, id);
-    parameters.push_back(std::move(parameter));
+/// Parameters that either motion was asked for, the target's first, then all others with a value.
+class ParameterList {
+ public:
+  ParameterList(const Values& target, const Values& created, const ScaleSet& scales)
+      : target_(target), created_(created), scales_(scales) {
+    add(target.asked, target.are_features);
+    add(created.asked, created.are_features);
+    add(target.rated, false);
+    add(created.rated, false);
   }
-  for (const auto& [id, value] : created.values) {
-    if (same_kind && value_of(target.values, id)) continue;
-    SheetParameter parameter = sheet_parameter(id, created.are_features, scales);
-    parameter.created = value;
-    parameters.push_back(std::move(parameter));
+
+  std::vector<SheetParameter> take() { return std::move(parameters_); }
+
+ private:
+  void add(const NamedValues& values, bool are_features) {
+    for (const auto& [id, value] : values) {
+      if (!known_.emplace(id, are_features).second) continue;
+      SheetParameter parameter = sheet_parameter(id, are_features, scales_);
+      parameter.target = target_.of(id, are_features);
+      parameter.created = created_.of(id, are_features);
+      parameters_.push_back(std::move(parameter));
+    }
   }
-  return parameters;
+
+  const Values& target_;
+  const Values& created_;
+  const ScaleSet& scales_;
+  std::set<std::pair<std::string, bool>> known_;
+  std::vector<SheetParameter> parameters_;
+};
+
+/// Whether a number on the sheet comes from ratings.
+bool rests_on_ratings(const Values& values) {
+  return !values.rated.empty() || (!values.asked.empty() && !values.are_features);
 }
 
 /// Examples are what motions are made from: references.
@@ -106,14 +141,14 @@ SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions
     content.reference = sheet_motion(sheet.reference, manifest, motions);
   }
   content.distance = motion::distance(content.target.motion, content.created.motion);
-  const Asked target = asked_of(sheet.target, manifest, motions);
-  const Asked created = asked_of(sheet.created, manifest, motions);
-  if (!target.values.empty() || !created.values.empty()) {
+  const Values target = values_of(sheet.target, manifest, motions);
+  const Values created = values_of(sheet.created, manifest, motions);
+  if (!target.asked.empty() || !created.asked.empty() || rests_on_ratings(target) ||
+      rests_on_ratings(created)) {
     const Repertoire& repertoire = motions.repertoire();
-    content.parameters = parameters_of(target, created, repertoire.scales);
-    const bool rests_on_ratings = (!target.values.empty() && !target.are_features) ||
-                                  (!created.values.empty() && !created.are_features);
-    content.simulated_ratings = rests_on_ratings && repertoire.simulated_ratings;
+    content.parameters = ParameterList(target, created, repertoire.scales).take();
+    content.simulated_ratings =
+        repertoire.simulated_ratings && (rests_on_ratings(target) || rests_on_ratings(created));
   }
   content.provenance = provenance_of(manifest);
   return content;

@@ -39,7 +39,7 @@ SheetLayout sheet_layout() {
   page.header = {left, 34.0, split - left, 50.0};
   page.figures = {left, 94.0, split - left, 304.0};
   page.heat_map = {left, 412.0, split - left, 250.0};
-  page.verdict = {sidebar, 34.0, right - sidebar, 104.0};
+  page.verdict = {sidebar, 34.0, right - sidebar, 106.0};
   page.settings = {sidebar, 152.0, right - sidebar, 246.0};
   page.joint_bars = {sidebar, 412.0, right - sidebar, 250.0};
   page.curves = {left, 668.0, right - left, 112.0};

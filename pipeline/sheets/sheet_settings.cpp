@@ -16,24 +16,64 @@ std::string number(const std::optional<double>& value) {
   return value ? fmt::format("{:.2f}", *value) : "–";
 }
 
+TextStyle number_style(Colour colour, bool is_bold) {
+  return {.size = 8.0, .colour = colour, .bold = is_bold, .align = Align::right};
+}
+
+/// Right edges of the numbers at the right end of a block: of parameters, what was asked for and
+/// what was reached.
+struct ParameterColumns {
+  double target_asked, target, created_asked, created;
+};
+
+ParameterColumns parameter_columns(const Box& box) {
+  const double right = box.right();
+  return {right - 88.0, right - 60.0, right - 28.0, right};
+}
+
 void draw_values(Canvas& canvas, const Box& box, double baseline,
                  const std::optional<double>& target, const std::optional<double>& created) {
   const ValueColumns columns = value_columns(box);
-  canvas.text({columns.target, baseline}, number(target),
-              {.size = 8.0, .colour = target_colours.line, .align = Align::right});
+  canvas.text({columns.target, baseline}, number(target), number_style(target_colours.line, false));
   canvas.text({columns.created, baseline}, number(created),
-              {.size = 8.0, .colour = created_colours.line, .align = Align::right});
+              number_style(created_colours.line, false));
 }
 
 void draw_value_titles(Canvas& canvas, const Box& box) {
   const ValueColumns columns = value_columns(box);
-  canvas.text({columns.target, box.y + 10.0}, "target",
-              {.size = 8.0, .colour = target_colours.line, .bold = true, .align = Align::right});
-  canvas.text({columns.created, box.y + 10.0}, "created",
-              {.size = 8.0, .colour = created_colours.line, .bold = true, .align = Align::right});
+  canvas.text({columns.target, box.y + 10.0}, "target", number_style(target_colours.line, true));
+  canvas.text({columns.created, box.y + 10.0}, "created", number_style(created_colours.line, true));
+}
+
+void draw_parameter_titles(Canvas& canvas, const Box& box) {
+  const ParameterColumns columns = parameter_columns(box);
+  canvas.text({columns.target, box.y + 4.0}, "target", number_style(target_colours.line, true));
+  canvas.text({columns.created, box.y + 4.0}, "created", number_style(created_colours.line, true));
+  const TextStyle small = {.size = 6.5, .colour = quiet_ink, .align = Align::right};
+  for (const double x : {columns.target_asked, columns.created_asked})
+    canvas.text({x, box.y + 12.0}, "asked", small);
+  for (const double x : {columns.target, columns.created})
+    canvas.text({x, box.y + 12.0}, "reached", small);
+}
+
+/// What was asked for in grey, what came out in the motion's colour.
+void draw_asked_and_reached(Canvas& canvas, const Box& box, double baseline,
+                            const SheetParameter& parameter) {
+  const ParameterColumns columns = parameter_columns(box);
+  const TextStyle quiet = number_style(quiet_ink, false);
+  if (parameter.target.asked)
+    canvas.text({columns.target_asked, baseline}, number(parameter.target.asked), quiet);
+  if (parameter.created.asked)
+    canvas.text({columns.created_asked, baseline}, number(parameter.created.asked), quiet);
+  canvas.text({columns.target, baseline}, number(parameter.target.reached),
+              number_style(target_colours.line, parameter.target.asked.has_value()));
+  canvas.text({columns.created, baseline}, number(parameter.created.reached),
+              number_style(created_colours.line, parameter.created.asked.has_value()));
 }
 
 double bars_right(const Box& box) { return value_columns(box).target - 34.0; }
+
+double sliders_right(const Box& box) { return parameter_columns(box).target_asked - 24.0; }
 
 /// A name in English with the Japanese behind it, or before `x` when aligned right.
 void draw_both_names(Canvas& canvas, Point baseline, const std::string& english,
@@ -42,33 +82,51 @@ void draw_both_names(Canvas& canvas, Point baseline, const std::string& english,
   canvas.text(baseline, both, {.size = 8.0, .align = align, .max_width = max_width});
 }
 
+void draw_names(Canvas& canvas, const SheetParameter& parameter, double left, double right,
+                double baseline) {
+  if (!parameter.name.empty()) {
+    draw_both_names(canvas, {left, baseline}, parameter.name, parameter.japanese, Align::left,
+                    right - left);
+    return;
+  }
+  const double half = 0.5 * (right - left) - 4.0;
+  draw_both_names(canvas, {left, baseline}, parameter.low, parameter.japanese_low, Align::left,
+                  half);
+  draw_both_names(canvas, {right, baseline}, parameter.high, parameter.japanese_high, Align::right,
+                  half);
+}
+
+/// Discs where the motions are, short strokes across the track where they were asked to be.
 void draw_slider(Canvas& canvas, const SheetParameter& parameter, const Box& row, double right) {
-  const double width = right - row.x;
-  const double names = row.y + 8.0;
   const double track = std::min(row.bottom() - 6.0, row.y + 13.0);
-  if (parameter.name.empty()) {
-    draw_both_names(canvas, {row.x, names}, parameter.low, parameter.japanese_low, Align::left,
-                    0.5 * width - 4.0);
-    draw_both_names(canvas, {right, names}, parameter.high, parameter.japanese_high, Align::right,
-                    0.5 * width - 4.0);
-  } else {
-    draw_both_names(canvas, {row.x, names}, parameter.name, parameter.japanese, Align::left, width);
-  }
+  draw_names(canvas, parameter, row.x, right, row.y + 8.0);
   canvas.line({row.x, track}, {right, track}, {.width = 1.2, .colour = hairline});
-  for (const double tick : {0.0, 0.5, 1.0}) {
-    const double x = row.x + tick * width;
-    canvas.line({x, track - 2.0}, {x, track + 2.0}, {.width = 0.8, .colour = hairline});
-  }
   const auto at = [&](double value) {
-    return Point{row.x + std::clamp(value, 0.0, 1.0) * width, track};
+    return Point{row.x + std::clamp(value, 0.0, 1.0) * (right - row.x), track};
   };
-  if (parameter.created) canvas.disc(at(*parameter.created), 4.0, paper);
-  if (parameter.target) canvas.disc(at(*parameter.target), 2.6, target_colours.line);
-  if (parameter.created) {
-    canvas.ring(at(*parameter.created), 4.0, {.width = 1.4, .colour = created_colours.line});
+  for (const double tick : {0.0, 0.5, 1.0}) {
+    canvas.line({at(tick).x, track - 2.0}, {at(tick).x, track + 2.0},
+                {.width = 0.8, .colour = hairline});
   }
-  draw_values(canvas, {row.x, row.y, row.width, row.height}, track + 2.8, parameter.target,
-              parameter.created);
+  const auto stroke = [&](const std::optional<double>& asked, Colour colour) {
+    if (!asked) return;
+    canvas.line({at(*asked).x, track - 5.0}, {at(*asked).x, track + 5.0},
+                {.width = 1.1, .colour = colour});
+  };
+  const std::optional<double>& created = parameter.created.reached;
+  if (created) canvas.disc(at(*created), 4.0, paper);
+  stroke(parameter.target.asked, target_colours.line);
+  stroke(parameter.created.asked, created_colours.line);
+  if (parameter.target.reached)
+    canvas.disc(at(*parameter.target.reached), 2.6, target_colours.line);
+  if (created) canvas.ring(at(*created), 4.0, {.width = 1.4, .colour = created_colours.line});
+  draw_asked_and_reached(canvas, row, track + 2.8, parameter);
+}
+
+/// What nobody asked for, in one line.
+void draw_plain_parameter(Canvas& canvas, const SheetParameter& parameter, const Box& row) {
+  draw_names(canvas, parameter, row.x, sliders_right(row), row.y + 8.0);
+  draw_asked_and_reached(canvas, row, row.y + 8.0, parameter);
 }
 
 /// The weights of one example in both blends.
@@ -106,8 +164,16 @@ std::vector<WeightPair> largest(std::vector<WeightPair> pairs, std::size_t rows)
 }
 
 constexpr double weight_row = 11.5;
-constexpr double slider_row = 24.0;
-constexpr double tightest_slider_row = 20.0;
+constexpr double slider_row = 21.0;
+constexpr double plain_row = 10.5;
+
+/// Of all parameters, with their heading.
+double wanted_height(const std::vector<SheetParameter>& parameters) {
+  double height = heading_height;
+  for (const SheetParameter& parameter : parameters)
+    height += parameter.is_asked() ? slider_row : plain_row;
+  return parameters.empty() ? height + slider_row : height;
+}
 
 void draw_weight(Canvas& canvas, const WeightPair& pair, const Box& row, double limit) {
   const double names = 78.0;
@@ -137,18 +203,23 @@ void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box
     draw_remark(canvas, box, box.y + heading_height + 6.0, "Neither motion was asked for by name.");
     return;
   }
-  draw_value_titles(canvas, box);
-  const double space = box.height - heading_height;
-  const auto count = content.parameters.size();
-  const auto fitting = static_cast<std::size_t>(space / tightest_slider_row);
-  const std::size_t shown = count <= fitting ? count : fitting - 1;
-  const double height = std::min(slider_row, space / static_cast<double>(std::min(count, fitting)));
-  Box row = {box.x, box.y + heading_height - 4.0, box.width, height};
-  for (std::size_t i = 0; i < shown; ++i, row.y += height) {
-    draw_slider(canvas, content.parameters[i], row, bars_right(box));
-  }
-  if (shown < count) {
-    draw_remark(canvas, box, row.y + 9.0, fmt::format("and {} more", count - shown));
+  draw_parameter_titles(canvas, box);
+  Box row = {box.x, box.y + heading_height - 6.0, box.width, 0.0};
+  for (std::size_t i = 0; i < content.parameters.size(); ++i, row.y += row.height) {
+    const SheetParameter& parameter = content.parameters[i];
+    row.height = parameter.is_asked() ? slider_row : plain_row;
+    const bool is_last = i + 1 == content.parameters.size();
+    if (row.bottom() + (is_last ? 0.0 : plain_row) > box.bottom() + 0.1) {
+      const std::size_t left_out = content.parameters.size() - i;
+      draw_remark(canvas, box, row.y + 8.0,
+                  fmt::format("and {} more: metrics/parameters.csv", left_out));
+      return;
+    }
+    if (parameter.is_asked()) {
+      draw_slider(canvas, parameter, row, sliders_right(row));
+    } else {
+      draw_plain_parameter(canvas, parameter, row);
+    }
   }
 }
 
@@ -178,8 +249,7 @@ void draw_settings(Canvas& canvas, const SheetContent& content, const Box& box) 
   const auto weights = std::min<std::size_t>(6, weight_pairs(content).size());
   const double kept =
       heading_height + weight_row * static_cast<double>(std::max<std::size_t>(1, weights));
-  const double wanted = heading_height + slider_row * static_cast<double>(std::max<std::size_t>(
-                                                          1, content.parameters.size()));
+  const double wanted = wanted_height(content.parameters);
   const double height = std::min(wanted, box.height - gap - kept);
   draw_parameters(canvas, content, {box.x, box.y, box.width, height});
   const double top = box.y + height + gap;

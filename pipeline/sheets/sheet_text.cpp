@@ -36,19 +36,6 @@ std::string definition(const motion::Distance& distance) {
       motion::distance_times, motion::distance_joints, alignment);
 }
 
-void draw_check(Canvas& canvas, Point centre, bool matches) {
-  canvas.disc(centre, 8.0, matches ? ink : paper);
-  canvas.ring(centre, 8.0, {.width = 1.2});
-  const auto at = [&](double x, double y) { return Point{centre.x + x, centre.y + y}; };
-  if (matches) {
-    const std::array<Point, 3> check = {at(-3.6, 0.2), at(-1.0, 3.0), at(3.8, -3.0)};
-    canvas.polyline(check, {.width = 1.7, .colour = paper});
-  } else {
-    canvas.line(at(-3, -3), at(3, 3), {.width = 1.7});
-    canvas.line(at(-3, 3), at(3, -3), {.width = 1.7});
-  }
-}
-
 /// Where D lies between nothing and twice the threshold or more.
 void draw_gauge(Canvas& canvas, const motion::Distance& distance, const Box& track) {
   const double threshold = motion::distance_threshold_m;
@@ -107,18 +94,19 @@ void draw_verdict(Canvas& canvas, const SheetContent& content, const Box& box) {
   const std::string sentence = verdict(content.distance);
   const std::size_t colon = sentence.find(':') + 1;
   const double left = box.x + 14.0;
-  draw_check(canvas, {left + 8.0, box.y + 20.0}, content.distance.matches());
-  const std::string heading = sentence.substr(0, colon);
-  const double room = box.width - 52.0;
-  const double shrunk = std::min(1.0, room / canvas.text_width(heading, {.size = 10.0}));
-  canvas.text({left + 24.0, box.y + 23.5}, heading, {.size = 10.0 * shrunk});
-  canvas.text({left, box.y + 50.0}, sentence.substr(colon + 1),
-              {.size = 17.0, .bold = true, .max_width = box.width - 28.0});
-  draw_gauge(canvas, content.distance, {left, box.y + 64.0, box.width - 28.0, 5.0});
-  canvas.text({left, box.bottom() - 6.0},
+  const double room = box.width - 28.0;
+  canvas.text({left, box.y + 20.0}, sentence.substr(0, colon), {.size = 10.0, .max_width = room});
+  canvas.text({left, box.y + 44.0}, sentence.substr(colon + 1),
+              {.size = 17.0, .bold = true, .max_width = room});
+  draw_gauge(canvas, content.distance, {left, box.y + 56.0, room, 5.0});
+  const TextStyle small = {.size = 8.0, .colour = quiet_ink, .max_width = room};
+  canvas.text({left, box.bottom() - 18.0},
+              beside_verdict(content.distance, content.target.motion, content.created.motion),
+              small);
+  canvas.text({left, box.bottom() - 6.5},
               fmt::format("{:.1f} mm over all frames (MPJPE); sum {:.2f} m",
                           1000.0 * content.distance.mpjpe, content.distance.sum),
-              {.size = 8.0, .colour = quiet_ink, .max_width = box.width - 28.0});
+              small);
 }
 
 void draw_footer(Canvas& canvas, const SheetContent& content, const Box& box) {

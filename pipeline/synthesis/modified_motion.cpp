@@ -237,7 +237,9 @@ std::string share_text(double share) {
 std::string described_modifications(const Stimulus& stimulus) {
   std::vector<std::string> steps;
   for (const ModificationStep& step : stimulus.modify) steps.push_back(described(step));
-  return fmt::format("{}", fmt::join(steps, "; then "));
+  const std::string text = fmt::format("{}", fmt::join(steps, "; then "));
+  if (!stimulus.foil) return text;
+  return fmt::format("{}, without its change of {}", text, name_of(stimulus.foil->differ));
 }
 
 }  // namespace mien::pipeline

@@ -54,6 +54,8 @@ Hash digest_of(const Synthesis& synthesis, const motion::Clip& shown) {
   if (synthesis.expected_error_m) key.add("expected error", *synthesis.expected_error_m);
   add(key, "asked", synthesis.asked);
   add(key, "reached", synthesis.reached);
+  add(key, "held", synthesis.held);
+  add(key, "held reached", synthesis.held_reached);
   key.add("drift", synthesis.planted_drift_m);
   for (const std::string& warning : synthesis.warnings) key.add("warning", warning);
   for (const std::string& note : synthesis.notes) key.add("note", note);

@@ -57,12 +57,12 @@ Repertoire load_repertoire(const Manifest& manifest) {
   if (repertoire.names.empty() || manifest.ratings.source == Ratings::Source::none) {
     return repertoire;
   }
-  const Answers answers = manifest.ratings.source == Ratings::Source::file
-                              ? read_answers(manifest.ratings.file, repertoire.scales)
-                              : simulated_answers(manifest, repertoire);
-  repertoire.impressions = impressions_of(answers, repertoire.scales, repertoire.names);
+  repertoire.answers = manifest.ratings.source == Ratings::Source::file
+                           ? read_answers(manifest.ratings.file, repertoire.scales)
+                           : simulated_answers(manifest, repertoire);
+  repertoire.impressions = impressions_of(repertoire.answers, repertoire.scales, repertoire.names);
   repertoire.parameters = parameter_table(*repertoire.impressions, repertoire.scales);
-  repertoire.simulated_ratings = answers.simulated;
+  repertoire.simulated_ratings = repertoire.answers.simulated;
   return repertoire;
 }
 

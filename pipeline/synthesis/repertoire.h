@@ -19,6 +19,7 @@ struct Repertoire {
   motion::ExampleSet settled;       ///< the same with their feet locked (settled_feet.h)
   std::vector<RatedExample> names;  ///< aligned with the examples
   ScaleSet scales;
+  Answers answers;  ///< that the impressions are means of
   std::optional<Impressions> impressions;
   ParameterTable parameters;  ///< empty without ratings
   FeatureParameters features;

@@ -48,7 +48,7 @@ Eigen::Index parameter_row(const std::string& name, const ParameterTable& table)
 }
 
 FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
-                              const Repertoire& repertoire) {
+                              const Repertoire& repertoire, Eigen::Index held) {
   const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
   if (interface.kind == InterfaceKind::weights) {
     const auto count = static_cast<Eigen::Index>(interface.sliders.size());
@@ -58,7 +58,7 @@ FittedInterface fit_interface(const SliderInterface& interface, const Interpolat
   const ParameterTable& table =
       interface.kind == InterfaceKind::features ? repertoire.features.table : repertoire.parameters;
   return {interface, motion::fit_interpolator(examples, places_of_examples(interface, table),
-                                              interpolation.weights, interface.sliders)};
+                                              interpolation.weights, interface.sliders, held)};
 }
 
 motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,

@@ -37,9 +37,10 @@ const motion::ExampleSet& examples_for(const Interpolation& interpolation,
 /// The row of a parameter. Throws Error when the examples have none of that name.
 Eigen::Index parameter_row(const std::string& name, const ParameterTable& table);
 
+/// The last `held` sliders are not asked for, but to be kept where they are set (interpolation.h).
 /// Throws Error when the examples lack a slider's parameter, or the method cannot take so many.
 FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
-                              const Repertoire& repertoire);
+                              const Repertoire& repertoire, Eigen::Index held = 0);
 
 /// The motion that the sliders of an interface make. Feet are not locked: that moves joints by a
 /// few millimetres and would take most of the time where many settings are tried. Weights that are

@@ -16,13 +16,21 @@
 #include "motion/skeleton/straighten.h"
 #include "pipeline/synthesis/modified_motion.h"
 #include "pipeline/synthesis/slider_interface.h"
+#include "pipeline/synthesis/wish.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-/// A wish that the blend misses by more than this is told to the user.
-constexpr double told_difference = 0.1;
+/// A wish that is missed by more than this is told to the user: of adjectives, which are summed up,
+/// and of features, which are measured of a motion that was made of a sum.
+constexpr double told_difference = 0.02;
+constexpr double told_feature_difference = 0.1;
+
+/// A motion that is nearly one example: its weight is above this, or fewer examples than this would
+/// be mixed if they had equal weights.
+constexpr double nearly_one = 0.8;
+constexpr double nearly_one_example = 1.5;
 
 Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repertoire) {
   Eigen::VectorXd result =
@@ -40,34 +48,10 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
   return motion::direct_weights(result);
 }
 
-/// What a stimulus asks for, as settings of sliders.
-struct Wish {
-  SliderInterface sliders;
-  Eigen::RowVectorXd settings;
-};
-
-/// Its features, or else its adjectives.
-const NamedValues& wishes_of(const Stimulus& stimulus) {
-  return stimulus.features.empty() ? stimulus.adjectives : stimulus.features;
-}
-
-Wish wish_of(const Stimulus& stimulus) {
-  const NamedValues& values = wishes_of(stimulus);
-  Wish wish;
-  wish.sliders.kind =
-      stimulus.features.empty() ? InterfaceKind::adjectives : InterfaceKind::features;
-  wish.settings.resize(static_cast<Eigen::Index>(values.size()));
-  for (const auto& [name, value] : values) {
-    wish.settings[static_cast<Eigen::Index>(wish.sliders.sliders.size())] = value;
-    wish.sliders.sliders.push_back(name);
-  }
-  return wish;
-}
-
-/// Where the examples lie on the parameters that a stimulus names.
-const ParameterTable& table_of(const Stimulus& stimulus, const Repertoire& repertoire) {
-  return stimulus.features.empty() ? repertoire.parameters : repertoire.features.table;
-}
+/// Features of a blend are not quite what its weights sum up to: so often it is tried again with
+/// wishes moved by what was missed, until no feature is missed by more than this.
+constexpr int feature_trials = 8;
+constexpr double feature_met = 0.005;
 
 /// Features are measured of the motion; what people would say of it can only be summed.
 NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& repertoire,
@@ -86,17 +70,73 @@ NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& reper
   return reached;
 }
 
-void warn_of_missed_parameters(const ParameterTable& table, Synthesis& synthesis) {
+NamedValues blended(const NamedValues& wishes, const ParameterTable& table,
+                    const Eigen::VectorXd& weights) {
+  NamedValues values;
+  for (const auto& wish : wishes) {
+    const Eigen::Index row = parameter_row(wish.first, table);
+    values.emplace_back(wish.first, table.values.row(row).dot(weights));
+  }
+  return values;
+}
+
+void warn_of_missed_features(const ParameterTable& table, Synthesis& synthesis) {
+  for (size_t i = 0; i < synthesis.asked.size(); ++i) {
+    const auto& [name, value] = synthesis.asked[i];
+    const double reached = synthesis.reached[i].second;
+    if (std::abs(reached - value) <= told_feature_difference) continue;
+    const auto row = table.values.row(parameter_row(name, table));
+    synthesis.warnings.push_back(
+        fmt::format("{} {:.2f} was asked for and the motion has {:.2f}; the examples lie between "
+                    "{:.2f} and {:.2f}",
+                    name, value, reached, row.minCoeff(), row.maxCoeff()));
+  }
+}
+
+void warn_of_missed_adjectives(const Stimulus& stimulus, Synthesis& synthesis) {
+  const auto method = stimulus.interpolation.weights.method;
   for (size_t i = 0; i < synthesis.asked.size(); ++i) {
     const auto& [name, value] = synthesis.asked[i];
     const double reached = synthesis.reached[i].second;
     if (std::abs(reached - value) <= told_difference) continue;
-    const auto row = table.values.row(parameter_row(name, table));
-    synthesis.warnings.push_back(
-        fmt::format("{} {:.2f} was asked for and the blend has {:.2f}; the examples lie between "
-                    "{:.2f} and {:.2f}",
-                    name, value, reached, row.minCoeff(), row.maxCoeff()));
+    std::string text =
+        fmt::format("{} {:.2f} was asked for and the blend has {:.2f}", name, value, reached);
+    if (i < synthesis.feasible.size()) {
+      const FeasibleParameter& feasible = synthesis.feasible[i];
+      text += "; " + to_sentence(feasible);
+      if (feasible.holds() && method != motion::InterpolationMethod::reach)
+        text += "; interpolation: {method: reach} meets it";
+    }
+    synthesis.warnings.push_back(std::move(text));
   }
+}
+
+void warn_of_missed_holds(Synthesis& synthesis) {
+  std::size_t missed = 0, worst = 0;
+  const auto miss = [&](std::size_t i) {
+    return std::abs(synthesis.held_reached[i].second - synthesis.held[i].second);
+  };
+  for (std::size_t i = 0; i < synthesis.held.size(); ++i) {
+    if (miss(i) > told_difference) ++missed;
+    if (miss(i) > miss(worst)) worst = i;
+  }
+  if (missed == 0) return;
+  synthesis.warnings.push_back(
+      fmt::format("{} of {} parameters to be held could not be: {} most, {:.2f} instead of {:.2f}",
+                  missed, synthesis.held.size(), synthesis.held[worst].first,
+                  synthesis.held_reached[worst].second, synthesis.held[worst].second));
+}
+
+/// Several examples were to be mixed, and hardly were.
+void note_single_example(const Repertoire& repertoire, Synthesis& synthesis) {
+  Eigen::Index largest = 0;
+  const double weight = synthesis.weights.maxCoeff(&largest);
+  const double count = motion::effective_examples(synthesis.weights);
+  if (weight <= nearly_one && count >= nearly_one_example) return;
+  synthesis.notes.push_back(fmt::format(
+      "nearly one capture: {:.0f} % of it is {}; it mixes as much as {:.1f} examples of equal "
+      "weight would",
+      100.0 * weight, repertoire.names[static_cast<std::size_t>(largest)].name, count));
 }
 
 void lock_feet(const Interpolation& interpolation, Synthesis& synthesis) {
@@ -126,21 +166,82 @@ Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
   return result;
 }
 
-Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire) {
+/// What was asked for and held, and what became of it.
+void tell_wishes(const Stimulus& stimulus, const Wish& wish, const Repertoire& repertoire,
+                 Synthesis& made) {
+  const ParameterTable& table = table_of(stimulus, repertoire);
+  const bool by_features = !stimulus.features.empty();
+  made.asked = wishes_of(stimulus);
+  made.reached = reached_parameters(stimulus, repertoire, made);
+  for (Eigen::Index i = wish.settings.size() - wish.held; i < wish.settings.size(); ++i)
+    made.held.emplace_back(wish.sliders.sliders[static_cast<std::size_t>(i)], wish.settings[i]);
+  made.held_reached = blended(made.held, table, made.weights);
+  const bool is_blend = stimulus.interpolation.weights.method != motion::InterpolationMethod::pca;
+  if (by_features) {
+    warn_of_missed_features(table, made);
+  } else {
+    if (is_blend) made.feasible = feasible_parameters(wish, table);
+    warn_of_missed_adjectives(stimulus, made);
+    warn_of_missed_holds(made);
+  }
+  if (is_blend) note_single_example(repertoire, made);
+}
+
+/// At settings of its own sliders, which may not be what was wished for.
+Synthesis made_at(const Eigen::RowVectorXd& settings, const FittedInterface& sliders,
+                  const Stimulus& stimulus, const Repertoire& repertoire) {
   const Interpolation& how = stimulus.interpolation;
-  const Wish wish = wish_of(stimulus);
-  const FittedInterface sliders = fit_interface(wish.sliders, how, repertoire);
-  const motion::InterpolatedWeights found = motion::weights_at(sliders.interpolator, wish.settings);
+  const motion::InterpolatedWeights found = motion::weights_at(sliders.interpolator, settings);
   Synthesis result;
   result.weights = found.weights;
   result.expected_error_m = found.expected_error_m;
   result.warnings = sliders.interpolator.remarks;
   result.warnings.insert(result.warnings.end(), found.remarks.begin(), found.remarks.end());
-  result.motion = motion_of(sliders, wish.settings, how, repertoire, stimulus.output.fps);
+  result.motion = motion_of(sliders, settings, how, repertoire, stimulus.output.fps);
   lock_feet(how, result);
-  result.asked = wishes_of(stimulus);
-  result.reached = reached_parameters(stimulus, repertoire, result);
-  warn_of_missed_parameters(table_of(stimulus, repertoire), result);
+  return result;
+}
+
+/// What is measured of a motion that was made for the wishes.
+Eigen::RowVectorXd measured(const Stimulus& stimulus, const Repertoire& repertoire,
+                            Synthesis& made) {
+  made.asked = wishes_of(stimulus);
+  Eigen::RowVectorXd values(static_cast<Eigen::Index>(made.asked.size()));
+  Eigen::Index i = 0;
+  for (const auto& reached : reached_parameters(stimulus, repertoire, made))
+    values[i++] = reached.second;
+  return values;
+}
+
+/// The motion whose features, as measured, are nearest to those asked for.
+Synthesis with_met_features(const Wish& wish, const FittedInterface& sliders,
+                            const Stimulus& stimulus, const Repertoire& repertoire) {
+  Eigen::RowVectorXd settings = wish.settings;
+  std::optional<Synthesis> best;
+  double least = 0.0;
+  for (int trial = 0; trial < feature_trials; ++trial) {
+    Synthesis made = made_at(settings, sliders, stimulus, repertoire);
+    const Eigen::RowVectorXd missed = wish.settings - measured(stimulus, repertoire, made);
+    const double worst = missed.lpNorm<Eigen::Infinity>();
+    if (!best || worst < least) {
+      best = std::move(made);
+      least = worst;
+    }
+    if (least < feature_met) break;
+    settings += missed;
+  }
+  return std::move(*best);
+}
+
+Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire) {
+  const Interpolation& how = stimulus.interpolation;
+  const Wish wish = wish_of(stimulus, repertoire);
+  const FittedInterface sliders = fit_interface(wish.sliders, how, repertoire, wish.held);
+  const bool is_exact = how.weights.method == motion::InterpolationMethod::reach;
+  Synthesis result = is_exact && !stimulus.features.empty()
+                         ? with_met_features(wish, sliders, stimulus, repertoire)
+                         : made_at(wish.settings, sliders, stimulus, repertoire);
+  tell_wishes(stimulus, wish, repertoire, result);
   return result;
 }
 
@@ -197,9 +298,20 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   assert(!stimulus.clip);
   if (wishes_of(stimulus).empty()) return given_weights(stimulus.weights, repertoire);
-  const Wish wish = wish_of(stimulus);
-  const FittedInterface sliders = fit_interface(wish.sliders, stimulus.interpolation, repertoire);
+  const Wish wish = wish_of(stimulus, repertoire);
+  const FittedInterface sliders =
+      fit_interface(wish.sliders, stimulus.interpolation, repertoire, wish.held);
   return motion::weights_at(sliders.interpolator, wish.settings).weights;
+}
+
+NamedValues rated_values(const Synthesis& synthesis, const Repertoire& repertoire) {
+  NamedValues values;
+  const ParameterTable& table = repertoire.parameters;
+  if (!synthesis.modified.empty() || synthesis.weights.size() != table.values.cols()) return values;
+  const Eigen::VectorXd blend = table.values * synthesis.weights;
+  for (std::size_t i = 0; i < table.names.size(); ++i)
+    values.emplace_back(table.names[i], blend[static_cast<Eigen::Index>(i)]);
+  return values;
 }
 
 Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {

@@ -11,6 +11,7 @@
 #include "motion/skeleton/example.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/synthesis/repertoire.h"
+#include "pipeline/synthesis/wish.h"
 
 namespace mien::pipeline {
 
@@ -25,7 +26,10 @@ struct Synthesis {
   /// The same parameters as the motion has them: adjectives by the blend, Σ weight · value;
   /// features as measured of the motion that was made, on the examples' scale.
   NamedValues reached;
-  double planted_drift_m = 0.0;  ///< horizontal, largest over all plants of the result
+  NamedValues held;                         ///< what was to stay as it is
+  NamedValues held_reached;                 ///< the same as the blend has it
+  std::vector<FeasibleParameter> feasible;  ///< one asked parameter; none of a statistical model
+  double planted_drift_m = 0.0;             ///< horizontal, largest over all plants of the result
   std::vector<std::string> warnings;
   std::vector<std::string> notes;         ///< plain sentences that call for nothing
   std::string modified;                   ///< what was done to it ("sad × 0.8"); empty for nothing
@@ -36,6 +40,10 @@ struct Synthesis {
 /// Blend weights of a stimulus: given, or from its adjectives or features by the interpolation
 /// method that it asks for, over the parameters that it names.
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire);
+
+/// What people would say of a blend: every rated parameter, Σ weight · value. Empty for what is no
+/// blend, or was modified after it, and without ratings.
+NamedValues rated_values(const Synthesis& synthesis, const Repertoire& repertoire);
 
 /// Makes a stimulus's motion: weights, blend of the examples (with settled feet), foot lock; or, of
 /// a stimulus with `clip:`, the file mapped onto the body and otherwise as captured. Then its

@@ -66,10 +66,9 @@ ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
 }
 
 void show_text(const motion::Distance& distance, const Basis& basis, const Console& console) {
-  console.out << fmt::format("D        {:.4f} m, {} the threshold of {:.2f} m: {}\n", distance.mean,
-                             distance.matches() ? "below" : "not below",
-                             motion::distance_threshold_m,
-                             distance.matches() ? "the motions match" : "the motions do not match");
+  console.out << fmt::format("D        {:.4f} m, {} the adjective paper's threshold of {:.2f} m\n",
+                             distance.mean, distance.matches() ? "below" : "not below",
+                             motion::distance_threshold_m);
   console.out << fmt::format("D_sum    {:.3f} m\nMPJPE    {:.1f} mm\n", distance.sum,
                              1000.0 * distance.mpjpe);
   console.out << fmt::format("over     {} of the target, {} of the other\n", basis.target,

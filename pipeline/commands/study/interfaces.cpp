@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "pipeline/commands/study/method_names.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/documents/files.h"
@@ -28,16 +28,6 @@ struct InterfacesCommand {
   std::optional<std::uint64_t> seed;
   std::string out;
 };
-
-/// Those that take parameters; shares of the examples are an interface of their own.
-std::map<std::string, motion::InterpolationMethod> methods_by_name() {
-  using enum motion::InterpolationMethod;
-  std::map<std::string, motion::InterpolationMethod> methods;
-  for (const auto method : {cardinal, nearest, inverse_distance, grid, kriging, pca, incremental}) {
-    methods.emplace(motion::name_of(method), method);
-  }
-  return methods;
-}
 
 void show(const std::vector<InterfaceSummary>& summaries, const Console& console) {
   console.out << "Simulated: no person took part.\n\n";
@@ -121,13 +111,7 @@ void add_study_interfaces_command(CLI::App& study, Command& chosen) {
                    "Distance D below which motions match, metres")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command
-      ->add_option("--methods", options->evaluation.methods,
-                   "Methods of interpolation to try, with commas: cardinal, knn, "
-                   "inverse-distance, grid, kriging, incremental; the manifest's without it")
-      ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(methods_by_name(), CLI::ignore_case))
-      ->option_text("METHOD,...");
+  add_methods_option(*command, options->evaluation.methods, "the manifest's without it");
   command->add_option("--seed", options->seed, "Seed; the manifest's without it");
   command->add_option("-o,--output", options->out, "Folder for the tables and the figure");
   command->footer(

@@ -93,6 +93,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
   add_study_evaluate_command(*study, chosen);
   add_study_features_command(*study, chosen);
   add_study_interfaces_command(*study, chosen);
+  add_study_methods_command(*study, chosen);
   add_study_predict_command(*study, chosen);
   add_scales_command(*study, chosen);
   add_simulate_command(*study, chosen);

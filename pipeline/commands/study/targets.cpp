@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -109,12 +110,28 @@ void add_study_targets_command(CLI::App& study, Command& chosen) {
                    "Largest distance of a target from its nearest example, in parameters")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  const std::map<std::string, Unreachable> fates = {{"reject", Unreachable::reject},
+                                                    {"project", Unreachable::project}};
+  command
+      ->add_option("--unreachable", options->sampling.unreachable,
+                   "Places that no blend of the examples has: reject draws another, project takes "
+                   "the nearest place that one has")
+      ->transform(CLI::CheckedTransformer(fates))
+      ->option_text("reject|project [reject]");
+  const std::map<std::string, TargetSpread> spreads = {{"parameters", TargetSpread::parameters},
+                                                       {"everything", TargetSpread::everything}};
+  command
+      ->add_option("--spread", options->sampling.spread,
+                   "What targets are as far from each other as possible in: their own parameters, "
+                   "or everything that was rated (with --from features: measured)")
+      ->transform(CLI::CheckedTransformer(spreads))
+      ->option_text("parameters|everything [parameters]");
   command->add_option("--seed", options->seed, "Seed of the sampling; the manifest's without it");
   command->add_option("-o,--output", options->out,
                       "Folder for targets.csv and targets.yaml, a manifest that makes them");
   command->footer(
-      "\nPlaces are drawn evenly, those far from every example rejected, and the most spread ones "
-      "kept.\n\nExamples:\n"
+      "\nPlaces are drawn evenly, those far from every example or beyond every blend rejected, and "
+      "the most spread ones kept.\n\nExamples:\n"
       "  mien study targets --examples builtin:walks-27 --seed 7 -o out/targets\n"
       "  mien run out/targets/targets.yaml");
   command->callback([&chosen, options] {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "motion/interpolation/reach.h"
 #include "pipeline/statistics/named_random.h"
 
 namespace mien::pipeline {
@@ -95,11 +96,68 @@ TEST(TargetSampling, ExamplesThatLeaveNoRoomAreRefused) {
     sample_targets(random_table(2), names, {.farthest_from_example = 0.001});
     FAIL() << "was not refused";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "only 0 of 200000 random places lie within 0.001 of an example; name fewer "
-                 "parameters, or allow a larger distance");
+    EXPECT_STREQ(
+        error.what(),
+        "only 0 of 200000 random places lie within 0.001 of an example and can be made by a "
+        "blend of the examples; name fewer parameters, or allow a larger distance");
   }
   EXPECT_THROW(sample_targets(random_table(9), {"a", "z"}, {}), Error);
+}
+
+/// What blends have is within the hull of the examples; nothing far from it is reached.
+TEST(TargetSampling, TargetsCanBeMade) {
+  const ParameterTable table = random_table(12);
+  for (const SampledTarget& target : sample_targets(table, names, {.practice = 20, .seed = 3}))
+    EXPECT_LT((target.reached - target.place).cwiseAbs().maxCoeff(), 1.001e-3) << target.id;
+}
+
+TEST(TargetSampling, ProjectedTargetsTakeThePlaceOfThoseThatCannotBeMade) {
+  const ParameterTable table = random_table(12);
+  const auto own = [&](Unreachable unreachable) {
+    return sample_targets(table, names, {.targets = 20, .practice = 0, .unreachable = unreachable});
+  };
+  for (const SampledTarget& target : own(Unreachable::project))
+    EXPECT_LT((target.reached - target.place).cwiseAbs().maxCoeff(), 1.001e-3) << target.id;
+  // Moved to the border of what is possible, they lie farther apart than those drawn within.
+  const auto width = [](const std::vector<SampledTarget>& targets) {
+    double widest = 0.0;
+    for (const SampledTarget& a : targets)
+      for (const SampledTarget& b : targets)
+        widest = std::max(widest, (a.reached - b.reached).norm());
+    return widest;
+  };
+  EXPECT_GE(width(own(Unreachable::project)), width(own(Unreachable::reject)));
+}
+
+// Two of four rows are asked about; spread in all, the stimuli differ more in all.
+TEST(TargetSampling, SpreadInEverythingThatRatersSee) {
+  const ParameterTable table = random_table(12);
+  const auto nearest = [&](TargetSpread spread, std::uint64_t seed) {
+    const auto targets = sample_targets(
+        table, {"a", "b"}, {.targets = 6, .practice = 0, .spread = spread, .seed = seed});
+    const Eigen::MatrixXd places = (Eigen::MatrixXd(2, 12) << table.values.row(table.find("a")),
+                                    table.values.row(table.find("b")))
+                                       .finished()
+                                       .transpose();
+    const motion::Reach reach = motion::fit_reach(places, 0);
+    double least = 10.0;
+    for (const SampledTarget& a : targets) {
+      for (const SampledTarget& b : targets) {
+        if (&a == &b) continue;
+        least = std::min(least, (table.values * (motion::weights(reach, a.place) -
+                                                 motion::weights(reach, b.place)))
+                                    .norm());
+      }
+    }
+    return least;
+  };
+  double everything = 0.0;
+  double parameters = 0.0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    everything += nearest(TargetSpread::everything, seed);
+    parameters += nearest(TargetSpread::parameters, seed);
+  }
+  EXPECT_GT(everything, 1.05 * parameters);
 }
 
 }  // namespace

@@ -36,6 +36,8 @@ struct Surroundings {
 
 constexpr char with_wishes[] =
     R"({"stimuli": [{"id": "a", "adjectives": {"quickness": 0.7}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_foil[] =
+    R"({"stimuli": [{"id": "a", "foil": {"of": "b", "differ": "posture"}}, {"id": "b", "weights": {"sad": 1}, "modify": {"emotion": "sad"}}, {"id": "c", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}]})";
 constexpr char with_folder[] =
     R"({"examples": {"set": null, "ratings": "simulated"}, "stimuli": [{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"normal": 1}}]})";
 constexpr char with_a_folder_or_set[] =
@@ -57,6 +59,8 @@ const Surroundings surroundings[] = {
     {"interpolation.step", with_wishes, R"({"method": "incremental"})"},
     {"interpolation", with_wishes, "{}"},
     {"stimuli[].adjectives", with_wishes, "{}"},
+    {"stimuli[].hold", with_wishes, "{}"},
+    {"stimuli[].foil", with_foil, "{}"},
     {"modify.harmonics", "{}", R"({"method": "unuma", "neutral": "normal", "styled": "sad"})"},
     {"modify.order", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
     {"modify.inputs", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
@@ -113,6 +117,11 @@ struct Values {
 };
 
 const Values chosen_values[] = {
+    {"stimuli[].hold", R"(["others", {"largeness": 0.6}])"},
+    {"stimuli[].foil.of", R"(["b", "c"])"},
+    {"stimuli[].foil.differ", R"(["posture", "path-length"])"},
+    {"stimuli[].foil",
+     R"([{"of": "b", "differ": "posture"}, {"of": "b", "differ": "path-length"}])"},
     {"output.size", "[[32, 24], [40, 24]]"},
     {"output.scale", "[0.8, 0.9]"},
     {"output.crop", "[[0, 0, 16, 16], [8, 0, 16, 16]]"},

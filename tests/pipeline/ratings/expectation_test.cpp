@@ -1,36 +1,94 @@
 #include "pipeline/ratings/expectation.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace mien::pipeline {
 namespace {
 
-ParameterTable two_parameters() {
-  ParameterTable table;
-  table.names = {"energy", "slow-fast"};
-  table.values.resize(2, 3);
-  table.values << 0.5, 0.5, 0.5, 0.2, 0.6, 0.9;
-  return table;
+/// Participants' answers on a scale of −2 … 2, an example after the other.
+Answers answers_on(const std::string& scale, const std::vector<std::vector<double>>& by_example) {
+  Answers answers;
+  for (std::size_t e = 0; e < by_example.size(); ++e) {
+    for (std::size_t p = 0; p < by_example[e].size(); ++p)
+      answers.answers.push_back({"p" + std::to_string(p),
+                                 std::string(1, static_cast<char>('a' + e)), scale,
+                                 by_example[e][p]});
+  }
+  return answers;
 }
 
-ExpectationCheck check(const Expectation& expectation) {
-  return check_expectations({expectation}, two_parameters(), {"a", "b", "c"}).at(0);
+const std::vector<RatedExample> names = {{"a", ""}, {"b", ""}, {"c", ""}};
+
+ExpectationCheck check(const Expectation& expectation, const Answers& answers) {
+  const ScaleSet scales = builtin_scales();
+  const ParameterTable table = parameter_table(impressions_of(answers, scales, names), scales);
+  return check_expectations({expectation}, {table, names, answers, scales}).at(0);
 }
 
 TEST(Expectation, HoldsWhereEachExampleIsAboveTheOneBefore) {
-  const ExpectationCheck result = check({"slow-fast", {"a", "b", "c"}});
+  const ExpectationCheck result =
+      check({"slow-fast", {"a", "b", "c"}},
+            answers_on("slow-fast", {{-2, -1, -2, -1}, {0, 0, 0, 1}, {2, 2, 1, 2}}));
   EXPECT_TRUE(result.holds());
-  EXPECT_EQ(sentence_of(result), "slow-fast: a 0.200 < b 0.600 < c 0.900, as expected");
+  EXPECT_TRUE(result.is_certain());
+  EXPECT_EQ(result.steps[0].people, 4);
+  EXPECT_DOUBLE_EQ(result.steps[0].difference, 1.75 / 4.0);
+  EXPECT_NE(sentence_of(result).find(": as expected"), std::string::npos) << sentence_of(result);
 }
 
 TEST(Expectation, TellsWhereItFails) {
-  const ExpectationCheck result = check({"slow-fast", {"b", "a", "c"}});
+  const ExpectationCheck result =
+      check({"slow-fast", {"b", "a", "c"}},
+            answers_on("slow-fast", {{-2, -1, -2, -1}, {0, 0, 0, 1}, {2, 2, 1, 2}}));
   EXPECT_EQ(result.violated, std::vector<std::size_t>{0});
-  EXPECT_EQ(sentence_of(result), "slow-fast: b 0.600 ≥ a 0.200 < c 0.900, not as expected");
+  EXPECT_NE(sentence_of(result).find("not as expected"), std::string::npos);
 }
 
 TEST(Expectation, IsNotMetByEqualValues) {
-  EXPECT_EQ(check({"energy", {"a", "b", "c"}}).violated, (std::vector<std::size_t>{0, 1}));
+  const ExpectationCheck result =
+      check({"slow-fast", {"a", "b", "c"}}, answers_on("slow-fast", {{0, 1}, {1, 0}, {0, 1}}));
+  EXPECT_EQ(result.violated, (std::vector<std::size_t>{0, 1}));
+}
+
+// Means in the expected order, and people who do not agree: nothing to stake a study on.
+TEST(Expectation, IsNoMoreThanNoiseWherePeopleDisagree) {
+  const ExpectationCheck result =
+      check({"slow-fast", {"a", "b"}},
+            answers_on("slow-fast", {{-2, 2, 0, 1, -1}, {2, -1, 0, -1, 1}, {0, 0, 0, 0, 0}}));
+  EXPECT_TRUE(result.holds());
+  EXPECT_FALSE(result.is_certain());
+  EXPECT_LT(result.steps[0].low, 0.0);
+  EXPECT_NE(sentence_of(result).find("may be noise"), std::string::npos) << sentence_of(result);
+}
+
+TEST(Expectation, OfMeansSaysThatNobodyKnowsTheNoise) {
+  Answers means;
+  for (const auto& [stimulus, value] : {std::pair{"a", -1.0}, {"b", 0.0}, {"c", 1.0}})
+    means.answers.push_back({"", stimulus, "slow-fast", value});
+  const ExpectationCheck result = check({"slow-fast", {"a", "b", "c"}}, means);
+  EXPECT_TRUE(result.holds());
+  EXPECT_FALSE(result.is_certain());
+  EXPECT_NE(sentence_of(result).find("by the means alone"), std::string::npos);
+}
+
+// Each person's mean over the group's scales is what differs, as the parameter is their mean.
+TEST(Expectation, OfAGroupTakesEachPersonsMean) {
+  Answers answers;
+  for (const ScaleGroup& group : builtin_scales().groups) {
+    if (group.id != "quickness") continue;
+    for (const std::string& scale : group.scales) {
+      for (const char* person : {"p1", "p2"}) {
+        answers.answers.push_back({person, "a", scale, -1.0});
+        answers.answers.push_back({person, "b", scale, 1.0});
+        answers.answers.push_back({person, "c", scale, 1.0});
+      }
+    }
+  }
+  const ExpectationCheck result = check({"quickness", {"a", "b"}}, answers);
+  EXPECT_EQ(result.steps[0].people, 2);
+  EXPECT_DOUBLE_EQ(result.steps[0].difference, 0.5);
 }
 
 }  // namespace

@@ -126,15 +126,18 @@ TEST(FeatureParameters, AreNamedInTablesAndOnSheetsAndRestOnNoRatings) {
   Motions motions(manifest);
 
   const SheetContent content = sheet_content(sheet, manifest, motions);
-  EXPECT_FALSE(content.simulated_ratings);
+  EXPECT_TRUE(content.simulated_ratings);
   EXPECT_EQ(content.target.origin, "from features");
-  ASSERT_EQ(content.parameters.size(), 3u);
+  // What was asked for, and what people would say of both blends.
+  ASSERT_EQ(content.parameters.size(), 3u + 45u);
+  EXPECT_FALSE(content.parameters[3].is_asked());
   EXPECT_EQ(content.parameters[0].name, "lateral swing of the upper body");
   EXPECT_EQ(content.parameters[0].japanese, "上半身の左右の揺れ");
-  EXPECT_EQ(content.parameters[0].target, 0.8);
-  EXPECT_EQ(content.parameters[0].created, 0.3);
-  EXPECT_FALSE(content.parameters[1].created.has_value());
-  EXPECT_FALSE(content.parameters[2].target.has_value());
+  EXPECT_EQ(content.parameters[0].target.asked, 0.8);
+  EXPECT_EQ(content.parameters[0].created.asked, 0.3);
+  EXPECT_EQ(content.parameters[0].target.reached, motions.of("swaying").reached[0].second);
+  EXPECT_FALSE(content.parameters[1].created.asked);
+  EXPECT_FALSE(content.parameters[2].target.asked);
 
   const CsvTable table = parse_csv(parameters_csv(manifest, motions), "parameters.csv");
   ASSERT_EQ(table.rows.size(), 2u * (2u + 45u));

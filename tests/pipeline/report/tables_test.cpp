@@ -115,7 +115,7 @@ TEST_F(Tables, ClipsTellLengthAndSpeedThatBelongTogether) {
 
 TEST_F(Tables, ClipsTellHowTheirWeightsWereFound) {
   const CsvTable clips = table(clips_csv);
-  EXPECT_EQ(text(clips, 0, "method"), "cardinal");
+  EXPECT_EQ(text(clips, 0, "method"), "reach");
   EXPECT_EQ(text(clips, 0, "expected_error_m"), "");
   EXPECT_EQ(text(clips, 1, "method"), "direct");
   Manifest other = small_study();

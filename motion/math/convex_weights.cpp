@@ -1,0 +1,175 @@
+#include "motion/math/convex_weights.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+#include <vector>
+
+#include <Eigen/QR>
+
+#include "motion/math/nonnegative_least_squares.h"
+#include "motion/math/singular_values.h"
+
+namespace mien::motion {
+
+namespace {
+
+/// Weights and slopes (by the size of the largest) below this are taken for 0.
+constexpr double rounding = 1e-11;
+
+/// Directions that spread less than this share of the widest count as none.
+constexpr double least_spread = 1e-9;
+
+using Indices = std::vector<Eigen::Index>;
+
+bool contains(const Indices& set, Eigen::Index i) {
+  return std::find(set.begin(), set.end(), i) != set.end();
+}
+
+/// Orthonormal rows that span what fixes a mean: the points' coordinates and the sum of weights.
+Eigen::MatrixXd mean_rows(const Eigen::MatrixXd& points) {
+  Eigen::MatrixXd rows(points.rows() + 1, points.cols());
+  rows << Eigen::RowVectorXd::Ones(points.cols()), points;
+  const SingularValues values = singular_values(rows);
+  return values.v.leftCols(values.rank(least_spread)).transpose();
+}
+
+/// What is left of a vector beside its shares along the columns.
+Eigen::VectorXd rest(const Eigen::MatrixXd& orthonormal, Eigen::VectorXd vector) {
+  for (int pass = 0; pass < 2; ++pass) vector -= orthonormal * (orthonormal.transpose() * vector);
+  return vector;
+}
+
+/// The points with a weight and, until their columns span all rows, those that add most.
+Indices spanning_set(const Eigen::MatrixXd& rows, const Eigen::VectorXd& weights) {
+  Indices set;
+  Eigen::MatrixXd span(rows.rows(), 0);
+  const auto add = [&](Eigen::Index i, const Eigen::VectorXd& direction) {
+    set.push_back(i);
+    span.conservativeResize(Eigen::NoChange, span.cols() + 1);
+    span.rightCols<1>() = direction.normalized();
+  };
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    if (weights[i] > 0.0) add(i, rest(span, rows.col(i)));
+  }
+  while (span.cols() < rows.rows()) {
+    Eigen::Index best = -1;
+    Eigen::VectorXd longest = Eigen::VectorXd::Zero(rows.rows());
+    for (Eigen::Index i = 0; i < weights.size(); ++i) {
+      if (contains(set, i)) continue;
+      const Eigen::VectorXd direction = rest(span, rows.col(i));
+      if (best < 0 || direction.norm() > longest.norm()) {
+        best = i;
+        longest = direction;
+      }
+    }
+    add(best, longest);
+  }
+  return set;
+}
+
+/// A quadratic programme with what an active set method looks at.
+class Programme {
+ public:
+  Programme(const Eigen::MatrixXd& points, const Eigen::VectorXd& start, const Eigen::MatrixXd& c,
+            const Eigen::VectorXd& d)
+      : rows_(mean_rows(points)),
+        c_(c),
+        d_(d),
+        weights_(start),
+        free_(spanning_set(rows_, start)) {}
+
+  Eigen::VectorXd solve() {
+    // No set of free weights comes twice; the bound is there for rounding.
+    for (Eigen::Index steps = 100 * weights_.size(); steps > 0; --steps) {
+      const Eigen::VectorXd way = way_to_least();
+      const auto [share, blocking] = share_of_way(way);
+      weights_(free_) += share * way;
+      if (blocking >= 0) {
+        weights_[blocking] = 0.0;
+        std::erase(free_, blocking);
+        stands_ = share <= 0.0;
+        continue;
+      }
+      const Eigen::Index released = best_release();
+      if (released < 0) break;
+      free_.push_back(released);
+    }
+    return weights_ / weights_.sum();
+  }
+
+ private:
+  /// From the free weights as they are to where the squares are least, at the same mean.
+  Eigen::VectorXd way_to_least() const {
+    const Eigen::MatrixXd columns = rows_(Eigen::all, free_);
+    const Eigen::Index rank = rows_.rows();
+    const auto count = static_cast<Eigen::Index>(free_.size());
+    if (count == rank) return Eigen::VectorXd::Zero(count);
+    const Eigen::MatrixXd basis =
+        Eigen::HouseholderQR<Eigen::MatrixXd>(columns.transpose()).householderQ();
+    const Eigen::MatrixXd ways = basis.rightCols(count - rank);
+    const Eigen::MatrixXd moved = c_(Eigen::all, free_) * ways;
+    return ways * moved.colPivHouseholderQr().solve(d_ - c_ * weights_);
+  }
+
+  /// How far one may go until a weight reaches 0, and that weight; −1 when none does.
+  std::pair<double, Eigen::Index> share_of_way(const Eigen::VectorXd& way) const {
+    double share = 1.0;
+    Eigen::Index blocking = -1;
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      const double change = way[static_cast<Eigen::Index>(i)];
+      if (change >= -rounding) continue;
+      const double until = std::max(0.0, weights_[free_[i]]) / -change;
+      if (until < share || (until == share && blocking >= 0 && free_[i] < blocking)) {
+        share = until;
+        blocking = free_[i];
+      }
+    }
+    return {share, blocking};
+  }
+
+  /// The weight that is 0 and whose growth lowers the squares most; after a step of no length the
+  /// first that lowers them, so that sets do not come round in circles. −1 when none does.
+  Eigen::Index best_release() {
+    const Eigen::VectorXd slopes = c_.transpose() * (c_ * weights_ - d_);
+    const Eigen::MatrixXd columns = rows_(Eigen::all, free_);
+    const Eigen::VectorXd slopes_of_free = slopes(free_);
+    const Eigen::VectorXd prices = columns.transpose().colPivHouseholderQr().solve(slopes_of_free);
+    const Eigen::VectorXd reduced = slopes - rows_.transpose() * prices;
+    const double tolerance =
+        rounding * (c_.colwise().squaredNorm().maxCoeff() + (c_.transpose() * d_).norm());
+    Eigen::Index best = -1;
+    for (Eigen::Index i = 0; i < reduced.size(); ++i) {
+      if (contains(free_, i) || reduced[i] >= -tolerance) continue;
+      if (best < 0 || reduced[i] < reduced[best]) best = i;
+      if (stands_) break;
+    }
+    return best;
+  }
+
+  Eigen::MatrixXd rows_;
+  const Eigen::MatrixXd& c_;
+  const Eigen::VectorXd& d_;
+  Eigen::VectorXd weights_;
+  Indices free_;
+  bool stands_ = false;
+};
+
+}  // namespace
+
+Eigen::VectorXd weights_nearest_to(const Eigen::MatrixXd& points, const Eigen::VectorXd& target) {
+  assert(points.rows() == target.size() && points.cols() > 0);
+  // The nearest point of a cone over the hull: its weights, scaled to a sum of 1, are the hull's.
+  Eigen::MatrixXd cone(points.rows() + 1, points.cols());
+  cone << Eigen::RowVectorXd::Ones(points.cols()), points.colwise() - target;
+  const Eigen::VectorXd weights =
+      nonnegative_least_squares(cone, Eigen::VectorXd::Unit(cone.rows(), 0));
+  return weights / weights.sum();
+}
+
+Eigen::VectorXd least_squares_at_mean(const Eigen::MatrixXd& points, const Eigen::VectorXd& start,
+                                      const Eigen::MatrixXd& c, const Eigen::VectorXd& d) {
+  return Programme(points, start, c, d).solve();
+}
+
+}  // namespace mien::motion

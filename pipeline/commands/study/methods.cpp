@@ -1,0 +1,90 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "pipeline/commands/study/method_names.h"
+#include "pipeline/commands/study/study.h"
+#include "pipeline/commands/study/study_subject.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/matching/method_comparison.h"
+#include "pipeline/matching/primary_parameters.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MethodsCommand {
+  StudySubject subject;
+  std::vector<std::string> parameters;
+  std::vector<motion::InterpolationMethod> methods;
+  MethodTrialOptions trial;
+  std::optional<std::uint64_t> seed;
+  std::string out;
+};
+
+void show(const std::vector<MethodTrial>& trials, bool simulated, const Console& console) {
+  if (simulated) console.out << "Simulated ratings: nobody has rated these motions.\n\n";
+  console.out << fmt::format("{:17} {:>10} {:>11} {:>7} {:>9} {:>8} {:>10}\n", "method",
+                             "mean error", "worst error", "jump", "examples", "D (m)", "time (ms)");
+  for (const MethodTrial& t : trials) {
+    console.out << fmt::format("{:17} {:10.4f} {:11.4f} {:7.3f} {:9.1f} {:8.4f} {:10.3f}\n",
+                               motion::name_of(t.method), t.mean_error, t.worst_error, t.jump,
+                               t.mean_examples, t.mean_distance, 1000.0 * t.seconds);
+  }
+}
+
+int compare(MethodsCommand command, const Console& console) {
+  const Manifest manifest = manifest_of(command.subject, console);
+  const Repertoire repertoire = load_repertoire(manifest);
+  if (repertoire.parameters.names.empty())
+    throw Error("the examples have no ratings", "give --ratings");
+  command.trial.seed = command.seed.value_or(manifest.seed);
+  if (command.parameters.empty()) command.parameters = primary_adjectives(repertoire);
+  if (command.methods.empty()) command.methods = methods_with_parameters();
+  const std::vector<MethodTrial> trials = compare_methods(
+      repertoire, command.parameters, command.methods, manifest.interpolation, command.trial);
+  show(trials, repertoire.simulated_ratings, console);
+  if (command.out.empty()) return exit_done;
+  make_folder(command.out);
+  write_file(fs::path(command.out) / "methods.csv",
+             method_trials_csv(trials, repertoire.simulated_ratings));
+  console.out << '\n' << (fs::path(command.out) / "methods.csv").string() << '\n';
+  return exit_done;
+}
+
+}  // namespace
+
+void add_study_methods_command(CLI::App& study, Command& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "methods", "Compare the methods of interpolation on wishes that the examples allow");
+  const auto options = std::make_shared<MethodsCommand>();
+  add_subject_options(*command, options->subject);
+  command
+      ->add_option("--parameters", options->parameters,
+                   "Parameters by name, with commas; the primary groups without it")
+      ->delimiter(',');
+  add_methods_option(*command, options->methods, "all without it");
+  command->add_option("--wishes", options->trial.wishes, "Settings of the parameters to try")
+      ->check(CLI::Range(2, 10000))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed; the manifest's without it");
+  command->add_option("-o,--output", options->out, "Folder for methods.csv");
+  command->footer(
+      "\nWishes are what random blends of three examples have, so each can be met. mean error and "
+      "worst error: of the parameter that is missed most; jump: largest change of an example's "
+      "weight in a hundredth of the way from one wish to the next; examples: 1/sum of squared "
+      "weights; D: to the blend that the wish was read off; time: to find the weights.\n\n"
+      "Example:\n  mien study methods --examples builtin:walks-27");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return compare(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

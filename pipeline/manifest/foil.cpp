@@ -1,0 +1,124 @@
+#include "pipeline/manifest/foil.h"
+
+#include <algorithm>
+
+#include "motion/text/nearest_word.h"
+#include "pipeline/documents/fault_list.h"
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+bool has(const ModificationStep& step, FoilAspect aspect) {
+  const motion::Modification& values = step.modification;
+  switch (aspect) {
+    case FoilAspect::posture:
+      return !values.posture.empty() || step.pose.has_value();
+    case FoilAspect::path_length:
+      return values.paths != 1.0 || values.gains.has_value();
+    case FoilAspect::speed:
+      return values.tempo != 1.0;
+    case FoilAspect::acceleration:
+      break;
+  }
+  return values.acceleration != 0.0;
+}
+
+ModificationStep without(ModificationStep step, FoilAspect aspect) {
+  motion::Modification& values = step.modification;
+  switch (aspect) {
+    case FoilAspect::posture:
+      values.posture.clear();
+      step.pose.reset();
+      break;
+    case FoilAspect::path_length:
+      values.paths = 1.0;
+      values.gains.reset();
+      break;
+    case FoilAspect::speed:
+      values.tempo = 1.0;
+      break;
+    case FoilAspect::acceleration:
+      values.acceleration = 0.0;
+      break;
+  }
+  return step;
+}
+
+/// What the stimulus makes, with the modifications that are left.
+void make_like(const Stimulus& original, Stimulus& foil) {
+  foil.adjectives = original.adjectives;
+  foil.hold = original.hold;
+  foil.features = original.features;
+  foil.weights = original.weights;
+  foil.clip = original.clip;
+  foil.interpolation = original.interpolation;
+  foil.modify.clear();
+  for (const ModificationStep& step : original.modify)
+    foil.modify.push_back(without(step, foil.foil->differ));
+}
+
+std::vector<std::string> possible_originals(const Manifest& manifest) {
+  std::vector<std::string> ids;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (!stimulus.foil) ids.push_back(stimulus.id);
+  }
+  return ids;
+}
+
+void check_original(const Stimulus& original, const Stimulus& foil, FaultList& list) {
+  const std::string path = member_path(foil.path, "foil");
+  const std::string aspect(name_of(foil.foil->differ));
+  for (const ModificationStep& step : original.modify) {
+    if (!step.style) continue;
+    list.add(path, "\"" + original.id + "\" is modified by a method that has no such aspects",
+             "name a stimulus with an emotion, or with changes of its own");
+    return;
+  }
+  const auto has_aspect = [&](const ModificationStep& step) {
+    return has(step, foil.foil->differ);
+  };
+  if (std::ranges::any_of(original.modify, has_aspect)) return;
+  list.add(member_path(path, "differ"),
+           "the modifications of \"" + original.id + "\" change nothing of its " + aspect +
+               ", so its foil would be the same motion",
+           "name another aspect, or a stimulus that differs in it");
+}
+
+}  // namespace
+
+std::string_view name_of(FoilAspect aspect) {
+  for (const auto& [word, meaning] : foil_aspect_words) {
+    if (meaning == aspect) return word;
+  }
+  return "";
+}
+
+std::vector<Fault> resolve_foils(Manifest& manifest) {
+  FaultList list(manifest.places);
+  const std::vector<std::string> originals = possible_originals(manifest);
+  for (Stimulus& foil : manifest.stimuli) {
+    if (!foil.foil) continue;
+    const std::string path = member_path(foil.path, "foil");
+    for (const char* key : {"modify", "interpolation"}) {
+      if (list.was_given(member_path(foil.path, key)))
+        list.add(member_path(foil.path, key), "a foil takes this from the stimulus that it is of",
+                 "leave it out, or give it to \"" + foil.foil->of + "\"");
+    }
+    const auto original = std::ranges::find_if(manifest.stimuli, [&](const Stimulus& other) {
+      return other.id == foil.foil->of && !other.foil;
+    });
+    if (original == manifest.stimuli.end()) {
+      list.add(member_path(path, "of"),
+               "\"" + foil.foil->of + "\" is no stimulus that a foil can be made of",
+               motion::did_you_mean(foil.foil->of, originals));
+      continue;
+    }
+    make_like(*original, foil);
+    check_original(*original, foil, list);
+  }
+  return list.take();
+}
+
+}  // namespace mien::pipeline
