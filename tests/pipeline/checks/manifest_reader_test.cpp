@@ -299,7 +299,7 @@ INSTANTIATE_TEST_SUITE_P(
              "m.yaml:4:28: interpolation.foot_lock: must be true or false but is the text \"yes\"; "
              "write true or false\n"},
         Case{"interpolation: {method: krigging}\nstimuli: [{id: a, clip: walk.bvh}]\n",
-             "m.yaml:4:25: interpolation.method: \"krigging\" is not one of cardinal, knn, "
+             "m.yaml:4:25: interpolation.method: \"krigging\" is not one of reach, cardinal, knn, "
              "inverse-distance, grid, kriging, pca, incremental, direct; did you mean "
              "\"kriging\"?\n"},
         Case{"interpolation: {method: grid, nodes: knn, blends: 9, nugget: 0.1}\n"
@@ -336,7 +336,7 @@ INSTANTIATE_TEST_SUITE_P(
              "m.yaml:5:10: stimuli[0].id: must be text but is 7; put it in quotes: \"7\"\n"},
         Case{"stimuli:\n  - {id: a}\n",
              "m.yaml:5:5: stimuli[0]: has none of adjectives, features, "
-             "weights, clip; give one of them\n"},
+             "weights, clip, foil; give one of them\n"},
         Case{"stimuli:\n  - {id: a, adjectives: {quickness: 1}, weights: {normal: 1}}\n",
              "m.yaml:5:5: stimuli[0]: adjectives and weights exclude each other; keep one of "
              "them\n"},

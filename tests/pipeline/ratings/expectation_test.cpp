@@ -19,12 +19,13 @@ Answers answers_on(const std::string& scale, const std::vector<std::vector<doubl
   return answers;
 }
 
-const std::vector<RatedExample> names = {{"a", ""}, {"b", ""}, {"c", ""}};
+const std::vector<RatedExample> three_examples = {{"a", ""}, {"b", ""}, {"c", ""}};
 
 ExpectationCheck check(const Expectation& expectation, const Answers& answers) {
   const ScaleSet scales = builtin_scales();
-  const ParameterTable table = parameter_table(impressions_of(answers, scales, names), scales);
-  return check_expectations({expectation}, {table, names, answers, scales}).at(0);
+  const ParameterTable table =
+      parameter_table(impressions_of(answers, scales, three_examples), scales);
+  return check_expectations({expectation}, {table, three_examples, answers, scales}).at(0);
 }
 
 TEST(Expectation, HoldsWhereEachExampleIsAboveTheOneBefore) {
