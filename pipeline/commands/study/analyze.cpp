@@ -10,9 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/analysis/analysis_report.h"
+#include "pipeline/analysis/analysis_tables.h"
+#include "pipeline/analysis/calibration_chart.h"
 #include "pipeline/analysis/cluster_names.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
+#include "pipeline/documents/files.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/synthesis/repertoire.h"
@@ -27,6 +30,7 @@ using nlohmann::ordered_json;
 struct AnalyzeOptions {
   std::string answers;
   std::string examples;
+  std::string stimuli;  ///< folder of a study, or its parameters.csv
   std::string scales;
   std::string out;
   std::string clusters = "4";
@@ -118,7 +122,48 @@ ordered_json as_json(const Analysis& analysis, const ScaleSet& scales, const fs:
           {"warnings", analysis.warnings.size()}};
 }
 
+fs::path folder_for(const AnalyzeOptions& options) {
+  return options.out.empty() ? "out" / fs::path(options.answers).stem() : fs::path(options.out);
+}
+
+void show_corrections(const Calibration& calibration, const fs::path& folder,
+                      const Console& console) {
+  if (calibration.simulated) console.out << "simulated ratings\n";
+  for (const Correction& c : calibration.corrections) {
+    console.out << (c.is_usable()
+                        ? fmt::format(
+                              "{}: seen = {:.3f} + {:.3f} · asked ({} stimuli, r² {:.2f})\n",
+                              c.parameter, c.intercept, c.slope, c.stimuli, c.r_squared)
+                        : fmt::format("{}: no more of it was seen where more was asked for ({} "
+                                      "stimuli); nothing to correct by\n",
+                                      c.parameter, c.stimuli));
+  }
+  console.out << folder.string() << '\n';
+}
+
+/// Answers about stimuli that were made for a study.
+int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
+  const ScaleSet scales = options.scales.empty() ? builtin_scales() : read_scales(options.scales);
+  const std::vector<MadeParameter> made = read_made_parameters(options.stimuli);
+  const StudyAnswers answers =
+      read_study_answers(options.answers, scales, stimuli_of(made), options.rules);
+  const Calibration calibration = calibrate(made, answers.plain(), scales);
+  const fs::path folder = folder_for(options);
+  make_folder(folder);
+  write_file(folder / "calibration.csv", calibration_csv(calibration));
+  write_file(folder / "corrections.csv", corrections_csv(calibration));
+  write_file(folder / "warnings.csv", warnings_csv(answers.warnings));
+  write_plot(calibration_chart(calibration), folder, "calibration");
+  show_warnings(answers.warnings, folder, console);
+  show_corrections(calibration, folder, console);
+  return exit_done;
+}
+
 int analyze(AnalyzeOptions options, const Console& console) {
+  if (!options.stimuli.empty()) return calibrate_stimuli(options, console);
+  if (options.examples.empty())
+    throw Error("what was rated is not told",
+                "give --examples, or --stimuli with the folder of a study");
   options.analysis.clusters = cluster_count(options.clusters);
   const Manifest subject = manifest_of({options.examples, "", options.scales}, console);
   const ScaleSet scales =
@@ -126,8 +171,7 @@ int analyze(AnalyzeOptions options, const Console& console) {
   const std::vector<RatedExample> examples = rated_examples(subject);
   const StudyAnswers answers = read_study_answers(options.answers, scales, examples, options.rules);
   const Analysis analysis = analyse(answers, scales, examples, options.analysis);
-  const fs::path folder =
-      options.out.empty() ? "out" / fs::path(options.answers).stem() : fs::path(options.out);
+  const fs::path folder = folder_for(options);
   write_analysis(analysis, scales, options.analysis.thresholds, folder);
   show_warnings(analysis.warnings, folder, console);
   if (options.json) {
@@ -178,10 +222,14 @@ void add_study_analyze_command(CLI::App& study, Command& chosen) {
                    "CSV with the columns participant, stimulus, scale, value and, if you like, "
                    "rt_ms, order, comment")
       ->required();
+  CLI::Option* examples =
+      command->add_option("--examples", options->examples,
+                          "What was rated: " + std::string(examples_help) + ", or a manifest");
   command
-      ->add_option("--examples", options->examples,
-                   "What was rated: " + std::string(examples_help) + ", or a manifest")
-      ->required();
+      ->add_option("--stimuli", options->stimuli,
+                   "Or stimuli of one's own: the folder of their study (out/my-study). Tells what "
+                   "was asked, reached and seen, and what to ask for in the next round")
+      ->excludes(examples);
   command->add_option("--scales", options->scales,
                       "Scales file (YAML); the manifest's, or the 41 built-in adjective pairs, "
                       "without one");
@@ -215,9 +263,12 @@ void add_study_analyze_command(CLI::App& study, Command& chosen) {
       "\nWrites quantification.csv, thresholds.csv, impressions.csv, linkage.csv, clusters.csv, "
       "primary.csv, agreement.csv, warnings.csv, clusters.scales.yaml (for `scales:` in a "
       "manifest), dendrogram and thresholds as .pdf, .svg, .png; for the built-in adjective pairs "
-      "also published.csv, a comparison with the published clusters.\n\nExamples:\n"
+      "also published.csv, a comparison with the published clusters. With --stimuli: "
+      "calibration.csv, corrections.csv, warnings.csv, and calibration as .pdf, .svg, "
+      ".png.\n\nExamples:\n"
       "  mien study analyze answers.csv --examples builtin:walks-27\n"
-      "  mien study analyze answers.csv --examples study.yaml --clusters gap --unknown ignore");
+      "  mien study analyze answers.csv --examples study.yaml --clusters gap --unknown ignore\n"
+      "  mien study analyze answers.csv --stimuli out/my-study");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return analyze(*options, console); };
   });
