@@ -15,6 +15,7 @@
 #include "pipeline/documents/concerns.h"
 #include "pipeline/look/look.h"
 #include "pipeline/look/look_fields.h"
+#include "pipeline/manifest/factors.h"
 #include "pipeline/manifest/modification.h"
 #include "pipeline/manifest/output.h"
 
@@ -107,6 +108,7 @@ struct Stimulus {
   std::string path;  ///< in the manifest: "stimuli[2]"
   std::string id;    ///< safe as a file name
   Role role = Role::created;
+  Factors factors;         ///< of the design, as stated (levels_of tells all)
   NamedValues adjectives;  ///< parameter → 0…1
   NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
   NamedValues weights;     ///< example → share, ≥ 0, not all 0
@@ -122,6 +124,7 @@ template <class Field, MaybeConst<Stimulus> S>
 void fields_of(Field&& field, S& stimulus) {
   field("id", stimulus.id, concerns::motion | concerns::required);
   field("role", stimulus.role, concerns::picture, role_words);
+  field.by("factors", stimulus.factors, concerns::page, FactorsForm());
   field("adjectives", stimulus.adjectives, concerns::motion);
   field("features", stimulus.features, concerns::motion);
   field("weights", stimulus.weights, concerns::motion);

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/documents/html.h"
-#include "pipeline/ratings/expectation.h"
+#include "pipeline/report/study_facts.h"
 
 namespace mien::pipeline {
 
@@ -13,11 +13,8 @@ namespace {
 
 std::string expectation_list(const Manifest& manifest, const Repertoire& repertoire) {
   if (manifest.ratings.expected.empty()) return "";
-  std::vector<std::string> examples;
-  for (const RatedExample& example : repertoire.names) examples.push_back(example.name);
   std::string list = "<h3>Expected orders</h3>\n<ul class=\"expected\">\n";
-  for (const ExpectationCheck& check :
-       check_expectations(manifest.ratings.expected, repertoire.parameters, examples)) {
+  for (const ExpectationCheck& check : expectation_checks(manifest, repertoire)) {
     list += fmt::format("<li class=\"{}\">{}</li>\n", check.holds() ? "holds" : "fails",
                         html_escaped(sentence_of(check)));
   }
