@@ -128,7 +128,8 @@ std::vector<std::string> example_names(const ExampleFolder& folder) {
 LoadedExamples load_examples(const ExampleFolder& folder) {
   std::vector<Recording> recordings;
   LoadedExamples loaded;
-  for (const fs::path& file : example_files(folder)) {
+  const std::vector<fs::path> files = example_files(folder);
+  for (const fs::path& file : files) {
     recordings.push_back(read_motion(file));
     loaded.file_stems.push_back(file.stem().string());
   }
@@ -137,14 +138,17 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
   const std::vector<std::vector<double>> keytimes = keytimes_of(folder, loaded.file_stems);
   loaded.set.name = folder.path.filename().string();
   for (size_t i = 0; i < recordings.size(); ++i) {
-    PreparedExample prepared = prepare_example(to_body(recordings[i], mappings[i]),
-                                               {.cycle = folder.cycle, .keytimes = keytimes[i]});
+    const Clip take = to_body(recordings[i], mappings[i]);
+    PreparedExample prepared =
+        prepare_example(take, {.cycle = folder.cycle, .keytimes = keytimes[i]});
     prepared.example.name = names[i];
     if (prepared.cycle) {
       for (const std::string& warning : prepared.cycle->warnings) {
         loaded.warnings.push_back(names[i] + ": " + warning);
       }
     }
+    loaded.origins.push_back({files[i], take.frames_per_second, take.frame_count(), prepared.frames,
+                              prepared.cycle && prepared.cycle->is_half});
     loaded.set.examples.push_back(std::move(prepared.example));
   }
   loaded.set.blendable = folder.blendable;

@@ -32,10 +32,20 @@ std::vector<std::filesystem::path> example_files(const ExampleFolder& folder);
 /// twice.
 std::vector<std::string> example_names(const ExampleFolder& folder);
 
+/// What an example was cut from.
+struct ExampleOrigin {
+  std::filesystem::path file;
+  double frames_per_second = 0.0;  ///< of the file
+  int file_frames = 0;
+  FrameRange frames;         ///< of the file, that the example is made of
+  bool is_mirrored = false;  ///< they are one step; the other is its mirror image
+};
+
 /// A set and where it is from.
 struct LoadedExamples {
   ExampleSet set;
   std::vector<std::string> file_stems;  ///< aligned with the examples
+  std::vector<ExampleOrigin> origins;   ///< likewise
   std::vector<std::string> warnings;    ///< plain sentences that name the example
 };
 

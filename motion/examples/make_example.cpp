@@ -46,8 +46,11 @@ std::vector<double> end_speeds(const Clip& clip) {
   return largest;
 }
 
+FrameRange all_frames(const Clip& clip) { return {0, clip.frame_count() - 1}; }
+
 PreparedExample whole_example(const Clip& clip) {
   PreparedExample prepared;
+  prepared.frames = all_frames(clip);
   prepared.example.name = clip.name;
   prepared.example.clip = straightened(clip);
   std::vector<double>& keytimes = prepared.example.keytimes;
@@ -64,6 +67,7 @@ PreparedExample peaked_example(const Clip& clip) {
                 "leave it out, or give its keytimes by hand");
   }
   PreparedExample prepared;
+  prepared.frames = all_frames(clip);
   prepared.example.name = clip.name;
   prepared.example.clip = straightened(clip);
   prepared.example.keytimes = {0.0, *peak, clip.duration_seconds()};
@@ -95,6 +99,7 @@ PreparedExample example_of_keytimes(const Clip& clip, const std::vector<double>&
   Clip part = clip;
   part.poses = {clip.poses.begin() + first, clip.poses.begin() + last + 1};
   PreparedExample prepared;
+  prepared.frames = {static_cast<int>(first), static_cast<int>(last)};
   prepared.example.name = clip.name;
   prepared.example.clip = straightened(part);
   prepared.example.keytimes = keytimes;
@@ -129,6 +134,7 @@ PreparedExample looped_example(const Clip& clip, const GaitCycle& cycle, CyclePl
   const auto to_strike = static_cast<int>(std::lround(cycle.left_strike)) - cut.start;
   PreparedExample prepared;
   prepared.cycle = cycle;
+  prepared.frames = {cut.start, cut.end};
   prepared.cycle->start_frame = cut.start;
   prepared.cycle->end_frame = cut.end;
   prepared.example.name = clip.name;
@@ -160,6 +166,7 @@ PreparedExample example_of_frames(const Clip& clip, const FrameRange& frames) {
 PreparedExample example_of_loop(const Clip& loop) {
   PreparedExample prepared;
   prepared.cycle = cycle_of_loop(loop);
+  prepared.frames = all_frames(loop);
   prepared.example.name = loop.name;
   if (!prepared.cycle) {
     prepared.example.clip = straightened(loop);

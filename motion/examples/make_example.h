@@ -29,7 +29,8 @@ struct ExampleOptions {
 /// A motion made ready for blending, with what was done to it.
 struct PreparedExample {
   Example example;                 ///< `example.clip.name` stays that of the take
-  std::optional<GaitCycle> cycle;  ///< the frames of the take it was cut from; none when whole
+  std::optional<GaitCycle> cycle;  ///< that it was cut from; none when whole
+  FrameRange frames;               ///< of the take that it was made from
 };
 
 /// One gait cycle of the clip, cut within 3 frames of its heel strikes where the seam is least,

@@ -8,6 +8,7 @@
 #include "pipeline/analysis/scales_yaml.h"
 #include "pipeline/analysis/threshold_chart.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/ratings/impression_table.h"
 
 namespace mien::pipeline {
 
@@ -56,7 +57,7 @@ void write_analysis(const Analysis& analysis, const ScaleSet& scales, const Thre
   make_folder(folder);
   write_file(folder / "quantification.csv", quantification_csv(analysis, scales));
   write_file(folder / "thresholds.csv", thresholds_csv(analysis, scales, thresholds));
-  write_file(folder / "impressions.csv", impressions_csv(analysis));
+  write_file(folder / "impressions.csv", impressions_csv(analysis.impressions, scales));
   write_file(folder / "linkage.csv", linkage_csv(analysis));
   write_file(folder / "clusters.csv", clusters_csv(analysis));
   write_file(folder / "primary.csv", primary_csv(analysis));

@@ -62,20 +62,6 @@ std::string thresholds_csv(const Analysis& analysis, const ScaleSet& scales,
   return table.text();
 }
 
-std::string impressions_csv(const Analysis& analysis) {
-  CsvWriter table({"scale", "example", "ratings", "impression", "sd", "answers", "kept"});
-  const Impressions& a = analysis.impressions;
-  for (Eigen::Index j = 0; j < a.mean.rows(); ++j) {
-    for (Eigen::Index i = 0; i < a.mean.cols(); ++i) {
-      table.row({a.scales[static_cast<size_t>(j)], a.examples[static_cast<size_t>(i)],
-                 ratings_of(analysis), number(a.mean(j, i)), number(a.deviation(j, i)),
-                 std::to_string(a.count(j, i)),
-                 flag(analysis.quantities[static_cast<size_t>(j)].kept())});
-    }
-  }
-  return table.text();
-}
-
 std::string linkage_csv(const Analysis& analysis) {
   CsvWriter table({"step", "first", "second", "size", "members", "ratings", "delta_e", "height"});
   int step = 0;

@@ -22,10 +22,6 @@ std::string quantification_csv(const Analysis& analysis, const ScaleSet& scales)
 std::string thresholds_csv(const Analysis& analysis, const ScaleSet& scales,
                            const Thresholds& thresholds);
 
-/// A row a scale and example, the matrix A: scale, example, ratings, impression (0 … 1), sd (same
-/// unit; empty for given means), answers, kept.
-std::string impressions_csv(const Analysis& analysis);
-
 /// A row a merge: step, first, second (a scale, or "#3" for what step 3 made), size, members
 /// (joined by blanks), ratings, delta_e (ΔE), height (√(2ΔE)).
 std::string linkage_csv(const Analysis& analysis);

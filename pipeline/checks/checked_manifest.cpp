@@ -1,11 +1,14 @@
 #include "pipeline/checks/checked_manifest.h"
 
 #include <algorithm>
+#include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "pipeline/checks/modification_checks.h"
 #include "pipeline/checks/name_checks.h"
+#include "pipeline/checks/study_record.h"
 #include "pipeline/checks/vocabulary.h"
 
 namespace mien::pipeline {
@@ -26,10 +29,33 @@ void add_faults_of_examples(std::vector<Fault>& faults, const Error& error) {
   }
 }
 
+/// A study is made again under the name of the manifest that it was made from, so that it comes out
+/// the same to the last byte.
+ManifestReading read_again(const StudyRecord& record, const std::filesystem::path& file,
+                           const Environment& environment) {
+  ManifestReading reading;
+  for (const std::filesystem::path& needed : {record.as_run, record.manifest}) {
+    std::error_code unknown;
+    if (std::filesystem::is_regular_file(needed, unknown)) continue;
+    reading.faults.push_back({{file.string(), 0, 0},
+                              "",
+                              "there is no " + needed.string() + ", which it rests on",
+                              "keep the folder inputs beside it"});
+  }
+  if (!reading.faults.empty()) return reading;
+  reading = read_manifest(record.as_run, environment);
+  reading.manifest.file = record.manifest;
+  reading.manifest.command = record.command;
+  return reading;
+}
+
 }  // namespace
 
 ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment) {
-  ManifestReading reading = read_manifest(file, environment);
+  const std::optional<StudyRecord> record = study_record_in(file);
+  ManifestReading reading =
+      record ? read_again(*record, file, environment) : read_manifest(file, environment);
+  if (record && reading.manifest.study.empty()) return reading;
   try {
     const ScalesSource& scales = reading.manifest.scales;
     if (!scales.file.empty() && scales.set.scales.empty()) return reading;  // as was told

@@ -1,6 +1,7 @@
 #include "pipeline/checks/stimulus_checks.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <string>
 
@@ -161,6 +162,18 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
   }
 }
 
+/// Factors become columns, which programs of statistics take as names.
+void check_factors(const Stimulus& stimulus, FaultList& list) {
+  const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0; };
+  const auto is_part = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  for (const auto& [name, level] : stimulus.factors) {
+    if (!name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_part)) continue;
+    list.add_at_key(member_path(member_path(stimulus.path, "factors"), name),
+                    "\"" + name + "\" is no name of a column",
+                    "begin with a letter, and use letters, digits and _");
+  }
+}
+
 void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultList& list) {
   if (stimulus.foil) return;  // its motion is that of another, which is checked
   const bool has_examples = list.was_given("examples");
@@ -173,6 +186,7 @@ void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultLis
   if (has_examples && !manifest.examples.blendable) check_single(stimulus, list);
   check_interpolation(stimulus, list);
   check_clip(stimulus, list);
+  check_factors(stimulus, list);
 }
 
 }  // namespace

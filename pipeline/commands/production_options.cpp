@@ -9,8 +9,9 @@ namespace mien::pipeline {
 
 void add_production_options(CLI::App& command, ProductionArguments& arguments) {
   command
-      .add_option("manifest", arguments.manifest,
-                  "Manifest (YAML), or the name of one of mien manifests")
+      .add_option(
+          "manifest", arguments.manifest,
+          "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json")
       ->required();
   command
       .add_option("--out,-o", arguments.out, "Folder of all studies; results go to <out>/<study>")

@@ -9,9 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/checks/checked_manifest.h"
+#include "pipeline/checks/study_record.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
+#include "pipeline/production/provenance.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
@@ -105,10 +107,16 @@ int exit_code(const RunResult& result) {
   return result.nondeterminism.empty() ? exit_done : exit_failed;
 }
 
+void tell_changes(const fs::path& file, const Manifest& manifest, const Console& console) {
+  if (!study_record_in(file)) return;
+  for (const std::string& change : changes_since(file, manifest))
+    console.err << "warning: " << file.string() << ": " << change << '\n';
+}
+
 int run_production(const ProductionArguments& arguments, const Console& console) {
-  Production production(
-      load_manifest(manifest_meant(arguments.manifest, console), process_environment()),
-      options_of(arguments));
+  const fs::path file = manifest_meant(arguments.manifest, console);
+  Production production(load_manifest(file, process_environment()), options_of(arguments));
+  tell_changes(file, production.manifest(), console);
   const fs::path folder = folder_of(arguments, production.manifest());
   RunResult result;
   {

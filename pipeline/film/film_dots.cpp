@@ -9,6 +9,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_equalized.h"
 #include "pipeline/film/film_shot.h"
+#include "pipeline/film/film_table_forms.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -59,8 +60,7 @@ void add_rows(CsvWriter& table, const Eye& eye, const scenes::Actor& actor, int 
 }  // namespace
 
 std::string dots_csv(const scenes::Shot& shot) {
-  CsvWriter table(
-      {"frame", "time_s", "dot", "kind", "x_px", "y_px", "x_m", "y_m", "z_m", "visible", "eye"});
+  CsvWriter table = table_of(dots_form);
   for (int frame = 0; frame < shot.frame_count(); ++frame) {
     for (const Eye& eye : eyes_at(shot, frame)) {
       std::size_t first = 0;

@@ -11,10 +11,7 @@
 
 namespace mien::pipeline {
 
-/// Where the dots of a shot's point-light figures are, a row a frame and dot: frame, time_s, dot,
-/// kind (the joint's name, limb, noise or mask), x_px and y_px (of the dot's centre, from the left
-/// and upper edge of the picture that is shown; empty behind the camera), x_m, y_m, z_m, visible (1
-/// within the eye's picture, else 0), eye: both; or left and right of a stereo pair, a row each.
+/// Where the dots of a shot's point-light figures are (film_table_forms.h).
 std::string dots_csv(const scenes::Shot& shot);
 
 /// Whether a stimulus is shown as dots.

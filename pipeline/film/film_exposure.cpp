@@ -7,6 +7,7 @@
 #include "pipeline/documents/csv.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/film/film_sizes.h"
+#include "pipeline/film/film_table_forms.h"
 #include "render/image/contact_sheet.h"
 #include "render/image/luminance.h"
 #include "render/tracer/tracer.h"
@@ -81,7 +82,7 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
     run.progress(static_cast<double>(means.size()) / static_cast<double>(manifest.stimuli.size()));
   }
   const double wanted = std::exp(logarithms / static_cast<double>(means.size()));
-  CsvWriter table({"stimulus", "mean_luminance", "wanted_luminance", "exposure_stops"});
+  CsvWriter table = table_of(exposure_form);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     // Steps of 1/4096 stop: no machine's logarithm shows.
     const double stops = std::round(

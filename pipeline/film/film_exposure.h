@@ -22,8 +22,7 @@ namespace mien::pipeline {
 /// `wanted`; the nearest end where none does.
 float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted);
 
-/// metrics/exposure.csv, a row a stimulus: stimulus, mean_luminance (of the few frames, as they
-/// would be), wanted_luminance, exposure_stops. Figures are as tall as film_sizes.h found where
+/// metrics/exposure.csv (film_table_forms.h). Figures are as tall as film_sizes.h found where
 /// size is equalized too. Throws Error when an exposure does not bring a film within 1 %.
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
                          TaskRun& run);

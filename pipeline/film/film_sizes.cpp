@@ -7,6 +7,7 @@
 
 #include "pipeline/documents/csv.h"
 #include "pipeline/film/film_shot.h"
+#include "pipeline/film/film_table_forms.h"
 #include "scenes/cameras/camera_rig.h"
 
 namespace mien::pipeline {
@@ -31,7 +32,7 @@ std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) 
   }
   // Steps of 1/64 pixel: no machine's arithmetic shows.
   least = std::floor(64.0 * least) / 64.0;
-  CsvWriter table({"stimulus", "framed_px", "figure_px"});
+  CsvWriter table = table_of(sizes_form);
   for (std::size_t i = 0; i < framed.size(); ++i) {
     table.row(
         {manifest.stimuli[i].id, shortest(std::round(100.0 * framed[i]) / 100.0), shortest(least)});

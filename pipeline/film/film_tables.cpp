@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_record.h"
+#include "pipeline/film/film_table_forms.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -23,8 +23,7 @@ constexpr double cost_seconds = 0.01;
 std::string rounded(double value) { return fmt::format("{:.6f}", value); }
 
 std::string luminance_csv(const Films& films) {
-  CsvWriter table({"stimulus", "frames", "mean_luminance", "sd_luminance", "rms_contrast",
-                   "min_frame_luminance", "max_frame_luminance", "exposure_stops"});
+  CsvWriter table = table_of(luminance_form);
   for (const auto& [stimulus, film] : films) {
     const render::ClipLuminance& found = film.luminance;
     table.row({stimulus, std::to_string(found.frames), rounded(found.mean),
@@ -35,9 +34,7 @@ std::string luminance_csv(const Films& films) {
 }
 
 std::string videos_csv(const Films& films) {
-  CsvWriter table({"stimulus", "file", "format", "frames", "first_film_frame", "film_frames", "fps",
-                   "duration_s", "identical", "worst_psnr_db", "worst_psnr_frame", "worst_ssim",
-                   "worst_ssim_frame"});
+  CsvWriter table = table_of(videos_form);
   for (const auto& [stimulus, film] : films) {
     for (const VideoRecord& video : film.videos) {
       const auto unless_identical = [&](const std::string& text) {
@@ -56,7 +53,7 @@ std::string videos_csv(const Films& films) {
 }
 
 std::string views_csv(const Films& films) {
-  CsvWriter table({"stimulus", "figure_px", "visual_degrees"});
+  CsvWriter table = table_of(views_form);
   for (const auto& [stimulus, film] : films) {
     table.row({stimulus, fmt::format("{:.2f}", film.figure_px),
                film.visual_degrees ? fmt::format("{:.3f}", *film.visual_degrees) : ""});
@@ -64,13 +61,24 @@ std::string views_csv(const Films& films) {
   return table.text();
 }
 
-constexpr std::pair<const char*, std::string (*)(const Films&)> tables[] = {
-    {"luminance", luminance_csv}, {"videos", videos_csv}, {"views", views_csv}};
+struct Table {
+  const TableForm& form;
+  std::string (*make)(const Films&);
+};
+
+constexpr Table tables[] = {
+    {luminance_form, luminance_csv}, {videos_form, videos_csv}, {views_form, views_csv}};
 
 }  // namespace
 
 std::string film_record_path(const std::string& stimulus) {
   return "metrics/films/" + stimulus + ".json";
+}
+
+std::vector<TableForm> film_table_forms() {
+  std::vector<TableForm> forms;
+  for (const Table& table : tables) forms.push_back(table.form);
+  return forms;
 }
 
 Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
@@ -82,9 +90,7 @@ Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
     task.inputs.push_back("film:" + film->id);
     task.determinants.add("stimulus", film->id);
   }
-  for (const auto& [name, make] : tables) {
-    task.products.push_back({std::string("metrics/") + name + ".csv", {}});
-  }
+  for (const Table& table : tables) task.products.push_back({std::string(table.form.path), {}});
   task.cost_seconds = cost_seconds;
   task.make = [&manifest](TaskRun& run) {
     Films films;
@@ -93,7 +99,7 @@ Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
       films.emplace_back(film->id, parse_film_record(read_file(file)));
     }
     for (std::size_t i = 0; i < run.keys.size(); ++i) {
-      const std::string text = tables[i].second(films);
+      const std::string text = tables[i].make(films);
       run.store.put(
           run.task.products[i].path, run.keys[i],
           [&](const fs::path& file) { write_file(file, text); },

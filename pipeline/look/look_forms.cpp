@@ -135,8 +135,11 @@ void SceneForm::read(const Given& given, Look& look) {
 /// What a set holds counts by itself in keys.
 OrderedJson SceneForm::write(const Look& look, const Writing& how) {
   if (look.scene.empty()) return {};
+  // Without the file itself, which `written` would add to the key.
+  const std::string name =
+      look.scene_file.empty() ? look.scene : look.scene_file.filename().generic_string();
   const bool is_name = look.scene_file.empty() || how.for_key;
-  const OrderedJson set = is_name ? OrderedJson(look.scene) : written(look.scene_file, how);
+  const OrderedJson set = is_name ? OrderedJson(name) : written(look.scene_file, how);
   if (look.background.empty()) return set;
   return {{"set", set}, {"background", look.background}};
 }

@@ -46,6 +46,7 @@ void fields_of(Field&& field, E& equalize) {
 /// A production as its author wrote it, defaults filled in and overrides merged.
 struct Manifest {
   std::filesystem::path file;
+  std::string command;  ///< that makes it, as far as it bears on what is made; set by Production
   int version = 1;
   std::string study;
   std::uint64_t seed = 0;

@@ -4,6 +4,13 @@
 
 namespace mien::pipeline {
 
+std::string_view name_of(Quality quality) {
+  for (const auto& [word, meaning] : quality_words) {
+    if (meaning == quality) return word;
+  }
+  return "standard";
+}
+
 std::array<int, 2> Output::whole_size() const {
   return {static_cast<int>(std::lround(scale * size[0])),
           static_cast<int>(std::lround(scale * size[1]))};

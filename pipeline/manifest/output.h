@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -24,6 +25,9 @@ inline constexpr Words<FrameFormat> frame_format_words = {{"none", FrameFormat::
                                                           {"png16", FrameFormat::png16},
                                                           {"exr", FrameFormat::exr},
                                                           {"layers", FrameFormat::layers}};
+
+/// As manifests call it.
+std::string_view name_of(Quality quality);
 
 /// What a video shows before and after the film, in this order: card, fixation cross, blank, film,
 /// blank; each as many whole frames as come nearest to its seconds. Frame files are the film alone.

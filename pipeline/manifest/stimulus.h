@@ -15,6 +15,7 @@
 #include "pipeline/documents/concerns.h"
 #include "pipeline/look/look.h"
 #include "pipeline/look/look_fields.h"
+#include "pipeline/manifest/factors.h"
 #include "pipeline/manifest/foil.h"
 #include "pipeline/manifest/hold.h"
 #include "pipeline/manifest/modification.h"
@@ -110,6 +111,7 @@ struct Stimulus {
   std::string path;  ///< in the manifest: "stimuli[2]"
   std::string id;    ///< safe as a file name
   Role role = Role::created;
+  Factors factors;         ///< of the design, as stated (levels_of tells all)
   NamedValues adjectives;  ///< parameter → 0…1
   Hold hold;               ///< other parameters; of adjectives alone
   NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
@@ -131,6 +133,7 @@ void fields_of(Field&& field, S& stimulus) {
   field("on_fault", stimulus.on_fault, concerns::motion, fault_words);
   field("look", stimulus.look, concerns::picture);
   field("output", stimulus.output, concerns::nothing);
+  field.by("factors", stimulus.factors, concerns::page, FactorsForm());
   if (stimulus.foil) return;
   field("adjectives", stimulus.adjectives, concerns::motion);
   field.by("hold", stimulus.hold, concerns::motion, HoldForm());

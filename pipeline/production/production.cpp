@@ -10,6 +10,7 @@
 #include "pipeline/film/film_tables.h"
 #include "pipeline/film/film_task.h"
 #include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/production/design_task.h"
 #include "pipeline/report/study_tasks.h"
 #include "pipeline/sheets/sheet_task.h"
 #include "pipeline/sheets/stills_task.h"
@@ -19,7 +20,16 @@ namespace mien::pipeline {
 
 namespace {
 
+/// "mien run study.yaml --quality draft". One that a provenance.json tells stays as it is.
+std::string command_of(const Manifest& manifest, const std::optional<Quality>& quality) {
+  if (!quality && !manifest.command.empty()) return manifest.command;
+  std::string command = "mien run " + manifest.file.filename().string();
+  if (quality) command += " --quality " + std::string(name_of(*quality));
+  return command;
+}
+
 Manifest with_quality(Manifest manifest, const std::optional<Quality>& quality) {
+  manifest.command = command_of(manifest, quality);
   if (!quality) return manifest;
   manifest.output.quality = *quality;
   for (Stimulus& stimulus : manifest.stimuli) stimulus.output.quality = *quality;
@@ -102,6 +112,7 @@ void Production::add_sheets(const SharedDeterminants& shared) {
 void Production::add_study(const SharedDeterminants& shared) {
   graph_.add(tables_task(manifest_, motions_, shared));
   graph_.add(films_task(manifest_, shared));
+  graph_.add(design_task(manifest_, motions_, shared, graph_));
   graph_.add(report_task(manifest_, motions_, shared, graph_));
 }
 

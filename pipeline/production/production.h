@@ -33,7 +33,8 @@ struct ProductionOptions {
 ///   exposure  motions → shots → numbers     metrics/exposure.csv: and luminance
 ///   tables  motions → numbers               metrics/*.csv
 ///   films   films → numbers                 metrics/luminance.csv, videos.csv, views.csv
-///   report  all of it → page                report.html
+///   design  all films → factors, files   metrics/stimuli.csv, warnings.csv, codebook.json
+///   report  all of it → page, methods       report.html, methods.md, references.bib
 ///
 /// With `only`, nothing is made that covers the whole study (tables, report, provenance).
 class Production {

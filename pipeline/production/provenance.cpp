@@ -4,36 +4,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/manifest/example_files.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/production/resolved_settings.h"
+#include "pipeline/production/study_inputs.h"
+#include "pipeline/reading/value_forms.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/hash.h"
-#include "scenes/character/character.h"
-#include "scenes/figures/figure.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-/// Inputs by name and the name of their folder; where that folder lies is the machine's affair.
-std::map<std::string, Hash> inputs_of(const Manifest& manifest) {
-  std::map<std::string, Hash> inputs;
-  const auto add = [&](const std::filesystem::path& file) {
-    const auto name = file.parent_path().filename() / file.filename();
-    inputs[name.generic_string()] = hash_of_file(file);
-  };
-  for (const std::filesystem::path& file : repertoire_files(manifest)) add(file);
-  for (const Stimulus* film : films_of(manifest)) {
-    if (film->clip) add(film->clip->file);
-    if (!film->look.scene_file.empty()) add(film->look.scene_file);
-    if (const auto* character = scenes::character_in(film->look.figure)) {
-      add(character->file);
-      for (const auto& part : scenes::parts_of_character(character->file)) add(part);
-    }
-  }
-  return inputs;
-}
 
 ordered_json artifacts_of(const std::vector<TaskOutcome>& outcomes) {
   std::map<std::string, ordered_json> by_path;
@@ -50,25 +32,60 @@ ordered_json artifacts_of(const std::vector<TaskOutcome>& outcomes) {
   return artifacts;
 }
 
+ordered_json stimuli_of(const Manifest& manifest) {
+  ordered_json stimuli = ordered_json::array();
+  for (const Stimulus& stimulus : manifest.stimuli) stimuli.push_back(resolved_settings(stimulus));
+  return stimuli;
+}
+
+ordered_json overlays_of(const Manifest& manifest) {
+  ordered_json overlays = ordered_json::array();
+  for (const Overlay& overlay : manifest.overlays) overlays.push_back(resolved_settings(overlay));
+  return overlays;
+}
+
 }  // namespace
 
 std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>& outcomes) {
   ordered_json libraries = ordered_json::object();
   for (const auto& [name, version] : library_versions()) libraries[name] = version;
   ordered_json inputs = ordered_json::object();
-  for (const auto& [path, hash] : inputs_of(manifest)) inputs[path] = hash;
+  for (const auto& [path, hash] : hashes_of_inputs(manifest)) inputs[path] = hash;
   const ordered_json record = {
       {"mien", program_version()},
+      {"command", manifest.command},
       {"study", manifest.study},
       {"seed", manifest.seed},
       {"hash", "XXH3-128"},
       {"manifest",
-       {{"file", manifest.file.filename().string()}, {"hash", hash_of_file(manifest.file)}}},
+       {{"file", manifest.file.filename().string()},
+        {"hash", hash_of_file(manifest.file)},
+        {"copy", input_copies(manifest).front().path},
+        {"as_run", as_run_path}}},
       {"code", {{"motion", motion_code()}, {"film", film_code()}, {"pipeline", pipeline_code()}}},
       {"libraries", libraries},
       {"inputs", inputs},
+      {"equalize", WordSet<Equalize>::write(manifest.equalize, {})},
+      {"stimuli", stimuli_of(manifest)},
+      {"overlays", overlays_of(manifest)},
       {"artifacts", artifacts_of(outcomes)}};
   return record.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::string> changes_since(const std::filesystem::path& provenance,
+                                       const Manifest& manifest) {
+  const ordered_json record = ordered_json::parse(read_file(provenance));
+  std::vector<std::string> changes;
+  if (const auto version = record.value("mien", ""); version != program_version()) {
+    changes.push_back("it was made by mien " + version + ", and this is " +
+                      std::string(program_version()));
+  }
+  const ordered_json before = record.value("inputs", ordered_json::object());
+  for (const auto& [name, hash] : hashes_of_inputs(manifest)) {
+    const bool is_same = before.contains(name) && before[name] == hash;
+    if (!is_same) changes.push_back(name + " is not what it was");
+  }
+  return changes;
 }
 
 }  // namespace mien::pipeline

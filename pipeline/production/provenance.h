@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,15 @@
 
 namespace mien::pipeline {
 
-/// Where everything comes from, as JSON: versions, seed, the hashes of the manifest, of its inputs
-/// and of every artifact. No dates, no names of machines: the same production gives the same bytes.
+/// Where everything comes from, as JSON: versions, the command line, the seed, all settings of
+/// every stimulus, the hashes of the manifest, of its inputs and of every artifact. No dates, no
+/// names of machines: the same production gives the same bytes. Together with the folder inputs/
+/// beside it (study_inputs.h), `mien run provenance.json` makes the study again.
 std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>& outcomes);
+
+/// What is no longer as a provenance.json tells it, a sentence each: inputs of the manifest that it
+/// was read as, and the program's version. Then what is made again may differ.
+std::vector<std::string> changes_since(const std::filesystem::path& provenance,
+                                       const Manifest& manifest);
 
 }  // namespace mien::pipeline

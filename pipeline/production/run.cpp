@@ -6,6 +6,7 @@
 #include "pipeline/film/film_record.h"
 #include "pipeline/film/film_tables.h"
 #include "pipeline/production/provenance.h"
+#include "pipeline/production/study_inputs.h"
 #include "pipeline/synthesis/motion_record.h"
 
 namespace mien::pipeline {
@@ -64,7 +65,10 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
   RunResult result;
   result.outcomes = run(production.graph(), store, jobs, stop, observer);
   result.was_interrupted = stop.stop_requested() && !result.is_complete();
-  if (production.is_whole() && result.is_complete()) put_provenance(production, result, store);
+  if (production.is_whole() && result.is_complete()) {
+    put_inputs(production.manifest(), store);
+    put_provenance(production, result, store);
+  }
   result.warnings = warnings_in(production, result, store);
   result.nondeterminism = store.nondeterminism();
   return result;

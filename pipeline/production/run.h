@@ -22,7 +22,8 @@ struct RunResult {
   bool is_complete() const;  ///< every task was cached or made
 };
 
-/// Makes what is not in `folder` yet, and writes provenance.json when everything is there. Throws
+/// Makes what is not in `folder` yet, and writes provenance.json and inputs/ when everything is
+/// there. Throws
 /// StoreBusy when another run works in the folder.
 RunResult run(Production& production, const std::filesystem::path& folder, int jobs,
               const std::stop_token& stop, const RunObserver& observer);

@@ -9,6 +9,7 @@
 #include "motion/math/rotation.h"
 #include "motion/measures/distance.h"
 #include "pipeline/documents/csv.h"
+#include "pipeline/report/table_forms.h"
 
 namespace mien::pipeline {
 
@@ -116,8 +117,7 @@ double posture_difference(const motion::Clip& a, const motion::Clip& b) {
 }
 
 std::string foils_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"foil", "of", "differ", "aspect", "measure", "of_value", "foil_value",
-                   "difference", "is_held"});
+  CsvWriter table = table_of(foils_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (!stimulus.foil) continue;
     const Foil& foil = *stimulus.foil;

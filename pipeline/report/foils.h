@@ -19,9 +19,7 @@ EmotionMeasures measure_emotion(const motion::Clip& clip);
 /// the mean rotations of a joint, of the pelvis without its heading.
 double posture_difference(const motion::Clip& a, const motion::Clip& b);
 
-/// A row a foil and aspect: foil, of, differ, aspect, measure, of_value, foil_value, difference (of
-/// the posture in degrees, of the others as a share of `of`), is_held (1 when the aspect is not the
-/// one that differs and the difference is below 2°, or 0.05; 0; empty for what differs).
+/// The certificate of every foil (foils_form).
 std::string foils_csv(const Manifest& manifest, Motions& motions);
 
 }  // namespace mien::pipeline

@@ -84,23 +84,35 @@ std::string sheets_sections(const Manifest& manifest, Motions& motions) {
                                                       comparisons);
 }
 
+std::string methods_section(const Methods& methods) {
+  return titled_section(
+      "Methods",
+      methods_html(methods.markdown) +
+          "<p>The same as text, with citations: <a href=\"methods.md\">methods.md</a>, <a "
+          "href=\"references.bib\">references.bib</a>.</p>\n");
+}
+
 std::string page_footer(const Manifest& manifest) {
   return fmt::format(
-      "<footer><p>mien {} · seed {} · manifest {} · numbers in <a href=\"metrics/\">metrics/</a> · "
-      "hashes of all inputs and artifacts in <a href=\"provenance.json\">provenance.json</a></p>"
-      "</footer>\n",
-      program_version(), manifest.seed, html_escaped(manifest.file.filename().string()));
+      "<footer><p>mien {} · seed {} · manifest {} · {}numbers in <a "
+      "href=\"metrics/\">metrics/</a>, "
+      "their columns in <a href=\"metrics/codebook.json\">codebook.json</a> · settings of all "
+      "stimuli and hashes of all inputs and artifacts in "
+      "<a href=\"provenance.json\">provenance.json</a></p></footer>\n",
+      program_version(), manifest.seed, html_escaped(manifest.file.filename().string()),
+      manifest.command.empty() ? ""
+                               : "made by <code>" + html_escaped(manifest.command) + "</code> · ");
 }
 
 }  // namespace
 
-std::string report(const Manifest& manifest, Motions& motions) {
+std::string report(const Manifest& manifest, Motions& motions, const Methods& methods) {
   std::string body = page_header(manifest, motions) + "<main>\n";
   if (blends_examples(manifest)) body += html_list("warnings", motions.repertoire().warnings);
   body += stimuli_section(manifest, motions) + overlays_section(manifest) +
           sheets_sections(manifest, motions);
   if (blends_examples(manifest)) body += ratings_section(manifest, motions.repertoire());
-  body += "</main>\n" + page_footer(manifest);
+  body += methods_section(methods) + "</main>\n" + page_footer(manifest);
   return html_page(manifest.study + " · mien", report_style, body);
 }
 

@@ -9,17 +9,13 @@
 #include "pipeline/documents/html.h"
 #include "pipeline/report/lint_timeline.h"
 #include "pipeline/report/report_tables.h"
+#include "pipeline/report/study_facts.h"
 #include "pipeline/sheets/sheet.h"
 #include "pipeline/synthesis/modified_motion.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-std::string role_name(Role role) {
-  if (role == Role::target) return "target";
-  return role == Role::created ? "created" : "reference";
-}
 
 /// Errors openly, warnings folded away with the picture of all over time.
 std::string finding_list(const Synthesis& made) {
@@ -47,7 +43,8 @@ std::string finding_list(const Synthesis& made) {
 std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
   const motion::Clip& clip = made.motion.clip;
   const auto [width, height] = stimulus.output.shown_size();
-  std::string facts = fmt::format("{} × {}, {} frames/s", width, height, stimulus.output.fps);
+  std::string facts = fmt::format("{} × {}, {} frames/s, {} quality", width, height,
+                                  stimulus.output.fps, name_of(stimulus.output.quality));
   if (clip.loops) {
     facts += fmt::format(", cycle {:.2f} s, stride {:.2f} m, {:.2f} m/s", clip.duration_seconds(),
                          clip.cycle_displacement.norm(),
@@ -116,7 +113,7 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
   const std::string id = html_escaped(stimulus.id);
   std::string card =
       fmt::format("<article class=\"{}\" id=\"{}\">\n<h3>{} <small>{}</small></h3>\n",
-                  role_name(stimulus.role), id, id, role_name(stimulus.role));
+                  name_of(stimulus.role), id, id, name_of(stimulus.role));
   card += video_of(stimulus) + contact_sheet(id);
   card += fmt::format("<p>{}.</p>\n", html_escaped(facts_of(stimulus, made)));
   if (!made.modified.empty()) {
@@ -136,7 +133,7 @@ std::string overlay_card(const Overlay& overlay, const Manifest& manifest) {
   for (const auto& [role, motion] : motions_on(overlay)) {
     std::string name = html_escaped(motion);
     if (find_stimulus(manifest, motion)) name = fmt::format("<a href=\"#{}\">{}</a>", name, name);
-    legend += fmt::format("{}{} ({})", legend.empty() ? "" : ", ", name, role_name(role));
+    legend += fmt::format("{}{} ({})", legend.empty() ? "" : ", ", name, name_of(role));
   }
   return card + "<p>" + legend + "</p>\n</article>\n";
 }

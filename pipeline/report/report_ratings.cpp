@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/documents/html.h"
-#include "pipeline/ratings/expectation.h"
+#include "pipeline/report/study_facts.h"
 
 namespace mien::pipeline {
 
@@ -14,11 +14,10 @@ namespace {
 std::string expectation_list(const Manifest& manifest, const Repertoire& repertoire) {
   if (manifest.ratings.expected.empty()) return "";
   std::string list = "<h3>Expected orders</h3>\n<ul class=\"expected\">\n";
-  for (const ExpectationCheck& check : check_expectations(
-           manifest.ratings.expected,
-           {repertoire.parameters, repertoire.names, repertoire.answers, repertoire.scales})) {
+  for (const ExpectationCheck& check : expectation_checks(manifest, repertoire)) {
     const char* state = check.is_certain() ? "holds" : check.holds() ? "unsure" : "fails";
-    list += fmt::format("<li class=\"{}\">{}</li>\n", state, html_escaped(sentence_of(check)));
+    list += fmt::format("<li class=\"{}\">{}</li>
+", state, html_escaped(sentence_of(check)));
   }
   return list + "</ul>\n";
 }

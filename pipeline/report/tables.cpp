@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/interpolation/interpolation_options.h"
 #include "motion/measures/distance.h"
-#include "pipeline/documents/csv.h"
+#include "pipeline/ratings/impression_table.h"
 #include "pipeline/report/feature_changes.h"
+#include "pipeline/report/study_facts.h"
+#include "pipeline/report/table_forms.h"
 #include "pipeline/synthesis/parameter_label.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-std::string ratings_of(const Stimulus* stimulus, Motions& motions) {
-  if (stimulus == nullptr || stimulus->adjectives.empty()) return "none";
-  return motions.repertoire().simulated_ratings ? "simulated" : "given";
-}
 
 /// Of a pair: simulated if either motion rests on simulated ratings.
 std::string ratings_of(const MotionPair& pair, const Manifest& manifest, Motions& motions) {
@@ -29,32 +25,6 @@ motion::Distance distance_of(const MotionPair& pair, Motions& motions) {
   return motion::distance(motions.of(pair.target).motion, motions.of(pair.created).motion);
 }
 
-const char* name_of(Role role) {
-  switch (role) {
-    case Role::target:
-      return "target";
-    case Role::created:
-      return "created";
-    case Role::reference:
-      break;
-  }
-  return "reference";
-}
-
-const char* source_of(const Stimulus& stimulus) {
-  if (stimulus.clip) return "clip";
-  if (!stimulus.features.empty()) return "features";
-  return stimulus.adjectives.empty() ? "weights" : "adjectives";
-}
-
-/// How the weights were found; empty for a file shown as it is.
-std::string method_of(const Stimulus& stimulus) {
-  if (stimulus.clip) return "";
-  return std::string(motion::name_of(stimulus.weights.empty()
-                                         ? stimulus.interpolation.weights.method
-                                         : motion::InterpolationMethod::direct));
-}
-
 /// Way over the floor in one cycle, or of the whole clip.
 double way_of(const motion::Clip& clip) {
   const motion::Vec3 way =
@@ -63,22 +33,57 @@ double way_of(const motion::Clip& clip) {
   return std::hypot(way.x(), way.z());
 }
 
-/// What people would say of a blend on the scales that nobody asked it for.
-void add_parameters_that_come_along(const Stimulus& stimulus, const Synthesis& made,
-                                    const Repertoire& repertoire, CsvWriter& table) {
-  const auto is_asked = [&](const std::string& name) {
-    return std::any_of(made.asked.begin(), made.asked.end(),
-                       [&](const auto& asked) { return asked.first == name; });
+/// A row of the table of parameters; empty where nothing is known.
+struct ParameterRow {
+  std::string name;
+  std::string asked;
+  std::string held;
+  double reached = 0.0;
+  std::optional<motion::ParameterRange> possible = std::nullopt;
+};
+
+/// What the stimulus asks for, what it holds, and what comes along with the blend.
+std::vector<ParameterRow> parameter_rows(const Synthesis& made, const Repertoire& repertoire) {
+  std::vector<ParameterRow> rows;
+  for (std::size_t i = 0; i < made.asked.size(); ++i) {
+    rows.push_back(
+        {made.asked[i].first, shortest(made.asked[i].second), "", made.reached[i].second});
+    if (i < made.feasible.size()) rows.back().possible = made.feasible[i].range;
+  }
+  for (std::size_t i = 0; i < made.held.size(); ++i)
+    rows.push_back(
+        {made.held[i].first, "", shortest(made.held[i].second), made.held_reached[i].second});
+  const auto is_listed = [&](const std::string& name) {
+    return std::ranges::find(rows, name, &ParameterRow::name) != rows.end();
   };
   const ParameterTable& parameters = repertoire.parameters;
   for (std::size_t r = 0; r < parameters.names.size(); ++r) {
     const std::string& name = parameters.names[r];
-    if (is_asked(name)) continue;
-    const ParameterLabel label = rating_label(name, repertoire.scales);
-    const double value = parameters.values.row(static_cast<Eigen::Index>(r)).dot(made.weights);
-    table.row({stimulus.id, parameters.simulated ? "simulated" : "given", name, "", shortest(value),
-               english_text(label), japanese_text(label)});
+    if (!is_listed(name))
+      rows.push_back(
+          {name, "", "", parameters.values.row(static_cast<Eigen::Index>(r)).dot(made.weights)});
   }
+  return rows;
+}
+
+/// What a number says; empty of what is not known.
+std::string text_of(const ExpectedStep& step, double value) {
+  return step.people == 0 || std::isnan(value) ? "" : shortest(value);
+}
+
+std::string joined(const std::vector<double>& seconds) {
+  std::string text;
+  for (const double value : seconds) text += (text.empty() ? "" : " ") + shortest(value);
+  return text;
+}
+
+/// From `file` to `last_s`.
+std::vector<std::string> origin_fields(const motion::ExampleOrigin& origin) {
+  const double fps = origin.frames_per_second;
+  return {origin.file.filename().string(),    shortest(fps),
+          std::to_string(origin.file_frames), std::to_string(origin.frames.first),
+          std::to_string(origin.frames.last), shortest(origin.frames.first / fps),
+          shortest(origin.frames.last / fps)};
 }
 
 void add_joint_distances(const std::string& sheet, const MotionPair& pair,
@@ -96,8 +101,7 @@ void add_joint_distances(const std::string& sheet, const MotionPair& pair,
 }  // namespace
 
 std::string distances_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"sheet", "target", "created", "ratings", "alignment", "d_m", "d_sum_m",
-                   "mpjpe_m", "threshold_m", "match"});
+  CsvWriter table = table_of(distances_form);
   for (const Sheet& sheet : manifest.sheets) {
     for (const MotionPair& pair : pairs_on(sheet)) {
       const motion::Distance d = distance_of(pair, motions);
@@ -113,7 +117,7 @@ std::string distances_csv(const Manifest& manifest, Motions& motions) {
 }
 
 std::string joint_distances_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"sheet", "target", "created", "ratings", "joint", "time", "distance_m"});
+  CsvWriter table = table_of(joint_distances_form);
   for (const Sheet& sheet : manifest.sheets) {
     for (const MotionPair& pair : pairs_on(sheet)) {
       add_joint_distances(sheet.id, pair, ratings_of(pair, manifest, motions),
@@ -124,7 +128,7 @@ std::string joint_distances_csv(const Manifest& manifest, Motions& motions) {
 }
 
 std::string weights_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"stimulus", "ratings", "example", "weight"});
+  CsvWriter table = table_of(weights_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.clip) continue;
     const Eigen::VectorXd& weights = motions.of(stimulus.id).weights;
@@ -138,16 +142,14 @@ std::string weights_csv(const Manifest& manifest, Motions& motions) {
 }
 
 std::string clips_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"stimulus", "role", "ratings", "source", "frames", "duration_s", "fps",
-                   "cycle_s", "stride_m", "speed_m_s", "planted_drift_m", "method",
-                   "expected_error_m", "modified", "modified_share"});
+  CsvWriter table = table_of(clips_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
     const motion::Clip& clip = made.motion.clip;
     const int frames = motions.shown(stimulus).frame_count();
     const double duration = clip.duration_seconds();
-    table.row({stimulus.id, name_of(stimulus.role), ratings_of(&stimulus, motions),
-               source_of(stimulus), std::to_string(frames),
+    table.row({stimulus.id, std::string(name_of(stimulus.role)), ratings_of(&stimulus, motions),
+               std::string(source_of(stimulus)), std::to_string(frames),
                shortest(frames / clip.frames_per_second), shortest(clip.frames_per_second),
                clip.loops ? shortest(duration) : "", clip.loops ? shortest(way_of(clip)) : "",
                duration > 0.0 ? shortest(way_of(clip) / duration) : "",
@@ -159,41 +161,74 @@ std::string clips_csv(const Manifest& manifest, Motions& motions) {
 }
 
 std::string parameters_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"stimulus", "ratings", "parameter", "asked", "reached", "name", "name_ja"});
+  CsvWriter table = table_of(parameters_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
     if (stimulus.clip) continue;
-    for (std::size_t i = 0; i < made.asked.size(); ++i) {
-      const ParameterLabel label = label_of(made.asked[i].first, stimulus, motions.repertoire());
-      table.row({stimulus.id, ratings_of(&stimulus, motions), made.asked[i].first,
-                 shortest(made.asked[i].second), shortest(made.reached[i].second),
-                 english_text(label), japanese_text(label)});
+    const Repertoire& repertoire = motions.repertoire();
+    for (const ParameterRow& row : parameter_rows(made, repertoire)) {
+      const bool is_wish = !row.asked.empty();
+      const ParameterLabel label = is_wish ? label_of(row.name, stimulus, repertoire)
+                                           : rating_label(row.name, repertoire.scales);
+      const std::string ratings = is_wish                           ? ratings_of(&stimulus, motions)
+                                  : repertoire.parameters.simulated ? "simulated"
+                                                                    : "given";
+      table.row({stimulus.id, ratings, row.name, row.asked, row.held, shortest(row.reached),
+                 row.possible ? shortest(row.possible->least) : "",
+                 row.possible ? shortest(row.possible->most) : "", english_text(label),
+                 japanese_text(label)});
     }
-    add_parameters_that_come_along(stimulus, made, motions.repertoire(), table);
   }
   return table.text();
 }
 
 std::string impressions_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"scale", "example", "ratings", "answers", "mean", "sd"});
-  if (!blends_examples(manifest) || !motions.repertoire().impressions) return table.text();
-  const Impressions& impressions = *motions.repertoire().impressions;
-  const std::string ratings = impressions.simulated ? "simulated" : "given";
-  for (Eigen::Index j = 0; j < impressions.mean.rows(); ++j) {
-    for (Eigen::Index i = 0; i < impressions.mean.cols(); ++i) {
-      const double sd = impressions.deviation(j, i);
-      table.row({impressions.scales[static_cast<std::size_t>(j)],
-                 impressions.examples[static_cast<std::size_t>(i)], ratings,
-                 std::to_string(impressions.count(j, i)), shortest(impressions.mean(j, i)),
-                 std::isnan(sd) ? "" : shortest(sd)});
+  if (!blends_examples(manifest)) return no_impressions_csv();
+  const Repertoire& repertoire = motions.repertoire();
+  if (!repertoire.impressions) return no_impressions_csv();
+  return impressions_csv(*repertoire.impressions, repertoire.scales);
+}
+
+std::string examples_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table = table_of(examples_form);
+  if (!uses_examples(manifest)) return table.text();
+  const Repertoire& repertoire = motions.repertoire();
+  for (std::size_t i = 0; i < repertoire.names.size(); ++i) {
+    const motion::Example& example = repertoire.examples.examples[i];
+    std::vector<std::string> row = {repertoire.names[i].name};
+    const std::vector<std::string> origin = i < repertoire.origins.size()
+                                                ? origin_fields(repertoire.origins[i])
+                                                : std::vector<std::string>(7);
+    row.insert(row.end(), origin.begin(), origin.end());
+    const bool is_mirrored = i < repertoire.origins.size() && repertoire.origins[i].is_mirrored;
+    row.insert(row.end(), {example.clip.loops ? "1" : "0", is_mirrored ? "1" : "0",
+                           shortest(example.clip.duration_seconds()), joined(example.keytimes)});
+    table.row(row);
+  }
+  return table.text();
+}
+
+std::string expectations_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table = table_of(expectations_form);
+  if (manifest.ratings.expected.empty() || !uses_examples(manifest)) return table.text();
+  const Repertoire& repertoire = motions.repertoire();
+  const std::string ratings = repertoire.simulated_ratings ? "simulated" : "given";
+  for (const ExpectationCheck& check : expectation_checks(manifest, repertoire)) {
+    for (std::size_t i = 0; i < check.order.size(); ++i) {
+      const bool is_violated = i > 0 && std::ranges::count(check.violated, i - 1) > 0;
+      const ExpectedStep step = i == 0 ? ExpectedStep() : check.steps[i - 1];
+      table.row({check.parameter, ratings, std::to_string(i + 1), check.order[i].example,
+                 shortest(check.order[i].value), i == 0 ? "" : (is_violated ? "0" : "1"),
+                 text_of(step, step.people), text_of(step, step.difference),
+                 text_of(step, step.low), text_of(step, step.high), check.holds() ? "1" : "0",
+                 check.is_certain() ? "1" : "0"});
     }
   }
   return table.text();
 }
 
 std::string findings_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"stimulus", "check", "severity", "joint", "first_frame", "last_frame", "first_s",
-                   "last_s", "measured", "threshold", "unit", "sentence"});
+  CsvWriter table = table_of(findings_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
     for (const motion::Finding& f : made.findings) {
@@ -208,9 +243,7 @@ std::string findings_csv(const Manifest& manifest, Motions& motions) {
 }
 
 std::string feature_changes_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table({"sheet", "reference", "target", "created", "ratings", "feature", "name",
-                   "name_ja", "unit", "reference_value", "target_change", "created_change", "moved",
-                   "agrees"});
+  CsvWriter table = table_of(feature_changes_form);
   for (const Sheet& sheet : manifest.sheets) {
     for (const motion::FeatureChange& change : feature_changes(sheet, motions)) {
       const motion::MotionFeature& what =

@@ -25,6 +25,7 @@ void load_examples(const Manifest& manifest, Repertoire& repertoire) {
   motion::LoadedExamples loaded = motion::load_examples(example_folder(examples));
   repertoire.examples = std::move(loaded.set);
   repertoire.warnings = std::move(loaded.warnings);
+  repertoire.origins = std::move(loaded.origins);
   for (size_t i = 0; i < loaded.file_stems.size(); ++i) {
     repertoire.names.push_back({repertoire.examples.examples[i].name, loaded.file_stems[i]});
   }

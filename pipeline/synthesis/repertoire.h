@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/examples/example_set.h"
 #include "motion/skeleton/example.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/ratings/feature_parameters.h"
@@ -16,8 +17,9 @@ namespace mien::pipeline {
 /// What a study has to make motions from: its examples and what people think of them.
 struct Repertoire {
   motion::ExampleSet examples;
-  motion::ExampleSet settled;       ///< the same with their feet locked (settled_feet.h)
-  std::vector<RatedExample> names;  ///< aligned with the examples
+  motion::ExampleSet settled;                  ///< the same with their feet locked (settled_feet.h)
+  std::vector<RatedExample> names;             ///< aligned with the examples
+  std::vector<motion::ExampleOrigin> origins;  ///< likewise; none of built-in examples
   ScaleSet scales;
   Answers answers;  ///< that the impressions are means of
   std::optional<Impressions> impressions;

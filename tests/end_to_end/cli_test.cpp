@@ -154,14 +154,14 @@ TEST(CommandLine, PlanTellsWhatARunThenDoes) {
   };
   EXPECT_EQ(states(),
             "motion:a due\nmotion:b due\nclip:a waiting\nfilm:a waiting\nclip:b waiting\n"
-            "film:b waiting\ntables waiting\nfilms waiting\nreport waiting\n");
+            "film:b waiting\ntables waiting\nfilms waiting\ndesign waiting\nreport waiting\n");
   EXPECT_FALSE(fs::exists(out));
   ASSERT_EQ(run_mien({"run", manifest, "--out", out, "--only", "b"}).code, 0);
   EXPECT_FALSE(fs::exists(scratch.path() / "out/small/clips/a.bvh"));
   EXPECT_TRUE(fs::exists(scratch.path() / "out/small/clips/b.bvh"));
   EXPECT_EQ(states(),
             "motion:a cached\nmotion:b cached\nclip:a due\nfilm:a due\nclip:b cached\n"
-            "film:b cached\ntables due\nfilms waiting\nreport waiting\n");
+            "film:b cached\ntables due\nfilms waiting\ndesign waiting\nreport waiting\n");
 }
 
 TEST(CommandLine, RunSpeaksJsonOnStandardOutput) {
@@ -171,7 +171,7 @@ TEST(CommandLine, RunSpeaksJsonOnStandardOutput) {
   const Ended ended = run_mien({"run", manifest, "--out", out, "--json"});
   ASSERT_EQ(ended.code, 0) << ended.errors;
   const json result = json::parse(ended.output);
-  EXPECT_EQ(result["made"].size(), 9u);
+  EXPECT_EQ(result["made"].size(), 10u);
   EXPECT_TRUE(result["failed"].empty());
   for (const json& artifact : result["artifacts"]) {
     const fs::path file = scratch.path() / "out/small" / artifact["path"].get<std::string>();

@@ -204,6 +204,7 @@ const Values chosen_values[] = {
     {"look.camera", R"(["front", "side"])"},
     {"look", R"([{"camera": "front"}, {"camera": "side"}])"},
     {"stimuli[].id", R"(["a", "c"])"},
+    {"stimuli[].factors", R"([{"actor": "k"}, {"actor": "m"}])"},
     {"stimuli[].adjectives", R"([{"quickness": 0.6}, {"quickness": 0.7}])"},
     {"stimuli[].features", R"([{"step-length": 0.4}, {"step-length": 0.6}])"},
     {"stimuli[].weights", R"([{"normal": 1}, {"normal": 1, "sad": 1}])"},

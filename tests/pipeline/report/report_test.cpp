@@ -33,7 +33,7 @@ Manifest study_called(const std::string& name) {
 
 std::string report_of(const Manifest& manifest) {
   Motions motions(manifest);
-  return report(manifest, motions);
+  return report(manifest, motions, methods_of(manifest, motions));
 }
 
 /// The first tag that is closed wrongly or left open; empty when all are balanced.
@@ -79,6 +79,9 @@ TEST(Report, LinksOnlyWhatIsBesideIt) {
                                           "sheets/target_mix.png",
                                           "sheets/target_mix.pdf",
                                           "metrics/",
+                                          "metrics/codebook.json",
+                                          "methods.md",
+                                          "references.bib",
                                           "provenance.json"};
   EXPECT_EQ(links, expected);
 }

@@ -1,11 +1,16 @@
 #include "pipeline/report/tables.h"
 
+#include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/motion_file.h"
 #include "motion/measures/distance.h"
+#include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/recording.h"
 #include "pipeline/documents/csv.h"
+#include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
 namespace {
@@ -156,6 +161,59 @@ TEST_F(Tables, ImpressionsAreThoseOfEveryExampleOnEveryScale) {
     EXPECT_EQ(number(impressions, r, "mean"), expected.mean(scale, example));
     EXPECT_EQ(number(impressions, r, "answers"), 14.0);
     EXPECT_EQ(text(impressions, r, "ratings"), "simulated");
+  }
+}
+
+TEST_F(Tables, ImpressionsAreToldInTheUnitsOfTheScaleToo) {
+  const CsvTable impressions = table(impressions_csv);
+  for (std::size_t r = 0; r < impressions.rows.size(); ++r) {  // −2 … 2
+    EXPECT_NEAR(number(impressions, r, "mean_answer"), 4.0 * number(impressions, r, "mean") - 2.0,
+                1e-9);
+    EXPECT_NEAR(number(impressions, r, "sd_answer"), 4.0 * number(impressions, r, "sd"), 1e-9);
+  }
+  EXPECT_EQ(text(impressions, 0, "scale"),
+            text(impressions, 0, "low") + "-" + text(impressions, 0, "high"));
+}
+
+TEST_F(Tables, BuiltinExamplesHaveKeytimesAndNoFile) {
+  const CsvTable examples = table(examples_csv);
+  ASSERT_EQ(examples.rows.size(), 10u);
+  EXPECT_EQ(text(examples, 0, "example"), "normal");
+  EXPECT_EQ(text(examples, 0, "file"), "");
+  EXPECT_EQ(text(examples, 0, "loops"), "1");
+  const std::string keytimes = text(examples, 0, "keytimes_s");
+  EXPECT_EQ(std::count(keytimes.begin(), keytimes.end(), ' '), 6);
+  EXPECT_TRUE(keytimes.ends_with(" " + text(examples, 0, "duration_s")));
+}
+
+TEST(ExamplesTable, TellsWhichFramesOfAFileEachExampleIs) {
+  const test::TemporaryFolder folder;
+  const motion::ExampleSet walks = motion::builtin_examples("walks-10");
+  for (const std::size_t i : {0u, 4u}) {
+    const motion::Clip walk = motion::repeated(walks.examples[i].clip, 4);
+    motion::write_motion(motion::to_recording(walk),
+                         folder.path() / (walks.examples[i].name + ".bvh"));
+  }
+  Manifest manifest = small_study();
+  manifest.examples.builtin.clear();
+  manifest.examples.folder = folder.path();
+  manifest.examples.labels = Examples::Labels::file_name;
+  manifest.ratings.source = Ratings::Source::simulated;
+  manifest.stimuli = {manifest.stimuli[1]};
+  manifest.stimuli[0].weights = {{"normal", 1.0}};
+  manifest.sheets.clear();
+  Motions motions(manifest);
+  const CsvTable examples = parse_csv(examples_csv(manifest, motions), "examples.csv");
+  ASSERT_EQ(examples.rows.size(), 2u);
+  const auto value = [&](std::size_t row, const char* column) {
+    return examples.rows[row][static_cast<std::size_t>(require_column(examples, column))].text;
+  };
+  for (const std::size_t row : {0u, 1u}) {
+    EXPECT_EQ(value(row, "file"), value(row, "example") + ".bvh");
+    const double seconds = std::stod(value(row, "last_s")) - std::stod(value(row, "first_s"));
+    EXPECT_NEAR(seconds, std::stod(value(row, "duration_s")), 1e-9);
+    EXPECT_LT(std::stoi(value(row, "last_frame")), std::stoi(value(row, "take_frames")));
+    EXPECT_EQ(value(row, "mirrored"), "0");
   }
 }
 

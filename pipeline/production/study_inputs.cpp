@@ -1,0 +1,116 @@
+#include "pipeline/production/study_inputs.h"
+
+#include <algorithm>
+
+#include "pipeline/documents/files.h"
+#include "pipeline/manifest/example_files.h"
+#include "pipeline/manifest/manifest_yaml.h"
+#include "scenes/character/character.h"
+#include "scenes/figures/figure.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Calls `visit` with each path of a manifest that names a file of which a copy is kept.
+template <class Visit>
+void for_each_document(Manifest& manifest, const Visit& visit) {
+  if (!manifest.scales.file.empty()) visit(manifest.scales.file);
+  if (!manifest.recipes.file.empty()) visit(manifest.recipes.file);
+  if (manifest.ratings.source == Ratings::Source::file) visit(manifest.ratings.file);
+  const auto visit_set = [&](Look& look) {
+    if (!look.scene_file.empty()) visit(look.scene_file);
+  };
+  visit_set(manifest.look);
+  for (Stimulus& stimulus : manifest.stimuli) visit_set(stimulus.look);
+  for (Overlay& overlay : manifest.overlays) visit_set(overlay.film.look);
+}
+
+/// Where a copy lies below inputs/: as it lies below the manifest's folder, or by its name alone.
+fs::path place_of(const fs::path& file, const fs::path& folder) {
+  const fs::path below = fs::proximate(file, folder.empty() ? "." : folder);
+  const bool is_outside = below.is_absolute() || below.empty() || *below.begin() == "..";
+  return is_outside ? file.filename() : below;
+}
+
+bool is_taken(const std::vector<InputCopy>& copies, const std::string& path) {
+  return path == as_run_path || std::ranges::find(copies, path, &InputCopy::path) != copies.end();
+}
+
+void add_copy(std::vector<InputCopy>& copies, const fs::path& file, const fs::path& folder) {
+  if (std::ranges::find(copies, file, &InputCopy::source) != copies.end()) return;
+  const fs::path place = place_of(file, folder);
+  std::string path = "inputs/" + place.generic_string();
+  for (int number = 2; is_taken(copies, path); ++number) {
+    const std::string name = std::to_string(number) + "-" + place.filename().string();
+    path = "inputs/" + (place.parent_path() / name).generic_string();
+  }
+  copies.push_back({file, path});
+}
+
+/// The manifest as it can be run from its copies in `folder`.
+Manifest as_run(Manifest manifest, const std::vector<InputCopy>& copies, const fs::path& folder) {
+  for_each_document(manifest, [&](fs::path& file) {
+    const auto copy = std::ranges::find(copies, file, &InputCopy::source);
+    if (copy != copies.end()) file = folder / copy->path;
+  });
+  return manifest;
+}
+
+void put_text(Store& store, const std::string& path, const std::string& text) {
+  const Hash key = hash_of(text);
+  if (store.find(path, key)) return;
+  store.put(
+      path, key, [&](const fs::path& file) { write_file(file, text); }, [](const fs::path&) {});
+}
+
+std::string name_with_folder(const fs::path& file) {
+  return (fs::absolute(file).parent_path().filename() / file.filename()).generic_string();
+}
+
+/// Motions and characters, with the files that belong to them.
+std::vector<fs::path> uncopied_files(const Manifest& manifest) {
+  std::vector<fs::path> files = repertoire_files(manifest);
+  for (const Stimulus* film : films_of(manifest)) {
+    if (film->clip) files.push_back(film->clip->file);
+    if (const auto* character = scenes::character_in(film->look.figure)) {
+      files.push_back(character->file);
+      for (const auto& part : scenes::parts_of_character(character->file)) files.push_back(part);
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+std::vector<InputCopy> input_copies(const Manifest& manifest) {
+  const fs::path folder = manifest.file.parent_path();
+  std::vector<InputCopy> copies;
+  add_copy(copies, manifest.file, folder);
+  Manifest walked = manifest;
+  for_each_document(walked, [&](const fs::path& file) { add_copy(copies, file, folder); });
+  return copies;
+}
+
+void put_inputs(const Manifest& manifest, Store& store) {
+  const std::vector<InputCopy> copies = input_copies(manifest);
+  for (const InputCopy& copy : copies) put_text(store, copy.path, read_file(copy.source));
+  const Manifest again = as_run(manifest, copies, store.folder());
+  const fs::path folder = (store.folder() / as_run_path).parent_path();
+  put_text(store, as_run_path, manifest_yaml(again, folder));
+}
+
+std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest) {
+  std::map<std::string, Hash> hashes;
+  const std::vector<InputCopy> copies = input_copies(manifest);
+  for (const InputCopy& copy : copies) hashes[copy.path] = hash_of_file(copy.source);
+  for (const fs::path& file : uncopied_files(manifest)) {
+    if (std::ranges::find(copies, file, &InputCopy::source) != copies.end()) continue;
+    hashes[name_with_folder(file)] = hash_of_file(file);
+  }
+  return hashes;
+}
+
+}  // namespace mien::pipeline

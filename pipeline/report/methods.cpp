@@ -1,0 +1,362 @@
+#include "pipeline/report/methods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "motion/measures/distance.h"
+#include "pipeline/film/film.h"
+#include "pipeline/report/method_sources.h"
+#include "pipeline/report/prose.h"
+#include "pipeline/report/references.h"
+#include "pipeline/report/study_facts.h"
+#include "pipeline/tasks/code_identity.h"
+#include "render/video/video_kind.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+class MethodsWriter {
+ public:
+  MethodsWriter(const Manifest& manifest, Motions& motions)
+      : manifest_(manifest), motions_(motions) {}
+
+  Methods write() {
+    text_ = "# Stimuli\n\n";
+    tell_program();
+    tell_design();
+    if (uses_examples(manifest_)) {
+      tell_examples();
+      tell_ratings();
+    }
+    tell_blends();
+    tell_files();
+    tell_modifications();
+    end_paragraph();
+    tell_pictures();
+    tell_videos();
+    tell_equalizing();
+    tell_distances();
+    end_paragraph();
+    text_.pop_back();  // one line end is enough
+    return {text_, bibtex_of(cited_)};
+  }
+
+ private:
+  void say(const std::string& sentence) {
+    if (!text_.ends_with("\n")) text_ += " ";
+    text_ += sentence + ".";
+  }
+
+  void end_paragraph() { text_ += text_.ends_with(".") ? "\n\n" : ""; }
+
+  /// " [@rose1998; @sloan2001]"
+  std::string cite(const Names& keys) {
+    if (keys.empty()) return "";
+    std::string text;
+    for (const std::string& key : keys) {
+      text += (text.empty() ? "@" : "; @") + key;
+      add_once(cited_, key);
+    }
+    return " [" + text + "]";
+  }
+
+  std::vector<const Stimulus*> stimuli_of(const std::string& source) const {
+    std::vector<const Stimulus*> found;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      if (pipeline::source_of(stimulus) == source) found.push_back(&stimulus);
+    }
+    return found;
+  }
+
+  void tell_program() {
+    say(fmt::format("The {} made with mien {}{} (random seed {})",
+                    count_of(manifest_.stimuli.size(), "stimulus was", "stimuli were"),
+                    program_version(), own_citation(), manifest_.seed));
+  }
+
+  static std::string own_citation() { return " [@mien]"; }
+
+  void tell_design() {
+    Names factors;
+    for (const std::string& factor : factors_of(manifest_)) {
+      Names levels;
+      for (const Stimulus& stimulus : manifest_.stimuli) {
+        const std::string level = level_of(stimulus, factor);
+        if (!level.empty()) add_once(levels, level);
+      }
+      factors.push_back(levels.size() > 12
+                            ? fmt::format("{} ({} levels)", factor, levels.size())
+                            : fmt::format("{} ({})", factor, fmt::join(levels, ", ")));
+    }
+    if (!factors.empty()) {
+      say(fmt::format("{} {}", factors.size() == 1 ? "The factor was" : "The factors were",
+                      listed(factors)));
+    }
+  }
+
+  void tell_examples() {
+    const Repertoire& repertoire = motions_.repertoire();
+    const std::size_t count = repertoire.names.size();
+    if (repertoire.origins.empty()) {
+      say(fmt::format("The examples were {} synthetic motions (mien's built-in set {})", count,
+                      manifest_.examples.builtin));
+    } else {
+      say(fmt::format("The examples were {}",
+                      count_of(count, "recorded motion", "recorded motions")));
+    }
+    Range seconds;
+    int loops = 0;
+    for (const motion::Example& example : repertoire.examples.examples) {
+      seconds.add(example.clip.duration_seconds());
+      loops += example.clip.loops ? 1 : 0;
+    }
+    if (loops == seconds.count && !repertoire.origins.empty()) {
+      say("Of each the steadiest straight gait cycle was cut, by heel strikes and toe offs" +
+          cite({"zeni2008"}) + ", and closed to a loop");
+    }
+    say(fmt::format("They last {} (mean {:.2f} s)", told(seconds, 2, " s"), seconds.mean()));
+  }
+
+  void tell_ratings() {
+    const Repertoire& repertoire = motions_.repertoire();
+    if (!repertoire.impressions || stimuli_of("adjectives").empty()) return;
+    const Impressions& impressions = *repertoire.impressions;
+    const std::string scales =
+        count_of(impressions.scales.size(), "scale", "scales") +
+        (manifest_.scales.file.empty() ? " (the pairs of adjectives of" + cite({"adjectives"}) + ")"
+                                       : "");
+    if (impressions.simulated) {
+      say(fmt::format("No person rated them: {} simulated raters answered on {}",
+                      manifest_.ratings.raters, scales));
+    } else {
+      say(fmt::format("People rated them on {}, {} to {} answers a scale and example", scales,
+                      impressions.count.minCoeff(), impressions.count.maxCoeff()));
+    }
+    say("An example's place on a scale is its mean answer, from 0 (the low end) to 1 (the high "
+        "end); that on a group of scales is the mean of these");
+    std::size_t held = 0;
+    const auto checks = expectation_checks(manifest_, repertoire);
+    for (const ExpectationCheck& check : checks) held += check.holds() ? 1 : 0;
+    if (!checks.empty())
+      say(fmt::format("Of {} expected of the ratings, {} as expected",
+                      count_of(checks.size(), "order", "orders"),
+                      count_of(held, "came out", "came out")));
+  }
+
+  void tell_blends() {
+    if (!blends_examples(manifest_)) return;
+    if (!stimuli_of("adjectives").empty() || !stimuli_of("features").empty()) {
+      tell_interpolation();
+      tell_reached();
+    }
+    if (const auto weighted = stimuli_of("weights"); !weighted.empty()) {
+      say(count_of(weighted.size(), "stimulus was blended", "stimuli were blended") +
+          " from examples in given shares");
+    }
+    if (!manifest_.examples.blendable) return;
+    Names rotations, warps;
+    bool locks = false;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      if (stimulus.clip) continue;
+      add_once(rotations, mean_of(stimulus.interpolation.rotations));
+      add_once(warps, warp_of(stimulus.interpolation.time_warp));
+      locks = locks || stimulus.interpolation.foot_lock;
+    }
+    say("Corresponding moments of the examples were brought together by " + listed(warps) +
+        " time warps, and rotations blended as " + listed(rotations));
+    if (locks) {
+      say("Planted feet were held where they stand by inverse kinematics" + cite({"kovar2002"}));
+    }
+  }
+
+  std::string mean_of(motion::RotationBlend blend) {
+    switch (blend) {
+      case motion::RotationBlend::direction_vectors:
+        return "sums of direction vectors";
+      case motion::RotationBlend::markley_mean:
+        return "Markley means" + cite({"markley2007"});
+      case motion::RotationBlend::karcher_mean:
+        break;
+    }
+    return "Karcher means";
+  }
+
+  std::string warp_of(motion::WarpShape shape) {
+    return shape == motion::WarpShape::linear ? "piecewise linear"
+                                              : "monotone cubic" + cite({"fritsch1980"});
+  }
+
+  void tell_interpolation() {
+    for (const char* source : {"adjectives", "features"}) {
+      const auto stimuli = stimuli_of(source);
+      if (stimuli.empty()) continue;
+      Names methods;
+      for (const Stimulus* stimulus : stimuli)
+        add_once(methods, method_words(stimulus->interpolation.weights.method));
+      say(fmt::format(
+          "{} asked for by {}: the shares of the examples were found by {}",
+          count_of(stimuli.size(), "stimulus was", "stimuli were"),
+          source == std::string("features") ? "measured features of motion" : "adjectives",
+          listed(methods)));
+    }
+  }
+
+  std::string method_words(motion::InterpolationMethod method) {
+    const MethodWords found = words_of(method);
+    return found.words + cite(found.sources);
+  }
+
+  void tell_reached() {
+    Range missed;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      const Synthesis& made = motions_.of(stimulus.id);
+      const std::size_t count = std::min(made.asked.size(), made.reached.size());
+      for (std::size_t i = 0; i < count; ++i)
+        missed.add(std::abs(made.reached[i].second - made.asked[i].second));
+    }
+    if (missed.count == 0) return;
+    say(
+        fmt::format("Of {} asked for, from 0 to 1, the motions miss {:.3f} on average and {:.3f} "
+                    "at most",
+                    count_of(static_cast<std::size_t>(missed.count), "value", "values"),
+                    missed.mean(), missed.most));
+  }
+
+  void tell_files() {
+    const auto files = stimuli_of("clip");
+    if (files.empty()) return;
+    say(count_of(files.size(), "stimulus shows", "stimuli show") + " recorded motion");
+  }
+
+  void tell_modifications() {
+    std::size_t modified = 0, reduced = 0;
+    Names emotions, styles, parts;
+    Range strengths;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      if (stimulus.modify.empty()) continue;
+      ++modified;
+      reduced += motions_.of(stimulus.id).modified_share < 1.0 ? 1 : 0;
+      for (const ModificationStep& step : stimulus.modify) {
+        if (!step.emotion.empty()) {
+          add_once(emotions, step.emotion);
+          strengths.add(step.strength);
+        }
+        if (step.style) add_once(styles, source_of(step.style->method));
+        for (const std::string& part : step.edit.named) add_once(parts, part);
+      }
+    }
+    if (modified == 0) return;
+    say(count_of(modified, "stimulus was", "stimuli were") +
+        " modified afterwards, by lengths of paths, timing and posture" + modification_sources());
+    if (!emotions.empty()) {
+      say(fmt::format("The recipes used ({}) were {}, at a strength of {}", recipe_book(),
+                      listed(emotions), told(strengths, 2, "")));
+    }
+    if (!parts.empty()) say("Set by hand were " + listed(parts));
+    if (!styles.empty()) {
+      say("Differences of style were taken over from pairs of examples by published methods" +
+          cite(styles));
+    }
+    if (reduced > 0) {
+      say(
+          fmt::format("In {} the modification was reduced as far as the motion needed to stay free "
+                      "of faults",
+                      reduced));
+    }
+  }
+
+  std::string modification_sources() { return cite({"emotionthesis2010", "bruderlin1995"}); }
+
+  std::string recipe_book() const {
+    if (!manifest_.recipes.file.empty()) return manifest_.recipes.file.filename().string();
+    return manifest_.recipes.name == "fig29" ? "figure 29 of the thesis, with mien's numbers"
+                                             : "mien's own, after the thesis";
+  }
+
+  void tell_pictures() {
+    Names figures, scenes, cameras, sizes, rates, qualities;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      const Output& output = stimulus.output;
+      const auto [width, height] = output.shown_size();
+      add_once(figures, figure_name(stimulus.look));
+      add_once(scenes, scene_name(stimulus.look));
+      add_once(cameras, stimulus.look.camera.view);
+      add_once(sizes, fmt::format("{} × {}", width, height));
+      add_once(rates, fmt::format("{:g}", output.fps));
+      add_once(qualities,
+               std::to_string(quality_of(FilmSettings{.output = output}).samples_per_pixel));
+    }
+    say(fmt::format(
+        "Motions were shown on {} ({}; set: {}; camera: {}), ray-traced{} in pictures "
+        "of {} pixels with {} samples a pixel, {} a second",
+        figures.size() == 1 ? "one figure" : "several figures", listed(figures), listed(scenes),
+        listed(cameras), cite({"embree2014"}), listed(sizes), listed(qualities), listed(rates)));
+  }
+
+  void tell_videos() {
+    Range seconds;
+    Names kinds;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      seconds.add(motions_.shown(stimulus).frame_count() / stimulus.output.fps);
+      for (const render::VideoKind kind : stimulus.output.video)
+        add_once(kinds, std::string(render::traits_of(kind).name));
+    }
+    say(fmt::format("The films last {} (mean {:.2f} s)", told(seconds, 2, " s"), seconds.mean()));
+    if (kinds.empty()) return;
+    say(
+        fmt::format("They were written as {}, and every video was decoded again and compared with "
+                    "the pictures drawn",
+                    listed(kinds)));
+  }
+
+  void tell_equalizing() {
+    Names alike;
+    if (manifest_.equalize.duration) alike.emplace_back("length, that of the shortest");
+    if (manifest_.equalize.size)
+      alike.emplace_back("height of the standing figure, that of the smallest, by the camera");
+    if (manifest_.equalize.luminance)
+      alike.emplace_back("mean luminance, the geometric mean of all, by the exposure");
+    if (!alike.empty()) say("All films were made alike in " + listed(alike));
+  }
+
+  void tell_distances() {
+    Range distances;
+    std::size_t matches = 0;
+    for (const Sheet& sheet : manifest_.sheets) {
+      for (const auto& [target, created] : pairs_on(sheet)) {
+        const motion::Distance d =
+            motion::distance(motions_.of(target).motion, motions_.of(created).motion);
+        distances.add(d.mean);
+        matches += d.matches() ? 1 : 0;
+      }
+    }
+    if (distances.count == 0) return;
+    say(fmt::format(
+        "The distance D of two motions is the mean distance of {} joints at {} corresponding "
+        "moments, place and heading of the body taken out{}",
+        motion::distance_joints, motion::distance_times, cite({"adjectives"})));
+    say(
+        fmt::format("Of {} compared, D is {} (mean {:.4f} m); {} below {:g} m, under which two "
+                    "motions count as the same",
+                    count_of(static_cast<std::size_t>(distances.count), "pair", "pairs"),
+                    told(distances, 4, " m"), distances.mean(),
+                    count_of(matches, "pair lies", "pairs lie"), motion::distance_threshold_m));
+  }
+
+  const Manifest& manifest_;
+  Motions& motions_;
+  std::string text_;
+  Names cited_;
+};
+
+}  // namespace
+
+Methods methods_of(const Manifest& manifest, Motions& motions) {
+  return MethodsWriter(manifest, motions).write();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace mien::pipeline {
+
+// Words and numbers as sentences have them.
+
+using Names = std::vector<std::string>;
+
+/// "1 stimulus was", "3 stimuli were"
+std::string count_of(std::size_t count, const std::string& one, const std::string& many);
+
+/// "a, b and c"
+std::string listed(const Names& names);
+
+void add_once(Names& names, const std::string& name);
+
+/// Least, largest and mean of numbers.
+struct Range {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  double sum = 0.0;
+  int count = 0;
+
+  void add(double value);
+  double mean() const { return sum / count; }
+};
+
+/// "from 1.20 to 1.40 s", or "1.20 s" where all are alike.
+std::string told(const Range& range, int digits, const std::string& unit);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,58 @@
+#include "pipeline/report/study_facts.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "motion/interpolation/interpolation_options.h"
+#include "pipeline/look/look_fields.h"
+#include "pipeline/reading/field_values.h"
+
+namespace mien::pipeline {
+
+std::string_view name_of(Role role) {
+  for (const auto& [word, meaning] : role_words) {
+    if (meaning == role) return word;
+  }
+  return "created";
+}
+
+std::string ratings_of(const Stimulus* stimulus, Motions& motions) {
+  if (stimulus == nullptr || stimulus->adjectives.empty()) return "none";
+  return motions.repertoire().simulated_ratings ? "simulated" : "given";
+}
+
+std::string_view source_of(const Stimulus& stimulus) {
+  if (stimulus.clip) return "clip";
+  if (!stimulus.features.empty()) return "features";
+  return stimulus.adjectives.empty() ? "weights" : "adjectives";
+}
+
+std::string method_of(const Stimulus& stimulus) {
+  if (stimulus.clip) return "";
+  return std::string(motion::name_of(stimulus.weights.empty()
+                                         ? stimulus.interpolation.weights.method
+                                         : motion::InterpolationMethod::direct));
+}
+
+std::string figure_name(const Look& look) {
+  const OrderedJson figure = FigureForm::write(look.figure, Writing{.for_key = true});
+  return figure.is_string() ? figure.get<std::string>() : figure.items().begin().key();
+}
+
+std::string scene_name(const Look& look) {
+  return look.scene_file.empty() ? scene_of(look) : look.scene_file.filename().string();
+}
+
+bool uses_examples(const Manifest& manifest) {
+  return blends_examples(manifest) || std::ranges::any_of(manifest.stimuli, names_examples);
+}
+
+std::vector<ExpectationCheck> expectation_checks(const Manifest& manifest,
+                                                 const Repertoire& repertoire) {
+  if (!repertoire.impressions) return {};
+  return check_expectations(manifest.ratings.expected, {repertoire.parameters, repertoire.names,
+                                                        repertoire.answers, repertoire.scales});
+}
+
+}  // namespace mien::pipeline

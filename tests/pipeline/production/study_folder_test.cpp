@@ -1,0 +1,274 @@
+// What a run leaves beside pictures: tables that belong together, a codebook of all their columns,
+// and a provenance that makes the study again.
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/documents/csv.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/production/codebook.h"
+#include "pipeline/production/provenance.h"
+#include "pipeline/production/run.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr char manifest_text[] = R"(mien: 1
+study: tiny
+seed: 7
+examples:
+  set: builtin:walks-10
+  scales: sub/my.scales.yaml
+  ratings: simulated
+  raters: 3
+  expect: [{parameter: slow-fast, order: [slow, brisk]}, {parameter: slow-fast, order: [brisk, normal, slow]}]
+recipes: my.recipes.yaml
+look: {figure: {mannequin: {sex: 0.2}}, camera: {view: side, fov: 30}}
+output: {size: [32, 24], fps: 6, cycles: 1, video: [gif], presentation: {blank_before: 0.5}}
+equalize: [size, luminance]
+stimuli:
+  - {id: a, factors: {actor: k}, adjectives: {slow-fast: 0.6}}
+  - {id: b, weights: {sad: 1}, look: {scene: my.set.yaml}}
+  - {id: c, weights: {normal: 1}, modify: {emotion: heavy, strength: 0.5}}
+overlays: [{target: a, created: b}]
+sheets: [{compare: {target: a, created: b, reference: normal}}]
+)";
+
+/// A folder with the manifest and what it names.
+class StudyFolder : public testing::Test {
+ protected:
+  StudyFolder() {
+    fs::create_directories(folder.path() / "sub");
+    write("m.yaml", manifest_text);
+    write(
+        "sub/my.scales.yaml",
+        "range: [1, 7]\nscales: {slow-fast: {low: slow, high: fast, loadings: {quickness: 1}}}\n");
+    write("my.recipes.yaml", "recipes: {heavy: {tempo: 0.9, posture: {head-flexion: 10}}}\n");
+    write("my.set.yaml", "name: bare\nbackground: \"#808080\"\n");
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder.path() / name) << text;
+  }
+
+  /// Runs a manifest or a provenance into out/<name>, and returns that folder.
+  fs::path made(const fs::path& file, const std::string& name,
+                std::optional<Quality> quality = Quality::draft) const {
+    const fs::path out = folder.path() / name / "tiny";
+    Production production(load_manifest(file, [](const std::string&) { return std::nullopt; }),
+                          {.quality = quality, .only = {}, .jobs = 1});
+    const RunResult result = run(production, out, 1, {}, {});
+    for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
+    return out;
+  }
+
+  static json document(const fs::path& file) { return json::parse(read_file(file)); }
+
+  test::TemporaryFolder folder;
+};
+
+/// All files of a study by their paths, without what the store keeps for itself.
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string path = fs::relative(entry.path(), folder).generic_string();
+    if (entry.is_regular_file() && !path.starts_with(".mien/")) files[path] = read_file(entry);
+  }
+  return files;
+}
+
+std::vector<std::string> header_in(const fs::path& file) {
+  std::vector<std::string> names;
+  for (const CsvField& field : read_csv(file).header) names.push_back(field.text);
+  return names;
+}
+
+std::string cell(const CsvTable& table, std::size_t row, const char* column) {
+  return table.rows.at(row)[static_cast<std::size_t>(require_column(table, column))].text;
+}
+
+TEST_F(StudyFolder, HasACodebookOfEveryColumnOfEveryTable) {
+  const fs::path out = made(folder.path() / "m.yaml", "out");
+  std::map<std::string, std::vector<std::string>> told;
+  for (const json& table : document(out / "metrics/codebook.json")["tables"]) {
+    EXPECT_FALSE(table["row"].get<std::string>().empty());
+    for (const json& column : table["columns"]) {
+      EXPECT_FALSE(column["meaning"].get<std::string>().empty()) << column;
+      told[table["file"]].push_back(column["name"]);
+    }
+  }
+  std::set<std::string> written;
+  for (const auto& [path, bytes] : files_in(out)) {
+    if (!path.ends_with(".csv")) continue;
+    written.insert(path);
+    EXPECT_EQ(told[path], header_in(out / path)) << path;
+  }
+  EXPECT_EQ(written.size(), told.size());
+  EXPECT_GE(written.size(), 16u);
+}
+
+TEST_F(StudyFolder, HasATableOfStimuliThatAllOthersJoin) {
+  const fs::path out = made(folder.path() / "m.yaml", "out");
+  const CsvTable stimuli = read_csv(out / "metrics/stimuli.csv");
+  ASSERT_EQ(stimuli.rows.size(), 4u);
+  std::set<std::string> known;
+  for (std::size_t r = 0; r < 4; ++r) known.insert(cell(stimuli, r, "stimulus"));
+  for (const auto& [path, bytes] : files_in(out)) {
+    if (!path.ends_with(".csv")) continue;
+    const CsvTable table = read_csv(out / path);
+    if (find_column(table, "stimulus") < 0) continue;
+    for (std::size_t r = 0; r < table.rows.size(); ++r)
+      EXPECT_TRUE(known.contains(cell(table, r, "stimulus"))) << path;
+  }
+  EXPECT_EQ(cell(stimuli, 0, "factor_actor"), "k");
+  EXPECT_EQ(cell(stimuli, 1, "factor_actor"), "");
+  EXPECT_EQ(cell(stimuli, 1, "factor_example"), "sad");
+  EXPECT_EQ(cell(stimuli, 2, "factor_emotion"), "heavy");
+  EXPECT_EQ(cell(stimuli, 0, "asked"), "slow-fast=0.6");
+  EXPECT_EQ(cell(stimuli, 0, "figure_options"), R"({"sex":0.2})");
+  EXPECT_EQ(cell(stimuli, 1, "scene"), "my.set.yaml");
+  EXPECT_EQ(cell(stimuli, 2, "modified"), "heavy × 0.5");
+  EXPECT_EQ(cell(stimuli, 0, "quality"), "draft");
+  EXPECT_EQ(cell(stimuli, 0, "samples_per_pixel"), "4");
+  EXPECT_EQ(cell(stimuli, 3, "kind"), "overlay");
+}
+
+TEST_F(StudyFolder, TellsFilesOfStimuliWithTheirLengthAndHash) {
+  const fs::path out = made(folder.path() / "m.yaml", "out");
+  const CsvTable stimuli = read_csv(out / "metrics/stimuli.csv");
+  for (std::size_t r = 0; r < 3; ++r) {
+    const auto frames = std::stoul(cell(stimuli, r, "film_frames"));
+    EXPECT_EQ(cell(stimuli, r, "video_hash"), hash_of_file(out / cell(stimuli, r, "video")));
+    EXPECT_EQ(cell(stimuli, r, "clip_hash"), hash_of_file(out / cell(stimuli, r, "clip")));
+    const auto files = fs::directory_iterator(out / cell(stimuli, r, "frames"));
+    EXPECT_EQ(frames, static_cast<std::size_t>(std::distance(begin(files), end(files))));
+    EXPECT_NEAR(std::stod(cell(stimuli, r, "film_s")), static_cast<double>(frames) / 6.0, 1e-12);
+    EXPECT_NEAR(std::stod(cell(stimuli, r, "video_s")), std::stod(cell(stimuli, r, "film_s")) + 0.5,
+                1e-9);
+  }
+}
+
+TEST_F(StudyFolder, TellsWhichExpectationsHold) {
+  const CsvTable table =
+      read_csv(made(folder.path() / "m.yaml", "out") / "metrics/expectations.csv");
+  ASSERT_EQ(table.rows.size(), 5u);
+  EXPECT_EQ(cell(table, 0, "above_previous"), "");
+  EXPECT_EQ(cell(table, 1, "above_previous"), "1");
+  EXPECT_EQ(cell(table, 1, "holds"), "1");
+  EXPECT_EQ(cell(table, 2, "holds"), "0");
+  EXPECT_EQ(cell(table, 4, "above_previous"), "0");
+  EXPECT_EQ(cell(table, 4, "example"), "slow");
+  EXPECT_EQ(cell(table, 4, "place"), "3");
+}
+
+TEST_F(StudyFolder, SaysWithWhatQualityItWasMade) {
+  const fs::path draft = made(folder.path() / "m.yaml", "draft");
+  const fs::path standard = made(folder.path() / "m.yaml", "standard", std::nullopt);
+  const json one = document(draft / "provenance.json");
+  const json other = document(standard / "provenance.json");
+  EXPECT_EQ(one["command"], "mien run m.yaml --quality draft");
+  EXPECT_EQ(other["command"], "mien run m.yaml");
+  for (const json& stimulus : one["stimuli"]) EXPECT_EQ(stimulus["output"]["quality"], "draft");
+  EXPECT_EQ(other["stimuli"][0]["output"]["samples_per_pixel"], 16);
+  EXPECT_NE(read_file(draft / "report.html").find("draft quality"), std::string::npos);
+  EXPECT_EQ(read_file(standard / "report.html").find("draft quality"), std::string::npos);
+}
+
+TEST_F(StudyFolder, TellsAllSettingsOfEveryStimulus) {
+  const json record = document(made(folder.path() / "m.yaml", "out") / "provenance.json");
+  ASSERT_EQ(record["stimuli"].size(), 3u);
+  const json& heavy = record["stimuli"][2];
+  EXPECT_EQ(heavy["modify"][0]["tempo"], 0.9);  // out of the file of recipes
+  EXPECT_EQ(heavy["modify"][0]["paths"], 1.0);
+  EXPECT_TRUE(heavy["modify"][0].contains("seed"));
+  EXPECT_EQ(heavy["look"]["figure"]["mannequin"]["sex"], 0.2);
+  EXPECT_TRUE(heavy["look"]["figure"]["mannequin"].contains("build"));
+  EXPECT_EQ(heavy["interpolation"]["method"], "cardinal");
+  EXPECT_EQ(record["overlays"][0]["opacity"], 0.75);
+}
+
+TEST_F(StudyFolder, KeepsCopiesOfWhatItWasDescribedBy) {
+  const fs::path out = made(folder.path() / "m.yaml", "out");
+  EXPECT_EQ(read_file(out / "inputs/m.yaml"), manifest_text);
+  for (const char* name : {"sub/my.scales.yaml", "my.recipes.yaml", "my.set.yaml"}) {
+    EXPECT_EQ(read_file(out / "inputs" / name), read_file(folder.path() / name));
+    EXPECT_EQ(document(out / "provenance.json")["inputs"]["inputs/" + std::string(name)],
+              hash_of_file(folder.path() / name));
+  }
+}
+
+TEST_F(StudyFolder, IsMadeAgainFromItsProvenanceToTheLastByte) {
+  const fs::path out = made(folder.path() / "m.yaml", "out");
+  const auto files = files_in(out);
+  for (const char* name : {"m.yaml", "my.recipes.yaml", "my.set.yaml", "sub/my.scales.yaml"})
+    fs::remove(folder.path() / name);
+  const fs::path again = made(out / "provenance.json", "again", std::nullopt);
+  EXPECT_EQ(files_in(again), files);
+  const fs::path copied = made(again / "inputs/m.yaml", "copied");
+  EXPECT_EQ(files_in(copied), files);
+}
+
+TEST_F(StudyFolder, IsFoundMadeByItsProvenance) {
+  const fs::path out = made(folder.path() / "m.yaml", "out");
+  Production production(
+      load_manifest(out / "provenance.json", [](const std::string&) { return std::nullopt; }),
+      {.quality = {}, .only = {}, .jobs = 1});
+  for (const TaskOutcome& outcome : plan(production.graph(), out))
+    EXPECT_EQ(outcome.state, TaskState::cached);
+}
+
+TEST_F(StudyFolder, TellsWhichInputsHaveChangedSince) {
+  const fs::path provenance = made(folder.path() / "m.yaml", "out") / "provenance.json";
+  const auto changes = [&] {
+    return changes_since(
+        provenance, load_manifest(provenance, [](const std::string&) { return std::nullopt; }));
+  };
+  EXPECT_TRUE(changes().empty());
+  std::ofstream(provenance.parent_path() / "inputs/my.recipes.yaml")
+      << "recipes: {heavy: {tempo: 0.8}}\n";
+  EXPECT_EQ(changes(), std::vector<std::string>{"inputs/my.recipes.yaml is not what it was"});
+}
+
+TEST_F(StudyFolder, IsNotMadeAgainWithoutItsInputs) {
+  const fs::path out = made(folder.path() / "m.yaml", "out");
+  fs::remove(out / "inputs/m.yaml");
+  const auto faults = check_manifest(out / "provenance.json", [](const std::string&) {
+                        return std::nullopt;
+                      }).faults;
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(to_string(faults[0]), (out / "provenance.json").string() + ": there is no " +
+                                      (out / "inputs/m.yaml").string() +
+                                      ", which it rests on; keep the folder inputs beside it");
+}
+
+TEST(Codebook, IsThePageOfTables) {
+  const std::string page = read_file(fs::path(MIEN_SOURCE_DIR) / "manifests/TABLES.md");
+  const std::size_t start = page.find("## ");
+  ASSERT_NE(start, std::string::npos);
+  EXPECT_EQ(page.substr(start), codebook_markdown());
+}
+
+TEST(Codebook, NamesNoTableAndNoColumnTwice) {
+  std::set<std::string_view> paths;
+  for (const TableForm& form : all_table_forms()) {
+    EXPECT_TRUE(paths.insert(form.path).second) << form.path;
+    std::set<std::string_view> names;
+    for (const Column& column : form.columns) {
+      EXPECT_TRUE(names.insert(column.name).second) << column.name;
+      EXPECT_EQ(column.meaning.find('|'), std::string::npos) << column.meaning;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mien::pipeline
