@@ -16,8 +16,7 @@ std::string expectation_list(const Manifest& manifest, const Repertoire& reperto
   std::string list = "<h3>Expected orders</h3>\n<ul class=\"expected\">\n";
   for (const ExpectationCheck& check : expectation_checks(manifest, repertoire)) {
     const char* state = check.is_certain() ? "holds" : check.holds() ? "unsure" : "fails";
-    list += fmt::format("<li class=\"{}\">{}</li>
-", state, html_escaped(sentence_of(check)));
+    list += fmt::format("<li class=\"{}\">{}</li>\n", state, html_escaped(sentence_of(check)));
   }
   return list + "</ul>\n";
 }
