@@ -18,14 +18,15 @@ namespace mien::motion {
 /// - World positions are exact whatever scales and matrices there are: nodes above the root become
 ///   part of the root's pose, scales part of the offsets. Every pose gets `offsets` only when a
 ///   joint moves on its parent by more than a millionth of the longest offset.
-/// - Samplers: STEP, LINEAR, CUBICSPLINE; floats or normalised integers; sparse accessors.
+/// - Samplers: STEP, LINEAR, CUBICSPLINE; floats or integers; sparse accessors; buffer
+///   views compressed by meshopt.
 /// - Frames run from the first key to the last, at the rate of the keys when those of the longest
 ///   track are evenly spaced at 10 to 1000 a second, else at 30. Without an animation there is one
 ///   frame, the pose of the nodes.
 ///
 /// Throws mien::Error naming the file, for JSON faults with line and column, for everything that is
 /// no such figure: among others indices and buffers out of bounds, a node with two parents, numbers
-/// that are not finite, more than an hour of motion, compressed buffers.
+/// that are not finite, more than an hour of motion.
 Recording read_gltf(const std::filesystem::path& path);
 
 /// As `read_gltf`, of a file in memory; `file_name` serves error messages and the recording's name.
@@ -36,7 +37,8 @@ Recording parse_gltf(std::string_view bytes, const std::string& file_name);
 /// animation with a rotation for every joint and a translation for the root and for joints whose
 /// offset changes over the poses; and a mesh of octahedra from joint to joint, skinned so that
 /// importers make an armature of the nodes. The bind pose has no rotations. Numbers are 32-bit
-/// floats; lengths are written as they are and read as metres by others.
+/// floats; lengths are written as they are and read as metres by others (`in_metres` makes them
+/// so).
 ///
 /// The recording has at least one pose. The same recording gives the same bytes.
 std::string to_glb(const Recording& recording);

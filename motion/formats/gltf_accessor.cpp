@@ -67,19 +67,41 @@ T value_at(const unsigned char* bytes) {
   return value;
 }
 
-double number_at(const unsigned char* bytes, int type) {
+/// A number as it stands.
+double plain_number_at(const unsigned char* bytes, int type) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
       return value_at<float>(bytes);
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return std::max(value_at<std::int8_t>(bytes) / 127.0, -1.0);
+      return value_at<std::int8_t>(bytes);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return *bytes / 255.0;
+      return *bytes;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return std::max(value_at<std::int16_t>(bytes) / 32767.0, -1.0);
+      return value_at<std::int16_t>(bytes);
     default:
-      return value_at<std::uint16_t>(bytes) / 65535.0;
+      return value_at<std::uint16_t>(bytes);
   }
+}
+
+/// The largest number of an integer type, which stands for 1 where integers are normalised.
+double largest_of(int type) {
+  switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return 127.0;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return 255.0;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return 32767.0;
+    default:
+      return 65535.0;
+  }
+}
+
+double number_at(const unsigned char* bytes, const tinygltf::Accessor& accessor) {
+  const int type = accessor.componentType;
+  const double number = plain_number_at(bytes, type);
+  if (!accessor.normalized || type == TINYGLTF_COMPONENT_TYPE_FLOAT) return number;
+  return std::max(number / largest_of(type), -1.0);
 }
 
 /// Bytes of one number, or 0 when the accessor's type is not one that animations have.
@@ -89,10 +111,10 @@ size_t size_of_number(const tinygltf::Accessor& accessor) {
       return 4;
     case TINYGLTF_COMPONENT_TYPE_BYTE:
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return accessor.normalized ? 1 : 0;
+      return 1;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return accessor.normalized ? 2 : 0;
+      return 2;
     default:
       return 0;
   }
@@ -134,10 +156,10 @@ size_t index_at(const unsigned char* bytes, size_t size) {
   return size == 2 ? value_at<std::uint16_t>(bytes) : value_at<std::uint32_t>(bytes);
 }
 
-void copy_element(const unsigned char* bytes, int type, size_t number_size,
-                  std::span<double> element) {
+void copy_element(const unsigned char* bytes, const tinygltf::Accessor& accessor,
+                  size_t number_size, std::span<double> element) {
   for (size_t c = 0; c < element.size(); ++c) {
-    element[c] = number_at(bytes + c * number_size, type);
+    element[c] = number_at(bytes + c * number_size, accessor);
   }
 }
 
@@ -162,7 +184,7 @@ void put_sparse_values(const GltfFile& file, const tinygltf::Accessor& accessor,
   for (size_t i = 0; i < count; ++i) {
     const size_t index = index_at(indices.at(i), index_size);
     if (index >= accessor.count) refuse_use(file, use, "a sparse index beyond the accessor's end");
-    copy_element(values.at(i), accessor.componentType, number_size,
+    copy_element(values.at(i), accessor, number_size,
                  std::span(numbers).subspan(index * components, components));
   }
 }
@@ -194,7 +216,7 @@ std::vector<double> accessor_numbers(const GltfFile& file, int index, size_t com
   }
   std::vector<double> numbers(accessor.count * components, 0.0);
   for (size_t i = 0; i < accessor.count && accessor.bufferView >= 0; ++i) {
-    copy_element(elements.at(i), accessor.componentType, number_size,
+    copy_element(elements.at(i), accessor, number_size,
                  std::span(numbers).subspan(i * components, components));
   }
   if (accessor.sparse.isSparse) put_sparse_values(file, accessor, components, use, numbers);

@@ -13,9 +13,10 @@ namespace mien::motion {
 /// what it is for: "key times".
 size_t accessor_count(const GltfFile& file, int accessor, std::string_view use);
 
-/// The numbers of an accessor with `components` (1, 2, 3, 4, 16) in each element: floats as they
-/// are, normalised integers as −1…1 or 0…1, sparse values put in. Throws mien::Error for every
-/// other type, for bytes outside the buffer and for numbers that are not finite.
+/// The numbers of an accessor with `components` (1, 2, 3, 4, 16) in each element: floats and
+/// plain integers as they are, normalised integers as −1…1 or 0…1, sparse values put in. Throws
+/// mien::Error for every other type, for bytes outside the buffer and for numbers that are not
+/// finite.
 std::vector<double> accessor_numbers(const GltfFile& file, int accessor, size_t components,
                                      std::string_view use);
 

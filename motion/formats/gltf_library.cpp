@@ -10,6 +10,7 @@
 
 #include "motion/error.h"
 #include "motion/formats/gltf_library.h"
+#include "motion/formats/gltf_meshopt.h"
 #include "motion/text/file_contents.h"
 
 namespace mien::motion {
@@ -70,6 +71,7 @@ bool is_read(const std::string& section) {
 }
 
 Json parse_json(std::string_view text, const std::string& name) {
+  bool may_be_packed = false;
   const auto wanted = [&](int depth, Json::parse_event_t event, Json& value) {
     // The library walks through values recursively.
     if (depth > 64) {
@@ -77,7 +79,11 @@ Json parse_json(std::string_view text, const std::string& name) {
     }
     if (event != Json::parse_event_t::key) return true;
     const std::string& key = value.get_ref<const std::string&>();
-    return depth == 1 ? is_read(key) : key != "extras" && key != "extensions";
+    if (depth == 1) {
+      may_be_packed = key == "buffers" || key == "bufferViews";
+      return is_read(key);
+    }
+    return key != "extras" && (key != "extensions" || may_be_packed);
   };
   try {
     Json json = Json::parse(text.begin(), text.end(), wanted);
@@ -96,13 +102,6 @@ void require_readable(const Json& json, const std::string& name) {
   const Json version = asset.is_object() ? asset.value("version", Json()) : Json();
   if (!version.is_string() || !version.get_ref<const std::string&>().starts_with("2.")) {
     throw Error({name}, "is not glTF of version 2", "export it as glTF 2.0");
-  }
-  const auto required = json.find("extensionsRequired");
-  if (required == json.end() || !required->is_array()) return;
-  for (const Json& extension : *required) {
-    if (extension == "EXT_meshopt_compression" || extension == "KHR_meshopt_compression") {
-      throw Error({name}, "the animation is compressed by meshopt", "export it uncompressed");
-    }
   }
 }
 
@@ -124,6 +123,9 @@ std::vector<tinygltf::Buffer> take_buffers(Json& json, std::optional<std::string
       buffer.data = bytes_of_gltf_uri(uri.get<std::string>(), name, folder, "buffer");
     } else if (binary && buffers.empty()) {
       buffer.data.assign(binary->begin(), binary->end());
+    } else if (is_meshopt_fallback(entry)) {
+      buffers.push_back(std::move(buffer));
+      continue;
     } else {
       throw Error({name}, "a buffer has no bytes", get_it_again);
     }
@@ -143,6 +145,7 @@ GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
   Json json = parse_json(container.json, name);
   require_readable(json, name);
   std::vector<tinygltf::Buffer> buffers = take_buffers(json, container.binary, name, folder);
+  unpack_meshopt(json, buffers, name);
   GltfFile file{name, {}};
   std::string fault;
   std::string warning;

@@ -26,7 +26,7 @@ std::string ending_of(std::span<const unsigned char> bytes, const std::string& n
   if (bytes.size() > 8 && bytes[0] == 0x89 && bytes[1] == 'P') return "picture.png";
   if (bytes.size() > 3 && bytes[0] == 0xFF && bytes[1] == 0xD8) return "picture.jpg";
   if (bytes.size() > 12 && bytes[0] == 'R' && bytes[8] == 'W') return "picture.webp";
-  fail(name, "is neither PNG nor JPEG");
+  fail(name, "is neither PNG, JPEG nor WebP");
 }
 
 /// Means of two by two texels; an odd last row or column goes with its neighbour.

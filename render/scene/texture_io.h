@@ -10,7 +10,7 @@ namespace mien::render {
 /// What a picture's channels are: colours, which sRGB encodes, or numbers as they are, 0 … 1.
 enum class TextureUse { colour, numbers };
 
-/// A picture file's bytes (PNG, JPEG and what else OpenImageIO reads from memory) as a texture:
+/// A picture file's bytes (PNG, JPEG, WebP) as a texture:
 /// colours become linear, an alpha channel is left out, grey becomes three equal channels. Pictures
 /// wider or higher than `largest` pixels are halved until they are not. `name` is for messages.
 ///

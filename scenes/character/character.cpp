@@ -10,6 +10,7 @@
 #include "motion/skeleton/sole.h"
 #include "motion/text/file_contents.h"
 #include "scenes/character/character_file.h"
+#include "scenes/character/leaf_twist.h"
 
 namespace mien::scenes {
 
@@ -222,6 +223,23 @@ motion::Clip worn_by(const Character& character, const motion::Clip& clip) {
   return worn;
 }
 
+namespace {
+
+/// How a joint of the body is turned from the bind pose, world space.
+Quat turn_from_bind(const Character& character, const motion::JointTransforms& body,
+                    BodyJoint joint) {
+  const auto turn = [&](BodyJoint j) -> Quat {
+    return (body.rotations[j] * character.bind_rotations[j].conjugate()).normalized();
+  };
+  const double most = most_twist_of(joint);
+  if (most >= motion::pi) return turn(joint);
+  const Quat above = turn(BodyJoint(motion::body_parents[joint]));
+  const Vec3 bone = character.bind_rotations[joint] * motion::rest_direction(joint);
+  return above * with_twist_within(above.conjugate() * turn(joint), bone, most);
+}
+
+}  // namespace
+
 motion::JointTransforms rig_in(const Character& character, const motion::Pose& pose) {
   const motion::JointTransforms body = motion::world_transforms(character.body, pose);
   const motion::JointTransforms bind = bind_of(character.rig);
@@ -234,9 +252,7 @@ motion::JointTransforms rig_in(const Character& character, const motion::Pose& p
     if (!motion::is_aimed(mapped)) continue;
     for (const int joint : mapped.group) turned_by[static_cast<size_t>(joint)] = b;
   }
-  const auto turn_of = [&](size_t b) -> Quat {
-    return (body.rotations[b] * character.bind_rotations[b].conjugate()).normalized();
-  };
+  const auto turn_of = [&](size_t b) { return turn_from_bind(character, body, BodyJoint(b)); };
   motion::JointTransforms now = bind;
   for (size_t j = 0; j < bind.positions.size(); ++j) {
     const auto parent = static_cast<size_t>(std::max(0, character.rig.joints[j].parent));

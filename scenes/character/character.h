@@ -38,8 +38,8 @@ struct Character {
 /// Reads a text or binary glTF 2.0 file (.gltf, .glb, .vrm) with its buffers and pictures.
 ///
 /// - All primitives of triangles of skinned meshes, and meshes that hang on a joint without a skin.
-///   Base colour factors and textures, and normal maps (PNG, JPEG). Vertex colours, morph targets
-///   and transparency are left out with a warning.
+///   Base colour factors and textures, and normal maps (PNG, JPEG, WebP). Vertex colours, morph
+///   targets and transparency are left out with a warning.
 /// - Joints are known by the names of common rigs (motion/rig/rig_names.h), by the humanoid bones
 /// of
 ///   VRM 0 and 1, or else by the shape of their tree. The bind pose, T-pose or A-pose, tells how

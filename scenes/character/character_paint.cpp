@@ -31,7 +31,7 @@ render::Texture decoded(const CharacterFile& file, std::span<const unsigned char
     return render::read_texture(bytes, use, kind);
   } catch (const render::Error& error) {
     throw Error({file.gltf.name}, std::string("a picture does not decode: ") + error.what(),
-                "export its pictures as PNG or JPEG");
+                "export its pictures as PNG, JPEG or WebP");
   }
 }
 
@@ -57,13 +57,21 @@ struct Painter {
   std::map<std::pair<int, render::TextureUse>, int> texture_of_image;
   bool has_unread = false;  ///< a texture of an extension's kind
 
+  /// The picture of a texture, or its WebP twin where that is the only one; −1 when it has neither.
+  int image_of(const json& texture, const std::string& use) const {
+    const size_t count = list_in(file.json, "images").size();
+    const int image = index_in(file, texture, "source", count, use);
+    if (image >= 0) return image;
+    const json& webp = object_in(object_in(texture, "extensions"), "EXT_texture_webp");
+    return index_in(file, webp, "source", count, use);
+  }
+
   /// Index of the texture that a material's entry names; −1 when it has none that can be drawn.
   int texture(const json& entry, render::TextureUse kind, const std::string& use) {
     const json& textures = list_in(file.json, "textures");
     const int index = index_in(file, entry, "index", textures.size(), use);
     if (index < 0) return -1;
-    const int image = index_in(file, textures[static_cast<size_t>(index)], "source",
-                               list_in(file.json, "images").size(), use);
+    const int image = image_of(textures[static_cast<size_t>(index)], use);
     has_unread |= image < 0;
     if (image < 0) return -1;
     const auto [known, is_new] =
@@ -128,7 +136,7 @@ CharacterPaint character_paint(const CharacterFile& file, std::vector<std::strin
     has_other_coordinates |= has_own_coordinates(base) || has_own_coordinates(bumps);
   }
   if (painter.has_unread) {
-    warnings.push_back("Some textures are neither PNG nor JPEG; their surfaces are plain.");
+    warnings.push_back("Some textures are neither PNG, JPEG nor WebP; their surfaces are plain.");
   }
   if (has_see_through) warnings.push_back("Transparent materials are drawn opaque.");
   if (has_other_coordinates) {

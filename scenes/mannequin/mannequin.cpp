@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/mannequin/largest_piece.h"
 #include "scenes/mannequin/mannequin_paint.h"
 #include "scenes/mannequin/mannequin_weights.h"
 #include "scenes/mannequin/surface_nets.h"
@@ -93,8 +94,9 @@ Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& o
   Mannequin mannequin;
   mannequin.bind = motion::world_transforms(body, modelling_pose(body));
   const Flesh flesh = flesh_of(body, mannequin.bind, options);
-  Surface surface = surface_nets([&](const Vec3& point) { return signed_distance(flesh, point); },
-                                 grid_for(flesh, mannequin.bind, scale));
+  Surface surface =
+      largest_piece(surface_nets([&](const Vec3& point) { return signed_distance(flesh, point); },
+                                 grid_for(flesh, mannequin.bind, scale)));
   SkinnedMesh& mesh = mannequin.mesh;
   mesh.positions = std::move(surface.positions);
   mesh.normals = std::move(surface.normals);

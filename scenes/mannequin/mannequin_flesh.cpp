@@ -5,6 +5,7 @@
 
 #include "motion/math/rotation.h"
 #include "motion/skeleton/sole.h"
+#include "scenes/mannequin/mannequin_landmarks.h"
 
 namespace mien::scenes {
 
@@ -24,6 +25,8 @@ double mixed(double low, double high, double t) { return low + (high - low) * t;
 struct Sculptor {
   const motion::Skeleton& body;
   const motion::JointTransforms& pose;
+  const Trunk trunk;
+  const HeadShape head;
   double scale;  ///< relative stature: all sizes below are of a body of 1.75 m
   double girth;  ///< of limbs
   double belly;  ///< depth of the belly
@@ -47,6 +50,20 @@ struct Sculptor {
     part->push_back(lump);
   }
 
+  /// At (left, level, forward); its height stretches with the trunk.
+  void trunk_ellipsoid(const Vec3& place, const Vec3& radii, double blend) const {
+    Lump lump;
+    lump.start = trunk.at(place);
+    lump.radii = scale * Vec3(radii.x(), radii.y() * trunk.stretch(), radii.z());
+    lump.blend = scale * blend;
+    part->push_back(lump);
+  }
+
+  /// World position of a point of the standard head, in the frame of its joint.
+  Vec3 in_head(const Vec3& local) const {
+    return at(motion::Head, head.raise / scale + head.size * local);
+  }
+
   void cone(const Vec3& start, const Vec3& end, double start_radius, double end_radius,
             double blend) const {
     Lump lump;
@@ -64,46 +81,42 @@ struct Sculptor {
 Vec3 sided(const Vec3& left, double side) { return {side * left.x(), left.y(), left.z()}; }
 
 void model_hips(const Sculptor& s) {
-  const double half = std::abs(s.offset(motion::LeftHip).x()) / s.scale;
-  const double drop = s.offset(motion::LeftHip).y() / s.scale;
   const double wide = mixed(1.06, 0.97, s.male);
-  s.ellipsoid(motion::Pelvis, {0, drop + 0.055, -0.004},
-              {(half + 0.068 * s.girth) * wide, 0.125, 0.100 * s.girth}, 0.04);
+  s.trunk_ellipsoid({0, 0.055, -0.004},
+                    {(s.trunk.half_hips + 0.068 * s.girth) * wide, 0.125, 0.100 * s.girth}, 0.04);
   for (const double side : {1.0, -1.0}) {
-    s.ellipsoid(motion::Pelvis, {side * 0.066, drop - 0.028, -0.046},
-                Vec3(0.078, 0.086, 0.074) * s.girth * mixed(1.06, 0.98, s.male), 0.035);
+    s.trunk_ellipsoid({side * 0.066, -0.028, -0.046},
+                      Vec3(0.078, 0.086, 0.074) * s.girth * mixed(1.06, 0.98, s.male), 0.035);
   }
 }
 
 void model_chest(const Sculptor& s) {
-  const double half =
-      std::abs(s.offset(motion::LeftShoulder).x() + s.offset(motion::LeftClavicle).x()) / s.scale;
-  const double top =
-      (s.offset(motion::LeftClavicle).y() + s.offset(motion::LeftShoulder).y()) / s.scale;
-  const double breadth = half / 0.185;
+  constexpr double top = Trunk::shoulder_level;
+  const double breadth = s.trunk.breadth();
   const double sturdy = mixed(0.93, 1.03, s.male) * mixed(1.0, s.girth, 0.7);
-  s.ellipsoid(motion::Spine, {0, 0.035, 0.006},
-              {mixed(0.117, 0.134, s.male) * s.girth, 0.150, 0.094 * s.belly}, 0.07);
-  s.ellipsoid(motion::Chest, {0, top - 0.125, -0.002},
-              {0.146 * breadth * sturdy, 0.190, 0.104 * sturdy}, 0.06);
-  s.ellipsoid(motion::Chest, {0, top - 0.055, -0.022},
-              {0.152 * breadth * sturdy, 0.115, 0.078 * sturdy}, 0.05);
+  s.trunk_ellipsoid(
+      {0, 0.175, 0.006},
+      {mixed(0.117, 0.134, s.male) * s.trunk.waist() * s.girth, 0.150, 0.094 * s.belly}, 0.07);
+  s.trunk_ellipsoid({0, top - 0.125, -0.002}, {0.146 * breadth * sturdy, 0.190, 0.104 * sturdy},
+                    0.06);
+  s.trunk_ellipsoid({0, top - 0.055, -0.022}, {0.152 * breadth * sturdy, 0.115, 0.078 * sturdy},
+                    0.05);
   for (const double side : {1.0, -1.0}) {
     const double bust = (1.0 - s.male) * (1.0 - s.male) * s.girth;
-    s.ellipsoid(motion::Chest,
-                {side * 0.070 * breadth, top - mixed(0.100, 0.132, bust),
-                 mixed(0.056, 0.048, bust) * sturdy},
-                {0.076, mixed(0.062, 0.066, bust), mixed(0.040, 0.058, bust)}, 0.055);
-    s.cone(s.at(motion::Chest, {side * 0.03, top + 0.004, -0.016}),
-           s.at(motion::Chest, {side * (half - 0.022), top - 0.006, -0.008}), 0.062 * s.girth,
-           mixed(0.046, 0.056, s.male) * s.girth, 0.05);
+    s.trunk_ellipsoid({side * 0.070 * breadth, top - mixed(0.100, 0.132, bust),
+                       mixed(0.056, 0.048, bust) * sturdy},
+                      {0.076, mixed(0.062, 0.066, bust), mixed(0.040, 0.058, bust)}, 0.055);
+    s.cone(s.trunk.at({side * 0.03, top + 0.004, -0.016}),
+           s.trunk.at({side * (s.trunk.half_shoulders - 0.022), top - 0.006, -0.008}),
+           0.062 * s.girth, mixed(0.046, 0.056, s.male) * s.girth, 0.05);
   }
 }
 
+/// From between the shoulders to the skull, wherever the joint of the neck lies.
 void model_neck(const Sculptor& s) {
   const double thick = mixed(0.86, 1.06, s.male) * mixed(1.0, s.girth, 0.6);
-  const Vec3 base = s.at(motion::Neck, {0, -0.030, -0.016});
-  s.cone(base, s.at(motion::Head, {0, 0.020, 0.0}), 0.056 * thick, 0.051 * thick, 0.035);
+  const Vec3 base = s.trunk.shoulders + s.scale * Vec3(0.0, 0.030, -0.016);
+  s.cone(base, s.in_head({0, 0.020, 0}), 0.056 * thick, 0.051 * thick, 0.035);
   const double reach = s.offset(motion::LeftShoulder).x();
   for (const double side : {1.0, -1.0}) {
     const Vec3 shoulder = s.pose.positions[side > 0 ? motion::LeftShoulder : motion::RightShoulder];
@@ -115,18 +128,16 @@ void model_neck(const Sculptor& s) {
 
 /// A skull, a face before it, and what tells where it looks: brow, nose and chin.
 void model_head(const Sculptor& s) {
-  const Vec3 tip = s.body.joints[motion::Head].tip.value_or(Vec3(0, 0.17 * s.scale, 0)) / s.scale;
-  const double h = std::clamp(tip.norm() / 0.17, 0.8, 1.25);
-  const auto lump = [&](const Vec3& centre, const Vec3& radii, double blend,
-                        const Quat& turn = Quat::Identity()) {
-    s.ellipsoid(motion::Head, centre * h, radii * h, blend, turn);
+  const double size = s.head.size;
+  const auto lump = [&](const Vec3& centre, const Vec3& radii, double blend) {
+    s.ellipsoid(motion::Head, s.head.raise / s.scale + centre * size, radii * size, blend);
   };
   const double jaw = mixed(0.92, 1.0, s.male);
   lump({0, 0.082, -0.008}, {0.074, 0.088, 0.090}, 0.030);
   lump({0, 0.024, 0.026}, {0.060 * jaw, 0.084, 0.062}, 0.050);
   lump({0, 0.072, 0.060}, {0.046, 0.022, 0.026}, 0.040);
-  s.cone(s.at(motion::Head, Vec3(0, 0.062, 0.082) * h),
-         s.at(motion::Head, Vec3(0, 0.026, 0.098) * h), 0.008 * h, 0.012 * h, 0.022);
+  s.cone(s.in_head({0, 0.062, 0.082}), s.in_head({0, 0.026, 0.098}), 0.008 * size, 0.012 * size,
+         0.022);
   lump({0, -0.040, 0.064}, {0.026 * jaw, 0.018, 0.020}, 0.040);
 }
 
@@ -209,6 +220,14 @@ void model_leg(const Sculptor& s, BodyJoint hip, double side) {
   model_foot(s, ankle, side);
 }
 
+/// The arm hangs by `arm_drop` whatever the collar bone does.
+void hang(motion::Pose& pose, BodyJoint clavicle, double lift, double side) {
+  pose.rotations[static_cast<size_t>(clavicle)] =
+      Quat(Eigen::AngleAxisd(side * lift, Vec3::UnitZ()));
+  pose.rotations[static_cast<size_t>(clavicle + 1)] =
+      Quat(Eigen::AngleAxisd(-side * (arm_drop + lift), Vec3::UnitZ()));
+}
+
 /// Tips of the toes and heels are flat on the floor: the foot is turned back by what the leg
 /// spread.
 void spread(motion::Pose& pose, BodyJoint hip, double angle) {
@@ -236,8 +255,8 @@ double signed_distance(const Flesh& flesh, const Vec3& point) {
 motion::Pose modelling_pose(const motion::Skeleton& body) {
   motion::Pose pose;
   pose.rotations.assign(body.joints.size(), Quat::Identity());
-  pose.rotations[motion::LeftShoulder] = Quat(Eigen::AngleAxisd(-arm_drop, Vec3::UnitZ()));
-  pose.rotations[motion::RightShoulder] = Quat(Eigen::AngleAxisd(arm_drop, Vec3::UnitZ()));
+  hang(pose, motion::LeftClavicle, collar_lift(body), 1.0);
+  hang(pose, motion::RightClavicle, collar_lift(body), -1.0);
   spread(pose, motion::LeftHip, leg_spread);
   spread(pose, motion::RightHip, -leg_spread);
   const std::vector<Vec3> positions = motion::world_positions(body, pose);
@@ -252,6 +271,8 @@ Flesh flesh_of(const motion::Skeleton& body, const motion::JointTransforms& pose
   const double fat = options.build - 0.5;
   Sculptor sculptor{body,
                     pose,
+                    trunk_of(body, pose),
+                    head_shape(body),
                     motion::relative_stature(body),
                     1.0 + 0.42 * fat,
                     1.0 + (fat > 0 ? 1.1 : 0.45) * fat,

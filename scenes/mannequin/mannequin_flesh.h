@@ -28,7 +28,8 @@ double signed_distance(const Flesh& flesh, const motion::Vec3& point);
 
 /// The pose in which a mannequin is modelled: arms hang away from the body at 50° below the
 /// horizontal and legs are slightly apart, so that limbs are free of each other and neither walking
-/// nor raised arms are far away. The pelvis stands where the soles touch y = 0.
+/// nor raised arms are far away. Collar bones lie as they are carried (`collar_lift`). The pelvis
+/// stands where the soles touch y = 0.
 motion::Pose modelling_pose(const motion::Skeleton& body);
 
 /// Flesh for a body in that pose: breadths and bulges of an adult, modelled by eye, at the body's

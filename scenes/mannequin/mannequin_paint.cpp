@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/skeleton/body.h"
+#include "scenes/mannequin/mannequin_landmarks.h"
 
 namespace mien::scenes {
 
@@ -27,11 +28,10 @@ render::Color mixed(const render::Color& a, const render::Color& b, float t) {
 /// Metres at 1.75 m inside the border of the face: an upright oval on the front of the head.
 double depth_in_face(const motion::Skeleton& body, const motion::JointTransforms& pose,
                      const Vec3& point) {
-  const double scale = motion::relative_stature(body);
-  const Vec3 tip = body.joints[motion::Head].tip.value_or(Vec3(0, 0.17 * scale, 0));
-  const double h = std::clamp(tip.norm() / scale / 0.17, 0.8, 1.25) * scale;
-  const Vec3 local =
-      pose.rotations[motion::Head].conjugate() * (point - pose.positions[motion::Head]) / h;
+  const HeadShape head = head_shape(body);
+  const Vec3 from_joint =
+      pose.rotations[motion::Head].conjugate() * (point - pose.positions[motion::Head]);
+  const Vec3 local = (from_joint - head.raise) / (head.size * motion::relative_stature(body));
   const double across = local.x() / 0.060;
   const double upward = (local.y() - 0.030) / 0.082;
   const double oval = 0.058 * (1.0 - std::sqrt(across * across + upward * upward));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/skeleton/body.h"
+#include "scenes/mannequin/mannequin_landmarks.h"
 
 namespace mien::scenes {
 
@@ -41,6 +42,8 @@ double smooth_step(double t) {
 struct Weigher {
   const motion::Skeleton& body;
   const motion::JointTransforms& pose;
+  Trunk trunk;
+  HeadShape head;
   double scale;
   Vec3 point;
 
@@ -64,6 +67,25 @@ struct Weigher {
     return smooth_step(0.5 + 0.5 * distance / hinge.reach);
   }
 };
+
+/// A hinge of the trunk or head where there is flesh to bend: rigs have joints of the spine in the
+/// pelvis or at the neck, and the joint of the head above the jaw.
+Hinge set_in_flesh(const Weigher& weigher, Hinge hinge) {
+  const double hips = weigher.trunk.hips.y();
+  const double shoulders = weigher.trunk.shoulders.y();
+  const double joint = weigher.at(hinge.joint).y();
+  const double scale = weigher.scale;
+  if (hinge.joint == motion::Head) {
+    hinge.ahead += 0.6 * std::min(weigher.head.raise.y(), 0.0) / scale;
+  } else if (hinge.joint == motion::Neck) {
+    hinge.ahead += std::max(shoulders + 0.05 * scale - joint, 0.0) / scale;
+  } else {
+    const double lowest = hips + 0.06 * scale;
+    const double highest = std::max(shoulders - 0.12 * scale, lowest);
+    hinge.ahead += (std::clamp(joint, lowest, highest) - joint) / scale;
+  }
+  return hinge;
+}
 
 /// Shares `share` of the point out along a chain: from `base`, each hinge taking over from the
 /// last.
@@ -122,7 +144,8 @@ double share_of_limb(double trunk, double limb, double other_limb, double scale)
 std::vector<Influence> mannequin_weights(const motion::Skeleton& body,
                                          const motion::JointTransforms& pose, const Flesh& flesh,
                                          const Vec3& point) {
-  const Weigher weigher{body, pose, motion::relative_stature(body), point};
+  const Weigher weigher{
+      body, pose, trunk_of(body, pose), head_shape(body), motion::relative_stature(body), point};
   const auto [trunk, left_arm, right_arm, left_leg, right_leg] = limb_distances(flesh, point);
   const double to_left_arm = share_of_limb(trunk, left_arm, right_arm, weigher.scale);
   const double to_right_arm = share_of_limb(trunk, right_arm, left_arm, weigher.scale);
@@ -132,7 +155,9 @@ std::vector<Influence> mannequin_weights(const motion::Skeleton& body,
   const double arms = is_leg ? 0.0 : to_left_arm + to_right_arm;
   const double legs = is_leg ? to_left_leg + to_right_leg : 0.0;
   Weights trunk_weights{};
-  share_along(weigher, motion::Pelvis, trunk_hinges, 0, 1.0, trunk_weights);
+  auto hinges = trunk_hinges;
+  for (Hinge& hinge : hinges) hinge = set_in_flesh(weigher, hinge);
+  share_along(weigher, motion::Pelvis, hinges, 0, 1.0, trunk_weights);
   for (const BodyJoint clavicle : {motion::LeftClavicle, motion::RightClavicle}) {
     give_to_clavicle(weigher, clavicle, trunk_weights);
   }

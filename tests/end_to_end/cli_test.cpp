@@ -268,6 +268,21 @@ TEST(CommandLine, BlendsComparesConvertsAndTellsAboutMotions) {
   EXPECT_EQ(run_mien({"motion", "info", (scratch.path() / "none.bvh").string()}).code, 2);
 }
 
+TEST(CommandLine, WritesGlbInMetres) {
+  const Scratch scratch;
+  const fs::path bvh = scratch.path() / "stick.bvh";
+  std::ofstream(bvh) << "HIERARCHY\nROOT low\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition "
+                        "Zposition Zrotation Xrotation Yrotation\nJOINT high\n{\nOFFSET 0 170 0\n"
+                        "CHANNELS 3 Zrotation Xrotation Yrotation\n}\n}\nMOTION\nFrames: 1\n"
+                        "Frame Time: 0.1\n0 0 0 0 0 0 0 0 0\n";
+  const fs::path glb = scratch.path() / "stick.glb";
+  ASSERT_EQ(run_mien({"motion", "convert", bvh.string(), glb.string()}).code, 0);
+  std::ifstream in(glb, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const json document = json::parse(bytes.substr(20, bytes.find("BIN") - 24));
+  EXPECT_NEAR(document["nodes"][1]["translation"][1].get<double>(), 1.7, 1e-6);
+}
+
 /// The BVH with a frame of half a second later in its middle.
 void put_leap_into(const fs::path& bvh, const fs::path& faulty) {
   std::ifstream in(bvh);

@@ -7,6 +7,21 @@
 
 namespace mien::test {
 
+inline std::string base64(std::string_view bytes) {
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (size_t k = 0; k < 4; ++k) {
+      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return text;
+}
+
 /// Buffer, buffer views and accessors of a hand-made glTF file: one view and one accessor for each
 /// list of numbers.
 class GltfNumbers {
@@ -40,21 +55,6 @@ class GltfNumbers {
   }
 
  private:
-  static std::string base64(std::string_view bytes) {
-    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (size_t i = 0; i < bytes.size(); i += 3) {
-      unsigned group = 0;
-      for (size_t k = 0; k < 3; ++k) {
-        group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-      }
-      for (size_t k = 0; k < 4; ++k) {
-        text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-      }
-    }
-    return text;
-  }
-
   std::string bytes_;
   std::string views_;
   std::string accessors_;

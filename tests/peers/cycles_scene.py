@@ -1,7 +1,9 @@
 """Run by Blender: draws the peers' scene with Cycles and writes seconds a frame and errors.
 
-blender -b --factory-startup --python cycles_scene.py -- SCENE.json RESULT.json FRAMES REFERENCE
+blender -b --factory-startup --python cycles_scene.py -- SCENE.json RESULT.json FRAMES REFERENCE PICTURE.npy
 
+PICTURE becomes the last frame before the standing camera with REFERENCE samples, its first row at the
+top. With FRAMES 0 it is the first frame, and nothing else is drawn.
 Direct light only, no denoiser, persistent data, all cores. The axes are turned: mien's +Y is up,
 Blender's +Z.
 """
@@ -16,7 +18,7 @@ import bpy
 import numpy
 from mathutils import Matrix, Vector
 
-scene_file, result_file, frames, reference = sys.argv[sys.argv.index("--") + 1:]
+scene_file, result_file, frames, reference, picture_file = sys.argv[sys.argv.index("--") + 1:]
 frames, reference = int(frames), int(reference)
 told = json.load(open(scene_file))
 
@@ -70,8 +72,8 @@ width, height = 2.0 * half_u.length, 2.0 * half_v.length
 lamp = bpy.data.lights.new("key", "AREA")
 lamp.shape = "RECTANGLE"
 lamp.size, lamp.size_y = width, height
-# Blender's area lights emit power / (4 area) … in W/sr/m²: radiance = power / (π area).
-lamp.energy = light["radiance"] * 3.141592653589793 * width * height
+# Of rectangles, Blender makes radiance = power / (4 area).
+lamp.energy = light["radiance"] * 4.0 * width * height
 key = bpy.data.objects.new("key", lamp)
 x, y = half_u.normalized(), half_v.normalized()
 z = x.cross(y)  # it shines along −z
@@ -88,7 +90,9 @@ ball = bpy.context.object.data
 bpy.ops.object.shade_smooth()
 ball.materials.append(body)
 bpy.data.objects.remove(bpy.context.object)
-bpy.ops.mesh.primitive_cylinder_add(vertices=64, radius=told["bone_radius"], depth=1.0)
+# Without caps, which lie inside the balls: smooth shading would bend the normals at the rims to them.
+bpy.ops.mesh.primitive_cylinder_add(vertices=64, radius=told["bone_radius"], depth=1.0,
+                                    end_fill_type="NOTHING")
 stick = bpy.context.object.data
 bpy.ops.object.shade_smooth()
 stick.materials.append(body)
@@ -143,10 +147,19 @@ def render(samples, seed):
     return taken, pixels.reshape(-1, 4)[:, :3].astype(numpy.float64)
 
 
+def save_picture(pixels):
+    numpy.save(picture_file, pixels.reshape(720, 1280, 3)[::-1])
+
+
 result = {"version": bpy.app.version_string}
-for way in ("standing", "moving"):
+if frames == 0:
+    pose(0, "standing")
+    save_picture(render(reference, 99)[1])
+for way in ("standing", "moving") if frames > 0 else ():
     pose(frames - 1, way)
     truth = render(reference, 99)[1]
+    if way == "standing":
+        save_picture(truth)
     result[way] = []
     for samples in (1, 4, 16, 64):
         seconds = []
@@ -160,5 +173,4 @@ for way in ("standing", "moving"):
         result[way].append({"samples": samples, "seconds": sum(seconds) / len(seconds),
                             "error": error})
         print("mien-peer", way, result[way][-1], flush=True)
-    numpy.save(os.path.join(folder, "reference.npy"), truth)
 json.dump(result, open(result_file, "w"))

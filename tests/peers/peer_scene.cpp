@@ -6,6 +6,9 @@
 //                                          and prints JSON: seconds a frame and the RMS error of
 //                                          linear RGB against REFERENCE samples, for a camera that
 //                                          stands and one that goes round the figure
+//   peer_scene picture FRAME SAMPLES FILE  draws one frame before the standing camera and writes
+//                                          its beauty, albedo and normals, one film after the
+//                                          other, as 32-bit floats, the first row at the top
 
 #include <chrono>
 #include <cmath>
@@ -150,6 +153,18 @@ json measure(const motion::Clip& clip, bool moving, int frames, int reference_sa
   return rows;
 }
 
+void write_picture(const motion::Clip& clip, int frame, int samples, const std::string& file) {
+  render::Quality quality = quality_of(samples);
+  quality.floor_sky_tolerance = 0.0f;
+  const render::Layers layers =
+      render::Tracer().layers(scene_of(joints_at(clip, frame)), camera_at(frame, false), quality);
+  std::ofstream out(file, std::ios::binary);
+  for (const render::Film* film : {&layers.beauty, &layers.albedo, &layers.normal}) {
+    out.write(reinterpret_cast<const char*>(film->channels.data()),
+              static_cast<std::streamsize>(film->channels.size() * sizeof(float)));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -168,6 +183,13 @@ int main(int argc, char** argv) {
               << '\n';
     return 0;
   }
-  std::cerr << "peer_scene write SCENE.json | peer_scene measure FRAMES REFERENCE\n";
+  if (what == "picture" && argc == 5) {
+    const int frame = std::atoi(argv[2]), samples = std::atoi(argv[3]);
+    if (frame < 0 || frame >= frames_in_all || samples < 1) return 2;
+    write_picture(clip, frame, samples, argv[4]);
+    return 0;
+  }
+  std::cerr << "peer_scene write SCENE.json | peer_scene measure FRAMES REFERENCE | "
+               "peer_scene picture FRAME SAMPLES FILE\n";
   return 2;
 }

@@ -190,4 +190,9 @@ std::string two_pixels() {
          "Af8Bf4mnAAAAAElFTkSuQmCC";
 }
 
+std::string webp_halves() {
+  return "data:image/webp;base64,"
+         "UklGRjYAAABXRUJQVlA4TCkAAAAvD8ABACASIOns8X90jyOodiEB0Rx000GNTMAytmsooP8TwPNE/dD/AAA=";
+}
+
 }  // namespace mien::test

@@ -38,4 +38,7 @@ std::vector<std::string> vrm_names();
 /// A picture of 2 × 1 pixels, red and green, as a data URI.
 std::string two_pixels();
 
+/// A WebP picture of 16 × 8 pixels, its left half red and its right half green, as a data URI.
+std::string webp_halves();
+
 }  // namespace mien::test

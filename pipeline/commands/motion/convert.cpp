@@ -1,12 +1,14 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
+#include "motion/rig/recording_in_metres.h"
 #include "pipeline/commands/motion/motion.h"
 
 namespace mien::pipeline {
@@ -25,7 +27,12 @@ int convert(const ConvertOptions& options, const Console& console) {
     throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
   }
   motion::Recording recording = motion::read_motion(options.in);
-  if (options.body) recording = motion::to_recording(motion::to_body(recording));
+  const bool is_glb = std::filesystem::path(options.out).extension() == ".glb";
+  if (options.body) {
+    recording = motion::to_recording(motion::to_body(recording));
+  } else if (is_glb) {
+    recording = motion::in_metres(std::move(recording));
+  }
   motion::write_motion(recording, options.out);
   console.out << options.out << ": " << recording.frame_count() << " frames, "
               << recording.skeleton.size() << " joints\n";
@@ -38,7 +45,11 @@ void add_motion_convert_command(CLI::App& motion, Command& chosen) {
   CLI::App* command = motion.add_subcommand("convert", "Write a motion in another format");
   const auto options = std::make_shared<ConvertOptions>();
   command->add_option("in", options->in, "Motion file")->required();
-  command->add_option("out", options->out, "File to write: .bvh or .glb")->required();
+  command
+      ->add_option(
+          "out", options->out,
+          "File to write: .bvh, in the unit of what is read, or .glb, in metres and with +Y up")
+      ->required();
   command->add_flag("--body", options->body,
                     "Map it onto the canonical body: 21 joints, metres, +Y up");
   command->footer(

@@ -106,6 +106,38 @@ TEST(ACharacter, OfVrmIsKnownByItsHumanoidBones) {
   }
 }
 
+/// How the rig's joint is turned against its parent when the body's joint is twisted about its bone
+/// and bent a little, radians about the bone.
+double twist_drawn(motion::BodyJoint joint, double twist) {
+  const Character character =
+      parse_character(test::skinned_gltf(standard, {{}, test::mixamo_names()}).text(), "f.gltf");
+  const Vec3 bone = motion::rest_direction(joint);
+  motion::Pose pose;
+  pose.rotations.assign(motion::body_joint_count, Quat::Identity());
+  pose.rotations[motion::Pelvis] = motion::exp(Vec3(0.1, 2.0, 0.2));
+  const Quat bend = motion::exp(0.3 * bone.unitOrthogonal());
+  pose.rotations[joint] = bend * motion::exp(twist * bone);
+  const motion::JointTransforms rig = rig_in(character, pose);
+  const auto parent = static_cast<size_t>(motion::body_parents[joint]);
+  const Quat drawn = rig.rotations[parent].conjugate() * rig.rotations[joint];
+  EXPECT_LT((drawn * bone - bend * bone).norm(), 1e-6) << "the bone points elsewhere";
+  return motion::log(motion::twist_about(drawn, bone)).dot(bone);
+}
+
+TEST(ACharacter, DoesNotTwistItsEndsFurtherThanTheyGo) {
+  const double degree = motion::radians_per_degree;
+  for (const motion::BodyJoint toe : {motion::LeftToe, motion::RightToe}) {
+    EXPECT_NEAR(std::abs(twist_drawn(toe, 180.0 * degree)), 30.0 * degree, 1e-6);
+    EXPECT_NEAR(twist_drawn(toe, -70.0 * degree), -30.0 * degree, 1e-6);
+    EXPECT_NEAR(twist_drawn(toe, 20.0 * degree), 20.0 * degree, 1e-6);
+  }
+  for (const motion::BodyJoint end : {motion::Head, motion::LeftWrist, motion::RightWrist}) {
+    EXPECT_NEAR(twist_drawn(end, 170.0 * degree), 110.0 * degree, 1e-6);
+    EXPECT_NEAR(twist_drawn(end, -90.0 * degree), -90.0 * degree, 1e-6);
+  }
+  EXPECT_NEAR(twist_drawn(motion::LeftElbow, 170.0 * degree), 170.0 * degree, 1e-6);
+}
+
 TEST(ACharacter, HasLegsAsLongAsTheBodysAndStandsOnTheFloor) {
   const SkinnedGltf file =
       test::skinned_gltf(motion::standard_body(1.2), {{}, test::mixamo_names()});
@@ -142,6 +174,24 @@ TEST(ACharacter, BringsItsColoursAlong) {
   const render::Mesh& mesh = scene.solids.meshes[0];
   EXPECT_EQ(scene.materials[static_cast<size_t>(mesh.material)].texture, 0);
   EXPECT_EQ(scene.parts[static_cast<size_t>(mesh.triangle_parts.back())].name, "RightToe");
+}
+
+TEST(ACharacter, ReadsTexturesThatAreWebPAlone) {
+  SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
+  file.json["images"][0] = {{"uri", test::webp_halves()}, {"mimeType", "image/webp"}};
+  file.json["textures"][0].erase("source");
+  file.json["textures"][0]["extensions"] = {{"EXT_texture_webp", {{"source", 0}}}};
+  const Character character = parse_character(file.text(), "f.gltf");
+  EXPECT_TRUE(character.warnings.empty());
+  ASSERT_EQ(character.textures.size(), 1u);
+  const render::Texture& texture = character.textures[0];
+  ASSERT_EQ(texture.width, 16);
+  EXPECT_GT(texture.texels[0][0], 0.9f);
+  EXPECT_LT(texture.texels[0][1], 0.01f);
+  EXPECT_GT(texture.texels[15][1], 0.8f);
+  EXPECT_LT(texture.texels[15][0], 0.01f);
+  file.json["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 3;
+  EXPECT_THROW(parse_character(file.text(), "f.gltf"), Error);
 }
 
 TEST(ACharacter, ReadsNormalMapsAsNumbersNotColours) {

@@ -58,7 +58,7 @@ TEST(AMannequin, IsOneClosedSurfaceWhateverItsBuild) {
       const motion::Skeleton body =
           sex < 0.5 ? motion::standard_female_body() : motion::standard_body(1.9);
       const Mannequin mannequin = make_mannequin(body, {build, sex}, colours);
-      const test::Topology topology = test::topology_of(mannequin.mesh.triangles);
+      const mien::test::Topology topology = mien::test::topology_of(mannequin.mesh.triangles);
       EXPECT_EQ(topology.bad_edges, 0) << build << " " << sex;
       EXPECT_EQ(topology.euler, 2) << build << " " << sex;
       EXPECT_NO_THROW(validate(mannequin.mesh, motion::body_joint_count));

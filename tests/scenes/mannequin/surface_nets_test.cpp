@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes/closed_surface.h"
+#include "scenes/mannequin/largest_piece.h"
 #include "scenes/mannequin/lump.h"
 
 namespace mien::scenes {
@@ -36,7 +37,7 @@ double volume_of(const Surface& surface) {
 TEST(SurfaceNets, OfABallAreABallWithItsNormalsOutward) {
   const Surface ball =
       surface_nets([](const Vec3& p) { return p.norm() - 0.8; }, cube_grid(1.0, 30));
-  const test::Topology topology = test::topology_of(ball.triangles);
+  const mien::test::Topology topology = mien::test::topology_of(ball.triangles);
   EXPECT_EQ(topology.bad_edges, 0);
   EXPECT_EQ(topology.euler, 2);
   for (size_t v = 0; v < ball.positions.size(); ++v) {
@@ -51,10 +52,24 @@ TEST(SurfaceNets, OfARingHaveItsHole) {
   const auto ring = [](const Vec3& p) {
     return std::hypot(std::hypot(p.x(), p.z()) - 0.6, p.y()) - 0.2;
   };
-  const test::Topology topology =
-      test::topology_of(surface_nets(ring, cube_grid(1.0, 32)).triangles);
+  const mien::test::Topology topology =
+      mien::test::topology_of(surface_nets(ring, cube_grid(1.0, 32)).triangles);
   EXPECT_EQ(topology.bad_edges, 0);
   EXPECT_EQ(topology.euler, 0);
+}
+
+TEST(TheLargestPiece, IsWhatIsLeftOfABallAndCrumbs) {
+  const auto ball_and_crumbs = [](const Vec3& p) {
+    const double crumbs = std::min((p - Vec3(0.8, 0, 0)).norm(), (p + Vec3(0.8, 0, 0)).norm());
+    return std::min(p.norm() - 0.5, crumbs - 0.1);
+  };
+  const Surface all = surface_nets(ball_and_crumbs, cube_grid(1.0, 41));
+  const Surface ball = largest_piece(all);
+  EXPECT_EQ(mien::test::topology_of(all.triangles).euler, 6);
+  EXPECT_EQ(mien::test::topology_of(ball.triangles).euler, 2);
+  EXPECT_EQ(mien::test::topology_of(ball.triangles).bad_edges, 0);
+  EXPECT_EQ(ball.normals.size(), ball.positions.size());
+  for (const Vec3& position : ball.positions) EXPECT_NEAR(position.norm(), 0.5, 1e-6);
 }
 
 TEST(SurfaceNets, AreWatertightWhateverTheSignsAre) {
