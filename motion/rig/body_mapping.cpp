@@ -256,9 +256,7 @@ Clip to_body(const Recording& recording, const BodyMapping& mapping) {
   make_continuous(clip.poses);
   const double floor = floor_height(clip);
   for (Pose& pose : clip.poses) pose.root_position.y() -= floor;
-  for (const BodyJoint toe : {LeftToe, RightToe}) {
-    if (mapping.joints[toe].rotation() < 0) bend_toes_at_floor(clip, toe);
-  }
+  for (const BodyJoint toe : {LeftToe, RightToe}) bend_toes_at_floor(clip, toe);
   return clip;
 }
 

@@ -42,9 +42,9 @@ bool same_rig(const Skeleton& a, const Skeleton& b);
 /// joints correspond one to one and keep their offsets.
 ///
 /// The floor is the level on which the lower foot stands (floor.h), so that a few frames of noise
-/// or toes that dip do not move it. A floor that slopes in the recording is levelled first. Where
-/// the rig has no joint for the toes they bend as far as the floor wants (toe_bend.h). Throws Error
-/// when the recording has another rig than the mapping.
+/// or toes that dip do not move it. A floor that slopes in the recording is levelled first. Toes
+/// that would go through it as a foot rolls off bend (toe_bend.h). Throws Error when the recording
+/// has another rig than the mapping.
 Clip to_body(const Recording& recording, const BodyMapping& mapping);
 
 /// `to_body` with a mapping of its own.
