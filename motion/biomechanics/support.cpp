@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "motion/biomechanics/bearing.h"
 #include "motion/biomechanics/body_mass.h"
-#include "motion/gait/contact.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {
@@ -12,7 +12,7 @@ namespace mien::motion {
 namespace {
 
 constexpr double sole_width = 0.09;  // m at 1.75 m
-constexpr double bearing = 0.03;     // m
+constexpr double touching_metres = 0.03;
 
 double lowest_of(const SolePoints& sole) {
   return std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
@@ -23,7 +23,7 @@ std::vector<Vec3> bearing_corners(const SolePoints& sole, double lowest, double 
   const Vec3 side = 0.5 * sole_width * scale * Vec3(along.z(), 0.0, -along.x()).normalized();
   std::vector<Vec3> corners;
   for (const Vec3& point : {sole.heel, sole.ball, sole.tip}) {
-    if (point.y() > lowest + bearing * scale) continue;
+    if (point.y() > lowest + touching_metres * scale) continue;
     corners.push_back(level(point) + side);
     corners.push_back(level(point) - side);
   }
@@ -93,17 +93,22 @@ Nearest nearest(const Vec3& point, const std::vector<Vec3>& corners) {
 std::vector<Vec3> Support::all() const {
   std::vector<Vec3> corners = left;
   corners.insert(corners.end(), right.begin(), right.end());
+  corners.insert(corners.end(), elsewhere.begin(), elsewhere.end());
   return corners;
 }
 
 std::vector<Support> supports(const LintSubject& subject) {
   std::vector<Support> result(subject.world.size());
-  for (const FootPlant& plant : foot_plants(subject.clip)) {
-    const int last = std::min(plant.last, subject.frame_count() - 1);
-    for (int t = plant.first; t <= last; ++t) {
-      const SolePoints sole = sole_points(subject.clip.body, subject.world[t], plant.left);
-      (plant.left ? result[t].left : result[t].right) =
-          bearing_corners(sole, lowest_of(sole), subject.scale);
+  const Bearing bears = bearing_of(subject);
+  const auto corners = [&](int t, bool left) {
+    const SolePoints sole = sole_points(subject.clip.body, subject.world[t], left);
+    return bearing_corners(sole, lowest_of(sole), subject.scale);
+  };
+  for (int t = 0; t < subject.frame_count(); ++t) {
+    if (bears.left[t]) result[t].left = corners(t, true);
+    if (bears.right[t]) result[t].right = corners(t, false);
+    for (const BodyJoint joint : other_rests(subject, t)) {
+      result[t].elsewhere.push_back(level(subject.world[t].positions[joint]));
     }
   }
   return result;

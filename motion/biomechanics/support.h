@@ -6,17 +6,18 @@
 
 namespace mien::motion {
 
-/// The parts of both soles on the floor in one frame: corners, world space, y = 0. A foot that is
-/// not planted (contact.h) has none.
+/// What carries the body in one frame: corners, world space, y = 0. A foot that does not bear
+/// (bearing.h) has none.
 struct Support {
-  std::vector<Vec3> left;
-  std::vector<Vec3> right;
+  std::vector<Vec3> left;         ///< the part of the sole on the floor
+  std::vector<Vec3> right;        ///< likewise
+  std::vector<Vec3> elsewhere{};  ///< knees, hands and seat on the floor
 
-  bool empty() const { return left.empty() && right.empty(); }
+  bool empty() const { return left.empty() && right.empty() && elsewhere.empty(); }
   std::vector<Vec3> all() const;
 };
 
-/// The support in every frame. Of a planted foot all of the sole counts that is within 0.03 m of
+/// The support in every frame. Of a foot that bears all of the sole counts that is within 0.03 m of
 /// its lowest point, 0.09 m wide (at a stature of 1.75 m).
 std::vector<Support> supports(const LintSubject& subject);
 

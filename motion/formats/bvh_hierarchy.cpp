@@ -1,5 +1,6 @@
 #include "motion/formats/bvh_hierarchy.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -72,6 +73,19 @@ Vec3 take_end_site(TextCursor& cursor) {
   return tip;
 }
 
+/// Where a comment begins in a line: at its start or after a blank. The rest of a line that names a
+/// joint is its name.
+size_t comment_in(std::string_view line) {
+  TextCursor cursor = start_of(line, "");
+  const std::string_view first = take_word(cursor);
+  if (same_word(first, "ROOT") || same_word(first, "JOINT")) return std::string_view::npos;
+  for (size_t i = 0; i < line.size(); ++i) {
+    const bool is_free = i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t';
+    if (is_free && (line[i] == '#' || line.substr(i, 2) == "//")) return i;
+  }
+  return std::string_view::npos;
+}
+
 class HierarchyReader {
  public:
   explicit HierarchyReader(TextCursor& cursor) : cursor_(cursor) {}
@@ -106,7 +120,7 @@ class HierarchyReader {
       take_channels(place);
     } else if (same_word(word, "JOINT")) {
       open_joint("JOINT", place);
-    } else if (same_word(word, "End")) {
+    } else if (same_word(word, "End") || same_word(word, "EndSite")) {
       const Vec3 tip = take_end_site(cursor_);
       Joint& joint = joints()[static_cast<size_t>(open_.back().joint)];
       if (!joint.tip) joint.tip = tip;
@@ -215,6 +229,21 @@ class HierarchyReader {
 };
 
 }  // namespace
+
+std::string without_bvh_comments(std::string_view text) {
+  std::string plain(text);
+  size_t start = 0;
+  while (start < plain.size()) {
+    const size_t end = std::min(plain.find_first_of("\r\n", start), plain.size());
+    const size_t comment = comment_in(std::string_view(plain).substr(start, end - start));
+    if (comment != std::string_view::npos) {
+      std::fill(plain.begin() + static_cast<long>(start + comment),
+                plain.begin() + static_cast<long>(end), ' ');
+    }
+    start = end + 1;
+  }
+  return plain;
+}
 
 BvhHierarchy take_bvh_hierarchy(TextCursor& cursor) { return HierarchyReader(cursor).read(); }
 

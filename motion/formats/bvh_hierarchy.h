@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "motion/math/rotation.h"
@@ -20,6 +22,9 @@ struct BvhHierarchy {
   Skeleton skeleton;
   std::vector<BvhChannel> channels;  ///< in the order of a frame's numbers
 };
+
+/// The text with its comments blanked: from '#' or '//' to the line's end. Places stay.
+std::string without_bvh_comments(std::string_view text);
 
 /// Reads from HIERARCHY up to and with MOTION. Throws mien::Error.
 BvhHierarchy take_bvh_hierarchy(TextCursor& cursor);

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <optional>
 
 #include "motion/formats/bvh.h"
 #include "motion/formats/bvh_hierarchy.h"
@@ -10,6 +12,9 @@
 namespace mien::motion {
 
 namespace {
+
+/// Nobody records a motion slower than this; larger numbers are rates.
+constexpr double longest_frame_seconds = 2.0;
 
 /// Takes a label such as "Frame Time:", however it is spaced; the colon may be missing.
 void expect_label(TextCursor& cursor, std::string_view label) {
@@ -36,16 +41,24 @@ void expect_line_end(TextCursor& cursor) {
   fail(cursor, cursor.at, "nothing more is expected on this line", "start a new line here");
 }
 
+/// What was meant where a frame time is a rate: "0.00833333 for 120 frames a second".
+std::string frame_time_of(double written) {
+  const double rate = written > longest_frame_seconds && written <= 1000.0 ? written : 30.0;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6g for %g frames a second", 1.0 / rate, rate);
+  return text;
+}
+
 double take_frame_rate(TextCursor& cursor) {
   expect_label(cursor, "Frame Time");
   skip_space(cursor);
   const size_t place = cursor.at;
   const double seconds = take_number(cursor, "seconds a frame");
-  if (!(seconds >= 1e-5 && seconds <= 3600.0)) {
-    fail(cursor, place,
-         "a frame time of " + std::string(in_quotes(cursor.text.substr(place, cursor.at - place))) +
-             " seconds",
-         "give the seconds between two frames, e.g. 0.0333333");
+  if (!(seconds >= 1e-5 && seconds <= longest_frame_seconds)) {
+    const std::string written(in_quotes(cursor.text.substr(place, cursor.at - place)));
+    fail(cursor, place, "a frame time of " + written + " seconds",
+         "give the seconds between two frames, not how many there are in a second: " +
+             frame_time_of(seconds));
   }
   expect_line_end(cursor);
   return snapped_frame_rate(1.0 / seconds);
@@ -84,33 +97,50 @@ Pose pose_before_channels(const BvhHierarchy& hierarchy) {
   return pose;
 }
 
-/// Reads one frame: the numbers of one line.
-void take_frame(TextCursor& cursor, const BvhHierarchy& hierarchy, Pose& pose) {
+/// Where a line ended before its frame did: the frame may go on in the next, or lack numbers.
+struct ShortLine {
+  size_t place = 0;
   size_t taken = 0;
-  for (const BvhChannel& channel : hierarchy.channels) {
+};
+
+[[noreturn]] void refuse_short_frame(const TextCursor& cursor, const ShortLine& line,
+                                     size_t channels) {
+  fail(cursor, line.place,
+       "this frame ends after " + std::to_string(line.taken) + " of " + std::to_string(channels) +
+           " numbers",
+       at_end(cursor) ? "the file was cut short: get it again"
+                      : "give each frame a number for every channel");
+}
+
+void set_channel(Pose& pose, const BvhChannel& channel, double value) {
+  const auto joint = static_cast<size_t>(channel.joint);
+  if (channel.rotation) {
+    pose.rotations[joint] = turned(pose.rotations[joint], channel.axis, value);
+  } else if (joint == 0) {
+    pose.root_position[static_cast<int>(channel.axis)] = value;
+  } else {
+    pose.offsets[joint][static_cast<int>(channel.axis)] = value;
+  }
+}
+
+/// Reads one frame: numbers on one line or on several, to a line's end.
+void take_frame(TextCursor& cursor, const BvhHierarchy& hierarchy, Pose& pose) {
+  const size_t channels = hierarchy.channels.size();
+  std::optional<ShortLine> wrapped;
+  for (size_t taken = 0; taken < channels; ++taken) {
     skip_blanks(cursor);
     if (at_line_end(cursor)) {
-      fail(cursor, cursor.at,
-           "this frame ends after " + std::to_string(taken) + " of " +
-               std::to_string(hierarchy.channels.size()) + " numbers",
-           at_end(cursor) ? "the file was cut short: get it again"
-                          : "give each frame one line with a number for every channel");
+      if (!wrapped) wrapped = ShortLine{cursor.at, taken};
+      skip_space(cursor);
+      if (at_end(cursor)) refuse_short_frame(cursor, *wrapped, channels);
     }
-    const double value = take_number(cursor, "one a channel");
-    const auto joint = static_cast<size_t>(channel.joint);
-    if (channel.rotation) {
-      pose.rotations[joint] = turned(pose.rotations[joint], channel.axis, value);
-    } else if (joint == 0) {
-      pose.root_position[static_cast<int>(channel.axis)] = value;
-    } else {
-      pose.offsets[joint][static_cast<int>(channel.axis)] = value;
-    }
-    ++taken;
+    set_channel(pose, hierarchy.channels[taken], take_number(cursor, "one a channel"));
   }
   skip_blanks(cursor);
   if (!at_line_end(cursor)) {
-    fail(cursor, cursor.at, "this frame has more than " + std::to_string(taken) + " numbers",
-         "give each frame one line with a number for every channel");
+    if (wrapped) refuse_short_frame(cursor, *wrapped, channels);
+    fail(cursor, cursor.at, "this frame has more than " + std::to_string(channels) + " numbers",
+         "give each frame a number for every channel, and begin the next on a new line");
   }
   for (Quat& rotation : pose.rotations) rotation.normalize();
 }
@@ -142,7 +172,8 @@ std::vector<Pose> take_frames(TextCursor& cursor, const BvhHierarchy& hierarchy,
 }  // namespace
 
 Recording parse_bvh(std::string_view text, const std::string& file_name) {
-  TextCursor cursor = start_of(text, file_name);
+  const std::string plain = without_bvh_comments(text);
+  TextCursor cursor = start_of(plain, file_name);
   BvhHierarchy hierarchy = take_bvh_hierarchy(cursor);
   expect_label(cursor, "Frames");
   skip_space(cursor);

@@ -16,8 +16,8 @@ struct Flight {
 };
 
 /// Gaps of at least 0.06 s between the plants of a clip that does not loop, in which the pelvis is
-/// higher than over 0.4 s on either side. (In walking it is lowest between two single supports,
-/// where a strict judgement of contact may also leave a gap.)
+/// higher than over 0.4 s on either side and, where they last 0.25 s, falls. (In walking it is
+/// lowest between two single supports, where a strict judgement of contact may also leave a gap.)
 std::vector<Flight> flights(const Clip& clip, const std::vector<FootPlant>& plants);
 
 }  // namespace mien::motion

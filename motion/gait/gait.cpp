@@ -8,6 +8,7 @@
 #include "motion/gait/stride.h"
 #include "motion/math/percentile.h"
 #include "motion/math/rotation.h"
+#include "motion/skeleton/joint_transform.h"
 
 namespace mien::motion {
 
@@ -15,12 +16,28 @@ namespace {
 
 // Below it steps are no walk: climbing, dancing, standing.
 constexpr double least_steadiness = 0.1;
+constexpr double least_step = 0.08;  // m at 1.75 m
 // Seam cost: a tenth of that between the extremes of a stride.
 constexpr double alike_enough = 0.5;
+
+/// Whether the ankle gets away from a place during the stride: feet that stand take no steps,
+/// however the body sways over them.
+bool takes_a_step(const Clip& clip, const Stride& stride, BodyJoint ankle) {
+  Eigen::AlignedBox3d room;
+  const int last =
+      std::min(static_cast<int>(std::ceil(stride.next_strike)), clip.frame_count() - 1);
+  for (int t = std::max(static_cast<int>(stride.strike), 0); t <= last; ++t) {
+    room.extend(world_transform(clip.body, clip.poses[t], ankle).position);
+  }
+  return room.diagonal().norm() > least_step * relative_stature(clip.body);
+}
 
 std::optional<GaitCycle> cycle_of(const Clip& clip, const Stride& stride) {
   const auto keyframes = left_based_keyframes(stride);
   if (!keyframes) return std::nullopt;
+  if (!takes_a_step(clip, stride, LeftAnkle) || !takes_a_step(clip, stride, RightAnkle)) {
+    return std::nullopt;
+  }
   const int last = clip.frame_count() - 1;
   GaitCycle cycle;
   cycle.start_frame = std::clamp(static_cast<int>(std::lround(stride.strike)), 0, last);

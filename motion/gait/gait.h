@@ -33,7 +33,8 @@ struct GaitCycle {
 };
 
 /// All complete cycles by time: from left heel strike to left heel strike or, when there is no such
-/// pair, from right to right.
+/// pair, from right to right. Feet that stay where they are take no steps: there is none in
+/// standing.
 std::vector<GaitCycle> gait_cycles(const Clip& clip);
 
 /// The steadiest cycle; empty when the clip holds none that is a walk or run (steadiness ≥ 0.1). A

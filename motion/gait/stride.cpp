@@ -9,8 +9,9 @@ namespace {
 
 using Kind = GaitEvent::Kind;
 
-constexpr double step_margin = 0.15;     // share of the period between strikes of different feet
-constexpr double toe_off_window = 0.35;  // share of the period around the other foot's strike
+constexpr double step_margin = 0.15;  // share of the period between strikes of different feet
+constexpr double toe_off_window =
+    0.42;  // share of the period around the other foot's strike; runs fly long
 
 struct Moment {
   double frame = 0.0;

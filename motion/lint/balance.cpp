@@ -44,7 +44,8 @@ std::vector<double> lateral_margins(const LintSubject& subject, const BodyOnFloo
   std::vector<double> values(body.moments.size(), nothing);
   for (size_t t = 0; t < values.size(); ++t) {
     const Support& support = body.supports[t];
-    if (support.empty() || level_speed(body.moments[t]) <= standing_speed) continue;
+    const bool on_feet = !support.empty() && support.elsewhere.empty();
+    if (!on_feet || level_speed(body.moments[t]) <= standing_speed) continue;
     const MovingBody& moment = body.moments[t];
     const Vec3 extrapolated = moment.centre_of_mass + seconds * moment.velocity;
     const Vec3 to_left = Vec3::UnitY().cross(directions[t]);

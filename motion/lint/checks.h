@@ -36,9 +36,8 @@ Findings find_joints_beyond_limits(const LintSubject& subject, const LintOptions
 Findings find_self_intersections(const LintSubject& subject, const LintOptions& options,
                                  const LintSubject* original);
 
-/// Planted feet that slide: drift over one plant (slip.h) and, where nothing counts as planted
-/// because it is too fast, the speed of the stillest point on the floor. Against an original, what
-/// it slid more than that is an error sooner.
+/// Feet that slide while they bear the body (bearing.h), however fast. Against an original, what
+/// they slid more than there is an error sooner.
 Findings find_skating_feet(const LintSubject& subject, const LintOptions& options,
                            const LintSubject* original);
 
@@ -46,8 +45,8 @@ Findings find_skating_feet(const LintSubject& subject, const LintOptions& option
 Findings find_sunken_feet(const LintSubject& subject, const LintOptions& options,
                           const LintSubject* original);
 
-/// Frames in which the lower sole hangs above the floor, though a foot is planted or the body does
-/// not fall.
+/// Frames in which the lower sole hangs above the floor, though the body does not fall freely and
+/// rests on no knee, hand or seat.
 Findings find_floating(const LintSubject& subject, const LintOptions& options,
                        const LintSubject* original);
 

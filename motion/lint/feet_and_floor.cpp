@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/biomechanics/body_mass.h"
-#include "motion/gait/contact.h"
+#include "motion/biomechanics/bearing.h"
+#include "motion/biomechanics/body_on_floor.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
-#include "motion/math/singular_values.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {
@@ -13,8 +12,7 @@ namespace mien::motion {
 namespace {
 
 constexpr double shortest_seconds = 0.1;
-constexpr double falling =
-    -5.0;  // m/s²: half of free fall, for feet leave and meet the floor softly
+constexpr double soft_seconds = 0.07;
 
 std::vector<double> sole_heights(const LintSubject& subject, bool left) {
   std::vector<double> heights;
@@ -25,51 +23,23 @@ std::vector<double> sole_heights(const LintSubject& subject, bool left) {
   return heights;
 }
 
-std::vector<double> centre_heights(const LintSubject& subject) {
-  std::vector<double> heights;
-  for (const JointTransforms& world : subject.world) {
-    heights.push_back(centre_of_mass(subject.clip.body, world).y());
-  }
-  return heights;
-}
-
-/// Acceleration, m/s², of the parabola that fits the values in [first, last] best.
-double acceleration(const std::vector<double>& values, int first, int last, double rate) {
-  Eigen::MatrixXd basis(last - first + 1, 3);
-  Eigen::VectorXd measured(last - first + 1);
-  for (int t = first; t <= last; ++t) {
-    const double seconds = (t - 0.5 * (first + last)) / rate;
-    basis.row(t - first) << 1.0, seconds, 0.5 * seconds * seconds;
-    measured(t - first) = values[t];
-  }
-  return singular_values(basis).solve(measured, 1e-12)(2);
-}
-
-std::vector<bool> planted(const LintSubject& subject) {
-  std::vector<bool> result(subject.world.size(), false);
-  for (const FootPlant& plant : foot_plants(subject.clip)) {
-    const int last = std::min(plant.last, subject.frame_count() - 1);
-    for (int t = plant.first; t <= last; ++t) result[t] = true;
-  }
-  return result;
-}
-
-/// Leaves out the runs without a planted foot in which the body flies, and those too short to tell.
+/// Leaves out the frames in which the body rests on more than its feet, or falls freely and stands
+/// on none; also those next to a fall, for feet leave and meet the floor softly, and those of a
+/// motion's ends of which that cannot be told.
 void without_flights(const LintSubject& subject, std::vector<double>& heights) {
-  const std::vector<bool> stands = planted(subject);
-  const std::vector<double> centre = centre_heights(subject);
+  const Bearing bears = bearing_of(subject);
   const int count = subject.frame_count();
-  for (int first = 0; first < count; ++first) {
-    if (stands[first]) continue;
-    int last = first;
-    while (last + 1 < count && !stands[last + 1]) ++last;
-    const int from = std::max(first - 1, 0);
-    const int to = std::min(last + 1, count - 1);
-    const bool is_short = last - first + 1 < shortest_seconds * subject.rate() || to - from < 3;
-    if (is_short || acceleration(centre, from, to, subject.rate()) < falling) {
-      std::fill(heights.begin() + first, heights.begin() + last + 1, nothing);
-    }
-    first = last;
+  const int soft = static_cast<int>(std::lround(soft_seconds * subject.rate()));
+  std::vector<double> ends(heights.size(), 0.0);
+  without_ends(subject, ends);
+  const auto falls_near = [&](int t) {
+    const auto from = bears.falls.begin() + std::max(t - soft, 0);
+    const auto to = bears.falls.begin() + std::min(t + soft + 1, count);
+    return std::find(from, to, true) != to;
+  };
+  for (int t = 0; t < count; ++t) {
+    const bool may_fly = falls_near(t) || std::isnan(ends[t]);
+    if (bears.elsewhere[t] || (may_fly && !bears.planted[t])) heights[t] = nothing;
   }
 }
 

@@ -22,9 +22,7 @@ std::vector<double> presses(const LintSubject& subject, const BodyOnFloor& body)
 
 std::vector<double> pulls(const LintSubject& subject, const BodyOnFloor& body) {
   std::vector<double> values = presses(subject, body);
-  for (size_t t = 0; t < values.size(); ++t) {
-    values[t] = body.supports[t].empty() ? nothing : -values[t];
-  }
+  for (double& value : values) value = -value;
   return values;
 }
 
@@ -32,7 +30,7 @@ std::vector<double> frictions(const LintSubject& subject, const BodyOnFloor& bod
   std::vector<double> values(body.moments.size(), nothing);
   for (size_t t = 0; t < values.size(); ++t) {
     const Vec3& force = body.moments[t].floor_force;
-    if (body.supports[t].empty() || force.y() < light * gravity) continue;
+    if (force.y() < light * gravity) continue;
     values[t] = std::hypot(force.x(), force.z()) / force.y();
   }
   without_ends(subject, values);
@@ -45,7 +43,11 @@ std::vector<std::vector<double>> torques(const LintSubject& subject, const BodyO
   std::vector<std::vector<double>> rows(torque_joints().size());
   for (size_t t = 0; t < body.moments.size(); ++t) {
     const std::vector<double> values = joint_torques(body.moments[t], body.supports[t]);
-    for (size_t j = 0; j < rows.size(); ++j) rows[j].push_back(mass_kg * values[j]);
+    // How much of the floor's force knees and hands take cannot be told.
+    const bool is_known = body.supports[t].elsewhere.empty();
+    for (size_t j = 0; j < rows.size(); ++j) {
+      rows[j].push_back(is_known ? mass_kg * values[j] : nothing);
+    }
   }
   for (std::vector<double>& row : rows) without_ends(subject, row);
   return rows;
@@ -68,7 +70,7 @@ Findings find_unnatural_forces(const LintSubject& subject, const BodyOnFloor& bo
   };
   add(presses, options.press, "body weights", "The feet press the floor with ",
       " times the body's weight.");
-  add(pulls, options.pull, "body weights", "Planted feet are pulled to the floor with ",
+  add(pulls, options.pull, "body weights", "The body is pulled to the floor with ",
       " times the body's weight: it falls faster than things fall.");
   add(frictions, options.friction, "", "The feet would slip: they push sideways with ",
       " times what they press the floor with.");

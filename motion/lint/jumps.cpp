@@ -10,6 +10,10 @@ namespace mien::motion {
 
 namespace {
 
+// Shares of a step by which the next may differ from it: limbs are flung, whole bodies are not.
+constexpr double flung = 0.5;
+constexpr double pushed = 0.2;
+
 /// Steps from each frame to the next.
 std::vector<Vec3> turns(const Clip& clip, int joint) {
   std::vector<Vec3> steps;
@@ -57,18 +61,47 @@ std::vector<double> without_seams(const LintSubject& subject, const std::vector<
   return values;
 }
 
-/// What exceeds the usual of a quarter second around: limbs that are shaken fast step far in every
-/// frame of a slow recording, a leap stands alone.
-std::vector<double> isolated(const std::vector<double>& excess, double rate) {
+/// The usual excess of a quarter second around: limbs that are shaken fast step far in every frame
+/// of a slow recording, a leap stands alone.
+std::vector<double> usual(const std::vector<double>& excess, double rate) {
   const int count = static_cast<int>(excess.size());
   const int reach = std::max(3, static_cast<int>(std::lround(0.25 * rate)));
   std::vector<double> result;
   for (int i = 0; i < count; ++i) {
     const auto first = excess.begin() + std::max(0, i - reach);
     const auto last = excess.begin() + std::min(count, i + reach + 1);
-    result.push_back(excess[i] - percentile(std::vector<double>(first, last), 50));
+    result.push_back(percentile(std::vector<double>(first, last), 50));
   }
   return result;
+}
+
+/// Mean length of the steps before and after each.
+std::vector<double> paces(const std::vector<Vec3>& steps) {
+  const int count = static_cast<int>(steps.size());
+  std::vector<double> result;
+  for (int i = 0; i < count; ++i) {
+    const Vec3& before = steps[std::max(i - 1, 0)];
+    const Vec3& after = steps[std::min(i + 1, count - 1)];
+    result.push_back(0.5 * (before.norm() + after.norm()));
+  }
+  return result;
+}
+
+/// How far a joint's steps leap: beyond what is usual around, and beyond the share of their
+/// neighbours by which limbs that are flung change.
+std::vector<double> leaps_of_joint(const std::vector<Vec3>& turns, double rate) {
+  std::vector<double> leaps = excesses(turns);
+  const std::vector<double> around = usual(leaps, rate);
+  const std::vector<double> pace = paces(turns);
+  for (size_t i = 0; i < leaps.size(); ++i) leaps[i] -= std::max(around[i], flung * pace[i]);
+  return leaps;
+}
+
+std::vector<double> leaps_of_body(const std::vector<Vec3>& steps) {
+  std::vector<double> leaps = excesses(steps);
+  const std::vector<double> pace = paces(steps);
+  for (size_t i = 0; i < leaps.size(); ++i) leaps[i] -= pushed * pace[i];
+  return leaps;
 }
 
 Levels widened(const Levels& levels, double factor) {
@@ -114,17 +147,18 @@ Findings find_jumps(const LintSubject& subject, const LintOptions& options) {
       return "The " + spoken(name) + " leaps by " + rounded(worst, 0) +
              "° from one frame to the next.";
     };
-    const std::vector<double> steps = in_degrees(excesses(turns(subject.clip, j)));
+    const std::vector<double> leaps =
+        in_degrees(leaps_of_joint(turns(subject.clip, j), subject.rate()));
     const Levels levels = widened(options.jump_degrees, flick(subject, j));
     add_stretches(findings, subject, {"jump", name, "°", levels, 0, 1, sentence},
-                  without_seams(subject, isolated(steps, subject.rate())));
+                  without_seams(subject, leaps));
   }
   const auto sentence = [](double worst) {
     return "The whole body leaps by " + rounded(100.0 * worst, 0) +
            " cm from one frame to the next.";
   };
   add_stretches(findings, subject, {"jump", "", "m", options.jump_metres, 0, 1, sentence},
-                without_seams(subject, excesses(root_steps(subject.clip))));
+                without_seams(subject, leaps_of_body(root_steps(subject.clip))));
   return findings;
 }
 

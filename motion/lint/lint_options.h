@@ -29,8 +29,7 @@ struct LintOptions {
   Levels jerk_ratio = {5.0, 20.0};            ///< of hands, feet and head, by the original's
 
   // The feet.
-  Levels skate_metres = {0.02, 0.05};           ///< drift of a planted foot over one plant
-  Levels slide_speed = {0.4, 0.6};              ///< m/s; of the stillest point on the floor
+  Levels skate_metres = {0.02, 0.05};           ///< drift of a foot while it bears the body
   Levels penetration_metres = {0.01, 0.03};     ///< of the sole below the floor
   Levels floating_metres = {0.03, 0.04};        ///< of the lower sole, of a body that does not fall
   Levels contact_shift_seconds = {0.07, 0.15};  ///< against the original

@@ -1,21 +1,39 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/gait/contact.h"
+#include "motion/biomechanics/bearing.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/slip.h"
 #include "motion/lint/stretches.h"
+#include "motion/skeleton/sole.h"
 
 namespace mien::motion {
 
 namespace {
 
-constexpr double shortest_slide_seconds = 0.13;
 constexpr double beyond_original_metres = 0.012;
+constexpr double in_the_air = 0.1;  // m; a foot that stays higher touches nothing
+
+/// Whether the foot comes near the floor in these frames.
+bool is_on_floor(const LintSubject& subject, const FootPlant& plant) {
+  for (int t = plant.first; t <= plant.last; ++t) {
+    const SolePoints sole = sole_points(subject.clip.body, subject.world[t], plant.left);
+    const double lowest = std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
+    if (lowest < in_the_air * subject.scale) return true;
+  }
+  return false;
+}
+
+/// The stretches in which a foot bears, on the floor.
+std::vector<FootPlant> stances(const LintSubject& subject) {
+  std::vector<FootPlant> found = bearing_feet(bearing_of(subject), subject.rate());
+  std::erase_if(found, [&](const FootPlant& plant) { return !is_on_floor(subject, plant); });
+  return found;
+}
 
 double largest_slip(const LintSubject& subject) {
   double largest = 0.0;
-  for (const FootPlant& plant : foot_plants(subject.clip)) {
+  for (const FootPlant& plant : stances(subject)) {
     largest = std::max(largest, planted_slip(subject, plant));
   }
   return largest / subject.scale;
@@ -55,9 +73,9 @@ FootPlant as_in_original(FootPlant plant, const LintSubject& subject,
 
 /// The plants whose slip counts.
 std::vector<FootPlant> judged_plants(const LintSubject& subject, const LintSubject* original) {
-  std::vector<FootPlant> plants = foot_plants(subject.clip);
+  std::vector<FootPlant> plants = stances(subject);
   if (!original) return plants;
-  const std::vector<FootPlant> of_original = foot_plants(original->clip);
+  const std::vector<FootPlant> of_original = stances(*original);
   for (FootPlant& plant : plants) plant = as_in_original(plant, subject, of_original, *original);
   return plants;
 }
@@ -88,31 +106,12 @@ void find_slips(const LintSubject& subject, const LintOptions& options, const Li
   }
 }
 
-/// Speeds where neither foot is planted.
-std::vector<double> unplanted_speeds(const LintSubject& subject) {
-  std::vector<double> speeds = support_speeds(subject);
-  for (const FootPlant& plant : foot_plants(subject.clip)) {
-    const int last = std::min(plant.last, subject.frame_count() - 1);
-    for (int t = plant.first; t <= last; ++t) speeds[t] = nothing;
-  }
-  return speeds;
-}
-
 }  // namespace
 
 Findings find_skating_feet(const LintSubject& subject, const LintOptions& options,
                            const LintSubject* original) {
   Findings findings;
   find_slips(subject, options, original, findings);
-  const auto sentence = [](double worst) {
-    return "No foot stands still: whatever touches the floor slides at up to " + rounded(worst, 1) +
-           " m/s.";
-  };
-  const Levels levels =
-      raised(options.slide_speed, original ? unplanted_speeds(*original) : std::vector<double>());
-  add_stretches(findings, subject,
-                {"foot-skate", "", "m/s", levels, shortest_slide_seconds, 3, sentence},
-                unplanted_speeds(subject));
   return findings;
 }
 

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "motion/math/filter.h"
-#include "motion/math/percentile.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {
@@ -14,7 +11,6 @@ namespace {
 
 constexpr double ends_seconds = 0.05;
 constexpr double flat_metres = 0.01;
-constexpr double near_metres = 0.04;
 
 /// What the supporting part of a sole moves between two frames. Of a flat sole all of it bears, and
 /// what moves least tells how far it slides.
@@ -45,31 +41,6 @@ double planted_slip(const LintSubject& subject, const FootPlant& plant) {
     for (size_t b = 0; b < a; ++b) farthest = std::max(farthest, (track[a] - track[b]).norm());
   }
   return farthest;
-}
-
-std::vector<double> support_speeds(const LintSubject& subject) {
-  std::vector<double> stillest(subject.world.size(), std::numeric_limits<double>::quiet_NaN());
-  for (const bool left : {true, false}) {
-    const std::vector<SolePoints> soles = sole_paths(subject.clip, left);
-    for (const auto point : {&SolePoints::heel, &SolePoints::ball, &SolePoints::tip}) {
-      std::vector<Vec3> path;
-      std::vector<double> heights;
-      for (const SolePoints& sole : soles) {
-        path.push_back(sole.*point);
-        heights.push_back(path.back().y());
-      }
-      const double rest = percentile(heights, 3);
-      const double cutoff = std::min(10.0, 0.3 * subject.rate());
-      const std::vector<Vec3> velocity =
-          derivative(low_pass(path, cutoff, subject.rate()), subject.rate());
-      for (size_t t = 0; t < path.size(); ++t) {
-        if (heights[t] - rest > near_metres * subject.scale) continue;
-        const double speed = level(velocity[t]).norm();
-        if (!(stillest[t] < speed)) stillest[t] = speed;
-      }
-    }
-  }
-  return stillest;
 }
 
 }  // namespace mien::motion

@@ -12,9 +12,4 @@ namespace mien::motion {
 /// and last 0.05 s of the plant, in which a foot comes down and leaves, do not count.
 double planted_slip(const LintSubject& subject, const FootPlant& plant);
 
-/// Horizontal speed, m/s, of the stillest of the sole points within 0.04 m of where they are
-/// lowest, frame by frame: under a body that walks something stands still. NaN while all are
-/// higher.
-std::vector<double> support_speeds(const LintSubject& subject);
-
 }  // namespace mien::motion

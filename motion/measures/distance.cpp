@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <span>
+#include <vector>
 
 #include "motion/math/rotation.h"
 
@@ -29,6 +30,29 @@ double mapped(double seconds, std::span<const double> from, std::span<const doub
   return (1.0 - t) * to[k - 1] + t * to[k];
 }
 
+bool marks_match(const Example& a, const Example& b) {
+  return a.keytimes.size() == b.keytimes.size() && a.keytimes.size() >= 2 &&
+         a.keytimes != b.keytimes;
+}
+
+/// Keytimes half way between those of both motions, as shares of the duration, so that neither is
+/// the other's measure. Empty where moments correspond by their share alone.
+std::vector<double> shared_marks(const Example& a, const Example& b) {
+  std::vector<double> marks;
+  if (!marks_match(a, b)) return marks;
+  const auto share = [](const Example& motion, size_t k) {
+    const std::vector<double>& keytimes = motion.keytimes;
+    return (keytimes[k] - keytimes.front()) / (keytimes.back() - keytimes.front());
+  };
+  for (size_t k = 0; k < a.keytimes.size(); ++k) marks.push_back(0.5 * (share(a, k) + share(b, k)));
+  return marks;
+}
+
+double marked_time(const Example& motion, std::span<const double> marks, double share) {
+  if (marks.empty()) return share * motion.clip.duration_seconds();
+  return mapped(share, marks, motion.keytimes);
+}
+
 }  // namespace
 
 Pose aligned_pose_at(const Clip& clip, double seconds, Alignment alignment) {
@@ -44,26 +68,26 @@ Pose aligned_pose_at(const Clip& clip, double seconds, Alignment alignment) {
 double corresponding_time(const Example& timing, const Example& motion, double share) {
   const auto& from = timing.keytimes;
   const auto& to = motion.keytimes;
-  if (from.size() != to.size() || from.size() < 2 || from == to) {
-    return share * motion.clip.duration_seconds();
-  }
+  if (!marks_match(timing, motion)) return share * motion.clip.duration_seconds();
   return mapped(from.front() + share * (from.back() - from.front()), from, to);
 }
 
 Distance distance(const Example& target, const Example& created, Alignment alignment) {
   assert(is_body(target.clip.body) && is_body(created.clip.body));
-  const auto joints = [&](const Example& motion, double share) {
-    const double seconds = corresponding_time(target, motion, share);
+  const auto joints = [&](const Example& motion, double seconds) {
     return world_positions(motion.clip.body, aligned_pose_at(motion.clip, seconds, alignment));
   };
-  const auto distances_at = [&](double share) {
-    return distances(joints(target, share), joints(created, share));
+  const auto distances_at = [&](double of_target, double of_created) {
+    return distances(joints(target, of_target), joints(created, of_created));
   };
+  const std::vector<double> marks = shared_marks(target, created);
 
   Distance result;
   result.alignment = alignment;
   for (int t = 0; t < distance_times; ++t) {
-    result.by_joint_and_time.col(t) = distances_at(t / (distance_times - 1.0));
+    const double share = t / (distance_times - 1.0);
+    result.by_joint_and_time.col(t) =
+        distances_at(marked_time(target, marks, share), marked_time(created, marks, share));
   }
   result.sum = result.by_joint_and_time.sum();
   result.mean = result.sum / (distance_times * distance_joints);
@@ -71,7 +95,9 @@ Distance distance(const Example& target, const Example& created, Alignment align
   const int frames = target.clip.frame_count();
   const int last = target.clip.loops ? frames : std::max(1, frames - 1);
   for (int frame = 0; frame < frames; ++frame) {
-    result.mpjpe += distances_at(static_cast<double>(frame) / last).mean() / frames;
+    const double share = static_cast<double>(frame) / last;
+    const double seconds = corresponding_time(target, created, share);
+    result.mpjpe += distances_at(share * target.clip.duration_seconds(), seconds).mean() / frames;
   }
   return result;
 }

@@ -32,9 +32,10 @@ struct Distance {
   bool matches() const { return mean < distance_threshold_m; }
 };
 
-/// Compares at corresponding moments: time t/T is mapped through the keytimes of each motion when
-/// both have the same number of them, and is otherwise linear in each duration. Bones keep their
-/// own lengths; nothing is scaled.
+/// Compares at corresponding moments: time t/T, whose keytimes are half way between those of the
+/// two motions, is mapped through the keytimes of each when both have the same number of them, and
+/// is otherwise linear in each duration. D is the same when the two change places (`mpjpe` goes by
+/// the target's frames). Bones keep their own lengths; nothing is scaled.
 Distance distance(const Example& target, const Example& created,
                   Alignment alignment = Alignment::pelvis);
 

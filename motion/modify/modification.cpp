@@ -7,6 +7,7 @@
 #include "motion/error.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
+#include "motion/math/filter.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/foot_repair.h"
 #include "motion/modify/nine_grid.h"
@@ -20,6 +21,7 @@ namespace mien::motion {
 namespace {
 
 constexpr double walking_floor = 0.05;  // m/s; a floor that moves faster under a loop is walked on
+constexpr double slowest_walk = 0.15;   // m/s
 
 bool is_unit(const PathGains& gains) {
   return gains.low == 1.0 && gains.middle == 1.0 && gains.high == 1.0 &&
@@ -49,12 +51,21 @@ Clip sent_on_its_way(const Clip& clip) {
   return travelling(clip, -floor * clip.duration_seconds());
 }
 
-/// Horizontal way of the whole clip, metres.
+/// Horizontal way of the whole clip, metres: of a loop its displacement; of another the length of
+/// its path without sway, for it may come back to where it began.
 double way(const Clip& clip) {
-  Vec3 way = clip.loops ? clip.cycle_displacement
-                        : Vec3(clip.poses.back().root_position - clip.poses.front().root_position);
-  way.y() = 0.0;
-  return way.norm();
+  if (clip.loops) return level(clip.cycle_displacement).norm();
+  std::vector<Vec3> path;
+  for (const Pose& pose : clip.poses) path.push_back(level(pose.root_position));
+  path = low_pass(path, 1.0, clip.frames_per_second);
+  double length = 0.0;
+  for (size_t t = 1; t < path.size(); ++t) length += (path[t] - path[t - 1]).norm();
+  return length;
+}
+
+/// Whether the clip gets anywhere, rather than swaying.
+bool travels(const Clip& clip) {
+  return way(clip) > std::max(0.2, slowest_walk * clip.duration_seconds());
 }
 
 Clip with_root_of(Clip clip, const Clip& other) {
@@ -65,7 +76,7 @@ Clip with_root_of(Clip clip, const Clip& other) {
   return clip;
 }
 
-void write_remarks(ModificationReport& report, FootRepair repair) {
+void write_remarks(ModificationReport& report, FootRepair repair, bool stays) {
   char text[160];
   if (repair != FootRepair::none && report.plants == 0) {
     report.remarks.push_back("no foot stands on the floor: feet were not repaired");
@@ -77,7 +88,9 @@ void write_remarks(ModificationReport& report, FootRepair repair) {
     report.remarks.emplace_back(text);
   }
   if (std::abs(report.travel_ratio - 1.0) > 0.01) {
-    std::snprintf(text, sizeof text, "the way became %.0f %% of what it was",
+    std::snprintf(text, sizeof text,
+                  stays ? "the steps became %.0f %% as long; the loop stays in its place"
+                        : "the way became %.0f %% of what it was",
                   100.0 * report.travel_ratio);
     report.remarks.emplace_back(text);
   }
@@ -167,10 +180,10 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   report.plants = static_cast<int>(plants.size());
   report.drift_before_repair = planted_drift(with_root_of(posed, reference), stands);
   report.drift_after_repair = planted_drift(repaired, stands);
-  if (way(original) > 0.2) report.travel_ratio = way(repaired) / way(original);
-  write_remarks(report, m.repair);
-
+  if (travels(original)) report.travel_ratio = way(repaired) / way(original);
   const bool in_its_place = clip.loops && clip.cycle_displacement.isZero(1e-6);
+  write_remarks(report, m.repair, in_its_place);
+
   result.clip = in_its_place ? in_place(repaired) : std::move(repaired);
   result.clip.name = clip.name;
   return result;

@@ -12,6 +12,7 @@
 #include "motion/rig/rig_motion.h"
 #include "motion/rig/rig_names.h"
 #include "motion/rig/rig_topology.h"
+#include "motion/rig/toe_bend.h"
 #include "motion/rig/unit_guess.h"
 #include "motion/skeleton/floor.h"
 
@@ -52,6 +53,39 @@ std::optional<Found> find_joints(const Recording& recording,
     return found;
   }
   return std::nullopt;
+}
+
+/// How far arms and trunk go along with the legs, −1 to 1, mean over the frames. Those of a human's
+/// trunk point away from them; who goes on all fours has the trunk across them and the arms along.
+struct LimbDirections {
+  double trunk = 0.0;
+  double arms = 0.0;
+};
+
+LimbDirections limb_directions(const RigMotion& motion) {
+  LimbDirections mean;
+  const BodyJoint top = motion.has(Chest) ? Chest : LeftShoulder;
+  for (const JointTransforms& frame : motion.frames) {
+    const auto between = [&](BodyJoint from, BodyJoint to) -> Vec3 {
+      return (motion.point(frame, to) - motion.point(frame, from)).normalized();
+    };
+    const Vec3 legs = between(LeftHip, LeftAnkle) + between(RightHip, RightAnkle);
+    const Vec3 arms = between(LeftShoulder, LeftElbow) + between(RightShoulder, RightElbow);
+    mean.trunk += between(Pelvis, top).dot(legs.normalized());
+    mean.arms += arms.normalized().dot(legs.normalized());
+  }
+  const auto frames = static_cast<double>(motion.frames.size());
+  return {mean.trunk / frames, mean.arms / frames};
+}
+
+/// A dog has a human's joints, but not a human's ways.
+void warn_of_all_fours(BodyMapping& mapping, const RigMotion& motion) {
+  const LimbDirections limbs = limb_directions(motion);
+  if (limbs.trunk < -0.5 || limbs.arms < 0.5) return;
+  mapping.confidence *= 0.5;
+  mapping.warnings.push_back(
+      "The figure goes on all fours: unless it is a human who crawls, it is an animal, and what is "
+      "said of its body does not hold.");
 }
 
 void warn_of_missing(BodyMapping& mapping) {
@@ -204,6 +238,7 @@ BodyMapping recognise(std::span<const Recording> recordings) {
   warn_of_missing(mapping);
   for (const Recording& recording : recordings) warn_of_sloping_floor(mapping, recording);
   mapping.confidence = mean_confidence(mapping.joints);
+  warn_of_all_fours(mapping, motions.front());
   return mapping;
 }
 
@@ -221,6 +256,7 @@ Clip to_body(const Recording& recording, const BodyMapping& mapping) {
   make_continuous(clip.poses);
   const double floor = floor_height(clip);
   for (Pose& pose : clip.poses) pose.root_position.y() -= floor;
+  for (const BodyJoint toe : {LeftToe, RightToe}) bend_toes_at_floor(clip, toe);
   return clip;
 }
 

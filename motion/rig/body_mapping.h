@@ -41,10 +41,10 @@ bool same_rig(const Skeleton& a, const Skeleton& b);
 /// and where it heads stay as recorded. Joint positions are those of the rig, exactly where rig
 /// joints correspond one to one and keep their offsets.
 ///
-/// The floor is the level of the feet's lowest points while they rest (third percentile), so that a
-/// few frames of noise or a foot in the ground do not move it. A floor that slopes in the recording
-/// is levelled first (floor.h). Throws Error when the recording has
-/// another rig than the mapping.
+/// The floor is the level on which the lower foot stands (floor.h), so that a few frames of noise
+/// or toes that dip do not move it. A floor that slopes in the recording is levelled first. Toes
+/// that would go through it as a foot rolls off bend (toe_bend.h). Throws Error when the recording
+/// has another rig than the mapping.
 Clip to_body(const Recording& recording, const BodyMapping& mapping);
 
 /// `to_body` with a mapping of its own.

@@ -66,8 +66,10 @@ Clip resampled(const Clip& clip, double frames_per_second) {
   Clip result = clip;
   result.frames_per_second = frames_per_second;
   result.poses.clear();
-  const double duration = clip.duration_seconds();
-  const auto steps = static_cast<long>(std::max(1.0, std::round(duration * frames_per_second)));
+  const double wanted = clip.duration_seconds() * frames_per_second;
+  // A loop keeps its duration as nearly as it can; another clip shows nothing beyond its end.
+  const double whole = clip.loops ? std::round(wanted) : std::floor(wanted + 1e-6);
+  const auto steps = clip.frame_count() > 1 ? static_cast<long>(std::max(1.0, whole)) : 0L;
   const long count = clip.loops ? steps : steps + 1;
   // A loop must meet its start, so its whole number of frames spans the duration exactly.
   const double step = clip.loops ? clip.frame_count() / static_cast<double>(steps)

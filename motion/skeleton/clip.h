@@ -35,7 +35,8 @@ struct Clip {
 Pose pose_at(const Clip& clip, double seconds);
 
 /// The clip at another frame rate: slerp for rotations, cubic (Catmull–Rom) for the root. A looping
-/// clip keeps its duration to the nearest whole frame.
+/// clip keeps its duration to the nearest whole frame; another ends with the last frame that lies
+/// within it.
 Clip resampled(const Clip& clip, double frames_per_second);
 
 /// `cycles` repetitions of a looping clip in a row, as a clip that does not loop.

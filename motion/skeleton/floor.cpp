@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "motion/math/filter.h"
 #include "motion/math/percentile.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr double resting_speed = 0.3;  // m/s
 constexpr double low_percent = 3.0;
 constexpr double shortest_plant = 0.1;  // seconds
+constexpr double same_level = 0.08;     // m at 1.75 m
 
 using Points = std::array<Vec3, 6>;
 
@@ -88,15 +90,9 @@ Slope fitted_slope(const std::vector<Vec3>& points) {
   return slope;
 }
 
-}  // namespace
-
-std::vector<double> lowest_sole_heights(const Clip& clip) {
-  std::vector<double> heights;
-  for (const Points& points : sole_of_both(clip)) heights.push_back(points[lowest(points)].y());
-  return heights;
-}
-
-double floor_height(const Clip& clip) {
+/// Third percentile of the lowest sole point over the frames in which it is slow (all frames when
+/// it never is).
+double lowest_rest(const Clip& clip) {
   const std::vector<Points> points = sole_of_both(clip);
   std::vector<double> all;
   std::vector<double> resting;
@@ -110,15 +106,46 @@ double floor_height(const Clip& clip) {
   return percentile(resting.size() > 2 ? resting : all, low_percent);
 }
 
+/// Where the ball of a foot rests that stands near the lowest level; empty when it never does.
+std::optional<double> standing_level(const Clip& clip, bool left, double lowest) {
+  Resting resting;
+  add_resting_points(clip, left, resting);
+  std::vector<double> heights;
+  for (const Vec3& point : resting.points) {
+    if (point.y() < lowest + same_level * relative_stature(clip.body)) heights.push_back(point.y());
+  }
+  if (heights.size() < 3) return std::nullopt;
+  return percentile(heights, 50);
+}
+
+}  // namespace
+
+std::vector<double> lowest_sole_heights(const Clip& clip) {
+  std::vector<double> heights;
+  for (const Points& points : sole_of_both(clip)) heights.push_back(points[lowest(points)].y());
+  return heights;
+}
+
+double floor_height(const Clip& clip) {
+  const double lowest = lowest_rest(clip);
+  const std::optional<double> left = standing_level(clip, true, lowest);
+  const std::optional<double> right = standing_level(clip, false, lowest);
+  if (left && right) return std::min(*left, *right);
+  return left ? *left : right.value_or(lowest);
+}
+
 Quat floor_levelling(const Clip& clip) {
   Resting resting;
   add_resting_points(clip, true, resting);
   add_resting_points(clip, false, resting);
-  if (resting.plants < 5) return Quat::Identity();
+  if (resting.plants < 4) return Quat::Identity();
   const Slope slope = fitted_slope(resting.points);
   const double degrees = std::abs(std::atan(slope.rise)) / radians_per_degree;
-  const bool is_slope = slope.spread > 0.4 && degrees > 1.5 && degrees < 6.0 &&
-                        slope.error_sloping < 0.6 * slope.error_level;
+  // Few plants lie along some slope by chance.
+  const double left_over = resting.plants < 5 ? 0.4 : 0.6;
+  const bool is_slope = slope.spread > 0.4 && degrees > 0.3 && degrees < 6.0 &&
+                        slope.error_level > 0.01 &&
+                        slope.error_sloping < left_over * slope.error_level;
   if (!is_slope) return Quat::Identity();
   const Vec3 up_the_slope = (slope.direction + slope.rise * Vec3::UnitY()).normalized();
   return turn_between(up_the_slope, slope.direction);

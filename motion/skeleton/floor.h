@@ -9,13 +9,16 @@ namespace mien::motion {
 /// Height of the lowest point of both soles (sole.h), frame by frame, metres.
 std::vector<double> lowest_sole_heights(const Clip& clip);
 
-/// Height of the floor under a clip: the level at which the lowest sole point rests, its third
-/// percentile over the frames in which that point is slow (all frames when it never is).
+/// Height of the floor under a clip: the level on which the lower foot stands, where its ball rests
+/// (the median of its height while it is slow). Toes that dip while a foot rolls off do not count,
+/// nor what rests higher than 0.08 m above the lowest: on steps, or held up. Without a ball that
+/// rests it is the third percentile of the lowest sole point.
 double floor_height(const Clip& clip);
 
 /// The rotation that levels a floor which slopes in the recording, as happens when the capture
-/// volume was not levelled: identity unless both feet rest along one slope of 1.5–6°, over at least
-/// 0.8 m and five separate plants, and a level floor would leave much larger errors.
+/// volume was not levelled: identity unless the feet rest along one slope of 0.3–6°, over at least
+/// 0.8 m and four separate plants, and a level floor would leave errors of more than a centimetre
+/// (RMS) that the slope takes away for the most part.
 Quat floor_levelling(const Clip& clip);
 
 }  // namespace mien::motion

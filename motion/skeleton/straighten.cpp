@@ -1,18 +1,38 @@
 #include "motion/skeleton/straighten.h"
 
+#include <algorithm>
 #include <cassert>
 
+#include "motion/math/filter.h"
 #include "motion/math/rotation.h"
 
 namespace mien::motion {
 
 namespace {
 
-constexpr double slowest_walk = 0.1;  // m/s
+constexpr double slowest_walk = 0.1;     // m/s
+constexpr double straight_metres = 0.3;  // from where an even walk would be
 
 Vec3 displacement(const Clip& clip) {
   if (clip.loops) return level(clip.cycle_displacement);
   return level(clip.poses.back().root_position - clip.poses.front().root_position);
+}
+
+/// Where each frame would be from the first at even speed.
+std::vector<Vec3> even_way(const Clip& clip) {
+  const Vec3 step = displacement(clip) / (clip.frame_count() - 1);
+  std::vector<Vec3> way;
+  for (int t = 0; t < clip.frame_count(); ++t) way.push_back(t * step);
+  return way;
+}
+
+/// Where each frame is from the first, without what is quicker than 1 Hz.
+std::vector<Vec3> smooth_way(const Clip& clip) {
+  std::vector<Vec3> way;
+  for (const Pose& pose : clip.poses) {
+    way.push_back(level(pose.root_position - clip.poses.front().root_position));
+  }
+  return low_pass(way, 1.0, clip.frames_per_second);
 }
 
 }  // namespace
@@ -47,6 +67,21 @@ Clip straightened(const Clip& clip) {
 Clip in_place(const Clip& loop) {
   Clip result = travelling(loop, -loop.cycle_displacement);
   result.cycle_displacement = Vec3::Zero();
+  return result;
+}
+
+Clip kept_in_place(const Clip& clip) {
+  if (clip.loops) return in_place(clip);
+  Clip result = clip;
+  if (clip.frame_count() < 2) return result;
+  const std::vector<Vec3> even = even_way(clip);
+  const std::vector<Vec3> path = smooth_way(clip);
+  double farthest = 0.0;
+  for (size_t t = 0; t < path.size(); ++t) {
+    farthest = std::max(farthest, (path[t] - even[t]).norm());
+  }
+  const std::vector<Vec3>& way = farthest < straight_metres ? even : path;
+  for (size_t t = 0; t < way.size(); ++t) result.poses[t].root_position -= way[t];
   return result;
 }
 

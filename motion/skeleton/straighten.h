@@ -17,6 +17,11 @@ Clip straightened(const Clip& clip);
 /// sway and surge within it stay.
 Clip in_place(const Clip& loop);
 
+/// Any clip kept where it begins. What goes straight and evenly loses its mean way, so that the
+/// surge of its steps stays; of what starts, stops, turns or comes back the path below 1 Hz is
+/// taken off. Headings stay: it turns on the spot.
+Clip kept_in_place(const Clip& clip);
+
 /// A loop in place sent on its way: `displacement` a cycle, metres, horizontal, evenly. The inverse
 /// of `in_place`.
 Clip travelling(const Clip& loop, const Vec3& displacement);

@@ -14,6 +14,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/rig/recording_clip.h"
+#include "motion/skeleton/straighten.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/render_options.h"
 #include "pipeline/documents/files.h"
@@ -56,7 +57,8 @@ std::string name_among(std::set<std::string>& names, const std::string& wanted) 
 }
 
 /// One motion in neutral colours, or a target, what was created after it, and a reference.
-std::vector<scenes::Performance> performances_of(const RenderOptions& options, double fps) {
+std::vector<scenes::Performance> performances_of(const RenderOptions& options,
+                                                 const Output& output) {
   constexpr std::array roles = {scenes::Role::target, scenes::Role::created,
                                 scenes::Role::reference};
   const bool is_alone = options.files.size() == 1;
@@ -64,11 +66,13 @@ std::vector<scenes::Performance> performances_of(const RenderOptions& options, d
   std::set<std::string> names;
   std::vector<scenes::Performance> performances;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
-    performances.push_back(
-        {.name = name_among(names, fs::path(options.files[i]).stem().string()),
-         .clip = motion::resampled(clip_of(motion::read_motion(options.files[i])), fps),
-         .role = is_alone ? scenes::Role::neutral : roles[i],
-         .opacity = is_clear ? 1.0f : superimposed_opacity});
+    motion::Clip clip =
+        motion::resampled(clip_of(motion::read_motion(options.files[i])), output.fps);
+    if (output.in_place) clip = motion::kept_in_place(clip);
+    performances.push_back({.name = name_among(names, fs::path(options.files[i]).stem().string()),
+                            .clip = std::move(clip),
+                            .role = is_alone ? scenes::Role::neutral : roles[i],
+                            .opacity = is_clear ? 1.0f : superimposed_opacity});
   }
   return performances;
 }
@@ -119,15 +123,15 @@ void write_dots(const scenes::Shot& shot, const fs::path& file) {
 
 scenes::Shot shot_of(const RenderOptions& options, const RenderPlan& plan) {
   const Output& output = plan.settings.output;
-  return scenes::stage(performances_of(options, output.fps), {.set = staged_set(plan.look),
-                                                              .figure = plan.look.figure,
-                                                              .camera = plan.look.camera,
-                                                              .size = output.whole_size(),
-                                                              .window = output.window(),
-                                                              .pixel_scale = output.scale,
-                                                              .in_place = output.in_place,
-                                                              .layout = layout_of(options),
-                                                              .seed = options.seed});
+  return scenes::stage(performances_of(options, output), {.set = staged_set(plan.look),
+                                                          .figure = plan.look.figure,
+                                                          .camera = plan.look.camera,
+                                                          .size = output.whole_size(),
+                                                          .window = output.window(),
+                                                          .pixel_scale = output.scale,
+                                                          .in_place = output.in_place,
+                                                          .layout = layout_of(options),
+                                                          .seed = options.seed});
 }
 
 /// Makes the file, with a bar; says what was found in it.

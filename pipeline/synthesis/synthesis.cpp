@@ -337,7 +337,7 @@ Synthesis synthesize_example(const std::string& name, const Output& output,
 
 motion::Clip shown_clip(const Synthesis& synthesis, const Output& output) {
   const motion::Clip& clip = synthesis.motion.clip;
-  if (!clip.loops) return clip;
+  if (!clip.loops) return output.in_place ? motion::kept_in_place(clip) : clip;
   return motion::repeated(output.in_place ? motion::in_place(clip) : clip, output.cycles);
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/examples/make_example.h"
+#include "motion/examples/settled_feet.h"
 #include "motion/formats/motion_file.h"
 #include "motion/measures/distance.h"
 #include "motion/rig/body_mapping.h"
@@ -21,12 +22,23 @@ struct CompareOptions {
   std::string target;
   std::string created;
   std::string align = "pelvis";
+  bool as_captured = false;
   bool json = false;
 };
 
-/// One gait cycle where there is one, else all of the motion.
-motion::Example example_in(const std::string& file) {
-  return motion::make_example(motion::to_body(motion::read_motion(file)));
+/// Whether feet that stand stand still in the world; those of a walk on the spot do not.
+bool travels_or_stands(const motion::Clip& clip) {
+  return !clip.loops || !clip.cycle_displacement.isZero(1e-6);
+}
+
+/// One gait cycle where there is one, else all of the motion. Its feet are settled, as those of a
+/// blend are: captures hang above the floor, and else their height would be most of the distance.
+motion::Example example_in(const std::string& file, bool settle) {
+  motion::Example example = motion::make_example(motion::to_body(motion::read_motion(file)));
+  if (settle && travels_or_stands(example.clip)) {
+    example.clip = motion::with_settled_feet(example.clip);
+  }
+  return example;
 }
 
 std::string joint_name(std::size_t row) {
@@ -87,8 +99,8 @@ void show_text(const motion::Distance& distance, const Basis& basis, const Conso
 int compare(const CompareOptions& options, const Console& console) {
   const auto alignment =
       options.align == "world" ? motion::Alignment::world : motion::Alignment::pelvis;
-  const motion::Example target = example_in(options.target);
-  const motion::Example created = example_in(options.created);
+  const motion::Example target = example_in(options.target, !options.as_captured);
+  const motion::Example created = example_in(options.created, !options.as_captured);
   const motion::Distance distance = motion::distance(target, created, alignment);
   const Basis basis{basis_of(target), basis_of(created)};
   if (options.json) {
@@ -111,6 +123,9 @@ void add_motion_compare_command(CLI::App& motion, Command& chosen) {
                    "pelvis: place and heading removed in every frame; world: at the start only")
       ->check(CLI::IsMember({"pelvis", "world"}))
       ->capture_default_str();
+  command->add_flag("--as-captured", options->as_captured,
+                    "Leave planted feet where they are; else those of both are locked first, as "
+                    "those of blends are");
   command->add_flag("--json", options->json, "As JSON");
   command->footer(
       "\nWalks are compared over their steadiest gait cycle, keytime by keytime; motions without "

@@ -134,14 +134,28 @@ TEST(Bvh, ReadsTheSameMotionHoweverTheTextIsLaidOut) {
   const std::string one_line_heads = all_replaced(bvh_arm(arm_motion), "\n{", " {");
   const std::string packed = all_replaced(bvh_arm(arm_motion), " 0\n    }", " 0}");
   const std::string loose = replaced(bvh_arm(arm_motion), "Frame Time: ", "Frame Time :\t");
-  for (const std::string& text :
-       {crlf, cr, tabs, scientific, marked, shouted, one_line_heads, packed, loose}) {
+  const std::string wrapped = replaced(bvh_arm(arm_motion), "10 20 30", "10\n20 30\n ");
+  const std::string one_word = replaced(bvh_arm(arm_motion), "End Site", "EndSite");
+  const std::string explained =
+      replaced(replaced(bvh_arm(arm_motion), "MOTION", "# of an arm\nMOTION // two frames {"),
+               "10 20 30", "# the second\n10 20 30");
+  for (const std::string& text : {crlf, cr, tabs, scientific, marked, shouted, one_line_heads,
+                                  packed, loose, wrapped, one_word, explained}) {
     const Recording other = parse_bvh(text, "arm.bvh");
     EXPECT_EQ(other.skeleton.joints[0].name, "Upper Arm");
     EXPECT_EQ(other.frames_per_second, 120.0);
     expect_same_motion(plain, other);
     EXPECT_TRUE(other.skeleton.joints[1].tip);
   }
+}
+
+TEST(Bvh, KeepsTheSignsOfCommentsInNames) {
+  const Recording recording = parse_bvh(
+      "HIERARCHY\nROOT Hip #1\n{\nOFFSET 1 2 3 # of the pelvis\nCHANNELS 1 Zrotation\n}\n"
+      "MOTION\nFrames: 1\nFrame Time: 0.01\n90\n",
+      "a.bvh");
+  EXPECT_EQ(recording.skeleton.joints[0].name, "Hip #1");
+  expect_near(recording.skeleton.joints[0].offset, {1, 2, 3});
 }
 
 TEST(Bvh, TakesNumbersTooSmallForADoubleAsZero) {
@@ -207,11 +221,15 @@ TEST(Bvh, RefusesWhatIsWrongAtItsPlace) {
        "says 60000000, but the file holds 2"},
       {replaced(good, ".0083333", "0"), "f.bvh:18:13", "a frame time of \"0\" seconds"},
       {replaced(good, ".0083333", "-0.1"), "f.bvh:18:13", "a frame time of \"-0.1\" seconds"},
+      {replaced(good, ".0083333", "120"), "f.bvh:18:13", "a frame time of \"120\" seconds"},
+      {replaced(good, ".0083333", "120"), "f.bvh:18:13", "0.00833333 for 120 frames a second"},
       {replaced(good, ".0083333", "inf"), "f.bvh:18:13", "\"inf\" is not a usable number"},
       {replaced(good, "10 20 30", "10 20 1e400"), "f.bvh:20:7", "\"1e400\" is not a usable"},
       {replaced(good, "10 20 30", "10 2x 30"), "f.bvh:20:4", "\"2x\" is not a usable number"},
       {replaced(good, "10 20 30", "10 30"), "f.bvh:20:20", "ends after 8 of 9 numbers"},
       {replaced(good, "10 20 30", "10 20 30 40"), "f.bvh:20:25", "more than 9 numbers"},
+      {replaced(good, "0 0 0 0 0 0 0 0 0", "0 0 0 0 0 0 0 0"), "f.bvh:19:16",
+       "ends after 8 of 9 numbers"},
       {good.substr(0, good.size() - 6), "f.bvh:20:", "the file was cut short"},
   };
   for (const Case& bad : cases) {

@@ -42,5 +42,10 @@ TEST(Flight, IsNotShorterThanSixHundredths) {
   EXPECT_TRUE(flights(bobbing(), {{false, 0, 47}, {true, 52, 140}}).empty());
 }
 
+TEST(Flight, IsNoLongGapInWhichTheBodyDoesNotFall) {
+  // Six tenths of a second: who flies so long rises by nearly half a metre.
+  EXPECT_TRUE(flights(bobbing(), {{false, 0, 20}, {true, 81, 140}}).empty());
+}
+
 }  // namespace
 }  // namespace mien::motion

@@ -100,6 +100,22 @@ TEST(Gait, OfStandingIsNone) {
   EXPECT_FALSE(steadiest_cycle(synthetic_clip(still)));
 }
 
+TEST(Gait, OfABodyThatTwistsOverStandingFeetIsNone) {
+  // Seen from the pelvis, the feet go to and fro as in walking.
+  Clip clip = synthetic_clip(steady_walk(0.0, 8.0));
+  for (int t = 0; t < clip.frame_count(); ++t) {
+    Pose& pose = clip.poses[t];
+    const double turn = 0.5 * std::sin(2 * pi * t / 100.0);
+    pose.rotations[Pelvis] = about(Vec3::UnitY(), turn);
+    for (const bool left : {true, false}) {
+      put_leg(pose, clip.body, left ? LeftHip : RightHip,
+              {Vec3(left ? 0.09 : -0.09, 0.08, left ? 0.1 : -0.1), 0.0});
+    }
+  }
+  EXPECT_TRUE(gait_cycles(clip).empty());
+  EXPECT_FALSE(steadiest_cycle(clip));
+}
+
 TEST(CycleOfLoop, SpansTheWholeLoop) {
   const Clip clip = synthetic_clip(steady_walk(1.2, 4.0));
   const Clip loop = straightened(closed_loop(clip, 130, 230));

@@ -53,9 +53,9 @@ TEST_F(RealLint, CapturedWalksHaveNoErrors) {
 }
 
 // These takes were not cleaned: ankles and heads leap by 25–49° between frames 0.01 s apart in
-// which they hardly move before and after, and whole stances hang 4–6 cm above the floor, for the
-// ankles of planted feet lie 9 cm high on the left and 11–13 cm on the right.
-TEST_F(RealLint, TwoActorsHaveNoErrorsButTornMarkersAndHangingFeet) {
+// which they hardly move before and after, and what counts as the ball of the foot is the end of the
+// toes, which dips as the foot rolls off.
+TEST_F(RealLint, TwoActorsHaveNoErrorsButTornMarkersAndDippingToes) {
   const std::vector<fs::path> takes = files("aalto-two-actors", "");
   EXPECT_EQ(takes.size(), 24U);
   int clean = 0;
@@ -65,12 +65,31 @@ TEST_F(RealLint, TwoActorsHaveNoErrorsButTornMarkersAndHangingFeet) {
     for (const Finding& finding : findings) {
       if (finding.severity != Severity::error) continue;
       const bool is_torn = finding.check == "jump" || finding.check == "joint-speed";
-      EXPECT_TRUE(is_torn || finding.check == "floating") << file << " " << finding.sentence;
+      const bool dips = finding.check == "penetration" && finding.measured < 0.04;
+      EXPECT_TRUE(is_torn || dips) << file << " " << finding.sentence;
       const bool is_end = finding.joint.ends_with("Ankle") || finding.joint == "Head";
       EXPECT_TRUE(!is_torn || is_end) << file << " " << finding.sentence;
     }
   }
-  EXPECT_GE(clean, 10);
+  EXPECT_GE(clean, 15);
+}
+
+// Flights, short plants, and limbs that turn far between two frames; once as captured, once as fast
+// as nobody of them ran.
+TEST_F(RealLint, RunsHaveNoErrorsAtAnyRate) {
+  std::vector<fs::path> runs = files("aalto-two-actors", "_run_fast");
+  runs.push_back(mocap / "cmu" / "02_03.amc");
+  EXPECT_EQ(runs.size(), 5U);
+  for (const fs::path& file : runs) {
+    for (const double pace : {1.0, 1.3}) {
+      Clip clip = to_body(read_motion(file));
+      clip.frames_per_second *= pace;
+      for (const Clip& run : {clip, resampled(clip, 30.0)}) {
+        EXPECT_FALSE(has_errors(lint(run)))
+            << file << " at " << run.frames_per_second << "\n" << all_of(lint(run));
+      }
+    }
+  }
 }
 
 }  // namespace

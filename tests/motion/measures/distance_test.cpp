@@ -170,6 +170,18 @@ TEST(Distance, IsSymmetricWhenKeytimesAgree) {
   }
 }
 
+TEST(Distance, IsSymmetricWhateverTheKeytimes) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    Example a = dance(seed, 40);
+    Example b = dance(seed + 100, 55);
+    a.keytimes = {0.0, 0.2, 0.5, 0.7, a.keytimes.back()};
+    b.keytimes = {0.0, 0.3, 0.35, 0.8, b.keytimes.back()};
+    for (const Alignment alignment : both_alignments) {
+      EXPECT_NEAR(distance(a, b, alignment).mean, distance(b, a, alignment).mean, 1e-12);
+    }
+  }
+}
+
 TEST(Distance, ObeysTheTriangleInequality) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     const Example a = dance(seed, 40);

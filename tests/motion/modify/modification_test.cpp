@@ -14,6 +14,7 @@
 #include "motion/refusal.h"
 #include "motion/skeleton/mirror.h"
 #include "motion/skeleton/straighten.h"
+#include "motion/synthetic_walk.h"
 
 #include "path_measures.h"
 #include "real_takes.h"
@@ -183,6 +184,36 @@ TEST(Modification, WalksFartherWithLongerPaths) {
     EXPECT_EQ(after.report.travel_ratio > 1.0, paths > 1.0);
     before = after.report.travel_ratio;
   }
+}
+
+/// The percentage in "the way became 125 % of what it was"; 100 without the remark.
+double told_way(const ModificationReport& report) {
+  for (const std::string& remark : report.remarks) {
+    if (remark.starts_with("the way became")) return std::stod(remark.substr(15));
+  }
+  return 100.0;
+}
+
+TEST(Modification, TellsTheWayOfAWalkThatReturns) {
+  SyntheticWalk walk = steady_walk(1.2, 10.0, 60.0);
+  walk.turn_start = 5.0;
+  walk.turn_length = 2.0;
+  walk.turn_angle = 0.97 * pi;
+  const Clip clip = synthetic_clip(walk);
+  const Vec3 apart = clip.poses.back().root_position - clip.poses.front().root_position;
+  ASSERT_LT(apart.norm(), 3.0);
+  const Clip straight = synthetic_clip(steady_walk(1.2, 10.0, 60.0));
+  const Modification longer = recipe(1.4, 0.0);
+  EXPECT_NEAR(told_way(modify(clip, longer).report), told_way(modify(straight, longer).report),
+              5.0);
+}
+
+TEST(Modification, OfALoopInPlaceHasNoWay) {
+  const Clip loop = walk({}, 100.0, standard_body()).clip;
+  const ModifiedClip travelled = modify(loop, recipe(1.4, 0.0));
+  EXPECT_GT(told_way(travelled.report), 105.0);
+  const ModifiedClip stayed = modify(in_place(loop), recipe(1.4, 0.0));
+  EXPECT_EQ(told_way(stayed.report), 100.0);
 }
 
 TEST(Modification, OfTempoDividesTheDurationAndKeepsTheFeet) {

@@ -1,5 +1,8 @@
 #include "motion/rig/body_mapping.h"
 
+#include <algorithm>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "motion/other_rigs.h"
@@ -242,6 +245,55 @@ TEST(BodyMapping, RefusesARecordingOfAnotherRig) {
   for (Pose& pose : small.poses) pose.rotations.resize(4);
   EXPECT_NE(refusal_of([&] { to_body(small, mapping); }).find("small: it has other joints"),
             std::string::npos);
+}
+
+/// Four legs of one length, the trunk level between them, a neck and a head; named as people are.
+Recording dog() {
+  Recording recording;
+  recording.name = "dog";
+  recording.format = "bvh";
+  recording.frames_per_second = 30.0;
+  const auto add = [&](const char* name, int parent, const Vec3& offset) {
+    recording.skeleton.joints.push_back({name, parent, offset, std::nullopt});
+    return recording.skeleton.size() - 1;
+  };
+  const int hips = add("Hips", -1, Vec3::Zero());
+  const int spine = add("Spine", hips, {0, 0.02, 0.25});
+  const int chest = add("Spine1", spine, {0, 0.0, 0.25});
+  const int neck = add("Neck", chest, {0, 0.1, 0.1});
+  add("Head", neck, {0, 0.12, 0.12});
+  for (const std::string side : {"Left", "Right"}) {
+    const double x = side == "Left" ? 0.08 : -0.08;
+    const int shoulder = add((side + "Arm").c_str(), chest, {x, -0.05, 0.05});
+    const int elbow = add((side + "ForeArm").c_str(), shoulder, {0, -0.25, -0.05});
+    add((side + "Hand").c_str(), elbow, {0, -0.25, 0.05});
+    const int hip = add((side + "UpLeg").c_str(), hips, {x, -0.05, 0});
+    const int knee = add((side + "Leg").c_str(), hip, {0, -0.25, 0.05});
+    add((side + "Foot").c_str(), knee, {0, -0.25, -0.05});
+  }
+  for (int t = 0; t < 60; ++t) {
+    Pose pose;
+    pose.root_position = Vec3(0, 0.55, 0.03 * t);
+    pose.rotations.assign(recording.skeleton.joints.size(), Quat::Identity());
+    recording.poses.push_back(pose);
+  }
+  return recording;
+}
+
+bool warns_of_all_fours(const BodyMapping& mapping) {
+  return std::any_of(
+      mapping.warnings.begin(), mapping.warnings.end(),
+      [](const std::string& warning) { return warning.find("all fours") != std::string::npos; });
+}
+
+TEST(Recognition, WarnsOfFourLegs) {
+  for (const Recording& animal : {dog(), without_names(dog())}) {
+    const BodyMapping mapping = recognise(animal);
+    EXPECT_TRUE(warns_of_all_fours(mapping));
+    EXPECT_LE(mapping.confidence, 0.5);
+  }
+  const Recording human = to_recording(synthetic_clip(steady_walk(1.2, 2.0)));
+  EXPECT_FALSE(warns_of_all_fours(recognise(human)));
 }
 
 }  // namespace

@@ -37,8 +37,30 @@ TEST(Floor, IsNotMovedByAFewBadFrames) {
   EXPECT_NEAR(floor_height(clip), 0.0, 5e-3);
 }
 
+TEST(Floor, IsUnderTheFeetAndNotUnderToesThatDip) {
+  // A foot without a toe joint rolls off on the end of its toes, which dip far below the floor.
+  Clip clip = synthetic_clip(steady_walk(1.2, 4.0));
+  for (Pose& pose : clip.poses) {
+    for (const BodyJoint toe : {LeftToe, RightToe}) pose.rotations[toe] = exp(Vec3(0.6, 0, 0));
+  }
+  EXPECT_NEAR(floor_height(clip), 0.0, 2e-3);
+}
+
+TEST(Floor, IsUnderTheLowerOfFeetThatStandUnlike) {
+  // One ankle was marked 3 cm higher than the other.
+  Clip clip = synthetic_clip(steady_walk(1.2, 4.0));
+  clip.body.joints[LeftAnkle].offset.y() += 0.03;
+  EXPECT_NEAR(floor_height(clip), 0.0, 4e-3);
+}
+
+TEST(Floor, IsTheLowestOfSeveralLevels) {
+  Clip clip = synthetic_clip(steady_walk(1.2, 6.0));
+  for (int t = 300; t < clip.frame_count(); ++t) clip.poses[t].root_position.y() += 0.2;
+  EXPECT_NEAR(floor_height(clip), 0.0, 2e-3);
+}
+
 TEST(Floor, ThatSlopesIsLevelled) {
-  for (const double degrees : {-4.0, -2.6, 2.0, 5.0}) {
+  for (const double degrees : {-4.0, -2.6, -0.9, 0.7, 2.0, 5.0}) {
     SyntheticWalk walk = steady_walk(1.2, 5.0);
     walk.heading = 0.8;
     Clip clip = synthetic_clip(walk);

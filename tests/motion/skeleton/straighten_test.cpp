@@ -1,5 +1,8 @@
 #include "motion/skeleton/straighten.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "motion/gait/loop.h"
@@ -63,6 +66,60 @@ TEST(InPlace, StaysAndComesBackByTravelling) {
     EXPECT_NEAR((again.poses[t].root_position - loop.poses[t].root_position).norm(), 0.0, 1e-12);
   }
   EXPECT_EQ(again.cycle_displacement, loop.cycle_displacement);
+}
+
+/// Walks along +Z, turns round and comes back to where it began.
+Clip there_and_back() {
+  SyntheticWalk walk = steady_walk(1.2, 10.0);
+  walk.turn_start = 5.0;
+  walk.turn_length = 2.0;
+  walk.turn_angle = pi;
+  return synthetic_clip(walk);
+}
+
+double farthest_from_start(const Clip& clip) {
+  double farthest = 0.0;
+  for (const Pose& pose : clip.poses) {
+    farthest =
+        std::max(farthest, level(pose.root_position - clip.poses.front().root_position).norm());
+  }
+  return farthest;
+}
+
+TEST(KeptInPlace, StaysThoughItReturns) {
+  const Clip clip = there_and_back();
+  ASSERT_GT(farthest_from_start(clip), 4.0);
+  const Clip kept = kept_in_place(clip);
+  EXPECT_LT(farthest_from_start(kept), 0.3);
+  for (size_t t = 0; t < clip.poses.size(); t += 50) {
+    EXPECT_EQ(kept.poses[t].root_position.y(), clip.poses[t].root_position.y());
+    EXPECT_EQ(kept.poses[t].rotations[Pelvis].coeffs(), clip.poses[t].rotations[Pelvis].coeffs());
+  }
+}
+
+TEST(KeptInPlace, KeepsTheSurgeOfAStraightWalk) {
+  Clip clip = synthetic_clip(steady_walk(1.2, 4.0));
+  for (int t = 0; t < clip.frame_count(); ++t) {
+    clip.poses[t].root_position.z() += 0.03 * std::sin(2 * pi * 0.5 * t / 100.0);
+  }
+  const Clip kept = kept_in_place(clip);
+  for (int t = 0; t < clip.frame_count(); ++t) {
+    EXPECT_NEAR(kept.poses[t].root_position.z(), 0.03 * std::sin(2 * pi * 0.5 * t / 100.0), 1e-9);
+  }
+}
+
+TEST(Resampling, EndsWithinTheMotion) {
+  // 10.6 and 10.4 steps of 1/30 s: the next frame would lie beyond the end.
+  for (const int frames : {36, 35, 31, 2}) {
+    Clip clip = synthetic_clip(steady_walk(1.2, 2.0));
+    clip.poses.resize(static_cast<size_t>(frames));
+    const Clip slow = resampled(clip, 30.0);
+    EXPECT_LE(slow.duration_seconds(), std::max(clip.duration_seconds(), 1.0 / 30.0) + 1e-9);
+    EXPECT_GT(slow.duration_seconds(), clip.duration_seconds() - 1.0 / 30.0);
+  }
+  Clip pose = synthetic_clip(steady_walk(1.2, 1.0));
+  pose.poses.resize(1);
+  EXPECT_EQ(resampled(pose, 30.0).frame_count(), 1);
 }
 
 }  // namespace
