@@ -89,7 +89,8 @@ void tell_json(const Production& production, const RunResult& result, const fs::
                                 {"interrupted", result.was_interrupted},
                                 {"warnings", result.warnings},
                                 {"nondeterminism", differing},
-                                {"artifacts", artifacts}};
+                                {"artifacts", artifacts},
+                                {"stale", shown_paths(stale_in(folder, production))}};
   console.out << summary.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
@@ -106,9 +107,9 @@ int exit_code(const RunResult& result) {
 }
 
 int run_production(const ProductionArguments& arguments, const Console& console) {
-  Production production(
-      load_manifest(manifest_meant(arguments.manifest, console), process_environment()),
-      options_of(arguments));
+  Production production(load_manifest(manifest_meant(arguments.manifest, console),
+                                      process_environment(), arguments.out),
+                        options_of(arguments));
   const fs::path folder = folder_of(arguments, production.manifest());
   RunResult result;
   {
@@ -121,6 +122,7 @@ int run_production(const ProductionArguments& arguments, const Console& console)
     tell_json(production, result, folder, console);
   } else {
     tell_summary(result, folder, console);
+    tell_stale(shown_paths(stale_in(folder, production)), arguments, console);
   }
   return exit_code(result);
 }
