@@ -8,8 +8,10 @@
 
 #include "pipeline/checks/modification_checks.h"
 #include "pipeline/checks/name_checks.h"
+#include "pipeline/checks/source_checks.h"
 #include "pipeline/checks/study_record.h"
 #include "pipeline/checks/vocabulary.h"
+#include "pipeline/documents/fault_list.h"
 
 namespace mien::pipeline {
 
@@ -51,28 +53,30 @@ ManifestReading read_again(const StudyRecord& record, const std::filesystem::pat
 
 }  // namespace
 
-ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment) {
+ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment,
+                               const std::filesystem::path& out) {
   const std::optional<StudyRecord> record = study_record_in(file);
   ManifestReading reading =
       record ? read_again(*record, file, environment) : read_manifest(file, environment);
   if (record && reading.manifest.study.empty()) return reading;
+  if (!out.empty() && !reading.manifest.study.empty())
+    append(reading.faults, check_sources(reading.manifest, out / reading.manifest.study));
   try {
     const ScalesSource& scales = reading.manifest.scales;
     if (!scales.file.empty() && scales.set.scales.empty()) return reading;  // as was told
     const Vocabulary vocabulary = vocabulary_of(reading.manifest);
-    for (Fault& fault : check_names(reading.manifest, vocabulary))
-      reading.faults.push_back(std::move(fault));
-    for (Fault& fault : check_modification_names(reading.manifest, vocabulary))
-      reading.faults.push_back(std::move(fault));
-    reading.faults = in_reading_order(std::move(reading.faults));
+    append(reading.faults, check_names(reading.manifest, vocabulary));
+    append(reading.faults, check_modification_names(reading.manifest, vocabulary));
   } catch (const Error& error) {
     add_faults_of_examples(reading.faults, error);
   }
+  reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
 }
 
-Manifest load_manifest(const std::filesystem::path& file, const Environment& environment) {
-  ManifestReading reading = check_manifest(file, environment);
+Manifest load_manifest(const std::filesystem::path& file, const Environment& environment,
+                       const std::filesystem::path& out) {
+  ManifestReading reading = check_manifest(file, environment, out);
   if (!reading.faults.empty()) throw Faults(std::move(reading.faults));
   return std::move(reading.manifest);
 }

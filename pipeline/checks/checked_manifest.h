@@ -7,9 +7,12 @@
 namespace mien::pipeline {
 
 /// Reads a manifest and finds everything wrong with it, names of examples and parameters included.
-ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment);
+/// A run would write to <out>/<study>, where none of its sources may lie; empty: nothing is run.
+ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment,
+                               const std::filesystem::path& out = {});
 
 /// The manifest; throws Faults that list everything wrong with it.
-Manifest load_manifest(const std::filesystem::path& file, const Environment& environment);
+Manifest load_manifest(const std::filesystem::path& file, const Environment& environment,
+                       const std::filesystem::path& out = {});
 
 }  // namespace mien::pipeline

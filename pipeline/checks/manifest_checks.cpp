@@ -1,6 +1,5 @@
 #include "pipeline/checks/manifest_checks.h"
 
-#include <iterator>
 #include <string>
 #include <utility>
 
@@ -15,11 +14,6 @@
 namespace mien::pipeline {
 
 namespace {
-
-void append(std::vector<Fault>& faults, std::vector<Fault> more) {
-  faults.insert(faults.end(), std::make_move_iterator(more.begin()),
-                std::make_move_iterator(more.end()));
-}
 
 std::vector<Fault> check_films(const Manifest& manifest) {
   std::vector<Fault> faults = check_output(manifest.output, "output", manifest.places);

@@ -20,16 +20,37 @@ bool is_among(const std::string& name, const Names& known) {
   return std::ranges::find(known, name) != known.end();
 }
 
-/// Ids that are taken, and where.
-using TakenIds = std::map<std::string, std::string>;
+/// What many file systems take for one name is the same here. Ids are ASCII.
+std::string without_case(std::string name) {
+  std::ranges::transform(name, name.begin(), [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  });
+  return name;
+}
+
+struct TakenId {
+  std::string id;
+  std::string path;
+};
+
+/// Ids that are taken, without their case.
+using TakenIds = std::map<std::string, TakenId>;
 
 void check_unique(const std::string& id, const std::string& path, TakenIds& taken,
                   FaultList& list) {
   if (id.empty()) return;
-  const auto [first, is_new] = taken.emplace(id, path);
+  const auto [entry, is_new] = taken.emplace(without_case(id), TakenId{id, path});
   if (is_new) return;
-  list.add(member_path(path, "id"), "\"" + id + "\" is already the id of " + first->second,
-           "give each its own");
+  const TakenId& first = entry->second;
+  const std::string at = member_path(path, "id");
+  if (first.id == id) {
+    list.add(at, "\"" + id + "\" is already the id of " + first.path, "give each its own");
+  } else {
+    list.add(at,
+             "\"" + id + "\" differs from \"" + first.id + "\" of " + first.path +
+                 " by case alone, and so would their files",
+             "give it another id");
+  }
 }
 
 /// A file may be named alike for two films: "a.lossless" as mp4 and "a" as mp4-lossless.
@@ -38,7 +59,7 @@ void check_video_names(const Manifest& manifest, FaultList& list) {
   for (const Stimulus* film : films_of(manifest)) {
     for (const render::VideoKind kind : film->output.video) {
       const std::string file = render::with_ending(film->id, kind).string();
-      const auto [first, is_new] = taken.emplace(file, film->id);
+      const auto [first, is_new] = taken.emplace(without_case(file), film->id);
       if (is_new || first->second == film->id) continue;
       list.add(member_path(film->path, "id"),
                "its video " + file + " would be that of \"" + first->second + "\"",
@@ -102,6 +123,19 @@ void check_expectations(const Manifest& manifest, const Vocabulary& vocabulary, 
   }
 }
 
+/// Labels and keytimes are of files.
+void check_stems(const Manifest& manifest, const Names& stems, FaultList& list) {
+  const auto check = [&](const std::string& path, const auto& by_stem) {
+    for (const auto& [stem, value] : by_stem) {
+      if (stems.empty() || is_among(stem, stems)) continue;
+      list.add_at_key(member_path(path, stem), "no example's file is called so",
+                      motion::did_you_mean(stem, stems));
+    }
+  };
+  check("examples.set.labels", manifest.examples.given_labels);
+  check("examples.set.keytimes", manifest.examples.keytimes);
+}
+
 template <class Compared>
 void check_compared(const std::string& path, const Compared& compared, const Names& motions,
                     FaultList& list) {
@@ -162,6 +196,7 @@ std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocab
   Names motions = stimuli;
   motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
   check_expectations(manifest, vocabulary, list);
+  check_stems(manifest, vocabulary.file_stems, list);
   for (const Overlay& overlay : manifest.overlays)
     check_compared(overlay.film.path, overlay, motions, list);
   for (const Sheet& sheet : manifest.sheets) check_sheet(sheet, motions, stimuli, list);

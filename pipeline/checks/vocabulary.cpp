@@ -5,20 +5,30 @@
 #include <string>
 
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/ratings/answers.h"
 #include "pipeline/ratings/feature_parameters.h"
+#include "pipeline/ratings/impressions.h"
 #include "pipeline/ratings/scales.h"
 
 namespace mien::pipeline {
 
 namespace {
 
+/// Scales that every example has answers on. Throws Error where some example has none.
+std::vector<std::string> answered_scales(const Manifest& manifest, const ScaleSet& scales) {
+  const Answers answers = given_answers(manifest);
+  const std::vector<RatedExample> examples = rated_examples(manifest);
+  try {
+    return impressions_of(answers, scales, examples).scales;
+  } catch (const Error& error) {
+    const std::string path = "examples.ratings";
+    throw Faults(std::vector<Fault>{{place_of(manifest.places, path), path, error.what(), ""}});
+  }
+}
+
 std::set<std::string> rated_scales(const Manifest& manifest, const ScaleSet& scales) {
   std::set<std::string> rated;
   if (manifest.ratings.source == Ratings::Source::file) {
-    for (const Answer& answer : read_answers(manifest.ratings.file, scales).answers) {
-      rated.insert(answer.scale);
-    }
+    for (const std::string& scale : answered_scales(manifest, scales)) rated.insert(scale);
   } else if (manifest.ratings.source != Ratings::Source::none) {
     for (const Scale& scale : scales.scales) rated.insert(scale.id);
   }
@@ -44,7 +54,10 @@ std::vector<std::string> rated_parameters(const Manifest& manifest) {
 }  // namespace
 
 Vocabulary vocabulary_of(const Manifest& manifest) {
-  return {rated_parameters(manifest), feature_parameter_names(), example_names(manifest)};
+  Vocabulary vocabulary{rated_parameters(manifest), feature_parameter_names(), {}};
+  vocabulary.examples = example_names(manifest);
+  vocabulary.file_stems = stems_in_folder(manifest.examples);
+  return vocabulary;
 }
 
 }  // namespace mien::pipeline

@@ -12,11 +12,12 @@ struct Vocabulary {
   std::vector<std::string> parameters;  ///< groups and scales
   std::vector<std::string> features;    ///< groups and features
   std::vector<std::string> examples;
+  std::vector<std::string> file_stems = {};  ///< of the motions in the examples' folder
 };
 
 /// The examples of a manifest, the parameters that they have ratings on and the features, found
 /// without reading a motion. Throws Error for what is wrong with the folder, the scales or the
-/// answers.
+/// answers, and for examples without an answer.
 Vocabulary vocabulary_of(const Manifest& manifest);
 
 }  // namespace mien::pipeline

@@ -7,10 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/checks/checked_manifest.h"
+#include "pipeline/checks/document_checks.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
-#include "pipeline/look/set_file.h"
-#include "pipeline/ratings/scales.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/production/rehearsal.h"
 
 namespace mien::pipeline {
 
@@ -18,6 +19,8 @@ namespace {
 
 struct CheckOptions {
   std::vector<std::string> manifests;
+  std::string out = "out";
+  bool quick = false;
   bool json = false;
 };
 
@@ -26,19 +29,16 @@ nlohmann::ordered_json as_json(const Fault& fault) {
           {"path", fault.path},       {"wrong", fault.wrong},     {"remedy", fault.remedy}};
 }
 
-/// A manifest's faults, or those of a file of scales or of a set, which are called
-/// <name>.scales.yaml and <name>.set.yaml.
-std::vector<Fault> faults_in(const std::string& file) {
-  const bool is_set = file.ends_with("set.yaml");
-  if (!is_set && !file.ends_with("scales.yaml")) {
-    return check_manifest(file, process_environment()).faults;
-  }
-  try {
-    is_set ? static_cast<void>(read_set(file, file)) : static_cast<void>(read_scales(file));
-    return {};
-  } catch (const Faults& faults) {
-    return faults.list();
-  }
+/// A manifest's faults, or those of a file of scales, recipes or a set.
+std::vector<Fault> faults_in(const std::string& file, const CheckOptions& options) {
+  std::error_code unknown;
+  const bool is_there = std::filesystem::is_regular_file(file, unknown);
+  const DocumentKind kind =
+      is_there ? kind_of_document(read_file(file), file) : DocumentKind::manifest;
+  if (kind != DocumentKind::manifest) return check_other_document(kind, file);
+  const ManifestReading reading = check_manifest(file, process_environment(), options.out);
+  if (!reading.faults.empty() || options.quick) return reading.faults;
+  return rehearse(reading.manifest);
 }
 
 int check(const CheckOptions& options, const Console& console) {
@@ -46,7 +46,7 @@ int check(const CheckOptions& options, const Console& console) {
   bool is_good = true;
   for (const std::string& name : options.manifests) {
     const std::string file = given_or_installed(name, console);
-    const std::vector<Fault> faults = faults_in(file);
+    const std::vector<Fault> faults = faults_in(file, options);
     for (const Fault& fault : faults) {
       if (options.json) {
         listed.push_back(as_json(fault));
@@ -69,13 +69,19 @@ int check(const CheckOptions& options, const Console& console) {
 
 void add_check_command(CLI::App& app, Command& chosen) {
   CLI::App* command =
-      app.add_subcommand("check", "Find everything wrong with a manifest, a scales file or a set");
+      app.add_subcommand("check", "Find everything wrong with a manifest, or a file that it names");
   const auto options = std::make_shared<CheckOptions>();
-  command->add_option("manifest", options->manifests, "Manifests, scales files or sets (YAML)")
+  command
+      ->add_option("manifest", options->manifests,
+                   "Manifests, or files of scales, recipes or a set (YAML)")
       ->required();
+  command->add_option("--out,-o", options->out, "As of run: where results would go")
+      ->capture_default_str();
+  command->add_flag("--quick", options->quick, "Make no motion: look at the files alone");
   command->add_flag("--json", options->json, "Faults as JSON on standard output");
   command->footer(
-      "\nWrites no file. Faults are told as file:line:column: path.to.key: what is wrong; how to "
+      "\nMakes and stages the motions of a manifest without faults; draws nothing and writes no "
+      "file. Faults are told as file:line:column: path.to.key: what is wrong; how to "
       "mend it.\n\nExample:\n  mien check my.yaml");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return check(*options, console); };

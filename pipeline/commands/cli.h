@@ -38,6 +38,7 @@ using Command = std::function<int(const Console&)>;
 
 /// Each adds its subcommand to `app` and sets `chosen` when it is the one that was typed.
 void add_check_command(CLI::App& app, Command& chosen);
+void add_clean_command(CLI::App& app, Command& chosen);
 void add_completion_command(CLI::App& app, Command& chosen);
 void add_man_command(CLI::App& app, Command& chosen);
 void add_manifests_command(CLI::App& app, Command& chosen);

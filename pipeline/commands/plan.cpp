@@ -9,6 +9,7 @@
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
+#include "pipeline/production/run.h"
 #include "pipeline/synthesis/wish.h"
 #include "pipeline/tasks/progress.h"
 
@@ -38,7 +39,8 @@ ordered_json as_json(const Task& task, const TaskOutcome& planned) {
 }
 
 void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
-               const Manifest& manifest, const std::string& folder, const Console& console) {
+               const Manifest& manifest, const std::string& folder,
+               const std::vector<std::string>& stale, const Console& console) {
   ordered_json tasks = ordered_json::array();
   for (std::size_t i = 0; i < planned.size(); ++i) {
     tasks.push_back(as_json(graph.tasks[i], planned[i]));
@@ -47,7 +49,8 @@ void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                                {"folder", folder},
                                {"cost_s", cost_of(graph, planned)},
                                {"tasks", tasks},
-                               {"adjectives", feasible_ranges(manifest)}};
+                               {"adjectives", feasible_ranges(manifest)},
+                               {"stale", stale}};
   console.out << result.dump(2) << '\n';
 }
 
@@ -63,15 +66,17 @@ void show_table(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
 }
 
 int show_plan(const ProductionArguments& arguments, const Console& console) {
-  const Production production(
-      load_manifest(manifest_meant(arguments.manifest, console), process_environment()),
-      options_of(arguments));
+  const Production production(load_manifest(manifest_meant(arguments.manifest, console),
+                                            process_environment(), arguments.out),
+                              options_of(arguments));
   const std::filesystem::path folder = folder_of(arguments, production.manifest());
   const std::vector<TaskOutcome> planned = plan(production.graph(), folder);
+  const std::vector<std::string> stale = shown_paths(stale_in(folder, production));
   if (arguments.json) {
-    show_json(production.graph(), planned, production.manifest(), folder.string(), console);
+    show_json(production.graph(), planned, production.manifest(), folder.string(), stale, console);
   } else {
     show_table(production.graph(), planned, production.manifest(), console);
+    tell_stale(stale, arguments, console);
   }
   return exit_done;
 }

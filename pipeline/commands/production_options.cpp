@@ -42,6 +42,15 @@ ProductionOptions options_of(const ProductionArguments& arguments) {
   return options;
 }
 
+void tell_stale(const std::vector<std::string>& stale, const ProductionArguments& arguments,
+                const Console& console) {
+  if (stale.empty()) return;
+  console.out << "left from earlier runs:\n";
+  for (const std::string& path : stale) console.out << "  " << path << '\n';
+  const std::string out = arguments.out == "out" ? "" : " --out " + arguments.out;
+  console.out << "mien clean --stale " << arguments.manifest << out << " removes them\n";
+}
+
 std::filesystem::path folder_of(const ProductionArguments& arguments, const Manifest& manifest) {
   return std::filesystem::path(arguments.out) / manifest.study;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/commands/cli.h"
 #include "pipeline/production/production.h"
 
 namespace CLI {
@@ -26,6 +27,10 @@ void add_production_options(CLI::App& command, ProductionArguments& arguments);
 
 int jobs_of(const ProductionArguments& arguments);
 ProductionOptions options_of(const ProductionArguments& arguments);
+
+/// What is left of earlier runs, and how to be rid of it; nothing when there is none.
+void tell_stale(const std::vector<std::string>& stale, const ProductionArguments& arguments,
+                const Console& console);
 
 /// out/<study>
 std::filesystem::path folder_of(const ProductionArguments& arguments, const Manifest& manifest);

@@ -91,7 +91,8 @@ void tell_json(const Production& production, const RunResult& result, const fs::
                                 {"interrupted", result.was_interrupted},
                                 {"warnings", result.warnings},
                                 {"nondeterminism", differing},
-                                {"artifacts", artifacts}};
+                                {"artifacts", artifacts},
+                                {"stale", shown_paths(stale_in(folder, production))}};
   console.out << summary.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
@@ -115,7 +116,8 @@ void tell_changes(const fs::path& file, const Manifest& manifest, const Console&
 
 int run_production(const ProductionArguments& arguments, const Console& console) {
   const fs::path file = manifest_meant(arguments.manifest, console);
-  Production production(load_manifest(file, process_environment()), options_of(arguments));
+  Production production(load_manifest(file, process_environment(), arguments.out),
+                        options_of(arguments));
   tell_changes(file, production.manifest(), console);
   const fs::path folder = folder_of(arguments, production.manifest());
   RunResult result;
@@ -129,6 +131,7 @@ int run_production(const ProductionArguments& arguments, const Console& console)
     tell_json(production, result, folder, console);
   } else {
     tell_summary(result, folder, console);
+    tell_stale(shown_paths(stale_in(folder, production)), arguments, console);
   }
   return exit_code(result);
 }

@@ -1,12 +1,18 @@
 #include "pipeline/documents/fault_list.h"
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "motion/text/nearest_word.h"
 
 namespace mien::pipeline {
+
+void append(std::vector<Fault>& faults, std::vector<Fault> more) {
+  faults.insert(faults.end(), std::make_move_iterator(more.begin()),
+                std::make_move_iterator(more.end()));
+}
 
 void FaultList::add(const std::string& path, std::string wrong, std::string remedy) {
   faults_.push_back({place_of(places_, path), path, std::move(wrong), std::move(remedy)});

@@ -9,6 +9,9 @@
 
 namespace mien::pipeline {
 
+/// Adds faults at the end.
+void append(std::vector<Fault>& faults, std::vector<Fault> more);
+
 /// Faults of one document, found by its checks one after the other.
 class FaultList {
  public:

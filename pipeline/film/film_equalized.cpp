@@ -20,12 +20,13 @@ constexpr double exposure_cost_seconds = 0.5;
 
 /// A task that makes one table from all stimuli.
 Task table_task(const std::string& name, const Manifest& manifest, const SharedDeterminants& shared,
-                double cost_seconds, std::function<std::string(TaskRun&)> text_of) {
+                Among among, double cost_seconds, std::function<std::string(TaskRun&)> text_of) {
   Task task;
   task.id = task.kind = name;
   task.determinants.add("libraries", shared.libraries).add("code", film_code());
   task.determinants.add("seed", static_cast<std::int64_t>(manifest.seed))
-      .add("duration", std::int64_t{manifest.equalize.duration});
+      .add("duration", std::int64_t{manifest.equalize.duration})
+      .add("among", static_cast<std::int64_t>(among));
   for (const Stimulus& stimulus : manifest.stimuli) {
     task.inputs.push_back("motion:" + stimulus.id);
     task.determinants.add("stimulus", stimulus.id);
@@ -50,11 +51,12 @@ std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDetermi
   std::vector<Task> tasks;
   if (manifest.equalize.size) {
     tasks.push_back(table_task(
-        "sizes", manifest, shared, sizes_cost_seconds,
+        "sizes", manifest, shared, manifest.equalize.size_among, sizes_cost_seconds,
         [&manifest, &motions](TaskRun& run) { return sizes_csv(manifest, motions, run); }));
   }
   if (manifest.equalize.luminance) {
-    tasks.push_back(table_task("exposure", manifest, shared, exposure_cost_seconds,
+    tasks.push_back(table_task("exposure", manifest, shared, manifest.equalize.luminance_among,
+                               exposure_cost_seconds,
                                [&manifest, &motions, settings](TaskRun& run) {
                                  return exposure_csv(manifest, settings, motions, run);
                                }));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "pipeline/documents/csv.h"
@@ -19,11 +20,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* table_path = "metrics/exposure.csv";
-constexpr int sampled_frames = 8;
-constexpr int most_width = 320;
 constexpr float most_stops = 8.0f;
 constexpr int halvings = 24;  // to a millionth of a stop
-constexpr double luminance_tolerance = 0.01;
+
+/// What is drawn to find how light a film is, and how near to the others it must come.
+struct Sampling {
+  int frames = 8;
+  int most_width = 320;
+  double tolerance = 0.01;
+};
+
+/// Enough to find what is out of reach by far.
+constexpr Sampling quick_sampling = {.frames = 3, .most_width = 96, .tolerance = 0.05};
 
 double mean_of(const std::vector<render::Film>& films, render::Tone tone, float stops) {
   tone.exposure_stops += stops;
@@ -38,22 +46,66 @@ struct Samples {
   render::Tone tone;
 };
 
-Samples samples_of(const Stimulus& stimulus, const FilmSettings& settings, Motions& motions,
-                   std::optional<double> figure_px, const std::stop_token& stop) {
+Samples samples_of(const Stimulus& stimulus, const Sampling& sampling, const FilmSettings& settings,
+                   Motions& motions, std::optional<double> figure_px, const std::stop_token& stop) {
   Stimulus small = stimulus;
   small.output.scale *=
-      std::min(1.0, static_cast<double>(most_width) / stimulus.output.shown_size()[0]);
+      std::min(1.0, static_cast<double>(sampling.most_width) / stimulus.output.shown_size()[0]);
   if (figure_px) *figure_px *= small.output.scale / stimulus.output.scale;
   const scenes::Shot shot = shot_of(small, motions, settings.seed, figure_px);
   render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
   render::Quality quality = render::draft_quality();
   quality.seed = settings.seed;
   Samples samples{.tone = shot.tone};
-  for (const int frame : render::evenly_spread(shot.frame_count(), sampled_frames)) {
+  for (const int frame : render::evenly_spread(shot.frame_count(), sampling.frames)) {
     if (stop.stop_requested()) throw Interrupted{};
     samples.films.push_back(tracer.trace(scene_at(shot, frame), camera_at(shot, frame), quality));
   }
   return samples;
+}
+
+/// How light a film is, how light all should be, and what brings it there.
+struct Adjustment {
+  double mean = 0.0;
+  double wanted = 0.0;
+  double stops = 0.0;
+  double reached = 0.0;
+
+  bool is_there(const Sampling& sampling) const {
+    return std::abs(reached - wanted) <= sampling.tolerance * wanted;
+  }
+};
+
+/// By the stimuli's ids.
+using SamplesById = std::map<std::string, Samples>;
+using AdjustmentsById = std::map<std::string, Adjustment>;
+
+/// Those of one group: to the geometric mean of their means.
+void adjust(const std::vector<const Stimulus*>& group, const SamplesById& samples,
+            AdjustmentsById& adjustments) {
+  double logarithms = 0.0;
+  for (const Stimulus* stimulus : group) {
+    const auto& [films, tone] = samples.at(stimulus->id);
+    const double mean = mean_of(films, tone, 0.0f);
+    adjustments[stimulus->id].mean = mean;
+    logarithms += std::log(std::max(mean, 1e-6));
+  }
+  const double wanted = std::exp(logarithms / static_cast<double>(group.size()));
+  for (const Stimulus* stimulus : group) {
+    const auto& [films, tone] = samples.at(stimulus->id);
+    Adjustment& found = adjustments[stimulus->id];
+    // Steps of 1/4096 stop: no machine's logarithm shows.
+    found.stops = std::round(4096.0 * static_cast<double>(stops_for(films, tone, wanted))) / 4096.0;
+    found.wanted = wanted;
+    found.reached = mean_of(films, tone, static_cast<float>(found.stops));
+  }
+}
+
+AdjustmentsById adjustments_of(const Manifest& manifest, const SamplesById& samples) {
+  AdjustmentsById adjustments;
+  for (const auto& group : alike(manifest.stimuli, manifest.equalize.luminance_among))
+    adjust(group, samples, adjustments);
+  return adjustments;
 }
 
 }  // namespace
@@ -70,35 +122,42 @@ float stops_for(const std::vector<render::Film>& films, const render::Tone& tone
 
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
                          TaskRun& run) {
-  std::vector<Samples> samples;
-  std::vector<double> means;
-  double logarithms = 0.0;
+  constexpr Sampling sampling;
+  SamplesById samples;
   for (const Stimulus& stimulus : manifest.stimuli) {
     std::optional<double> figure_px;
     if (manifest.equalize.size) figure_px = figure_px_of(run.store.folder(), stimulus.id);
-    samples.push_back(samples_of(stimulus, settings, motions, figure_px, run.stop));
-    means.push_back(mean_of(samples.back().films, samples.back().tone, 0.0f));
-    logarithms += std::log(std::max(means.back(), 1e-6));
-    run.progress(static_cast<double>(means.size()) / static_cast<double>(manifest.stimuli.size()));
+    samples[stimulus.id] = samples_of(stimulus, sampling, settings, motions, figure_px, run.stop);
+    run.progress(static_cast<double>(samples.size()) /
+                 static_cast<double>(manifest.stimuli.size()));
   }
-  const double wanted = std::exp(logarithms / static_cast<double>(means.size()));
+  const AdjustmentsById adjustments = adjustments_of(manifest, samples);
   CsvWriter table = table_of(exposure_form);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    // Steps of 1/4096 stop: no machine's logarithm shows.
-    const double stops = std::round(
-        4096.0 * static_cast<double>(stops_for(samples[i].films, samples[i].tone, wanted)));
-    const double reached =
-        mean_of(samples[i].films, samples[i].tone, static_cast<float>(stops / 4096.0));
-    if (std::abs(reached - wanted) > luminance_tolerance * wanted) {
-      throw Error("equalize: \"" + manifest.stimuli[i].id + "\" has a mean luminance of " +
-                      shortest(std::round(1e3 * reached) / 1e3) +
-                      " at most, where the others need " + shortest(std::round(1e3 * wanted) / 1e3),
-                  "leave luminance out of equalize, or give it another background");
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Adjustment& found = adjustments.at(stimulus.id);
+    if (!found.is_there(sampling)) {
+      throw Error("equalize: \"" + stimulus.id + "\" has a mean luminance of " +
+                      shortest(std::round(1e3 * found.reached) / 1e3) +
+                      " at most, where the others need " +
+                      shortest(std::round(1e3 * found.wanted) / 1e3),
+                  light_remedy);
     }
-    table.row({manifest.stimuli[i].id, shortest(std::round(1e6 * means[i]) / 1e6),
-               shortest(std::round(1e6 * wanted) / 1e6), shortest(stops / 4096.0)});
+    table.row({stimulus.id, shortest(std::round(1e6 * found.mean) / 1e6),
+               shortest(std::round(1e6 * found.wanted) / 1e6), shortest(found.stops)});
   }
   return table.text();
+}
+
+std::vector<std::string> too_far_in_light(const Manifest& manifest, Motions& motions) {
+  const FilmSettings settings{.seed = manifest.seed};
+  SamplesById samples;
+  for (const Stimulus& stimulus : manifest.stimuli)
+    samples[stimulus.id] = samples_of(stimulus, quick_sampling, settings, motions, {}, {});
+  std::vector<std::string> far;
+  for (const auto& [id, found] : adjustments_of(manifest, samples)) {
+    if (!found.is_there(quick_sampling)) far.push_back(id);
+  }
+  return far;
 }
 
 float exposure_stops_of(const fs::path& folder, const std::string& stimulus) {

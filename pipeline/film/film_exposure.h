@@ -16,7 +16,11 @@ namespace mien::pipeline {
 ///
 /// A few small frames of each film are drawn in draft quality. Their mean luminance as a display
 /// shows it, tone curve and all, rises with the exposure, so for each film there is one exposure at
-/// which it is the geometric mean of all films' means.
+/// which it is the geometric mean of the means of all films, or of all with such a figure.
+
+/// What to do where no exposure does it.
+inline constexpr char light_remedy[] =
+    "give it another background, equalize luminance: {by: figure}, or leave luminance out";
 
 /// The stops, −8 … 8, that added to the tone's bring the mean over films of `mean_luminance` to
 /// `wanted`; the nearest end where none does.
@@ -26,6 +30,10 @@ float stops_for(const std::vector<render::Film>& films, const render::Tone& tone
 /// size is equalized too. Throws Error when an exposure does not bring a film within 1 %.
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
                          TaskRun& run);
+
+/// Stimuli that no exposure brings near the others' light, as a quick look at small pictures shows;
+/// what is out of reach by less than 5 % is left to exposure_csv. Throws Error.
+std::vector<std::string> too_far_in_light(const Manifest& manifest, Motions& motions);
 
 /// What the table has for a stimulus, in the store's folder. Throws Error.
 float exposure_stops_of(const std::filesystem::path& folder, const std::string& stimulus);

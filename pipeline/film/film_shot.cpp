@@ -2,6 +2,7 @@
 
 #include "motion/skeleton/clip.h"
 #include "pipeline/look/look.h"
+#include "pipeline/manifest/own_seed.h"
 #include "pipeline/synthesis/synthesis.h"
 
 namespace mien::pipeline {
@@ -28,7 +29,7 @@ scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
           .size = output.whole_size(),
           .window = output.window(),
           .pixel_scale = output.scale,
-          .seed = seed};
+          .seed = own_seed(seed, "dots of " + film.id)};
 }
 
 /// What is shown of a motion that was made for another film, which may have another frame rate.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
+#include <map>
 
 #include "pipeline/documents/csv.h"
 #include "pipeline/film/film_shot.h"
@@ -21,21 +21,24 @@ constexpr const char* table_path = "metrics/sizes.csv";
 }  // namespace
 
 std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
-  std::vector<double> framed;
-  double least = std::numeric_limits<double>::infinity();
+  std::map<std::string, double> framed;
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (run.stop.stop_requested()) throw Interrupted{};
     const scenes::Shot shot = shot_of(stimulus, motions, manifest.seed);
-    framed.push_back(scenes::figure_pixels(shot.cameras));
-    least = std::min(least, framed.back());
+    framed[stimulus.id] = scenes::figure_pixels(shot.cameras);
     run.progress(static_cast<double>(framed.size()) / static_cast<double>(manifest.stimuli.size()));
   }
-  // Steps of 1/64 pixel: no machine's arithmetic shows.
-  least = std::floor(64.0 * least) / 64.0;
+  std::map<std::string, double> common;
+  for (const auto& group : alike(manifest.stimuli, manifest.equalize.size_among)) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Stimulus* stimulus : group) least = std::min(least, framed.at(stimulus->id));
+    // Steps of 1/64 pixel: no machine's arithmetic shows.
+    for (const Stimulus* stimulus : group) common[stimulus->id] = std::floor(64.0 * least) / 64.0;
+  }
   CsvWriter table = table_of(sizes_form);
-  for (std::size_t i = 0; i < framed.size(); ++i) {
-    table.row(
-        {manifest.stimuli[i].id, shortest(std::round(100.0 * framed[i]) / 100.0), shortest(least)});
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    table.row({stimulus.id, shortest(std::round(100.0 * framed.at(stimulus.id)) / 100.0),
+               shortest(common.at(stimulus.id))});
   }
   return table.text();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "pipeline/look/point_form.h"
@@ -113,6 +114,8 @@ void add_interpolation(KeyBuilder& key, const Interpolation& how) {
 void add_film(KeyBuilder& key, const Stimulus& stimulus) {
   add_fields(key, "", stimulus, concerns::picture);
   add_set(key, stimulus.look.set);
+  if (std::holds_alternative<scenes::PointLightOptions>(stimulus.look.figure))
+    key.add("dots of", stimulus.id);
   if (const auto* character = scenes::character_in(stimulus.look.figure))
     add_character(key, character->file);
 }

@@ -59,4 +59,20 @@ std::vector<RatedExample> rated_examples(const Manifest& manifest) {
   return rated;
 }
 
+std::vector<std::string> stems_in_folder(const Examples& examples) {
+  std::vector<std::string> stems;
+  if (!examples.builtin.empty() || examples.folder.empty()) return stems;
+  for (const auto& file : motion::example_files({.path = examples.folder}))
+    stems.push_back(file.stem().string());
+  return stems;
+}
+
+Answers given_answers(const Manifest& manifest) {
+  const std::vector<std::string> stems = stems_in_folder(manifest.examples);
+  return read_answers(manifest.ratings.file, scales_of(manifest.scales),
+                      {.examples = rated_examples(manifest),
+                       .left_out = {stems.begin(), stems.end()},
+                       .ignore_unknown = manifest.ratings.ignore_unknown});
+}
+
 }  // namespace mien::pipeline

@@ -22,4 +22,10 @@ std::vector<std::string> example_names(const Manifest& manifest);
 /// The examples as answers may name them, found without reading a motion. Throws Error.
 std::vector<RatedExample> rated_examples(const Manifest& manifest);
 
+/// Stems of all motion files of the examples' folder, chosen or not. Throws Error.
+std::vector<std::string> stems_in_folder(const Examples& examples);
+
+/// The answers of the file that the manifest's ratings name. Throws Error.
+Answers given_answers(const Manifest& manifest);
+
 }  // namespace mien::pipeline

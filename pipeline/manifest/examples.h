@@ -72,12 +72,15 @@ struct Ratings {
   Source source = Source::none;
   std::filesystem::path file;              ///< CSV of answers or of means, resolved
   int raters = 14;                         ///< simulated only
+  bool ignore_unknown = false;             ///< answers about other stimuli or scales are left out
   std::vector<Expectation> expected = {};  ///< which examples should lie above which
 };
 
 inline constexpr Words<Ratings::Source> ratings_words = {{"none", Ratings::Source::none},
                                                          {"builtin", Ratings::Source::builtin},
                                                          {"simulated", Ratings::Source::simulated}};
+
+inline constexpr Words<bool> unknown_words = {{"error", false}, {"ignore", true}};
 
 /// `ratings:`: a word, or a file.
 struct RatingsForm {

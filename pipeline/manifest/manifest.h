@@ -27,21 +27,61 @@ struct RecipesForm {
   static nlohmann::ordered_json write(const RecipesSource& recipes, const Writing& how);
 };
 
-/// What all stimuli of a study are made alike in.
+/// Among which stimuli something is made alike.
+enum class Among { study, figure };
+
+inline constexpr Words<Among> among_words = {{"study", Among::study}, {"figure", Among::figure}};
+
+/// What stimuli of a study are made alike in.
 struct Equalize {
   bool luminance = false;  ///< mean luminance of the films, by the exposure
   bool size = false;       ///< pixels that figures are tall, by the camera's distance
   bool duration = false;   ///< number of frames: that of the shortest
+  Among luminance_among = Among::study;
+  Among size_among = Among::study;
 
   friend bool operator==(const Equalize&, const Equalize&) = default;
 };
 
+/// `luminance: true`, or `luminance: {by: figure}`.
+struct LuminanceForm {
+  static void read(const Given& given, Equalize& equalize);
+  static nlohmann::ordered_json write(const Equalize& equalize, const Writing&);
+  template <class Names>
+  static void walk(Names& names) {
+    names.add("by");
+  }
+};
+
+/// Likewise.
+struct SizeForm {
+  static void read(const Given& given, Equalize& equalize);
+  static nlohmann::ordered_json write(const Equalize& equalize, const Writing&);
+  template <class Names>
+  static void walk(Names& names) {
+    names.add("by");
+  }
+};
+
 template <class Field, MaybeConst<Equalize> E>
 void fields_of(Field&& field, E& equalize) {
-  field("luminance", equalize.luminance, concerns::picture);
-  field("size", equalize.size, concerns::picture);
+  field.by("luminance", equalize, concerns::picture, LuminanceForm());
+  field.by("size", equalize, concerns::picture, SizeForm());
   field("duration", equalize.duration, concerns::picture);
 }
+
+/// `equalize:`: an array of names, or a map.
+struct EqualizeForm {
+  static void read(const Given& given, Equalize& equalize);
+  static nlohmann::ordered_json write(const Equalize& equalize, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.template of<Equalize>();
+  }
+};
+
+/// The stimuli that are made alike with each other.
+std::vector<std::vector<const Stimulus*>> alike(const std::vector<Stimulus>& stimuli, Among among);
 
 /// A production as its author wrote it, defaults filled in and overrides merged.
 struct Manifest {
@@ -79,6 +119,7 @@ void fields_of(Field&& field, M& manifest) {
     examples.by("ratings", manifest.ratings, concerns::repertoire | concerns::required,
                 RatingsForm());
     examples.by("scales", manifest.scales, concerns::repertoire, ScalesForm());
+    examples("unknown", manifest.ratings.ignore_unknown, concerns::repertoire, unknown_words);
     examples("raters", manifest.ratings.raters, concerns::repertoire);
     examples("expect", manifest.ratings.expected, concerns::page);
   });
@@ -87,7 +128,7 @@ void fields_of(Field&& field, M& manifest) {
   field("interpolation", manifest.interpolation, concerns::motion);
   field.by("recipes", manifest.recipes, concerns::motion, RecipesForm());
   field("on_fault", manifest.on_fault, concerns::motion, fault_words);
-  field.by("equalize", manifest.equalize, concerns::picture, WordSet<Equalize>());
+  field.by("equalize", manifest.equalize, concerns::picture, EqualizeForm());
   field.each("stimuli", manifest.stimuli, concerns::nothing,
              [&] { return plain_stimulus(manifest); });
   field.each("overlays", manifest.overlays, concerns::nothing,

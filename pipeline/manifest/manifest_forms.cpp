@@ -5,6 +5,7 @@
 #include "pipeline/manifest/recipes.h"
 #include "pipeline/reading/field_reader.h"
 #include "pipeline/reading/field_writer.h"
+#include "scenes/figures/figure.h"
 
 namespace mien::pipeline {
 
@@ -13,6 +14,19 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view builtin_prefix = "builtin:";
+
+/// Whether something is made alike at all, and among which.
+void read_alike(const json& given, bool& asked, Among& among) {
+  assign(&given, asked);
+  if (!given.is_object()) return;
+  asked = true;
+  assign(member(given, "by"), among, among_words);
+}
+
+OrderedJson written_alike(bool asked, Among among) {
+  if (!asked || among == Among::study) return asked;
+  return {{"by", "figure"}};
+}
 
 constexpr Words<Examples::Labels> label_words = {{"from-name", Examples::Labels::from_name},
                                                  {"file-name", Examples::Labels::file_name}};
@@ -39,6 +53,57 @@ OrderedJson VideoKindsForm::write(const std::vector<render::VideoKind>& video, c
   OrderedJson names = OrderedJson::array();
   for (const render::VideoKind kind : video) names.push_back(render::traits_of(kind).name);
   return names;
+}
+
+void LuminanceForm::read(const Given& given, Equalize& equalize) {
+  read_alike(given.value, equalize.luminance, equalize.luminance_among);
+}
+
+OrderedJson LuminanceForm::write(const Equalize& equalize, const Writing&) {
+  return written_alike(equalize.luminance, equalize.luminance_among);
+}
+
+void SizeForm::read(const Given& given, Equalize& equalize) {
+  read_alike(given.value, equalize.size, equalize.size_among);
+}
+
+OrderedJson SizeForm::write(const Equalize& equalize, const Writing&) {
+  return written_alike(equalize.size, equalize.size_among);
+}
+
+void EqualizeForm::read(const Given& given, Equalize& equalize) {
+  if (given.value.is_object()) return pipeline::read(given, equalize);
+  if (!given.value.is_array()) return;
+  const auto names = [&](const char* word) {
+    return std::find(given.value.begin(), given.value.end(), word) != given.value.end();
+  };
+  equalize = {
+      .luminance = names("luminance"), .size = names("size"), .duration = names("duration")};
+}
+
+OrderedJson EqualizeForm::write(const Equalize& equalize, const Writing& how) {
+  const Equalize anywhere{
+      .luminance = equalize.luminance, .size = equalize.size, .duration = equalize.duration};
+  if (equalize != anywhere) return written(equalize, how);
+  OrderedJson words = OrderedJson::array();
+  if (equalize.luminance) words.push_back("luminance");
+  if (equalize.size) words.push_back("size");
+  if (equalize.duration) words.push_back("duration");
+  return words;
+}
+
+std::vector<std::vector<const Stimulus*>> alike(const std::vector<Stimulus>& stimuli, Among among) {
+  std::vector<std::string> names;
+  std::vector<std::vector<const Stimulus*>> groups;
+  for (const Stimulus& stimulus : stimuli) {
+    const std::string name(among == Among::figure ? scenes::name_of(stimulus.look.figure) : "");
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) groups.emplace_back();
+    const auto group = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end()) names.push_back(name);
+    groups[group].push_back(&stimulus);
+  }
+  return groups;
 }
 
 void LabelsForm::read(const Given& given, Examples& examples) {

@@ -6,12 +6,12 @@
 
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
+#include "pipeline/manifest/own_seed.h"
 #include "pipeline/reading/field_reader.h"
 #include "pipeline/reading/field_writer.h"
 #include "pipeline/reading/schema.h"
 #include "pipeline/reading/yaml_json.h"
 #include "pipeline/reading/yaml_tree.h"
-#include "pipeline/statistics/named_random.h"
 
 #include "embedded/emotions_recipes.h"
 #include "embedded/fig29_recipes.h"
@@ -47,12 +47,9 @@ std::vector<Fault> faults_of(const RecipeBook& book, const Places& places) {
   return faults;
 }
 
-constexpr double seeds = 9007199254740992.0;  // 2⁵³: what a double counts
-
 void resolve(ModificationStep& step, const Recipe* recipe, std::uint64_t study_seed,
              const std::string& stimulus) {
-  step.modification.seed = static_cast<std::uint64_t>(
-      seeds * uniform(study_seed, "variation of " + stimulus + " by " + step.path));
+  step.modification.seed = own_seed(study_seed, "variation of " + stimulus + " by " + step.path);
   if (recipe != nullptr) {
     step.modification = with_edit(step.modification, recipe->edit);
     step.pose = recipe->edit.pose;

@@ -13,12 +13,14 @@ namespace mien::pipeline {
 
 namespace {
 
+constexpr const char* provenance_path = "provenance.json";
+
 void put_provenance(const Production& production, const RunResult& result, Store& store) {
   const std::string text = provenance(production.manifest(), result.outcomes);
   const Hash key = hash_of(text);
-  if (store.find("provenance.json", key)) return;
+  if (store.find(provenance_path, key)) return;
   store.put(
-      "provenance.json", key, [&](const std::filesystem::path& file) { write_file(file, text); },
+      provenance_path, key, [&](const std::filesystem::path& file) { write_file(file, text); },
       [](const std::filesystem::path&) {});
 }
 
@@ -57,6 +59,11 @@ int RunResult::count(TaskState state) const {
 
 bool RunResult::is_complete() const {
   return count(TaskState::cached) + count(TaskState::made) == static_cast<int>(outcomes.size());
+}
+
+std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production) {
+  if (!production.is_whole()) return {};
+  return stale_artifacts(folder, production.graph(), {provenance_path});
 }
 
 RunResult run(Production& production, const std::filesystem::path& folder, int jobs,

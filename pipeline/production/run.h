@@ -7,6 +7,7 @@
 
 #include "pipeline/production/production.h"
 #include "pipeline/tasks/progress.h"
+#include "pipeline/tasks/stale.h"
 #include "pipeline/tasks/store.h"
 
 namespace mien::pipeline {
@@ -21,6 +22,10 @@ struct RunResult {
   int count(TaskState state) const;
   bool is_complete() const;  ///< every task was cached or made
 };
+
+/// Artifacts in `folder` that the manifest no longer makes. Nothing of a production of some stimuli
+/// only: the others are no less wanted.
+std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production);
 
 /// Makes what is not in `folder` yet, and writes provenance.json and inputs/ when everything is
 /// there. Throws

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,12 @@ struct AnswerRules {
   Constant constant = Constant::keep;
   Missing missing = Missing::ignore;
 
-  /// As a manifest's ratings are read: by participant, stimulus, scale and value alone, about
-  /// whatever stimuli. Repeated answers, unknown scales and rows without a value are refused, and
-  /// remedies name no options of `mien study analyze`.
+  /// As a manifest's ratings are read: by participant, stimulus, scale and value alone; remedies
+  /// name keys of a manifest instead of options of `mien study analyze`.
   bool plain = false;
+
+  /// Stimuli that are known though no examples: answers about them are passed over.
+  std::set<std::string> left_out = {};
 };
 
 /// One answer and where it was read.

@@ -2,28 +2,78 @@
 
 #include "pipeline/documents/csv.h"
 #include "pipeline/ratings/study_answers.h"
+#include "pipeline/ratings/unknown_names.h"
 #include "pipeline/ratings/word_answers.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-Answers answers_of(const CsvTable& table, const ScaleSet& scales) {
+std::vector<std::string> sentences_of(const std::vector<StudyWarning>& warnings) {
+  std::vector<std::string> sentences;
+  for (const StudyWarning& warning : warnings)
+    sentences.push_back(to_string(warning.place) + ": " + warning.text);
+  return sentences;
+}
+
+/// The rows of a table of words that are about the examples.
+CsvTable rows_about(CsvTable table, const AnswerSubjects& about, const AnswerRules& rules,
+                    std::vector<StudyWarning>& warnings) {
+  if (about.examples.empty()) return table;
+  const int named = find_column(table, "stimulus");
+  const int column = named >= 0 ? named : require_column(table, "motion");
+  std::set<std::string> known;
+  std::vector<std::string> names;
+  for (const RatedExample& example : about.examples) {
+    known.insert(example.name);
+    if (!example.file_stem.empty()) known.insert(example.file_stem);
+    names.push_back(example.name);
+  }
+  UnknownNames unknown("stimulus");
+  std::erase_if(table.rows, [&](const std::vector<CsvField>& row) {
+    const CsvField& stimulus = row[static_cast<std::size_t>(column)];
+    if (known.contains(stimulus.text)) return false;
+    if (!about.left_out.contains(stimulus.text)) unknown.note(stimulus);
+    return true;
+  });
+  std::vector<Fault> faults;
+  unknown.report(table, names, rules, faults, warnings);
+  if (!faults.empty()) throw Faults(faults);
+  return table;
+}
+
+Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSubjects& about) {
   if (table.rows.empty()) {
     throw Error(Place{table.file}, "holds no answers", "add rows below the header");
   }
-  if (holds_words(table)) return answers_from_words(table, scales, Unmentioned::neutral).answers;
-  return study_answers(table, scales, {}, {.plain = true}).plain();
+  using Unknown = AnswerRules::Unknown;
+  const AnswerRules rules{.unknown = about.ignore_unknown ? Unknown::ignore : Unknown::refuse,
+                          .plain = true,
+                          .left_out = about.left_out};
+  std::vector<StudyWarning> warnings;
+  Answers answers;
+  if (holds_words(table)) {
+    const CsvTable rows = rows_about(table, about, rules, warnings);
+    answers = answers_from_words(rows, scales, Unmentioned::neutral).answers;
+  } else {
+    StudyAnswers study = study_answers(table, scales, about.examples, rules);
+    answers = study.plain();
+    warnings = std::move(study.warnings);
+  }
+  answers.warnings = sentences_of(warnings);
+  return answers;
 }
 
 }  // namespace
 
-Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales) {
-  return answers_of(read_csv(file), scales);
+Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales,
+                     const AnswerSubjects& about) {
+  return answers_of(read_csv(file), scales, about);
 }
 
-Answers parse_answers(std::string_view csv, const std::string& file, const ScaleSet& scales) {
-  return answers_of(parse_csv(csv, file), scales);
+Answers parse_answers(std::string_view csv, const std::string& file, const ScaleSet& scales,
+                      const AnswerSubjects& about) {
+  return answers_of(parse_csv(csv, file), scales, about);
 }
 
 std::string to_csv(const Answers& answers) {

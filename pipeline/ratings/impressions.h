@@ -22,12 +22,6 @@ struct Impressions {
   bool simulated = false;
 };
 
-/// An example as ratings may name it.
-struct RatedExample {
-  std::string name;
-  std::string file_stem;  ///< empty for a built-in one
-};
-
 /// Averages the answers. Scales without any answer are left out; answers about stimuli that are no
 /// examples are ignored. Throws Error that names the examples (and scales) without an answer.
 Impressions impressions_of(const Answers& answers, const ScaleSet& scales,

@@ -6,18 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "motion/text/nearest_word.h"
+#include "pipeline/ratings/unknown_names.h"
 #include "pipeline/ratings/word_answers.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-/// A name in the table that means nothing, and how many rows use it.
-struct UnknownName {
-  CsvField field;
-  int rows = 0;
-};
 
 /// The same sentence as a fault.
 Fault fault_of(const Error& error) {
@@ -53,8 +47,9 @@ class RowReader {
     const CsvField& scale_name = row[static_cast<size_t>(scale_)];
     const std::string* example = example_named(stimulus.text);
     const Scale* scale = scale_named(scale_name.text);
-    if (example == nullptr) note(stimulus, unknown_stimuli_);
-    if (scale == nullptr) note(scale_name, unknown_scales_);
+    const bool is_left_out = rules_.left_out.contains(stimulus.text);
+    if (example == nullptr && !is_left_out) unknown_stimuli_.note(stimulus);
+    if (scale == nullptr) unknown_scales_.note(scale_name);
     if (example == nullptr || scale == nullptr) return;
     StudyAnswer answer;
     answer.participant = text_of(row, participant_);
@@ -72,8 +67,8 @@ class RowReader {
   }
 
   void report_unknown() {
-    report(unknown_stimuli_, "stimulus", stimulus_names_);
-    report(unknown_scales_, "scale", scale_ids_);
+    unknown_stimuli_.report(table_, stimulus_names_, rules_, faults, result.warnings);
+    unknown_scales_.report(table_, scale_ids_, rules_, faults, result.warnings);
   }
 
   StudyAnswers result;
@@ -81,11 +76,9 @@ class RowReader {
   std::vector<Fault> faults;
 
  private:
-  using UnknownNames = std::map<std::string, UnknownName>;
-
-  /// Null when there is none; plain answers are about whatever they name.
+  /// Null when there is none; without examples, answers are about whatever they name.
   const std::string* example_named(const std::string& text) const {
-    if (rules_.plain) return &text;
+    if (examples_.empty()) return &text;
     const auto found = examples_.find(text);
     return found == examples_.end() ? nullptr : &found->second;
   }
@@ -100,7 +93,7 @@ class RowReader {
     answer.rt_ms = optional_number(row, rt_ms_);
     answer.order = optional_number(row, order_);
     check_time(row, answer);
-    if (!rules_.plain && (value.text.empty() || value.text == "NA")) {
+    if (value.text.empty() || value.text == "NA") {
       left_empty.push_back(std::move(answer));
       return;
     }
@@ -134,29 +127,6 @@ class RowReader {
                             scale.least, scale.most));
   }
 
-  static void note(const CsvField& field, UnknownNames& names) {
-    UnknownName& name = names[field.text];
-    if (name.rows++ == 0) name.field = field;
-  }
-
-  void report(const UnknownNames& names, const std::string& what,
-              const std::vector<std::string>& known) {
-    for (const auto& [text, name] : names) {
-      const Place place = place_of(table_, name.field);
-      const std::string wrong = fmt::format("unknown {} \"{}\"", what, text);
-      const std::string counted =
-          fmt::format("{} ({} row{})", wrong, name.rows, name.rows == 1 ? "" : "s");
-      const std::string remedy = motion::did_you_mean(text, known);
-      if (rules_.plain) {
-        faults.push_back({place, "", wrong, remedy});
-      } else if (rules_.unknown == AnswerRules::Unknown::refuse) {
-        faults.push_back({place, "", counted, remedy + " (--unknown ignore leaves it out)"});
-      } else {
-        result.warnings.push_back({"unknown-" + what, place, counted + " left out"});
-      }
-    }
-  }
-
   const CsvTable& table_;
   const AnswerRules& rules_;
   std::unordered_map<std::string_view, const Scale*> scales_;
@@ -167,8 +137,8 @@ class RowReader {
   int rt_ms_ = -1;
   int order_ = -1;
   int comment_ = -1;
-  UnknownNames unknown_stimuli_;
-  UnknownNames unknown_scales_;
+  UnknownNames unknown_stimuli_{"stimulus"};
+  UnknownNames unknown_scales_{"scale"};
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ namespace mien::pipeline {
 /// least half of the participants saw every example, an example that he did not see. Constant is a
 /// participant with at least three answers, all at the same place of their scales.
 ///
-/// Plain answers (rules.plain) are about any stimuli, `examples` or not; their other columns are
-/// not looked at and nothing is missing or constant.
+/// Without `examples`, answers are about whatever they name. Of plain ones (rules.plain) the other
+/// columns are not looked at, and nothing is told to be missing or constant.
 ///
 /// Throws Faults with every fault at once: a column missing, a value that is no number or outside
 /// the scale's range, and whatever the rules refuse.

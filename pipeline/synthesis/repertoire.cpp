@@ -59,11 +59,14 @@ Repertoire load_repertoire(const Manifest& manifest) {
     return repertoire;
   }
   repertoire.answers = manifest.ratings.source == Ratings::Source::file
-                           ? read_answers(manifest.ratings.file, repertoire.scales)
+                           ? given_answers(manifest)
                            : simulated_answers(manifest, repertoire);
-  repertoire.impressions = impressions_of(repertoire.answers, repertoire.scales, repertoire.names);
+  const Answers& answers = repertoire.answers;
+  repertoire.impressions = impressions_of(answers, repertoire.scales, repertoire.names);
   repertoire.parameters = parameter_table(*repertoire.impressions, repertoire.scales);
-  repertoire.simulated_ratings = repertoire.answers.simulated;
+  repertoire.simulated_ratings = answers.simulated;
+  repertoire.warnings.insert(repertoire.warnings.end(), answers.warnings.begin(),
+                             answers.warnings.end());
   return repertoire;
 }
 

@@ -1,5 +1,6 @@
 #include "render/video/stream_encoder.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <utility>
 
@@ -60,6 +61,11 @@ void tag(AVCodecContext& codec, bool is_rgb) {
 /// 1920 x 1080.
 constexpr const char* x264_params = "cpu-independent=1:sync-lookahead=0:rc-lookahead=4";
 
+/// AV1 divides a picture into tiles of whole blocks of 128 pixels.
+const char* av1_tiles(const AVCodecContext& codec) {
+  return std::min(codec.width, codec.height) > 128 ? "2x2" : "1x1";
+}
+
 void set_quality(AVCodecContext& codec, VideoKind kind, bool fast) {
   switch (kind) {
     case VideoKind::mp4:
@@ -84,7 +90,7 @@ void set_quality(AVCodecContext& codec, VideoKind kind, bool fast) {
                          {"b", "0"},
                          {"usage", fast ? "realtime" : "good"},
                          {"cpu-used", fast ? "8" : "6"},
-                         {"tiles", "2x2"},
+                         {"tiles", av1_tiles(codec)},
                          {"lag-in-frames", fast ? "0" : "16"}});
     case VideoKind::mkv:
       codec.gop_size = 1;  // any frame can be cut out

@@ -24,11 +24,13 @@ struct VideoCheck {
 ///
 /// - size, codec and colour tags are those of the kind, MP4 has its index at the front;
 /// - as many frames as were written, each shown at its time and the last to the film's end, as
-///   nearly as the container can say; a WebP may show a picture for several frames;
+///   nearly as the container can say; a WebP may show a picture for several frames, or
+///   for all of a film without movement;
 /// - the first frame decodes from its own bytes alone;
 /// - no part of a frame (a tile of video_sketch.h) is lighter or darker by more than 12 of 255;
 /// - lossless kinds: each frame is the frame written; others: the worst frame's PSNR and SSIM reach
-///   the kind's least values (video_kind.h); 6 dB and 0.15 less for pictures below 100,000 pixels.
+///   the kind's least values (video_kind.h); 6 dB and 0.15 less for pictures below 100,000 pixels,
+///   and less still where they have few tiles to estimate them from.
 VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
                        const FilmSketch& written);
 

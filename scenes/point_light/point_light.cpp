@@ -81,6 +81,32 @@ DotPath put_at(const DotPath& path, const Vec3& place, const Vec3& step) {
   return shifted(path, place - mean_of(without_travel(path, step)));
 }
 
+/// Each dot's motion at a random place, such that all of them together take the same room as the
+/// figure: along each axis, places are stretched until the outermost dots reach its ends.
+void scatter(std::vector<Dot>& dots, const Extent& extent, const Vec3& step, std::uint64_t seed) {
+  std::vector<Extent> rooms;
+  std::vector<Vec3> shares;
+  Vec3 least = Vec3::Ones();
+  Vec3 most = Vec3::Zero();
+  for (std::size_t d = 0; d < dots.size(); ++d) {
+    DotStage own;
+    own.across = extent.axes.col(0);
+    own.step = step;
+    rooms.push_back(extent_of({dots[d]}, own));
+    shares.emplace_back(uniform(seed, "scrambled across", d), uniform(seed, "scrambled up", d),
+                        uniform(seed, "scrambled depth", d));
+    least = least.cwiseMin(shares.back());
+    most = most.cwiseMax(shares.back());
+  }
+  for (std::size_t d = 0; d < dots.size(); ++d) {
+    const Extent& room = rooms[d];
+    const Vec3 share = (shares[d] - least).cwiseQuotient((most - least).cwiseMax(1e-9));
+    const Vec3 free = (extent.most - extent.least) - (room.most - room.least);
+    const Vec3 begin = extent.least + share.cwiseProduct(free);
+    dots[d].path = shifted(dots[d].path, extent.axes * (begin - room.least));
+  }
+}
+
 /// The path made to end where it begins: what is missing is made up for evenly on the way.
 DotPath closed(DotPath path) {
   if (path.size() < 3) return path;
@@ -219,11 +245,7 @@ std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& 
   changed.step = changed_step(options, stage);
   const Extent extent = extent_of(dots, changed);
   const std::vector<Dot> figure = dots;
-  if (options.scrambled) {
-    for (std::size_t d = 0; d < dots.size(); ++d) {
-      dots[d].path = put_at(dots[d].path, random_place(extent, seed, "scrambled", d), changed.step);
-    }
-  }
+  if (options.scrambled) scatter(dots, extent, changed.step, seed);
   if (options.lifetime > 0) dots = mortal(dots, joints, options.lifetime, seed);
   const double speed = mean_speed(figure, changed.step, extent.axes.col(2));
   for (std::size_t n = 0; n < static_cast<std::size_t>(options.noise); ++n) {

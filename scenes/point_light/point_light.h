@@ -29,7 +29,8 @@ struct DotStage {
 /// First each joint's path is gone at constant speed, from a random moment on, or backwards; then
 /// it is turned, mirrored, put upside down and scrambled; then noise and mask join it. What is
 /// placed at random is placed within the figure's extent, and its travel is kept: random places and
-/// moments are those of a figure that walks on the spot.
+/// moments are those of a figure that walks on the spot. Scrambled dots together take the figure's
+/// room, no more and no less, so that they have its size and its middle.
 ///
 /// Throws Error for a joint that the clip's skeleton does not have, and for limited lifetimes of
 /// dots that are scrambled or share no limb.

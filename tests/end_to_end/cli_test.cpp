@@ -140,6 +140,92 @@ TEST(CommandLine, CheckReadsScalesFilesToo) {
                               "high: extraverted\n");
 }
 
+TEST(CommandLine, CheckGoesByWhatAFileHolds) {
+  const Scratch scratch;
+  EXPECT_EQ(run_mien({"check", scratch.write("stimulus-set.yaml", small_manifest).string()}).code,
+            0);
+  const fs::path recipes = scratch.write("mine.yaml", "recipes: {sad: {pathes: 0.5}}\n");
+  EXPECT_EQ(run_mien({"check", recipes.string()}).errors,
+            recipes.string() + ":1:17: recipes.sad.pathes: unknown key; did you mean \"paths\"?\n");
+}
+
+TEST(CommandLine, CheckTellsAnswersAboutNoExampleAndExamplesWithoutAnswer) {
+  const Scratch scratch;
+  const std::string text =
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10, ratings: a.csv}\n"
+      "stimuli: [{id: a, adjectives: {sad-happy: 1}}]\n";
+  const std::string manifest = scratch.write("m.yaml", text).string();
+  const fs::path answers = scratch.write(
+      "a.csv", "stimulus,scale,value\nnormal,sad-happy,1\nsaad,sad-happy,-2\nsad,sad-happy,NA\n");
+  EXPECT_EQ(run_mien({"check", manifest}).errors,
+            answers.string() +
+                ":3:1: unknown stimulus \"saad\" (1 row); did you mean \"sad\"? "
+                "(unknown: ignore leaves it out)\n");
+  scratch.write("a.csv", "stimulus,scale,value\nnormal,sad-happy,1\nsad,sad-happy,NA\n");
+  const std::string told = run_mien({"check", manifest}).errors;
+  EXPECT_TRUE(told.starts_with(manifest + ":3:43: examples.ratings: no answer about ")) << told;
+  EXPECT_TRUE(contains(told, "\"sad on sad-happy\"")) << told;
+}
+
+TEST(CommandLine, CheckTellsWhatARunWouldStumbleOver) {
+  const Scratch scratch;
+  const std::string head =
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n"
+      "output: {size: [64, 48], fps: 10, cycles: 1, quality: draft, video: [gif]}\n";
+  const auto faults_of = [&](const std::string& rest) {
+    const std::string file = scratch.write("m.yaml", head + rest).string();
+    EXPECT_EQ(run_mien({"check", file, "--quick"}).code, 0);
+    std::string errors = run_mien({"check", file}).errors;
+    return errors.starts_with(file) ? errors.substr(file.size()) : errors;
+  };
+  EXPECT_EQ(faults_of("stimuli: [{id: a, weights: {normal: 1}}]\n"), "");
+  const std::string fades = faults_of(
+      "stimuli: [{id: a, weights: {normal: 1}, output: {presentation: {fade_in: 1, fade_out: 2}}}]"
+      "\n");
+  EXPECT_TRUE(fades.starts_with(
+      ":5:65: stimuli[0].output.presentation: the fades last 3 s and the film of \"a\" 1."))
+      << fades;
+  const std::string light = faults_of(
+      "equalize: [luminance]\nstimuli:\n  - {id: a, weights: {normal: 1}}\n"
+      "  - {id: dots, weights: {normal: 1}, look: {figure: point-light}}\n");
+  EXPECT_TRUE(contains(light, ":5:11: equalize: no exposure makes \"dots\" as light as the others"))
+      << light;
+  EXPECT_EQ(faults_of("equalize: {luminance: {by: figure}}\nstimuli:\n"
+                      "  - {id: a, weights: {normal: 1}}\n"
+                      "  - {id: dots, weights: {normal: 1}, look: {figure: point-light}}\n"),
+            "");
+  scratch.write("no.bvh", "HIERARCHY\nROOT a\n");
+  EXPECT_TRUE(contains(faults_of("stimuli: [{id: a, clip: no.bvh}]\n"), ":5:11: stimuli[0]: "));
+}
+
+TEST(CommandLine, CleanRemovesWhatTheManifestNoLongerMakes) {
+  const Scratch scratch;
+  const std::string manifest = scratch.write("m.yaml", small_manifest).string();
+  const std::string out = (scratch.path() / "out").string();
+  const fs::path made = scratch.path() / "out/small";
+  ASSERT_EQ(run_mien({"run", manifest, "--out", out}).code, 0);
+  EXPECT_FALSE(contains(run_mien({"plan", manifest, "--out", out}).output, "earlier runs"));
+  std::string renamed = small_manifest;
+  renamed.replace(renamed.find("id: b"), 5, "id: c");
+  scratch.write("m.yaml", renamed);
+  scratch.write("out/small/clips/mine.bvh", "mine");
+  const Ended plan = run_mien({"plan", manifest, "--out", out});
+  EXPECT_TRUE(contains(plan.output, "left from earlier runs:\n  clips/b.bvh\n")) << plan.output;
+  EXPECT_TRUE(contains(plan.output, "mien clean --stale " + manifest + " --out " + out));
+  const json run = json::parse(run_mien({"run", manifest, "--out", out, "--json"}).output);
+  EXPECT_EQ(run["stale"][0], "clips/b.bvh");
+  EXPECT_EQ(run_mien({"clean", manifest, "--out", out}).code, 2);
+  EXPECT_TRUE(fs::exists(made / "clips/b.bvh"));
+  const Ended clean = run_mien({"clean", "--stale", manifest, "--out", out});
+  EXPECT_TRUE(clean.output.starts_with("removed clips/b.bvh\n")) << clean.output;
+  EXPECT_FALSE(fs::exists(made / "clips/b.bvh"));
+  EXPECT_TRUE(fs::exists(made / "clips/c.bvh"));
+  EXPECT_TRUE(fs::exists(made / "clips/mine.bvh"));
+  const Ended again = run_mien({"run", manifest, "--out", out});
+  EXPECT_TRUE(contains(again.output, "nothing to do")) << again.output;
+  EXPECT_FALSE(contains(again.output, "earlier runs"));
+}
+
 TEST(CommandLine, PlanTellsWhatARunThenDoes) {
   const Scratch scratch;
   const std::string manifest = scratch.write("m.yaml", small_manifest).string();

@@ -332,6 +332,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"stimuli:\n  - {id: a, clip: walk.bvh}\n  - {id: a, clip: walk.bvh}\n",
              "m.yaml:6:10: stimuli[1].id: \"a\" is already the id of stimuli[0]; give each its "
              "own\n"},
+        Case{
+            "stimuli:\n  - {id: a, clip: walk.bvh}\n  - {id: A, clip: walk.bvh}\n",
+            "m.yaml:6:10: stimuli[1].id: \"A\" differs from \"a\" of stimuli[0] by case alone, and "
+            "so would their files; give it another id\n"},
         Case{"stimuli:\n  - {id: 7, clip: walk.bvh}\n",
              "m.yaml:5:10: stimuli[0].id: must be text but is 7; put it in quotes: \"7\"\n"},
         Case{"stimuli:\n  - {id: a}\n",
@@ -460,6 +464,19 @@ sheets:
             "\"sigma-head-lr\"?\n"
             "m.yaml:9:23: sheets[0].compare.target: \"target-2\" is neither a stimulus nor an "
             "example; did you mean \"target-1\"?\n");
+}
+
+TEST_F(ManifestReaderTest, TellsLabelsAndKeytimesOfFilesThatAreNotThere) {
+  const ManifestReading reading = parse(
+      "mien: 1\nstudy: s\nexamples:\n  set:\n    folder: captures\n"
+      "    labels: {walk_sda: sad, walk_fast: fast}\n    keytimes: {walk_fst: [0, 1]}\n"
+      "stimuli: [{id: a, weights: {sad: 1}}]\n");
+  EXPECT_EQ(told(reading.faults), "");
+  EXPECT_EQ(told(check_names(reading.manifest, {{}, {}, {"sad"}, {"walk_sad", "walk_fast"}})),
+            "m.yaml:6:14: examples.set.labels.walk_sda: no example's file is called so; did you "
+            "mean \"walk_sad\"?\n"
+            "m.yaml:7:16: examples.set.keytimes.walk_fst: no example's file is called so; did you "
+            "mean \"walk_fast\"?\n");
 }
 
 TEST_F(ManifestReaderTest, ReadsAndChecksSheetsOfStills) {

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -6,6 +8,7 @@
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_dots.h"
+#include "pipeline/film/film_exposure.h"
 #include "pipeline/film/film_presentation.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/look/set_file.h"
@@ -98,6 +101,38 @@ TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
             dots_csv(shot_of(manifest.stimuli[2], motions, 0, figure_px)));
 }
 
+TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  manifest.stimuli = {stimulus("near", "normal", 1), stimulus("far", "normal", 3),
+                      stimulus("dots", "normal", 1), stimulus("more-dots", "sad", 3)};
+  for (Stimulus& each : manifest.stimuli) each.output.video = {};
+  for (const std::size_t dotted : {2U, 3U}) {
+    manifest.stimuli[dotted].look.figure = scenes::PointLightOptions{.size_px = 3.0};
+    manifest.stimuli[dotted].look.set = read_set("void", {});
+    manifest.stimuli[dotted].look.camera.view = "side";
+  }
+  manifest.equalize = {.luminance = true,
+                       .size = true,
+                       .luminance_among = Among::figure,
+                       .size_among = Among::figure};
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  for (const TaskOutcome& outcome : run(production, folder.path() / "out", 1, {}, {}).outcomes)
+    EXPECT_EQ(outcome.error, "");
+  const auto found = [&](const char* table, const char* column, const char* of) {
+    return number_of(folder.path() / "out/metrics" / table, column, of);
+  };
+  for (const auto& [table, column] :
+       {std::pair("sizes.csv", "figure_px"), std::pair("exposure.csv", "wanted_luminance")}) {
+    EXPECT_EQ(found(table, column, "near"), found(table, column, "far"));
+    EXPECT_EQ(found(table, column, "dots"), found(table, column, "more-dots"));
+    EXPECT_NE(found(table, column, "near"), found(table, column, "dots"));
+  }
+  EXPECT_TRUE(too_far_in_light(manifest, production.motions()).empty());
+  manifest.equalize = {.luminance = true};
+  EXPECT_FALSE(too_far_in_light(manifest, production.motions()).empty());
+}
+
 TEST(Equalize, FailsWhereNoExposureReachesTheOthersLuminance) {
   const test::TemporaryFolder folder;
   Manifest manifest = study();
@@ -137,6 +172,22 @@ std::vector<DotRow> dot_rows(const scenes::Shot& shot, const std::filesystem::pa
                     field(row, "visible").text == "1", field(row, "eye").text});
   }
   return rows;
+}
+
+TEST(DotTables, HaveALayoutOfTheirOwnForEachStimulusUnlessTheSeedIsGiven) {
+  Manifest manifest = study();
+  manifest.equalize = {};
+  manifest.stimuli = {stimulus("one", "normal", 1), stimulus("two", "normal", 1)};
+  Motions motions(manifest);
+  const auto first_dot = [&](Stimulus of, std::optional<std::uint64_t> seed) {
+    of.look.figure = scenes::PointLightOptions{.scrambled = true, .seed = seed};
+    return shot_of(of, motions, manifest.seed).actors[0].dots[0].path[0];
+  };
+  const Stimulus &one = manifest.stimuli[0], &two = manifest.stimuli[1];
+  EXPECT_EQ(first_dot(one, {}), first_dot(one, {}));
+  EXPECT_NE(first_dot(one, {}), first_dot(two, {}));
+  EXPECT_EQ(first_dot(one, 3), first_dot(two, 3));
+  EXPECT_NE(first_dot(one, 3), first_dot(one, 4));
 }
 
 TEST(DotTables, CountFromTheCornerOfTheCropAndTellWhatItShows) {

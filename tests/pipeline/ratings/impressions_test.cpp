@@ -1,6 +1,7 @@
 #include "pipeline/ratings/impressions.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -103,18 +104,21 @@ INSTANTIATE_TEST_SUITE_P(
     Answers, EveryBadAnswer,
     testing::Values(
         BadAnswers{"stimulus,scale,value\na,slow-fats,1\n",
-                   "a.csv:2:3: unknown scale \"slow-fats\"; did you mean \"slow-fast\"?"},
+                   "a.csv:2:3: unknown scale \"slow-fats\" (1 row); did you mean \"slow-fast\"? "
+                   "(unknown: ignore leaves it out)"},
         BadAnswers{"stimulus,scale,value\na,slow-fast,3\n",
                    "a.csv:2:13: 3 is outside the range of \"slow-fast\"; answers go from -2 to 2"},
         BadAnswers{"participant,stimulus,scale,value\np,a,open,3\np,a,open,1\n",
                    "a.csv:3:3: a second answer of participant \"p\" about \"a\" on \"open\""},
         BadAnswers{"stimulus,scale,value\na,open,3\na,open,1\n",
                    "a.csv:3:1: a second answer about \"a\" on \"open\"; keep one of them"},
-        BadAnswers{"stimulus,scale,value\na,open,\n", "a.csv:2:8: \"\" is not a number"},
-        BadAnswers{"stimulus,scale,value\na,open,4\nb,opne,1\na,slow-fast,x\n",
-                   "a.csv:2:8: 4 is outside the range of \"open\"; answers go from -3 to 3; state "
-                   "another range in the scales file\na.csv:3:3: unknown scale \"opne\"; did you "
-                   "mean \"open\"?\na.csv:4:13: \"x\" is not a number"},
+        BadAnswers{"stimulus,scale,value\na,open,-\n", "a.csv:2:8: \"-\" is not a number"},
+        BadAnswers{
+            "stimulus,scale,value\na,open,4\nb,opne,1\na,slow-fast,x\n",
+            "a.csv:2:8: 4 is outside the range of \"open\"; answers go from -3 to 3; state "
+            "another range in the scales file\na.csv:3:3: unknown scale \"opne\" (1 row); did "
+            "you mean \"open\"? (unknown: ignore leaves it out)\na.csv:4:13: \"x\" is "
+            "not a number"},
         BadAnswers{"stimulus,value\na,1\n", "a.csv:1"}));
 
 TEST(Answers, OfAManifestIgnoreOtherColumnsAndNameAnyStimulus) {
@@ -125,6 +129,52 @@ TEST(Answers, OfAManifestIgnoreOtherColumnsAndNameAnyStimulus) {
   EXPECT_EQ(answers.answers[0].stimulus, "whoever");
   EXPECT_EQ(answers.answers[1].value, 2.0);
   EXPECT_FALSE(answers.simulated);
+}
+
+std::string refusal_of(const std::string& csv, const ScaleSet& scales,
+                       const AnswerSubjects& about) {
+  try {
+    parse_answers(csv, "a.csv", scales, about);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Answers, OfAManifestAreAboutItsExamples) {
+  const std::string csv =
+      "stimulus,scale,value\nwalk_a,open,1\nwalk_o,open,2\nb,open,0\nc,open,1\nwalk_o,slow-fast,"
+      "1\n";
+  AnswerSubjects about{.examples = examples, .left_out = {"c"}};
+  EXPECT_EQ(refusal_of(csv, two_scales(), about),
+            "a.csv:3:1: unknown stimulus \"walk_o\" (2 rows); use one of \"a\", \"b\" (unknown: "
+            "ignore leaves it out)");
+  about.ignore_unknown = true;
+  const Answers answers = parse_answers(csv, "a.csv", two_scales(), about);
+  ASSERT_EQ(answers.answers.size(), 2u);
+  EXPECT_EQ(answers.answers[0].stimulus, "a");
+  EXPECT_EQ(answers.warnings,
+            (std::vector<std::string>{"a.csv:3:1: unknown stimulus \"walk_o\" (2 rows) left out"}));
+}
+
+TEST(Answers, InWordsAreAboutTheExamplesToo) {
+  const ScaleSet scales =
+      read_scales(std::filesystem::path(MIEN_SOURCE_DIR) / "manifests/walking-words.scales.yaml");
+  const std::string csv =
+      "participant,language,motion,verb,modifier1\n1,en,a,walk,slowly\n1,en,bb,walk,fast\n";
+  AnswerSubjects about{.examples = examples};
+  EXPECT_EQ(refusal_of(csv, scales, about),
+            "a.csv:3:6: unknown stimulus \"bb\" (1 row); did you mean \"b\"? (unknown: ignore "
+            "leaves it out)");
+  about.left_out = {"bb"};
+  EXPECT_EQ(refusal_of(csv, scales, about), "accepted");
+}
+
+TEST(Answers, OfAManifestMayBeMissing) {
+  const Answers answers = parse_answers("stimulus,scale,value\na,open,\na,slow-fast,NA\nb,open,1\n",
+                                        "a.csv", two_scales());
+  ASSERT_EQ(answers.answers.size(), 1u);
+  EXPECT_EQ(answers.answers[0].stimulus, "b");
 }
 
 }  // namespace

@@ -58,6 +58,55 @@ TEST_P(VideoCheckTest, AcceptsASingleFrame) {
   EXPECT_NO_THROW(check_video(path, format_of(GetParam()), sketch_of(frames)));
 }
 
+TEST_P(VideoCheckTest, AcceptsAFilmThatStandsStill) {
+  const std::vector<Image8> frames(5, smooth_frames(wide, high, 1)[0]);
+  test::write_video(path, frames, {30, 1}, GetParam());
+  const VideoCheck check = check_video(path, format_of(GetParam()), sketch_of(frames));
+  EXPECT_EQ(check.frames, 5);
+}
+
+/// A grey ground on which thin dark and light lines move.
+Image8 line_frame(int width, int height, int number) {
+  Image8 image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const bool is_line = (x + y + number) % 7 == 0 || (2 * x - y + number) % 11 == 0;
+      const int grain = (x * 7919 + y * 104729 + number * 1299709) % 23;
+      const std::uint8_t grey = static_cast<std::uint8_t>((is_line ? 40 : 180) + grain);
+      std::fill_n(image.at(x, y), 3, grey);
+      if (is_line) image.at(x, y)[0] = static_cast<std::uint8_t>(grey + 60);
+    }
+  }
+  return image;
+}
+
+TEST_P(VideoCheckTest, AcceptsTinyPicturesAndTellsWrongOnes) {
+  using Size = std::pair<int, int>;
+  for (const auto& [width, height] :
+       {Size{16, 16}, {16, 64}, {32, 24}, {48, 32}, {66, 64}, {128, 72}, {130, 128}}) {
+    std::vector<Image8> frames;
+    for (int i = 0; i < 6; ++i) frames.push_back(line_frame(width, height, i));
+    for (const VideoEffort effort : {VideoEffort::fast, VideoEffort::thorough}) {
+      VideoFormat format = format_of(GetParam());
+      format.width = width;
+      format.height = height;
+      format.effort = effort;
+      VideoWriter video(path, format);
+      for (const Image8& frame : frames) video.write(frame);
+      video.finish();
+      EXPECT_NO_THROW(check_video(path, format, sketch_of(frames))) << width << " x " << height;
+    }
+    VideoFormat format = format_of(GetParam());
+    format.width = width;
+    format.height = height;
+    std::vector<Image8> others = frames;
+    std::fill_n(others[3].at(0, 0), 3 * width * height / 2, std::uint8_t{20});
+    EXPECT_NE(refusal_of([&] { check_video(path, format, sketch_of(others)); }).find("frame 3"),
+              std::string::npos)
+        << width << " x " << height;
+  }
+}
+
 TEST_P(VideoCheckTest, RefusesALostFrame) {
   const std::vector<Image8> frames = smooth_frames(wide, high, 20);
   const std::vector<Image8> fewer(frames.begin(), frames.end() - 1);

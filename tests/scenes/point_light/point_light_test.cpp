@@ -1,6 +1,7 @@
 #include "scenes/point_light/point_light.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -89,6 +90,30 @@ TEST_F(PointLight, ScrambledDotsKeepTheirMotionAndStayInTheFiguresRoom) {
     }
   }
   EXPECT_GT(moved / static_cast<double>(intact.size()), 0.2);
+}
+
+/// Least and most along the picture and upwards, travel aside.
+std::array<double, 4> room_of(const std::vector<Dot>& shown, const DotStage& stage) {
+  std::array<double, 4> room = {1e9, -1e9, 1e9, -1e9};
+  for (const Dot& dot : shown) {
+    for (const Vec3& point : without_travel(dot.path, stage.step)) {
+      const double across = point.dot(stage.across);
+      room = {std::min(room[0], across), std::max(room[1], across), std::min(room[2], point.y()),
+              std::max(room[3], point.y())};
+    }
+  }
+  return room;
+}
+
+TEST_F(PointLight, ScrambledDotsTakeTheFiguresRoomWhateverTheSeed) {
+  const std::array<double, 4> intact = room_of(dots(), stage);
+  PointLightOptions options;
+  options.scrambled = true;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
+    options.seed = seed;
+    const std::array<double, 4> scrambled = room_of(dots(options), stage);
+    for (std::size_t end = 0; end < 4; ++end) EXPECT_NEAR(scrambled[end], intact[end], 1e-9);
+  }
 }
 
 TEST_F(PointLight, WithScrambledPhasesEachDotGoesThroughTheSamePlaces) {

@@ -1,0 +1,64 @@
+#include "pipeline/checks/document_checks.h"
+
+#include <string>
+#include <utility>
+
+#include "pipeline/look/set_file.h"
+#include "pipeline/manifest/recipes.h"
+#include "pipeline/ratings/scales.h"
+#include "pipeline/reading/schema.h"
+#include "pipeline/reading/yaml_tree.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// How many of the keys a schema knows; those that it asks for count twice.
+int keys_known(const YamlNode& map, const nlohmann::json& schema) {
+  int known = 0;
+  for (const YamlNode& key : map.keys) {
+    known += schema["properties"].contains(key.text);
+    for (const nlohmann::json& required : schema["required"]) known += required == key.text;
+  }
+  return known;
+}
+
+DocumentKind kind_by_name(const std::filesystem::path& name) {
+  const std::string file = name.filename().string();
+  if (file.ends_with(".scales.yaml")) return DocumentKind::scales;
+  if (file.ends_with(".set.yaml")) return DocumentKind::set;
+  if (file.ends_with(".recipes.yaml")) return DocumentKind::recipes;
+  return DocumentKind::manifest;
+}
+
+}  // namespace
+
+DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name) {
+  std::vector<Fault> told_later;
+  const YamlNode tree = read_yaml(yaml, name.string(), told_later);
+  std::pair best{0, kind_by_name(name)};
+  const auto consider = [&](DocumentKind kind, const nlohmann::json& schema) {
+    const int known = keys_known(tree, schema);
+    if (known > best.first) best = {known, kind};
+  };
+  consider(DocumentKind::manifest, manifest_schema());
+  consider(DocumentKind::scales, scales_schema());
+  consider(DocumentKind::set, set_schema());
+  consider(DocumentKind::recipes, recipes_schema());
+  return best.second;
+}
+
+std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file) {
+  try {
+    if (kind == DocumentKind::scales) read_scales(file);
+    if (kind == DocumentKind::set) read_set(file.string(), file);
+    if (kind == DocumentKind::recipes) read_recipes(file.string(), file);
+  } catch (const Faults& faults) {
+    return faults.list();
+  } catch (const Error& error) {
+    return {{{}, "", error.what(), ""}};
+  }
+  return {};
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,89 @@
+#include "pipeline/production/rehearsal.h"
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "pipeline/documents/fault_list.h"
+#include "pipeline/film/film_exposure.h"
+#include "pipeline/film/film_shot.h"
+#include "pipeline/synthesis/motions.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+class Rehearsal : public FaultList {
+ public:
+  explicit Rehearsal(const Manifest& manifest)
+      : FaultList(manifest.places), manifest_(manifest), motions_(manifest) {}
+
+  void play() {
+    if (!goes("examples", [&] { motions_.repertoire(); })) return;
+    bool all_go = true;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      const bool goes_well = goes(stimulus.path, [&] { stage(stimulus); });
+      all_go = all_go && goes_well;
+    }
+    if (!all_go) return;
+    for (const Overlay& overlay : manifest_.overlays) {
+      goes(overlay.film.path, [&] {
+        check_fades(overlay.film, shot_of(overlay, motions_, manifest_.seed).frame_count());
+      });
+    }
+    if (manifest_.equalize.luminance) check_luminance();
+  }
+
+ private:
+  /// What is wrong in a file has a place of its own; all else is told where the manifest asks for
+  /// it.
+  template <class Work>
+  bool goes(const std::string& path, const Work& work) {
+    try {
+      work();
+      return true;
+    } catch (const Error& error) {
+      add(path, error.what(), "");
+      return false;
+    }
+  }
+
+  void stage(const Stimulus& stimulus) {
+    check_fades(stimulus, shot_of(stimulus, motions_, manifest_.seed).frame_count());
+  }
+
+  void check_fades(const Stimulus& film, int frames) {
+    const Presentation& shown = film.output.presentation;
+    const double seconds = frames / film.output.fps;
+    const double fades = shown.fade_in + shown.fade_out;
+    const double half_a_frame = 0.5 / film.output.fps;
+    if (film.output.video.empty() || fades <= seconds + half_a_frame) return;
+    const std::string own = member_path(film.path, "output.presentation");
+    add(was_given(own) ? own : "output.presentation",
+        fmt::format("the fades last {:.4g} s and the film of \"{}\" {:.4g} s", fades, film.id,
+                    seconds),
+        "make them shorter, or show more cycles");
+  }
+
+  void check_luminance() {
+    goes("equalize", [&] {
+      for (const std::string& stimulus : too_far_in_light(manifest_, motions_)) {
+        add("equalize", "no exposure makes \"" + stimulus + "\" as light as the others",
+            light_remedy);
+      }
+    });
+  }
+
+  const Manifest& manifest_;
+  Motions motions_;
+};
+
+}  // namespace
+
+std::vector<Fault> rehearse(const Manifest& manifest) {
+  Rehearsal rehearsal(manifest);
+  rehearsal.play();
+  return in_reading_order(rehearsal.take());
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/documents/fault.h"
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+/// What only shows when motions are made and staged, found before a frame is drawn for a film:
+/// examples that cannot be blended, clips that hold no human or not the frames asked for, films
+/// shorter than their fades, and light that no exposure makes alike. The manifest itself is without
+/// faults (checked_manifest.h). Takes as long as the motions of a run, and a little more where
+/// luminance is equalized.
+std::vector<Fault> rehearse(const Manifest& manifest);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,75 @@
+#include "pipeline/tasks/stale.h"
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+
+#include "pipeline/documents/files.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> paths_of(const TaskGraph& graph) {
+  std::set<std::string> paths;
+  for (const Task& task : graph.tasks) {
+    for (const Product& product : task.products) paths.insert(product.path);
+  }
+  return paths;
+}
+
+/// Folders from `folder` up to the store's own, while they are empty.
+void remove_empty(fs::path folder, const fs::path& store) {
+  std::error_code ignored;
+  while (folder != store && fs::is_empty(folder, ignored) && fs::remove(folder, ignored))
+    folder = folder.parent_path();
+}
+
+}  // namespace
+
+std::vector<Receipt> stale_artifacts(const fs::path& folder, const TaskGraph& graph,
+                                     const std::vector<std::string>& kept) {
+  const fs::path receipts = folder / ".mien" / "receipts";
+  std::vector<Receipt> stale;
+  if (!fs::is_directory(receipts)) return stale;
+  std::set<std::string> made = paths_of(graph);
+  made.insert(kept.begin(), kept.end());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(receipts)) {
+    if (!entry.is_regular_file()) continue;
+    const std::optional<Receipt> receipt = receipt_from_json(read_file(entry.path()));
+    // A receipt that lies elsewhere than it says is none of ours.
+    if (!receipt || receipt_path(folder, receipt->path) != entry.path()) continue;
+    if (!made.contains(receipt->path)) stale.push_back(*receipt);
+  }
+  std::ranges::sort(stale, {}, &Receipt::path);
+  return stale;
+}
+
+std::vector<std::string> shown_paths(const std::vector<Receipt>& artifacts) {
+  std::vector<std::string> paths;
+  for (const Receipt& artifact : artifacts) {
+    if (!artifact.path.starts_with(".mien/")) paths.push_back(artifact.path);
+  }
+  return paths;
+}
+
+bool remove_artifact(const Store& store, const Receipt& artifact) {
+  const fs::path& folder = store.folder();
+  const fs::path target = folder / artifact.path;
+  if (fs::exists(target) && !store.find(artifact.path, artifact.key)) return false;
+  for (const FrameReceipt& frame : artifact.frames) fs::remove(target / frame.name);
+  if (artifact.frames.empty()) {
+    fs::remove(target);
+    remove_empty(target.parent_path(), folder);
+  } else {
+    remove_empty(target, folder);
+  }
+  const fs::path receipt = receipt_path(folder, artifact.path);
+  fs::remove(receipt);
+  remove_empty(receipt.parent_path(), folder);
+  return true;
+}
+
+}  // namespace mien::pipeline
