@@ -100,7 +100,8 @@ std::string cell(const CsvTable& table, std::size_t row, const char* column) {
 TEST_F(StudyFolder, HasACodebookOfEveryColumnOfEveryTable) {
   const fs::path out = made(folder.path() / "m.yaml", "out");
   std::map<std::string, std::vector<std::string>> told;
-  for (const json& table : document(out / "metrics/codebook.json")["tables"]) {
+  const json book = document(out / "metrics/codebook.json");
+  for (const json& table : book["tables"]) {
     EXPECT_FALSE(table["row"].get<std::string>().empty());
     for (const json& column : table["columns"]) {
       EXPECT_FALSE(column["meaning"].get<std::string>().empty()) << column;
