@@ -163,7 +163,7 @@ TEST(CommandLine, CheckTellsAnswersAboutNoExampleAndExamplesWithoutAnswer) {
                 "(unknown: ignore leaves it out)\n");
   scratch.write("a.csv", "stimulus,scale,value\nnormal,sad-happy,1\nsad,sad-happy,NA\n");
   const std::string told = run_mien({"check", manifest}).errors;
-  EXPECT_TRUE(told.starts_with(manifest + ":3:43: examples.ratings: no answer about ")) << told;
+  EXPECT_TRUE(told.starts_with(manifest + ":3:44: examples.ratings: no answer about ")) << told;
   EXPECT_TRUE(contains(told, "\"sad on sad-happy\"")) << told;
 }
 
