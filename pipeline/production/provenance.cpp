@@ -65,7 +65,7 @@ std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>&
       {"code", {{"motion", motion_code()}, {"film", film_code()}, {"pipeline", pipeline_code()}}},
       {"libraries", libraries},
       {"inputs", inputs},
-      {"equalize", WordSet<Equalize>::write(manifest.equalize, {})},
+      {"equalize", EqualizeForm::write(manifest.equalize, {})},
       {"stimuli", stimuli_of(manifest)},
       {"overlays", overlays_of(manifest)},
       {"artifacts", artifacts_of(outcomes)}};
