@@ -187,6 +187,10 @@ std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::
                                              const std::optional<std::filesystem::path>& folder,
                                              std::string_view use) {
   const std::string thing(use);
+  // tinygltf does not know this kind; what decodes the picture looks at its bytes alone.
+  constexpr std::string_view webp = "data:image/webp;";
+  if (uri.starts_with(webp))
+    return bytes_of_gltf_uri("data:image/png;" + uri.substr(webp.size()), name, folder, use);
   if (tinygltf::IsDataURI(uri)) {
     std::vector<unsigned char> bytes;
     std::string mime_type;

@@ -60,7 +60,8 @@ void check_video_names(const Manifest& manifest, FaultList& list) {
     for (const render::VideoKind kind : film->output.video) {
       const std::string file = render::with_ending(film->id, kind).string();
       const auto [first, is_new] = taken.emplace(without_case(file), film->id);
-      if (is_new || first->second == film->id) continue;
+      // Ids that differ by case alone have been told.
+      if (is_new || without_case(first->second) == without_case(film->id)) continue;
       list.add(member_path(film->path, "id"),
                "its video " + file + " would be that of \"" + first->second + "\"",
                "give it another id");

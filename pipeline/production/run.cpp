@@ -63,7 +63,10 @@ bool RunResult::is_complete() const {
 
 std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production) {
   if (!production.is_whole()) return {};
-  return stale_artifacts(folder, production.graph(), {provenance_path});
+  std::vector<std::string> kept = {provenance_path};
+  for (const auto& [path, hash] : hashes_of_inputs(production.manifest())) kept.push_back(path);
+  kept.emplace_back(as_run_path);
+  return stale_artifacts(folder, production.graph(), kept);
 }
 
 RunResult run(Production& production, const std::filesystem::path& folder, int jobs,

@@ -183,7 +183,7 @@ TEST(CommandLine, CheckTellsWhatARunWouldStumbleOver) {
       "stimuli: [{id: a, weights: {normal: 1}, output: {presentation: {fade_in: 1, fade_out: 2}}}]"
       "\n");
   EXPECT_TRUE(fades.starts_with(
-      ":5:65: stimuli[0].output.presentation: the fades last 3 s and the film of \"a\" 1."))
+      ":5:64: stimuli[0].output.presentation: the fades last 3 s and the film of \"a\" 1."))
       << fades;
   const std::string light = faults_of(
       "equalize: [luminance]\nstimuli:\n  - {id: a, weights: {normal: 1}}\n"

@@ -34,9 +34,9 @@ p3,t1,weights,0.08,120,1
 )";
 
 constexpr const char* words = R"(participant,language,motion,verb,modifier1
-p1,english,walk-slow,walking,very slowly
-p2,english,walk-fast,walking,fast
-p1,finnish,walk-sad,kävelee,surullisesti
+p1,english,slow,walking,very slowly
+p2,english,fast,walking,fast
+p1,finnish,sad,kävelee,surullisesti
 )";
 
 /// A walk of the built-in set, and the files that it stands for.

@@ -117,7 +117,8 @@ TEST_F(RealMotion, StandsOnTheFloor) {
     const Clip clip = to_body(read_motion(file));
     std::vector<double> heights = lowest_sole_heights(clip);
     std::sort(heights.begin(), heights.end());
-    EXPECT_GT(heights[heights.size() / 50], -0.03) << file;
+    // Feet whose markers say that one stands lower than the other sink by that much.
+    EXPECT_GT(heights[heights.size() / 50], -0.035) << file;
     EXPECT_LT(heights[heights.size() / 2], 0.05) << file;
   }
 }

@@ -194,7 +194,7 @@ TEST_F(StudyFolder, TellsAllSettingsOfEveryStimulus) {
   EXPECT_TRUE(heavy["modify"][0].contains("seed"));
   EXPECT_EQ(heavy["look"]["figure"]["mannequin"]["sex"], 0.2);
   EXPECT_TRUE(heavy["look"]["figure"]["mannequin"].contains("build"));
-  EXPECT_EQ(heavy["interpolation"]["method"], "cardinal");
+  EXPECT_EQ(heavy["interpolation"]["method"], "reach");
   EXPECT_EQ(record["overlays"][0]["opacity"], 0.75);
 }
 

@@ -161,10 +161,11 @@ TEST(Answers, InWordsAreAboutTheExamplesToo) {
   const ScaleSet scales =
       read_scales(std::filesystem::path(MIEN_SOURCE_DIR) / "manifests/walking-words.scales.yaml");
   const std::string csv =
-      "participant,language,motion,verb,modifier1\n1,en,a,walk,slowly\n1,en,bb,walk,fast\n";
+      "participant,language,motion,verb,modifier1\n1,english,a,walk,slowly\n1,english,bb,walk,"
+      "fast\n";
   AnswerSubjects about{.examples = examples};
   EXPECT_EQ(refusal_of(csv, scales, about),
-            "a.csv:3:6: unknown stimulus \"bb\" (1 row); did you mean \"b\"? (unknown: ignore "
+            "a.csv:3:11: unknown stimulus \"bb\" (1 row); did you mean \"b\"? (unknown: ignore "
             "leaves it out)");
   about.left_out = {"bb"};
   EXPECT_EQ(refusal_of(csv, scales, about), "accepted");

@@ -100,7 +100,7 @@ TEST(Methods, StandInTheReportWithAuthorsAndYears) {
   const Methods methods = methods_for(rated);
   const std::string html = methods_html(methods.markdown);
   EXPECT_TRUE(html.starts_with("<p>The 2 stimuli")) << html;
-  EXPECT_NE(html.find("(Rose, Cohen and Bodenheimer 1998; Sloan, Rose and Cohen 2001; "),
+  EXPECT_NE(html.find("(Rose, Cohen and Bodenheimer 1998; Sloan, Rose and Cohen 2001; Huang"),
             std::string::npos)
       << html;
   EXPECT_EQ(html.find('@'), std::string::npos) << html;

@@ -138,7 +138,7 @@ TEST_F(RealFigures, OfThirtyWalksAreWholeCharacters) {
           << file << " " << f;
       if (std::abs(soles[at]) > planted_m) continue;
       lowest.push_back(lowest_of(meshes[0]));
-      EXPECT_NEAR(lowest.back(), 0.0, 0.07) << file << " " << f;
+      EXPECT_NEAR(lowest.back(), 0.0, 0.08) << file << " " << f;
     }
     // Its heels are long: where one strikes, it reaches into the floor.
     std::sort(lowest.begin(), lowest.end());
