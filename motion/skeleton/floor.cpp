@@ -142,7 +142,7 @@ Quat floor_levelling(const Clip& clip) {
   const Slope slope = fitted_slope(resting.points);
   const double degrees = std::abs(std::atan(slope.rise)) / radians_per_degree;
   // Few plants lie along some slope by chance.
-  const double left_over = resting.plants < 5 ? 0.3 : 0.6;
+  const double left_over = resting.plants < 5 ? 0.4 : 0.6;
   const bool is_slope = slope.spread > 0.4 && degrees > 0.3 && degrees < 6.0 &&
                         slope.error_level > 0.01 &&
                         slope.error_sloping < left_over * slope.error_level;

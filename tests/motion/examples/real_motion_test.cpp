@@ -229,13 +229,16 @@ TEST_F(RealMotion, OfANamelessCharacterIsFoundByTopology) {
 }
 
 TEST_F(RealMotion, OfTheSecondActorIsLevelled) {
-  // The capture volume sloped by 2.6° in all of that actor's takes.
+  // The capture volume sloped by 2.6° in all of that actor's takes, and in a fast run of the other,
+  // who would hang in the air by 10 cm.
   for (const fs::path& file : files_in(mocap / "aalto-two-actors", "")) {
     const BodyMapping mapping = recognise(read_motion(file));
     const bool levelled = std::any_of(
         mapping.warnings.begin(), mapping.warnings.end(),
         [](const std::string& text) { return text.find("slopes by 2.") != std::string::npos; });
-    EXPECT_EQ(levelled, file.filename().string().starts_with("t_")) << file;
+    const std::string name = file.filename().string();
+    EXPECT_EQ(levelled, name.starts_with("t_") || name == "k_run_fast_k_run_slow_100_000.bvh")
+        << file;
   }
 }
 

@@ -33,13 +33,13 @@ examples:
   raters: 3
   expect: [{parameter: slow-fast, order: [slow, brisk]}, {parameter: slow-fast, order: [brisk, normal, slow]}]
 recipes: my.recipes.yaml
-look: {figure: {mannequin: {sex: 0.2}}, camera: {view: side, fov: 30}}
+look: {camera: {view: side, fov: 30}}
 output: {size: [32, 24], fps: 6, cycles: 1, video: [gif], presentation: {blank_before: 0.5}}
 equalize: [size, luminance]
 stimuli:
   - {id: a, factors: {actor: k}, adjectives: {slow-fast: 0.6}}
   - {id: b, weights: {sad: 1}, look: {scene: my.set.yaml}}
-  - {id: c, weights: {normal: 1}, modify: {emotion: heavy, strength: 0.5}}
+  - {id: c, weights: {normal: 1}, modify: {emotion: heavy, strength: 0.5}, look: {figure: {mannequin: {sex: 0.2}}}}
 overlays: [{target: a, created: b}]
 sheets: [{compare: {target: a, created: b, reference: normal}}]
 )";
@@ -136,7 +136,7 @@ TEST_F(StudyFolder, HasATableOfStimuliThatAllOthersJoin) {
   EXPECT_EQ(cell(stimuli, 1, "factor_example"), "sad");
   EXPECT_EQ(cell(stimuli, 2, "factor_emotion"), "heavy");
   EXPECT_EQ(cell(stimuli, 0, "asked"), "slow-fast=0.6");
-  EXPECT_EQ(cell(stimuli, 0, "figure_options"), R"({"sex":0.2})");
+  EXPECT_EQ(cell(stimuli, 2, "figure_options"), R"({"sex":0.2})");
   EXPECT_EQ(cell(stimuli, 1, "scene"), "my.set.yaml");
   EXPECT_EQ(cell(stimuli, 2, "modified"), "heavy × 0.5");
   EXPECT_EQ(cell(stimuli, 0, "quality"), "draft");
