@@ -12,6 +12,7 @@
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/production/rehearsal.h"
+#include "pipeline/synthesis/wish.h"
 
 namespace mien::pipeline {
 
@@ -30,15 +31,22 @@ nlohmann::ordered_json as_json(const Fault& fault) {
 }
 
 /// A manifest's faults, or those of a file of scales, recipes or a set.
-std::vector<Fault> faults_in(const std::string& file, const CheckOptions& options) {
+struct Findings {
+  std::vector<Fault> faults;
+  std::vector<std::string> possible;  ///< what adjectives can be, of a manifest without faults
+};
+
+Findings findings_in(const std::string& file, const CheckOptions& options) {
   std::error_code unknown;
   const bool is_there = std::filesystem::is_regular_file(file, unknown);
   const DocumentKind kind =
       is_there ? kind_of_document(read_file(file), file) : DocumentKind::manifest;
-  if (kind != DocumentKind::manifest) return check_other_document(kind, file);
+  if (kind != DocumentKind::manifest) return {check_other_document(kind, file), {}};
   const ManifestReading reading = check_manifest(file, process_environment(), options.out);
-  if (!reading.faults.empty() || options.quick) return reading.faults;
-  return rehearse(reading.manifest);
+  if (!reading.faults.empty() || options.quick) return {reading.faults, {}};
+  Findings findings{rehearse(reading.manifest), {}};
+  if (findings.faults.empty()) findings.possible = feasible_ranges(reading.manifest);
+  return findings;
 }
 
 int check(const CheckOptions& options, const Console& console) {
@@ -46,7 +54,8 @@ int check(const CheckOptions& options, const Console& console) {
   bool is_good = true;
   for (const std::string& name : options.manifests) {
     const std::string file = given_or_installed(name, console);
-    const std::vector<Fault> faults = faults_in(file, options);
+    const Findings findings = findings_in(file, options);
+    const std::vector<Fault>& faults = findings.faults;
     for (const Fault& fault : faults) {
       if (options.json) {
         listed.push_back(as_json(fault));
@@ -56,6 +65,8 @@ int check(const CheckOptions& options, const Console& console) {
     }
     is_good = is_good && faults.empty();
     if (!options.json && faults.empty()) console.out << file << ": no faults\n";
+    if (options.json) continue;
+    for (const std::string& line : findings.possible) console.out << line << '\n';
   }
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   if (options.json) {

@@ -6,8 +6,8 @@ MethodWords words_of(motion::InterpolationMethod method) {
   using Method = motion::InterpolationMethod;
   static const std::vector<MethodWords> all = {
       {Method::reach,
-       "the shares that give what is asked for exactly, or nearest to it, and lie nearest to those "
-       "of a cardinal basis of linear and radial functions",
+       "a quadratic programme that gives what is asked for exactly, or nearest to it, with shares "
+       "as near as can be to those of a cardinal basis of linear and radial functions",
        {"rose1998", "sloan2001", "huang2010"}},
       {Method::cardinal,
        "a cardinal basis of linear and radial functions",
