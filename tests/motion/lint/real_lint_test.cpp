@@ -53,8 +53,8 @@ TEST_F(RealLint, CapturedWalksHaveNoErrors) {
 }
 
 // These takes were not cleaned: ankles and heads leap by 25–49° between frames 0.01 s apart in
-// which they hardly move before and after, and what counts as the ball of the foot is the end of the
-// toes, which dips as the foot rolls off.
+// which they hardly move before and after, and what counts as the ball of the foot is the end of
+// the toes, which dips as the foot rolls off.
 TEST_F(RealLint, TwoActorsHaveNoErrorsButTornMarkersAndDippingToes) {
   const std::vector<fs::path> takes = files("aalto-two-actors", "");
   EXPECT_EQ(takes.size(), 24U);
@@ -85,8 +85,8 @@ TEST_F(RealLint, RunsHaveNoErrorsAtAnyRate) {
       Clip clip = to_body(read_motion(file));
       clip.frames_per_second *= pace;
       for (const Clip& run : {clip, resampled(clip, 30.0)}) {
-        EXPECT_FALSE(has_errors(lint(run)))
-            << file << " at " << run.frames_per_second << "\n" << all_of(lint(run));
+        EXPECT_FALSE(has_errors(lint(run))) << file << " at " << run.frames_per_second << "\n"
+                                            << all_of(lint(run));
       }
     }
   }

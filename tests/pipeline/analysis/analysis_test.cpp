@@ -8,11 +8,11 @@
 #include "motion/error.h"
 #include "pipeline/analysis/analysis_report.h"
 #include "pipeline/analysis/analysis_tables.h"
-#include "pipeline/ratings/impression_table.h"
 #include "pipeline/analysis/cluster_names.h"
 #include "pipeline/analysis/scales_yaml.h"
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/ratings/impression_table.h"
 #include "pipeline/temporary_folder.h"
 
 #include "real_data.h"
@@ -174,9 +174,9 @@ TEST(Analysis, TablesSayWhoseRatingsTheyRestOn) {
   for (const bool simulated : {false, true}) {
     study.simulated = simulated;
     const Analysis a = analyse(study, scales, four_examples, {});
-    for (const std::string& csv :
-         {quantification_csv(a, scales), thresholds_csv(a, scales, {}), impressions_csv(a.impressions, scales),
-          linkage_csv(a), clusters_csv(a), primary_csv(a), agreement_csv(a)}) {
+    for (const std::string& csv : {quantification_csv(a, scales), thresholds_csv(a, scales, {}),
+                                   impressions_csv(a.impressions, scales), linkage_csv(a),
+                                   clusters_csv(a), primary_csv(a), agreement_csv(a)}) {
       const CsvTable table = parse_csv(csv, "t.csv");
       const int column = require_column(table, "ratings");
       for (const auto& row : table.rows) {
