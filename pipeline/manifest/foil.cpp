@@ -47,13 +47,14 @@ ModificationStep without(ModificationStep step, FoilAspect aspect) {
 }
 
 /// What the stimulus makes, with the modifications that are left.
-void make_like(const Stimulus& original, Stimulus& foil) {
+void make_like(const Stimulus& original, bool foil_says_on_fault, Stimulus& foil) {
   foil.adjectives = original.adjectives;
   foil.hold = original.hold;
   foil.features = original.features;
   foil.weights = original.weights;
   foil.clip = original.clip;
   foil.interpolation = original.interpolation;
+  if (!foil_says_on_fault) foil.on_fault = original.on_fault;
   foil.modify.clear();
   for (const ModificationStep& step : original.modify)
     foil.modify.push_back(without(step, foil.foil->differ));
@@ -115,7 +116,7 @@ std::vector<Fault> resolve_foils(Manifest& manifest) {
                motion::did_you_mean(foil.foil->of, originals));
       continue;
     }
-    make_like(*original, foil);
+    make_like(*original, list.was_given(member_path(foil.path, "on_fault")), foil);
     check_original(*original, foil, list);
   }
   return list.take();

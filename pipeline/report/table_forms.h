@@ -77,7 +77,7 @@ inline constexpr std::array parameters_columns = std::to_array<Column>({
     {"held", "0–1", "where the stimulus holds it; empty where it does not"},
     {"reached", "0–1",
      "what the motion has: 0 the low end of the scale, 1 the high end; of features 0 the smallest "
-     "of the examples, 1 the largest"},
+     "of the examples, 1 the largest; of a modified motion as it was before"},
     {"least", "0–1",
      "least that blends of the examples can have of what is asked for, the other wishes met"},
     {"most", "0–1", "most that they can have of it"},

@@ -95,5 +95,18 @@ TEST(Foils, ThatCannotBeMadeAreRefused) {
   EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, weights: {sad: 1}}\n"), "");
 }
 
+// Otherwise one of the two might be made at less than its strength, and the pair differ in more.
+TEST(Foils, DealWithFaultsAsTheirOriginalsDo) {
+  const std::string original =
+      "  - {id: bold, weights: {normal: 1}, modify: {emotion: sad}, on_fault: reduce}\n";
+  const auto on_fault_of = [&](const std::string& own) {
+    return parsed(original + "  - {id: f, foil: {of: bold, differ: posture}" + own + "}\n")
+        .manifest.stimuli.back()
+        .on_fault;
+  };
+  EXPECT_EQ(on_fault_of(""), OnFault::reduce);
+  EXPECT_EQ(on_fault_of(", on_fault: fail"), OnFault::fail);
+}
+
 }  // namespace
 }  // namespace mien::pipeline
