@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/QR>
-
+#include "motion/math/linear_system.h"
 #include "motion/math/nonnegative_least_squares.h"
 #include "motion/math/singular_values.h"
 
@@ -101,15 +100,10 @@ class Programme {
  private:
   /// From the free weights as they are to where the squares are least, at the same mean.
   Eigen::VectorXd way_to_least() const {
-    const Eigen::MatrixXd columns = rows_(Eigen::all, free_);
-    const Eigen::Index rank = rows_.rows();
     const auto count = static_cast<Eigen::Index>(free_.size());
-    if (count == rank) return Eigen::VectorXd::Zero(count);
-    const Eigen::MatrixXd basis =
-        Eigen::HouseholderQR<Eigen::MatrixXd>(columns.transpose()).householderQ();
-    const Eigen::MatrixXd ways = basis.rightCols(count - rank);
-    const Eigen::MatrixXd moved = c_(Eigen::all, free_) * ways;
-    return ways * moved.colPivHouseholderQr().solve(d_ - c_ * weights_);
+    if (count == rows_.rows()) return Eigen::VectorXd::Zero(count);
+    const Eigen::MatrixXd ways = null_space(rows_(Eigen::all, free_));
+    return ways * least_squares(c_(Eigen::all, free_) * ways, d_ - c_ * weights_);
   }
 
   /// How far one may go until a weight reaches 0, and that weight; −1 when none does.
@@ -132,9 +126,8 @@ class Programme {
   /// first that lowers them, so that sets do not come round in circles. −1 when none does.
   Eigen::Index best_release() {
     const Eigen::VectorXd slopes = c_.transpose() * (c_ * weights_ - d_);
-    const Eigen::MatrixXd columns = rows_(Eigen::all, free_);
-    const Eigen::VectorXd slopes_of_free = slopes(free_);
-    const Eigen::VectorXd prices = columns.transpose().colPivHouseholderQr().solve(slopes_of_free);
+    const Eigen::VectorXd prices =
+        least_squares(rows_(Eigen::all, free_).transpose(), slopes(free_));
     const Eigen::VectorXd reduced = slopes - rows_.transpose() * prices;
     const double tolerance =
         rounding * (c_.colwise().squaredNorm().maxCoeff() + (c_.transpose() * d_).norm());

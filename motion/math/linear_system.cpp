@@ -1,6 +1,7 @@
 #include "motion/math/linear_system.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 namespace mien::motion {
 
@@ -22,6 +23,16 @@ Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::Matr
 
 Eigen::MatrixXd inverse_of_positive(const Eigen::MatrixXd& matrix) {
   return matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+}
+
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
+  return matrix.colPivHouseholderQr().solve(right);
+}
+
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& rows) {
+  const Eigen::MatrixXd basis =
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(rows.transpose()).householderQ();
+  return basis.rightCols(rows.cols() - rows.rows());
 }
 
 }  // namespace mien::motion

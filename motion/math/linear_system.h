@@ -33,4 +33,12 @@ Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::Matr
 /// The inverse of a symmetric positive definite matrix (LLᵀ).
 Eigen::MatrixXd inverse_of_positive(const Eigen::MatrixXd& matrix);
 
+/// The x for which |matrix · x − right| is least (QR with column pivoting); of a matrix whose
+/// columns depend on each other one of them.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
+
+/// Orthonormal columns that span all x with rows · x = 0, where the rows, no more than there are
+/// columns, do not depend on each other.
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& rows);
+
 }  // namespace mien::motion

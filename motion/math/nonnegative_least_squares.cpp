@@ -4,7 +4,7 @@
 #include <cassert>
 #include <vector>
 
-#include <Eigen/QR>
+#include "motion/math/linear_system.h"
 
 namespace mien::motion {
 
@@ -19,8 +19,7 @@ using FreeSet = std::vector<Eigen::Index>;
 /// Least squares over the free unknowns alone, of any sign; 0 elsewhere.
 Eigen::VectorXd unbounded(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const FreeSet& free) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(a.cols());
-  const Eigen::MatrixXd columns = a(Eigen::all, free);
-  x(free) = columns.colPivHouseholderQr().solve(b);
+  x(free) = least_squares(a(Eigen::all, free), b);
   return x;
 }
 
