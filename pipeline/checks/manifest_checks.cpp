@@ -39,6 +39,20 @@ std::vector<Fault> check_equalized_sizes(const Manifest& manifest) {
   return list.take();
 }
 
+/// Where numbers say where a camera is, its picture is not moved.
+std::vector<Fault> check_equalized_places(const Manifest& manifest) {
+  FaultList list(manifest.places);
+  if (!manifest.equalize.place) return {};
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const scenes::CameraSettings& camera = stimulus.look.camera;
+    if (!camera.position && camera.path.empty()) continue;
+    list.add("equalize",
+             "the camera of \"" + stimulus.id + "\" says already where its figure is seen",
+             "leave place out, or give that camera a view");
+  }
+  return list.take();
+}
+
 }  // namespace
 
 std::vector<Fault> check_meaning(const Manifest& manifest) {
@@ -49,6 +63,7 @@ std::vector<Fault> check_meaning(const Manifest& manifest) {
   append(faults, check_ids(manifest));
   append(faults, check_films(manifest));
   append(faults, check_equalized_sizes(manifest));
+  append(faults, check_equalized_places(manifest));
   append(faults, check_modifications(manifest));
   return faults;
 }

@@ -88,13 +88,14 @@ Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equ
   add_film(task.determinants, stimulus);
   task.determinants.add("duration", std::int64_t{equalize.duration});
   // What exposure changes no dot feels.
-  const Equalize alike{.size = equalize.size, .duration = equalize.duration};
+  Equalize alike = equalize;
+  alike.luminance.reset();
   for (const std::string& other : equalizing_task_ids(alike)) task.inputs.push_back(other);
   task.products.push_back({"clips/" + stimulus.id + ".dots.csv", {}});
   task.cost_seconds = dots_cost_seconds;
   task.make = [&stimulus, &motions, seed, alike](TaskRun& run) {
     const Equalized found = equalized_film(alike, run.store.folder(), stimulus.id);
-    const std::string text = dots_csv(shot_of(stimulus, motions, seed, found.figure_px));
+    const std::string text = dots_csv(shot_of(stimulus, motions, seed, found.framing));
     run.store.put(
         run.task.products[0].path, run.keys[0],
         [&](const std::filesystem::path& file) { write_file(file, text); },

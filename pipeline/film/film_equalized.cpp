@@ -6,7 +6,7 @@
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_exposure.h"
-#include "pipeline/film/film_sizes.h"
+#include "pipeline/film/film_framing.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -15,18 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double sizes_cost_seconds = 0.2;  // a stimulus
+constexpr double framing_cost_seconds = 0.2;  // a stimulus
 constexpr double exposure_cost_seconds = 0.5;
 
 /// A task that makes one table from all stimuli.
 Task table_task(const std::string& name, const Manifest& manifest, const SharedDeterminants& shared,
-                Among among, double cost_seconds, std::function<std::string(TaskRun&)> text_of) {
+                std::optional<Among> among, double cost_seconds,
+                std::function<std::string(TaskRun&)> text_of) {
   Task task;
   task.id = task.kind = name;
   task.determinants.add("libraries", shared.libraries).add("code", film_code());
   task.determinants.add("seed", static_cast<std::int64_t>(manifest.seed))
       .add("duration", std::int64_t{manifest.equalize.duration})
-      .add("among", static_cast<std::int64_t>(among));
+      .add("among", static_cast<std::int64_t>(*among));
   for (const Stimulus& stimulus : manifest.stimuli) {
     task.inputs.push_back("motion:" + stimulus.id);
     task.determinants.add("stimulus", stimulus.id);
@@ -49,18 +50,26 @@ Task table_task(const std::string& name, const Manifest& manifest, const SharedD
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, Motions& motions) {
   std::vector<Task> tasks;
-  if (manifest.equalize.size) {
+  const Equalize& equalize = manifest.equalize;
+  if (equalize.size) {
     tasks.push_back(table_task(
-        "sizes", manifest, shared, manifest.equalize.size_among, sizes_cost_seconds,
+        "sizes", manifest, shared, equalize.size, framing_cost_seconds,
         [&manifest, &motions](TaskRun& run) { return sizes_csv(manifest, motions, run); }));
   }
-  if (manifest.equalize.luminance) {
-    tasks.push_back(table_task("exposure", manifest, shared, manifest.equalize.luminance_among,
+  if (equalize.place) {
+    tasks.push_back(table_task(
+        "places", manifest, shared, equalize.place, framing_cost_seconds,
+        [&manifest, &motions](TaskRun& run) { return places_csv(manifest, motions, run); }));
+    if (equalize.size) tasks.back().inputs.emplace_back("sizes");
+  }
+  if (equalize.luminance) {
+    tasks.push_back(table_task("exposure", manifest, shared, equalize.luminance,
                                exposure_cost_seconds,
                                [&manifest, &motions, settings](TaskRun& run) {
                                  return exposure_csv(manifest, settings, motions, run);
                                }));
-    if (manifest.equalize.size) tasks.back().inputs.emplace_back("sizes");
+    if (equalize.size) tasks.back().inputs.emplace_back("sizes");
+    if (equalize.place) tasks.back().inputs.emplace_back("places");
   }
   return tasks;
 }
@@ -69,6 +78,7 @@ std::vector<std::string> equalizing_task_ids(const Equalize& equalize) {
   std::vector<std::string> ids;
   if (equalize.luminance) ids.emplace_back("exposure");
   if (equalize.size) ids.emplace_back("sizes");
+  if (equalize.place) ids.emplace_back("places");
   return ids;
 }
 
@@ -76,7 +86,7 @@ Equalized equalized_film(const Equalize& equalize, const fs::path& folder,
                          const std::string& stimulus) {
   Equalized alike;
   if (equalize.luminance) alike.exposure_stops = exposure_stops_of(folder, stimulus);
-  if (equalize.size) alike.figure_px = figure_px_of(folder, stimulus);
+  alike.framing = equalized_framing(equalize, folder, stimulus);
   return alike;
 }
 

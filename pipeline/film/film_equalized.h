@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/film/film.h"
+#include "pipeline/film/film_shot.h"
 #include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/synthesis/motions.h"
@@ -15,13 +15,14 @@ namespace mien::pipeline {
 
 /// What a study makes alike in its films, for one of them.
 struct Equalized {
-  float exposure_stops = 0.0f;      ///< added to the tone's; EXR files keep the light as it is
-  std::optional<double> figure_px;  ///< height of the standing figure
+  float exposure_stops = 0.0f;  ///< added to the tone's; EXR files keep the light as it is
+  Framing framing;
 };
 
-/// Those of the tasks "sizes" (metrics/sizes.csv: film_sizes.h) and "exposure"
-/// (metrics/exposure.csv: film_exposure.h) that `manifest.equalize` asks for. They read all motions
-/// and look at all stimuli. `manifest` and `motions` outlive them.
+/// Those of the tasks "sizes" and "places" (metrics/sizes.csv,
+/// metrics/places.csv: film_framing.h) and "exposure" (metrics/exposure.csv: film_exposure.h) that
+/// `manifest.equalize` asks for. Each goes by what those before it found. They read all motions and
+/// look at all stimuli. `manifest` and `motions` outlive them.
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, Motions& motions);
 

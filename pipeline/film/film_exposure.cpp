@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "pipeline/documents/csv.h"
+#include "pipeline/film/film_framing.h"
 #include "pipeline/film/film_shot.h"
-#include "pipeline/film/film_sizes.h"
 #include "pipeline/film/film_table_forms.h"
 #include "render/image/contact_sheet.h"
 #include "render/image/luminance.h"
@@ -47,12 +47,16 @@ struct Samples {
 };
 
 Samples samples_of(const Stimulus& stimulus, const Sampling& sampling, const FilmSettings& settings,
-                   Motions& motions, std::optional<double> figure_px, const std::stop_token& stop) {
+                   Motions& motions, Framing framing, const std::stop_token& stop) {
   Stimulus small = stimulus;
-  small.output.scale *=
+  const double scale =
       std::min(1.0, static_cast<double>(sampling.most_width) / stimulus.output.shown_size()[0]);
-  if (figure_px) *figure_px *= small.output.scale / stimulus.output.scale;
-  const scenes::Shot shot = shot_of(small, motions, settings.seed, figure_px);
+  small.output.scale *= scale;
+  if (framing.figure_px) *framing.figure_px *= scale;
+  if (framing.figure_place) {
+    for (double& from_middle : *framing.figure_place) from_middle *= scale;
+  }
+  const scenes::Shot shot = shot_of(small, motions, settings.seed, framing);
   render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
   render::Quality quality = render::draft_quality();
   quality.seed = settings.seed;
@@ -103,7 +107,7 @@ void adjust(const std::vector<const Stimulus*>& group, const SamplesById& sample
 
 AdjustmentsById adjustments_of(const Manifest& manifest, const SamplesById& samples) {
   AdjustmentsById adjustments;
-  for (const auto& group : alike(manifest.stimuli, manifest.equalize.luminance_among))
+  for (const auto& group : alike(manifest.stimuli, *manifest.equalize.luminance))
     adjust(group, samples, adjustments);
   return adjustments;
 }
@@ -125,9 +129,8 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
   constexpr Sampling sampling;
   SamplesById samples;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    std::optional<double> figure_px;
-    if (manifest.equalize.size) figure_px = figure_px_of(run.store.folder(), stimulus.id);
-    samples[stimulus.id] = samples_of(stimulus, sampling, settings, motions, figure_px, run.stop);
+    const Framing framing = equalized_framing(manifest.equalize, run.store.folder(), stimulus.id);
+    samples[stimulus.id] = samples_of(stimulus, sampling, settings, motions, framing, run.stop);
     run.progress(static_cast<double>(samples.size()) /
                  static_cast<double>(manifest.stimuli.size()));
   }

@@ -26,8 +26,9 @@ inline constexpr char light_remedy[] =
 /// `wanted`; the nearest end where none does.
 float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted);
 
-/// metrics/exposure.csv (film_table_forms.h). Figures are as tall as film_sizes.h found where
-/// size is equalized too. Throws Error when an exposure does not bring a film within 1 %.
+/// metrics/exposure.csv (film_table_forms.h). Figures are as tall and stand
+/// where film_framing.h found it if size or place is equalized too. Throws Error when an exposure
+/// does not bring a film within 1 %.
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
                          TaskRun& run);
 

@@ -74,6 +74,7 @@ std::string film_record_text(const FilmRecord& record) {
                          {"lightest", luminance.lightest}}},
                        {"videos", videos}};
   if (!record.warnings.empty()) json["warnings"] = record.warnings;
+  if (record.figure_place) json["figure_place"] = *record.figure_place;
   if (record.visual_degrees) json["visual_degrees"] = *record.visual_degrees;
   return json.dump(2) + "\n";
 }
@@ -86,6 +87,7 @@ FilmRecord parse_film_record(const std::string& text) {
     record.first_film_frame = json.at("first_film_frame");
     record.exposure_stops = json.at("exposure_stops");
     record.figure_px = json.at("figure_px");
+    if (json.contains("figure_place")) record.figure_place = json.at("figure_place");
     if (json.contains("visual_degrees")) record.visual_degrees = json.at("visual_degrees");
     const nlohmann::json& luminance = json.at("luminance");
     record.luminance = {.frames = luminance.at("frames"),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ struct FilmRecord {
   render::ClipLuminance luminance;  ///< of the film's frames, without what is shown around them
   double exposure_stops = 0.0;      ///< that were added
   double figure_px = 0.0;           ///< height of the standing figure (figure_pixels)
-  std::optional<double> visual_degrees;  ///< of it on the screen that the camera names
+  std::optional<std::array<double, 2>> figure_place;  ///< in the picture (figure_place)
+  std::optional<double> visual_degrees;               ///< of it on the screen that the camera names
   int film_frames = 0;
   int first_film_frame = 0;  ///< in the videos
   std::vector<VideoRecord> videos;

@@ -47,9 +47,10 @@ Output output_for(Output output, const scenes::SetPlan& set) {
 }  // namespace
 
 scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed,
-                     std::optional<double> figure_px) {
+                     const Framing& framing) {
   scenes::Look look = look_of(stimulus, seed);
-  if (figure_px) look.camera.figure_px = *figure_px / look.pixel_scale;
+  if (framing.figure_px) look.camera.figure_px = *framing.figure_px / look.pixel_scale;
+  look.figure_place = framing.figure_place;
   Stimulus shown = stimulus;
   shown.output = output_for(shown.output, look.set);
   return scenes::stage(motions.shown(shown), look);

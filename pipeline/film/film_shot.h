@@ -1,7 +1,7 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,10 +12,16 @@
 
 namespace mien::pipeline {
 
-/// A stimulus's motion on its stage. `seed` is that of the production. With `figure_px` the figure
-/// is so tall in the picture, whatever its camera says. Throws Error when the look cannot be had.
+/// How the figure has to be in the picture, whatever its camera says.
+struct Framing {
+  std::optional<double> figure_px;                    ///< height of the standing figure
+  std::optional<std::array<double, 2>> figure_place;  ///< scenes/cameras/figure_place.h
+};
+
+/// A stimulus's motion on its stage. `seed` is that of the production. Throws Error when the look
+/// cannot be had.
 scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed,
-                     std::optional<double> figure_px = std::nullopt);
+                     const Framing& framing = {});
 
 /// The motions of an overlay on their stage, each as long as the overlay's own output says.
 scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t seed);

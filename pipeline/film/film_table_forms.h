@@ -48,12 +48,27 @@ inline constexpr std::array views_columns = std::to_array<Column>({
     {"figure_px", "pixels", "height of the standing figure in the picture"},
     {"visual_degrees", "°",
      "visual angle of that height on the screen that the camera names; empty without one"},
+    {"figure_x_px", "pixels",
+     "where the figure stands in the picture: the middle of its way on the floor, or of a camera "
+     "that goes with it the figure's own place, how far right of the picture's middle; empty where "
+     "it is behind the camera"},
+    {"figure_y_px", "pixels", "likewise, below the picture's middle"},
 });
 
 inline constexpr std::array sizes_columns = std::to_array<Column>({
     equalized_column,
     {"framed_px", "pixels", "height of the standing figure where its camera would show it"},
     {"figure_px", "pixels", "height that it has in all films: the least of these"},
+});
+
+inline constexpr std::array places_columns = std::to_array<Column>({
+    equalized_column,
+    {"framed_x_px", "pixels",
+     "where its camera would show the middle of its way on the floor, or of a camera that goes "
+     "with it the figure's own place: right of the picture's middle"},
+    {"framed_y_px", "pixels", "likewise, below the picture's middle"},
+    {"x_px", "pixels", "where that place is in all films, right of the picture's middle"},
+    {"y_px", "pixels", "likewise, below the picture's middle"},
 });
 
 inline constexpr std::array exposure_columns = std::to_array<Column>({
@@ -82,6 +97,8 @@ inline constexpr TableForm videos_form = {"metrics/videos.csv", "a video", video
 inline constexpr TableForm views_form = {"metrics/views.csv", "a film", views_columns};
 inline constexpr TableForm sizes_form = {"metrics/sizes.csv", "a stimulus, where size is equalized",
                                          sizes_columns};
+inline constexpr TableForm places_form = {"metrics/places.csv",
+                                          "a stimulus, where place is equalized", places_columns};
 inline constexpr TableForm exposure_form = {
     "metrics/exposure.csv", "a stimulus, where luminance is equalized", exposure_columns};
 inline constexpr TableForm dots_form = {"clips/<stimulus>.dots.csv",

@@ -55,8 +55,12 @@ std::string videos_csv(const Films& films) {
 std::string views_csv(const Films& films) {
   CsvWriter table = table_of(views_form);
   for (const auto& [stimulus, film] : films) {
+    const auto place = [&film](std::size_t axis) {
+      return film.figure_place ? fmt::format("{:.2f}", (*film.figure_place)[axis]) : "";
+    };
     table.row({stimulus, fmt::format("{:.2f}", film.figure_px),
-               film.visual_degrees ? fmt::format("{:.3f}", *film.visual_degrees) : ""});
+               film.visual_degrees ? fmt::format("{:.3f}", *film.visual_degrees) : "", place(0),
+               place(1)});
   }
   return table.text();
 }

@@ -17,6 +17,7 @@
 #include "pipeline/tasks/code_identity.h"
 #include "render/image/image_io.h"
 #include "render/image/luminance.h"
+#include "scenes/cameras/figure_place.h"
 
 namespace mien::pipeline {
 
@@ -72,6 +73,7 @@ class FilmMaker {
         recorder_(settings_, shot_.frame_count()) {
     record_.exposure_stops = static_cast<double>(alike.exposure_stops);
     record_.figure_px = scenes::figure_pixels(shot_.cameras);
+    record_.figure_place = scenes::figure_place(shot_.cameras);
     for (const scenes::Actor& actor : shot_.actors) {
       for (const std::string& warning : actor.warnings) record_.warnings.push_back(warning);
     }
@@ -167,7 +169,7 @@ FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest, Motio
           {},
           manifest.equalize,
           [&stimulus, &motions, seed = manifest.seed](const Equalized& alike) {
-            return shot_of(stimulus, motions, seed, alike.figure_px);
+            return shot_of(stimulus, motions, seed, alike.framing);
           }};
 }
 

@@ -32,31 +32,20 @@ enum class Among { study, figure };
 
 inline constexpr Words<Among> among_words = {{"study", Among::study}, {"figure", Among::figure}};
 
-/// What stimuli of a study are made alike in.
+/// What stimuli of a study are made alike in; nothing: each as it is.
 struct Equalize {
-  bool luminance = false;  ///< mean luminance of the films, by the exposure
-  bool size = false;       ///< pixels that figures are tall, by the camera's distance
-  bool duration = false;   ///< number of frames: that of the shortest
-  Among luminance_among = Among::study;
-  Among size_among = Among::study;
+  std::optional<Among> luminance;  ///< mean luminance of the films, by the exposure
+  std::optional<Among> size;       ///< pixels that figures are tall, by the camera's distance
+  std::optional<Among> place;  ///< where figures stand in the picture, by the shift of its middle
+  bool duration = false;       ///< number of frames: that of the shortest
 
   friend bool operator==(const Equalize&, const Equalize&) = default;
 };
 
 /// `luminance: true`, or `luminance: {by: figure}`.
-struct LuminanceForm {
-  static void read(const Given& given, Equalize& equalize);
-  static nlohmann::ordered_json write(const Equalize& equalize, const Writing&);
-  template <class Names>
-  static void walk(Names& names) {
-    names.add("by");
-  }
-};
-
-/// Likewise.
-struct SizeForm {
-  static void read(const Given& given, Equalize& equalize);
-  static nlohmann::ordered_json write(const Equalize& equalize, const Writing&);
+struct AlikeForm {
+  static void read(const Given& given, std::optional<Among>& among);
+  static nlohmann::ordered_json write(const std::optional<Among>& among, const Writing&);
   template <class Names>
   static void walk(Names& names) {
     names.add("by");
@@ -65,8 +54,9 @@ struct SizeForm {
 
 template <class Field, MaybeConst<Equalize> E>
 void fields_of(Field&& field, E& equalize) {
-  field.by("luminance", equalize, concerns::picture, LuminanceForm());
-  field.by("size", equalize, concerns::picture, SizeForm());
+  field.by("luminance", equalize.luminance, concerns::picture, AlikeForm());
+  field.by("size", equalize.size, concerns::picture, AlikeForm());
+  field.by("place", equalize.place, concerns::picture, AlikeForm());
   field("duration", equalize.duration, concerns::picture);
 }
 

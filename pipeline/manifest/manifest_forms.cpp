@@ -15,19 +15,6 @@ using nlohmann::json;
 
 constexpr std::string_view builtin_prefix = "builtin:";
 
-/// Whether something is made alike at all, and among which.
-void read_alike(const json& given, bool& asked, Among& among) {
-  assign(&given, asked);
-  if (!given.is_object()) return;
-  asked = true;
-  assign(member(given, "by"), among, among_words);
-}
-
-OrderedJson written_alike(bool asked, Among among) {
-  if (!asked || among == Among::study) return asked;
-  return {{"by", "figure"}};
-}
-
 constexpr Words<Examples::Labels> label_words = {{"from-name", Examples::Labels::from_name},
                                                  {"file-name", Examples::Labels::file_name}};
 
@@ -55,39 +42,41 @@ OrderedJson VideoKindsForm::write(const std::vector<render::VideoKind>& video, c
   return names;
 }
 
-void LuminanceForm::read(const Given& given, Equalize& equalize) {
-  read_alike(given.value, equalize.luminance, equalize.luminance_among);
+void AlikeForm::read(const Given& given, std::optional<Among>& among) {
+  if (given.value.is_boolean()) among.reset();
+  if (given.value == false) return;
+  among = Among::study;
+  if (given.value.is_object()) assign(member(given.value, "by"), *among, among_words);
 }
 
-OrderedJson LuminanceForm::write(const Equalize& equalize, const Writing&) {
-  return written_alike(equalize.luminance, equalize.luminance_among);
-}
-
-void SizeForm::read(const Given& given, Equalize& equalize) {
-  read_alike(given.value, equalize.size, equalize.size_among);
-}
-
-OrderedJson SizeForm::write(const Equalize& equalize, const Writing&) {
-  return written_alike(equalize.size, equalize.size_among);
+OrderedJson AlikeForm::write(const std::optional<Among>& among, const Writing&) {
+  if (among == Among::figure) return {{"by", "figure"}};
+  return among.has_value();
 }
 
 void EqualizeForm::read(const Given& given, Equalize& equalize) {
   if (given.value.is_object()) return pipeline::read(given, equalize);
   if (!given.value.is_array()) return;
-  const auto names = [&](const char* word) {
+  const auto named = [&](const char* word) {
     return std::find(given.value.begin(), given.value.end(), word) != given.value.end();
   };
-  equalize = {
-      .luminance = names("luminance"), .size = names("size"), .duration = names("duration")};
+  const auto among = [&](const char* word) {
+    return named(word) ? std::optional(Among::study) : std::nullopt;
+  };
+  equalize = {.luminance = among("luminance"),
+              .size = among("size"),
+              .place = among("place"),
+              .duration = named("duration")};
 }
 
 OrderedJson EqualizeForm::write(const Equalize& equalize, const Writing& how) {
-  const Equalize anywhere{
-      .luminance = equalize.luminance, .size = equalize.size, .duration = equalize.duration};
-  if (equalize != anywhere) return written(equalize, how);
+  const auto is_named = [](const std::optional<Among>& among) { return among != Among::figure; };
+  if (!is_named(equalize.luminance) || !is_named(equalize.size) || !is_named(equalize.place))
+    return written(equalize, how);
   OrderedJson words = OrderedJson::array();
   if (equalize.luminance) words.push_back("luminance");
   if (equalize.size) words.push_back("size");
+  if (equalize.place) words.push_back("place");
   if (equalize.duration) words.push_back("duration");
   return words;
 }

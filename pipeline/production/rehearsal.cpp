@@ -6,6 +6,7 @@
 
 #include "pipeline/documents/fault_list.h"
 #include "pipeline/film/film_exposure.h"
+#include "pipeline/film/film_framing.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/synthesis/motions.h"
 
@@ -31,6 +32,7 @@ class Rehearsal : public FaultList {
         check_fades(overlay.film, shot_of(overlay, motions_, manifest_.seed).frame_count());
       });
     }
+    if (manifest_.equalize.place) goes("equalize", [&] { check_places(manifest_, motions_); });
     if (manifest_.equalize.luminance) check_luminance();
   }
 

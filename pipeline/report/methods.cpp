@@ -318,6 +318,8 @@ class MethodsWriter {
     if (manifest_.equalize.duration) alike.emplace_back("length, that of the shortest");
     if (manifest_.equalize.size)
       alike.emplace_back("height of the standing figure, that of the smallest, by the camera");
+    if (manifest_.equalize.place)
+      alike.emplace_back("place of the figure in the picture, the mean of all, by its shift");
     if (manifest_.equalize.luminance)
       alike.emplace_back("mean luminance, the geometric mean of all, by the exposure");
     if (!alike.empty()) say("All films were made alike in " + listed(alike));

@@ -40,6 +40,9 @@ std::string alike(const Equalize& equalize) {
         "height of the standing figure in pixels (as the smallest: "
         "<a href=\"metrics/sizes.csv\">sizes.csv</a>)");
   }
+  if (equalize.place) {
+    what.emplace_back("place in the picture (<a href=\"metrics/places.csv\">places.csv</a>)");
+  }
   if (equalize.luminance) {
     what.emplace_back(
         "mean luminance (by exposure: <a href=\"metrics/exposure.csv\">exposure.csv</a>)");

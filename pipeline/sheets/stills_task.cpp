@@ -18,7 +18,7 @@ constexpr double still_cost_seconds = 1.0;
 render::Image8 still_of(const Stimulus& stimulus, FilmSettings settings, Motions& motions,
                         const Equalized& alike, const std::stop_token& stop) {
   settings.output = stimulus.output;
-  scenes::Shot shot = shot_of(stimulus, motions, settings.seed, alike.figure_px);
+  scenes::Shot shot = shot_of(stimulus, motions, settings.seed, alike.framing);
   shot.tone.exposure_stops += alike.exposure_stops;
   render::Image8 still;
   draw_frames(

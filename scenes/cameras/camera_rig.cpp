@@ -274,6 +274,7 @@ CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,
                           ? smooth_path(action, smoothing).front()
                           : action.centre;
   rig.figure_height_m = action.height_m;
+  rig.figure_floor = beside;
   rig.figure_distance_m = depth_of(rig.cameras.front(), beside, action.height_m);
   if (settings.figure_px) magnify(rig, *settings.figure_px / figure_pixels(rig));
   if (settings.depth_of_field) open_aperture(rig, *settings.depth_of_field, action);

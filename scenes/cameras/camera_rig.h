@@ -21,6 +21,10 @@ struct CameraRig {
   double convergence_m = 5.0;           ///< at this distance both show the same place alike
   double figure_height_m = 1.75;        ///< of the standing figure
 
+  /// Where the figure stands when the first camera looks: in the middle of its way, or where it is
+  /// then if the cameras go with it; metres.
+  motion::Vec3 figure_floor = motion::Vec3::Zero();
+
   /// How far before the cameras the middle of the figure is, along their axes: of those that go
   /// with it at all times, of others when it is in the middle of its way. 0 or less: behind.
   double figure_distance_m = 5.0;

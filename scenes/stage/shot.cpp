@@ -6,6 +6,7 @@
 
 #include "motion/error.h"
 #include "motion/math/rotation.h"
+#include "scenes/cameras/figure_place.h"
 #include "scenes/cameras/stereo.h"
 #include "scenes/stage/trail_figure.h"
 #include "scenes/stage/travel.h"
@@ -184,21 +185,22 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
       actor.clip = on_the_spot(std::move(actor.clip), step);
     }
   }
-  Action action = shared_action(shot.actors);
-  action.forward = shot.place.forward;
-  shot.place.centre = action.centre;
-  if (shot.set.belt) include(*shot.set.belt, shot.place, action);
+  shot.action = shared_action(shot.actors);
+  shot.action.forward = shot.place.forward;
+  shot.place.centre = shot.action.centre;
+  if (shot.set.belt) include(*shot.set.belt, shot.place, shot.action);
   shot.standing = standing_set(shot.set, shot.place);
-  shot.cameras = make_camera_rig(look.camera, action, look.size);
+  shot.cameras = make_camera_rig(look.camera, shot.action, look.size);
   for (Actor& actor : shot.actors) {
     if (actor.trail) actor.traces = traces_of(actor.clip, *actor.trail);
   }
   if (const auto* dots = std::get_if<PointLightOptions>(&look.figure)) {
     place_dots(shot, *dots, look.seed);
     // The cameras see the dots, which may go elsewhere than the figure would.
-    const Action seen = dotted_action(shot, *dots, action, look.seed);
-    shot.cameras = make_camera_rig(look.camera, seen, look.size);
+    shot.action = dotted_action(shot, *dots, std::move(shot.action), look.seed);
+    shot.cameras = make_camera_rig(look.camera, shot.action, look.size);
   }
+  if (look.figure_place) stand_at(shot.cameras, *look.figure_place);
   for (render::Camera& camera : shot.cameras.cameras) camera.window = look.window;
   return shot;
 }

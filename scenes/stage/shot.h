@@ -28,7 +28,8 @@ struct Look {
   std::array<int, 2> size{960, 540};     ///< pixels that the camera frames
   std::optional<render::Window> window;  ///< the part of them that is drawn; not of a stereo pair
   double pixel_scale = 1.0;              ///< sizes in pixels become so many times as large
-  bool in_place = false;                 ///< on the spot, whatever the set
+  std::optional<std::array<double, 2>> figure_place;  ///< where the figure stands in the picture
+  bool in_place = false;                              ///< on the spot, whatever the set
   Layout layout = Layout::superimposed;
   std::uint64_t seed = 0;  ///< of what is random about a figure
 };
@@ -49,6 +50,7 @@ struct Shot {
   render::Scene standing;                    ///< what stands still of it
   motion::Vec3 step = motion::Vec3::Zero();  ///< that a figure in place would go a frame, metres
   CameraRig cameras;
+  Action action;                      ///< what the cameras have in the picture
   std::array<int, 2> size{960, 540};  ///< pixels of a whole picture
 
   /// Of the tone curve: point lights have exactly the colours that were asked for.

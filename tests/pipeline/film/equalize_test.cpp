@@ -9,11 +9,13 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_dots.h"
 #include "pipeline/film/film_exposure.h"
+#include "pipeline/film/film_framing.h"
 #include "pipeline/film/film_presentation.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/look/set_file.h"
 #include "pipeline/production/run.h"
 #include "pipeline/temporary_folder.h"
+#include "scenes/cameras/figure_place.h"
 
 namespace mien::pipeline {
 namespace {
@@ -40,7 +42,7 @@ Manifest study() {
   manifest.ratings.source = Ratings::Source::builtin;
   manifest.stimuli = {stimulus("short", "normal", 1), stimulus("long", "normal", 3)};
   manifest.stimuli[1].look.camera.view = "front";
-  manifest.equalize = {.luminance = true, .duration = true};
+  manifest.equalize = {.luminance = Among::study, .duration = true};
   return manifest;
 }
 
@@ -72,7 +74,7 @@ TEST(Equalize, MakesFilmsOfAStudyAlikeInLuminanceAndDuration) {
 TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
   const test::TemporaryFolder folder;
   Manifest manifest = study();
-  manifest.equalize = {.size = true};
+  manifest.equalize = {.size = Among::study};
   // Another height and width of the picture, twice the pixels, a point-light figure.
   manifest.stimuli[0].output.scale = 2.0;
   manifest.stimuli.push_back(stimulus("dots", "normal", 1));
@@ -98,7 +100,67 @@ TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
   // The dots are where their table says, in the picture of that size.
   const double figure_px = number_of(folder.path() / "out/metrics/sizes.csv", "figure_px", "dots");
   EXPECT_EQ(read_file(folder.path() / "out/clips/dots.dots.csv"),
-            dots_csv(shot_of(manifest.stimuli[2], motions, 0, figure_px)));
+            dots_csv(shot_of(manifest.stimuli[2], motions, 0, {.figure_px = figure_px})));
+}
+
+/// Figures that their cameras show at another height of the picture each.
+Manifest differently_framed() {
+  Manifest manifest = study();
+  manifest.stimuli[0].output.scale = 2.0;
+  manifest.stimuli.push_back(stimulus("followed", "sad", 2));
+  manifest.stimuli[2].look.camera.view = "follow";
+  manifest.stimuli.push_back(stimulus("dots", "normal", 3));
+  manifest.stimuli[3].look.figure = scenes::PointLightOptions{};
+  manifest.stimuli[3].look.set = read_set("void", {});
+  manifest.stimuli[3].look.camera.view = "side";
+  return manifest;
+}
+
+TEST(Equalize, MakesFiguresStandAtOnePlaceWhereAllAreSeenWhole) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = differently_framed();
+  manifest.equalize = {.size = Among::study, .place = Among::study};
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
+  ASSERT_TRUE(result.is_complete());
+  const auto found = [&](const char* table, const char* column, const Stimulus& of) {
+    return number_of(folder.path() / "out/metrics" / table, column, of.id);
+  };
+  const Stimulus& first = manifest.stimuli.front();
+  for (const Stimulus& one : manifest.stimuli) {
+    for (const auto& [seen, common] : {std::pair("figure_x_px", "x_px"), {"figure_y_px", "y_px"}}) {
+      EXPECT_NEAR(found("views.csv", seen, one), found("places.csv", common, first), 0.02)
+          << one.id;
+    }
+    const Framing framing = equalized_framing(manifest.equalize, folder.path() / "out", one.id);
+    const scenes::Shot shot = shot_of(one, production.motions(), 0, framing);
+    const Eigen::AlignedBox2d taken = scenes::taken_part(shot.cameras, shot.action);
+    const Eigen::Vector2d half = 0.5 * Eigen::Vector2d(shot.size[0], shot.size[1]);
+    EXPECT_TRUE(Eigen::AlignedBox2d(-half, half).contains(taken)) << one.id;
+  }
+  // The cameras would have shown them elsewhere, which is what this is for.
+  EXPECT_GT(std::abs(found("places.csv", "framed_y_px", manifest.stimuli[0]) -
+                     found("places.csv", "framed_y_px", manifest.stimuli[1])),
+            1.0);
+  EXPECT_EQ(read_file(folder.path() / "out/clips/dots.dots.csv"),
+            dots_csv(shot_of(manifest.stimuli[3], production.motions(), 0,
+                             equalized_framing(manifest.equalize, folder.path() / "out", "dots"))));
+}
+
+TEST(Equalize, FindsNoPlaceForFiguresOfWhichEachFillsItsPictureElsewhere) {
+  Manifest manifest = differently_framed();
+  manifest.equalize = {.place = Among::study};
+  Motions motions(manifest);
+  try {
+    check_places(manifest, motions);
+    FAIL() << "a place was found";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot stand at the same place"), std::string::npos)
+        << error.what();
+  }
+  manifest.equalize = {.size = Among::study, .place = Among::study};
+  EXPECT_NO_THROW(check_places(manifest, motions));
 }
 
 TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
@@ -112,10 +174,7 @@ TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
     manifest.stimuli[dotted].look.set = read_set("void", {});
     manifest.stimuli[dotted].look.camera.view = "side";
   }
-  manifest.equalize = {.luminance = true,
-                       .size = true,
-                       .luminance_among = Among::figure,
-                       .size_among = Among::figure};
+  manifest.equalize = {.luminance = Among::figure, .size = Among::figure};
   Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
   for (const TaskOutcome& outcome : run(production, folder.path() / "out", 1, {}, {}).outcomes)
     EXPECT_EQ(outcome.error, "");
@@ -129,14 +188,14 @@ TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
     EXPECT_NE(found(table, column, "near"), found(table, column, "dots"));
   }
   EXPECT_TRUE(too_far_in_light(manifest, production.motions()).empty());
-  manifest.equalize = {.luminance = true};
+  manifest.equalize = {.luminance = Among::study};
   EXPECT_FALSE(too_far_in_light(manifest, production.motions()).empty());
 }
 
 TEST(Equalize, FailsWhereNoExposureReachesTheOthersLuminance) {
   const test::TemporaryFolder folder;
   Manifest manifest = study();
-  manifest.equalize = {.luminance = true};
+  manifest.equalize = {.luminance = Among::study};
   // However bright they are, a few dots on black are dark.
   manifest.stimuli[1].look.figure = scenes::PointLightOptions{.size_px = 1.0};
   manifest.stimuli[1].look.set = read_set("void", {});
@@ -242,7 +301,7 @@ TEST(DotTables, HaveEachDotOnceForEachEye) {
 
 TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
   Manifest manifest = study();
-  manifest.equalize = {.size = true};
+  manifest.equalize = {.size = Among::study};
   const auto is_told = [&] {
     const std::vector<Fault> faults = check_meaning(manifest);
     return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
@@ -251,6 +310,21 @@ TEST(Equalize, CannotChangeASizeThatIsGivenInNumbers) {
   };
   EXPECT_FALSE(is_told());
   manifest.stimuli[1].look.camera.screen = scenes::ScreenSettings{};
+  EXPECT_TRUE(is_told());
+}
+
+TEST(Equalize, CannotMoveAPictureWhoseCameraIsGivenInNumbers) {
+  Manifest manifest = study();
+  manifest.equalize = {.place = Among::study};
+  const auto is_told = [&] {
+    const std::vector<Fault> faults = check_meaning(manifest);
+    return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) {
+      return fault.wrong == "the camera of \"long\" says already where its figure is seen";
+    });
+  };
+  EXPECT_FALSE(is_told());
+  manifest.stimuli[1].look.camera.position = {0.0, 1.0, 5.0};
+  manifest.stimuli[1].look.camera.target = {0.0, 1.0, 0.0};
   EXPECT_TRUE(is_told());
 }
 

@@ -14,6 +14,7 @@ TEST(FilmRecord, IsReadAsItWasWritten) {
   record.first_film_frame = 15;
   record.exposure_stops = -0.25;
   record.figure_px = 312.5;
+  record.figure_place = {-1.5, 120.25};
   record.warnings = {"a normal map is not drawn"};
   record.visual_degrees = 8.25;
   record.luminance = {.frames = 90,
@@ -43,6 +44,7 @@ TEST(FilmRecord, IsReadAsItWasWritten) {
   EXPECT_EQ(read.luminance.lightest, 0.312);
   EXPECT_EQ(read.exposure_stops, -0.25);
   EXPECT_EQ(read.figure_px, 312.5);
+  EXPECT_EQ(read.figure_place, record.figure_place);
   EXPECT_EQ(read.warnings, record.warnings);
   EXPECT_EQ(read.visual_degrees, 8.25);
 }

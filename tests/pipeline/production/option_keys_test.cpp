@@ -124,7 +124,8 @@ TEST_F(Options, AreInTheKeysOfWhatTheyConcernAndOfNothingElse) {
         (concerned & ~(concerns::page | concerns::required | concerns::alone)) == 0;
     // Films are made alike by a table, which is among their inputs.
     if (path.starts_with("equalize.") && path.ends_with(".by")) {
-      EXPECT_TRUE(kinds.contains("exposure") || kinds.contains("sizes")) << path;
+      EXPECT_TRUE(kinds.contains("exposure") || kinds.contains("sizes") || kinds.contains("places"))
+          << path;
     } else if (is_film) {
       EXPECT_TRUE(kinds.contains("film")) << path;
     }

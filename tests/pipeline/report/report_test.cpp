@@ -105,7 +105,7 @@ TEST(Report, ShowsSheetsOfStillsApartFromComparisons) {
 TEST(Report, SaysWhatIsMadeAlike) {
   Manifest manifest = study_called("plain");
   EXPECT_EQ(report_of(manifest).find("Made alike"), std::string::npos);
-  manifest.equalize = {.luminance = true, .duration = true};
+  manifest.equalize = {.luminance = Among::study, .duration = true};
   const std::string page = report_of(manifest);
   EXPECT_NE(page.find("<p>Made alike in all stimuli: length (as the shortest), mean luminance"),
             std::string::npos);

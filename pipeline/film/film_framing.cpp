@@ -1,0 +1,190 @@
+#include "pipeline/film/film_framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "pipeline/documents/csv.h"
+#include "pipeline/documents/fault.h"
+#include "pipeline/film/film_table_forms.h"
+#include "scenes/cameras/figure_place.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Vector2d;
+
+constexpr const char* sizes_path = "metrics/sizes.csv";
+constexpr const char* places_path = "metrics/places.csv";
+
+using SizesById = std::map<std::string, double>;
+using Visit = std::function<void(const Stimulus& stimulus)>;
+
+/// In steps of 1/64 pixel: no machine's arithmetic shows.
+double in_steps(double pixels) { return std::floor(64.0 * pixels) / 64.0; }
+
+std::string in_hundredths(double pixels) { return shortest(std::round(100.0 * pixels) / 100.0); }
+
+/// Each stimulus in turn, with the run's progress and its wish to stop.
+void visit_all(const Manifest& manifest, TaskRun& run, const Visit& visit) {
+  double visited = 0.0;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (run.stop.stop_requested()) throw Interrupted{};
+    visit(stimulus);
+    run.progress(++visited / static_cast<double>(manifest.stimuli.size()));
+  }
+}
+
+double framed_size(const Stimulus& stimulus, const Manifest& manifest, Motions& motions) {
+  return scenes::figure_pixels(shot_of(stimulus, motions, manifest.seed).cameras);
+}
+
+SizesById common_sizes(const Manifest& manifest, const SizesById& framed) {
+  SizesById common;
+  for (const auto& group : alike(manifest.stimuli, *manifest.equalize.size)) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Stimulus* stimulus : group) least = std::min(least, framed.at(stimulus->id));
+    for (const Stimulus* stimulus : group) common[stimulus->id] = in_steps(least);
+  }
+  return common;
+}
+
+/// Where a figure stands, and where it could without leaving its picture.
+struct Standing {
+  Vector2d framed;
+  Eigen::AlignedBox2d possible;
+};
+
+using StandingsById = std::map<std::string, Standing>;
+
+Standing standing_of(const scenes::Shot& shot) {
+  const auto [right, below] = scenes::figure_place(shot.cameras).value();
+  const Eigen::AlignedBox2d taken = scenes::taken_part(shot.cameras, shot.action);
+  const render::Camera& camera = shot.cameras.cameras.front();
+  const Vector2d half = 0.5 * Vector2d(camera.width, camera.height);
+  Standing standing{{right, below}, {}};
+  const Vector2d least = standing.framed - half - taken.min();
+  const Vector2d most = standing.framed + half - taken.max();
+  const double endless = std::numeric_limits<double>::infinity();
+  standing.possible = {Vector2d::Constant(-endless), Vector2d::Constant(endless)};
+  for (int axis = 0; axis < 2; ++axis) {
+    // What its own camera cuts may be cut elsewhere, too.
+    if (standing.framed[axis] < least[axis] || standing.framed[axis] > most[axis]) continue;
+    standing.possible.min()[axis] = least[axis];
+    standing.possible.max()[axis] = most[axis];
+  }
+  return standing;
+}
+
+/// The stimulus among the group for which something is greatest.
+template <class Measure>
+const Stimulus& greatest(const std::vector<const Stimulus*>& group, const Measure& measure) {
+  return **std::max_element(group.begin(), group.end(), [&](const auto* a, const auto* b) {
+    return measure(*a) < measure(*b);
+  });
+}
+
+Vector2d common_place(const std::vector<const Stimulus*>& group, const StandingsById& standings) {
+  Vector2d mean = Vector2d::Zero();
+  for (const Stimulus* stimulus : group) mean += standings.at(stimulus->id).framed;
+  mean /= static_cast<double>(group.size());
+  Vector2d place;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto least = [&](const Stimulus& of) { return standings.at(of.id).possible.min()[axis]; };
+    const auto most = [&](const Stimulus& of) { return -standings.at(of.id).possible.max()[axis]; };
+    const Stimulus& one = greatest(group, least);
+    const Stimulus& other = greatest(group, most);
+    if (least(one) > -most(other)) {
+      throw Error("equalize: \"" + one.id + "\" and \"" + other.id +
+                      "\" cannot stand at the same place of the picture and be seen whole",
+                  "equalize size too, place: {by: figure}, or leave place out");
+    }
+    place[axis] = in_steps(std::clamp(mean[axis], least(one), -most(other)));
+  }
+  return place;
+}
+
+std::map<std::string, Vector2d> common_places(const Manifest& manifest,
+                                              const StandingsById& standings) {
+  std::map<std::string, Vector2d> common;
+  for (const auto& group : alike(manifest.stimuli, *manifest.equalize.place)) {
+    const Vector2d place = common_place(group, standings);
+    for (const Stimulus* stimulus : group) common[stimulus->id] = place;
+  }
+  return common;
+}
+
+double figure_px_of(const fs::path& folder, const std::string& stimulus) {
+  return number_of(folder / sizes_path, "figure_px", stimulus);
+}
+
+}  // namespace
+
+std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
+  SizesById framed;
+  visit_all(manifest, run, [&](const Stimulus& stimulus) {
+    framed[stimulus.id] = framed_size(stimulus, manifest, motions);
+  });
+  const SizesById common = common_sizes(manifest, framed);
+  CsvWriter table = table_of(sizes_form);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    table.row(
+        {stimulus.id, in_hundredths(framed.at(stimulus.id)), shortest(common.at(stimulus.id))});
+  }
+  return table.text();
+}
+
+std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
+  StandingsById standings;
+  visit_all(manifest, run, [&](const Stimulus& stimulus) {
+    Framing framing;
+    if (manifest.equalize.size) framing.figure_px = figure_px_of(run.store.folder(), stimulus.id);
+    standings[stimulus.id] = standing_of(shot_of(stimulus, motions, manifest.seed, framing));
+  });
+  const auto common = common_places(manifest, standings);
+  CsvWriter table = table_of(places_form);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Vector2d& framed = standings.at(stimulus.id).framed;
+    const Vector2d& place = common.at(stimulus.id);
+    table.row({stimulus.id, in_hundredths(framed.x()), in_hundredths(framed.y()),
+               shortest(place.x()), shortest(place.y())});
+  }
+  return table.text();
+}
+
+void check_places(const Manifest& manifest, Motions& motions) {
+  SizesById sizes;
+  if (manifest.equalize.size) {
+    for (const Stimulus& stimulus : manifest.stimuli)
+      sizes[stimulus.id] = framed_size(stimulus, manifest, motions);
+    sizes = common_sizes(manifest, sizes);
+  }
+  StandingsById standings;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    Framing framing;
+    if (manifest.equalize.size) framing.figure_px = sizes.at(stimulus.id);
+    standings[stimulus.id] = standing_of(shot_of(stimulus, motions, manifest.seed, framing));
+  }
+  common_places(manifest, standings);
+}
+
+Framing equalized_framing(const Equalize& equalize, const fs::path& folder,
+                          const std::string& stimulus) {
+  Framing framing;
+  if (equalize.size) framing.figure_px = figure_px_of(folder, stimulus);
+  if (equalize.place) {
+    const fs::path places = folder / places_path;
+    framing.figure_place = {number_of(places, "x_px", stimulus),
+                            number_of(places, "y_px", stimulus)};
+  }
+  return framing;
+}
+
+}  // namespace mien::pipeline
