@@ -21,7 +21,8 @@ namespace mien::motion {
 namespace {
 
 constexpr double walking_floor = 0.05;  // m/s; a floor that moves faster under a loop is walked on
-constexpr double slowest_walk = 0.15;   // m/s
+constexpr double tempo_tolerance = 5e-4;
+constexpr double slowest_walk = 0.15;  // m/s
 
 bool is_unit(const PathGains& gains) {
   return gains.low == 1.0 && gains.middle == 1.0 && gains.high == 1.0 &&
@@ -76,9 +77,16 @@ Clip with_root_of(Clip clip, const Clip& other) {
   return clip;
 }
 
-void write_remarks(ModificationReport& report, FootRepair repair, bool stays) {
+void write_remarks(ModificationReport& report, const Modification& asked, bool stays) {
   char text[160];
-  if (repair != FootRepair::none && report.plants == 0) {
+  if (std::abs(report.tempo / asked.tempo - 1.0) > tempo_tolerance) {
+    std::snprintf(text, sizeof text,
+                  "the tempo came out as %.3f, where %.3f was asked for: a motion lasts a whole "
+                  "number of frames",
+                  report.tempo, asked.tempo);
+    report.remarks.emplace_back(text);
+  }
+  if (asked.repair != FootRepair::none && report.plants == 0) {
     report.remarks.push_back("no foot stands on the floor: feet were not repaired");
   }
   if (report.plants > 0) {
@@ -177,12 +185,14 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   }
   Clip repaired = with_repaired_feet(posed, reference, stands, m.repair);
 
+  if (reference.frame_count() > 1)
+    report.tempo = original.duration_seconds() / reference.duration_seconds();
   report.plants = static_cast<int>(plants.size());
   report.drift_before_repair = planted_drift(with_root_of(posed, reference), stands);
   report.drift_after_repair = planted_drift(repaired, stands);
   if (travels(original)) report.travel_ratio = way(repaired) / way(original);
   const bool in_its_place = clip.loops && clip.cycle_displacement.isZero(1e-6);
-  write_remarks(report, m.repair, in_its_place);
+  write_remarks(report, m, in_its_place);
 
   result.clip = in_its_place ? in_place(repaired) : std::move(repaired);
   result.clip.name = clip.name;

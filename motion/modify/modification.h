@@ -69,6 +69,7 @@ struct Modification {
 
 /// What a modification did, for the report.
 struct ModificationReport {
+  double tempo = 1.0;                 ///< that came out: a clip lasts a whole number of frames
   int plants = 0;                     ///< stretches of standing feet, found on the original
   double drift_before_repair = 0.0;   ///< metres, largest over the plants (planted_drift)
   double drift_after_repair = 0.0;    ///< metres

@@ -226,6 +226,32 @@ TEST(Modification, OfTempoDividesTheDurationAndKeepsTheFeet) {
   }
 }
 
+TEST(Modification, TellsATempoThatWholeFramesDoNotGive) {
+  const auto remarks_on_tempo = [](const ModificationReport& report) {
+    return std::count_if(report.remarks.begin(), report.remarks.end(), [](const auto& remark) {
+      return remark.find("the tempo came out as") != std::string::npos;
+    });
+  };
+  for (const Clip& clip : synthetic_walks()) {
+    for (const double tempo : {1.01, 1.004, 0.8, 2.0, 1.0}) {
+      Modification m;
+      m.tempo = tempo;
+      const ModifiedClip after = modify(clip, m);
+      EXPECT_NEAR(after.report.tempo, clip.duration_seconds() / after.clip.duration_seconds(),
+                  1e-12)
+          << clip.name;
+      EXPECT_EQ(remarks_on_tempo(after.report) > 0,
+                std::abs(after.report.tempo / tempo - 1.0) > 5e-4)
+          << clip.name << " at " << tempo << ": " << after.report.tempo;
+    }
+  }
+  Modification m;
+  m.tempo = 1.01;
+  const ModifiedClip coarse = modify(walk({}, 10.0, standard_body()).clip, m);
+  EXPECT_EQ(coarse.report.tempo, 1.0);
+  EXPECT_EQ(remarks_on_tempo(coarse.report), 1);
+}
+
 TEST(Modification, RepeatsItselfAndFollowsItsSeed) {
   const Clip clip = walk({}, 30.0, standard_body()).clip;
   Modification m;
