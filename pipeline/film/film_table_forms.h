@@ -41,6 +41,7 @@ inline constexpr std::array videos_columns = std::to_array<Column>({
     {"worst_ssim", "0–1",
      "lowest structural similarity of a frame, 1 for the same; empty where identical"},
     {"worst_ssim_frame", "", "that frame; empty where identical"},
+    {"video_hash", "", "XXH3-128 of the file"},
 });
 
 inline constexpr std::array views_columns = std::to_array<Column>({

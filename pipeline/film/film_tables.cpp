@@ -8,6 +8,7 @@
 #include "pipeline/film/film_record.h"
 #include "pipeline/film/film_table_forms.h"
 #include "pipeline/tasks/code_identity.h"
+#include "pipeline/tasks/receipt.h"
 
 namespace mien::pipeline {
 
@@ -15,7 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Films = std::vector<std::pair<std::string, FilmRecord>>;  // by stimulus
+struct MadeFilm {
+  std::string stimulus;
+  FilmRecord record;
+  std::vector<std::string> hashes;  // of its videos
+};
+
+using Films = std::vector<MadeFilm>;
 
 constexpr double cost_seconds = 0.01;
 
@@ -24,7 +31,7 @@ std::string rounded(double value) { return fmt::format("{:.6f}", value); }
 
 std::string luminance_csv(const Films& films) {
   CsvWriter table = table_of(luminance_form);
-  for (const auto& [stimulus, film] : films) {
+  for (const auto& [stimulus, film, hashes] : films) {
     const render::ClipLuminance& found = film.luminance;
     table.row({stimulus, std::to_string(found.frames), rounded(found.mean),
                rounded(found.deviation), rounded(found.rms_contrast), rounded(found.darkest),
@@ -35,8 +42,9 @@ std::string luminance_csv(const Films& films) {
 
 std::string videos_csv(const Films& films) {
   CsvWriter table = table_of(videos_form);
-  for (const auto& [stimulus, film] : films) {
-    for (const VideoRecord& video : film.videos) {
+  for (const auto& [stimulus, film, hashes] : films) {
+    for (std::size_t i = 0; i < film.videos.size(); ++i) {
+      const VideoRecord& video = film.videos[i];
       const auto unless_identical = [&](const std::string& text) {
         return video.identical ? std::string() : text;
       };
@@ -46,7 +54,7 @@ std::string videos_csv(const Films& films) {
                  unless_identical(fmt::format("{:.2f}", video.worst_psnr_db)),
                  unless_identical(std::to_string(video.worst_psnr_frame)),
                  unless_identical(fmt::format("{:.4f}", video.worst_ssim)),
-                 unless_identical(std::to_string(video.worst_ssim_frame))});
+                 unless_identical(std::to_string(video.worst_ssim_frame)), hashes[i]});
     }
   }
   return table.text();
@@ -54,7 +62,7 @@ std::string videos_csv(const Films& films) {
 
 std::string views_csv(const Films& films) {
   CsvWriter table = table_of(views_form);
-  for (const auto& [stimulus, film] : films) {
+  for (const auto& [stimulus, film, hashes] : films) {
     const auto place = [&film](std::size_t axis) {
       return film.figure_place ? fmt::format("{:.2f}", (*film.figure_place)[axis]) : "";
     };
@@ -63,6 +71,15 @@ std::string views_csv(const Films& films) {
                place(1)});
   }
   return table.text();
+}
+
+MadeFilm made_film(const std::string& id, const fs::path& folder) {
+  MadeFilm film{id, parse_film_record(read_file(folder / film_record_path(id))), {}};
+  for (const VideoRecord& video : film.record.videos) {
+    const auto receipt = read_receipt(folder, video.file);
+    film.hashes.push_back(receipt ? receipt->hash : "");
+  }
+  return film;
 }
 
 struct Table {
@@ -98,10 +115,8 @@ Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
   task.cost_seconds = cost_seconds;
   task.make = [&manifest](TaskRun& run) {
     Films films;
-    for (const Stimulus* film : films_of(manifest)) {
-      const fs::path file = run.store.folder() / film_record_path(film->id);
-      films.emplace_back(film->id, parse_film_record(read_file(file)));
-    }
+    for (const Stimulus* film : films_of(manifest))
+      films.push_back(made_film(film->id, run.store.folder()));
     for (std::size_t i = 0; i < run.keys.size(); ++i) {
       const std::string text = tables[i].make(films);
       run.store.put(

@@ -55,7 +55,7 @@ const char* words_for(AnswerRules::Repeated rule) {
 
 /// Who saw what, from the answers.
 struct Attendance {
-  std::set<std::string> scales;
+  std::map<std::string, std::set<std::string>> scales_about;  // by stimulus: asked at all
   std::set<std::string> stimuli;
   std::map<std::string, std::map<std::string, std::set<std::string>>> answered;
   std::map<std::string, Place> first_place;
@@ -63,7 +63,7 @@ struct Attendance {
   std::unordered_set<std::string> met;  // many answers, few names: hashing is quicker than order
 
   void add(const StudyAnswer& answer) {
-    if (met.insert("scale " + answer.scale).second) scales.insert(answer.scale);
+    scales_about[answer.stimulus].insert(answer.scale);
     if (met.insert("stimulus " + answer.stimulus).second) stimuli.insert(answer.stimulus);
     if (answer.participant.empty()) return;
     auto& about = answered[answer.participant];
@@ -100,10 +100,11 @@ void add_absent(const Attendance& attendance, std::vector<StudyWarning>& missing
                                      joined(attendance.stimuli, seen))});
     }
     for (const auto& [stimulus, scales] : seen) {
-      if (scales.size() == attendance.scales.size()) continue;
+      const std::set<std::string>& asked = attendance.scales_about.at(stimulus);
+      if (scales.size() == asked.size()) continue;
       missing.push_back({"missing", attendance.first_place_about.at({participant, stimulus}),
                          fmt::format("participant \"{}\" did not answer about \"{}\" on {}",
-                                     participant, stimulus, joined(attendance.scales, scales))});
+                                     participant, stimulus, joined(asked, scales))});
     }
   }
 }

@@ -157,6 +157,10 @@ TEST_F(StudyFolder, TellsFilesOfStimuliWithTheirLengthAndHash) {
     EXPECT_NEAR(std::stod(cell(stimuli, r, "video_s")), std::stod(cell(stimuli, r, "film_s")) + 0.5,
                 1e-9);
   }
+  const CsvTable videos = read_csv(out / "metrics/videos.csv");
+  ASSERT_FALSE(videos.rows.empty());
+  for (std::size_t r = 0; r < videos.rows.size(); ++r)
+    EXPECT_EQ(cell(videos, r, "video_hash"), hash_of_file(out / cell(videos, r, "file")));
 }
 
 TEST_F(StudyFolder, TellsWhichExpectationsHold) {

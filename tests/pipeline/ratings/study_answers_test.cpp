@@ -137,6 +137,13 @@ TEST(StudyAnswers, WhereEverybodySawAPartNothingIsMissing) {
   EXPECT_TRUE(study.warnings.empty()) << told(study).front();
 }
 
+TEST(StudyAnswers, OnAScaleThatNobodyWasAskedOfAStimulusAreNotMissing) {
+  const StudyAnswers study = read(std::string(study_header) +
+                                  "p,a,open,1\np,a,slow-fast,2\np,b,open,2\n"
+                                  "q,a,open,0\nq,a,slow-fast,1\nq,b,open,1\n");
+  EXPECT_TRUE(study.warnings.empty()) << told(study).front();
+}
+
 TEST(StudyAnswers, ConstantParticipantsAreToldAndDroppedOnDemand) {
   // −1 … 1 of different ranges: 0.75 of either.
   const std::string csv = clean + "z,a,slow-fast,1\nz,b,slow-fast,1\nz,a,open,1.5\nz,b,open,1.5\n";
