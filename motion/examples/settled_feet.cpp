@@ -7,7 +7,7 @@ namespace mien::motion {
 
 namespace {
 
-constexpr int most_locks = 12;
+constexpr int most_locks = 40;
 constexpr double settled_metres = 1e-6;
 
 }  // namespace

@@ -211,6 +211,47 @@ TEST(RealWalks, ComeOutOfTheFootLockAtTheirOwnRatingsAsTheyAre) {
   }
 }
 
+/// The farthest that a joint or the tip of one is from where the other clip has it, metres.
+double farthest_joint(const motion::Clip& a, const motion::Clip& b) {
+  EXPECT_EQ(a.frame_count(), b.frame_count());
+  double farthest = 0.0;
+  for (std::size_t f = 0; f < std::min(a.poses.size(), b.poses.size()); ++f) {
+    const motion::JointTransforms one = motion::world_transforms(a.body, a.poses[f]);
+    const motion::JointTransforms other = motion::world_transforms(b.body, b.poses[f]);
+    for (std::size_t j = 0; j < a.body.joints.size(); ++j) {
+      const motion::Vec3 tip = a.body.joints[j].tip.value_or(motion::Vec3::Zero());
+      const motion::Vec3 other_tip = b.body.joints[j].tip.value_or(motion::Vec3::Zero());
+      farthest = std::max({farthest, (one.positions[j] - other.positions[j]).norm(),
+                           (one.positions[j] + one.rotations[j] * tip - other.positions[j] -
+                            other.rotations[j] * other_tip)
+                               .norm()});
+    }
+  }
+  return farthest;
+}
+
+TEST(RealMotions, BlendedAloneKeepEveryJointWithinFiveMillimetres) {
+  const auto data = test::real_data();
+  if (!data) GTEST_SKIP() << "the real motion capture is not here";
+  Manifest walks = real_manifest(*data);
+  Manifest actors;
+  actors.study = "actors";
+  actors.examples.folder = *data / "mocap" / "aalto-two-actors";
+  actors.ratings.source = Ratings::Source::none;
+  for (const Manifest& manifest : {walks, actors}) {
+    const Repertoire repertoire = load_repertoire(manifest);
+    ASSERT_GE(repertoire.names.size(), 24u);
+    for (const motion::Example& example : repertoire.settled.examples) {
+      Stimulus stimulus;
+      stimulus.id = "alone";
+      stimulus.weights = {{example.name, 1.0}};
+      stimulus.output.fps = example.clip.frames_per_second;
+      EXPECT_LT(farthest_joint(synthesize(stimulus, repertoire).motion.clip, example.clip), 0.005)
+          << example.name;
+    }
+  }
+}
+
 TEST(RealWalks, FeetStandStillInBlends) {
   const auto data = test::real_data();
   if (!data) GTEST_SKIP() << "the real motion capture is not here";
