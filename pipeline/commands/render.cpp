@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
+#include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
 #include "motion/skeleton/straighten.h"
 #include "pipeline/commands/cli.h"
@@ -56,9 +57,20 @@ std::string name_among(std::set<std::string>& names, const std::string& wanted) 
   return name;
 }
 
+/// What a file shows; says what is doubtful about its rig.
+motion::Clip clip_in(const std::string& file, const Console& console) {
+  const motion::Recording recording = motion::read_motion(file);
+  const motion::RigSketch rig = motion::sketch(recording);
+  if (rig.human) {
+    for (const std::string& warning : rig.human->warnings)
+      console.err << "warning: " << file << ": " << warning << '\n';
+  }
+  return clip_of(recording);
+}
+
 /// One motion in neutral colours, or a target, what was created after it, and a reference.
-std::vector<scenes::Performance> performances_of(const RenderOptions& options,
-                                                 const Output& output) {
+std::vector<scenes::Performance> performances_of(const RenderOptions& options, const Output& output,
+                                                 const Console& console) {
   constexpr std::array roles = {scenes::Role::target, scenes::Role::created,
                                 scenes::Role::reference};
   const bool is_alone = options.files.size() == 1;
@@ -66,8 +78,7 @@ std::vector<scenes::Performance> performances_of(const RenderOptions& options,
   std::set<std::string> names;
   std::vector<scenes::Performance> performances;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
-    motion::Clip clip =
-        motion::resampled(clip_of(motion::read_motion(options.files[i])), output.fps);
+    motion::Clip clip = motion::resampled(clip_in(options.files[i], console), output.fps);
     if (output.in_place) clip = motion::kept_in_place(clip);
     performances.push_back({.name = name_among(names, fs::path(options.files[i]).stem().string()),
                             .clip = std::move(clip),
@@ -121,17 +132,17 @@ void write_dots(const scenes::Shot& shot, const fs::path& file) {
   draft.publish();
 }
 
-scenes::Shot shot_of(const RenderOptions& options, const RenderPlan& plan) {
+scenes::Shot shot_of(const RenderOptions& options, const RenderPlan& plan, const Console& console) {
   const Output& output = plan.settings.output;
-  return scenes::stage(performances_of(options, output), {.set = staged_set(plan.look),
-                                                          .figure = plan.look.figure,
-                                                          .camera = plan.look.camera,
-                                                          .size = output.whole_size(),
-                                                          .window = output.window(),
-                                                          .pixel_scale = output.scale,
-                                                          .in_place = output.in_place,
-                                                          .layout = layout_of(options),
-                                                          .seed = options.seed});
+  return scenes::stage(performances_of(options, output, console), {.set = staged_set(plan.look),
+                                                                   .figure = plan.look.figure,
+                                                                   .camera = plan.look.camera,
+                                                                   .size = output.whole_size(),
+                                                                   .window = output.window(),
+                                                                   .pixel_scale = output.scale,
+                                                                   .in_place = output.in_place,
+                                                                   .layout = layout_of(options),
+                                                                   .seed = options.seed});
 }
 
 /// Makes the file, with a bar; says what was found in it.
@@ -162,7 +173,7 @@ std::string make_file(const RenderOptions& options, const RenderPlan& plan,
 
 int render_file(const RenderOptions& options, const Console& console) {
   const RenderPlan plan = plan_of(options);
-  const scenes::Shot shot = shot_of(options, plan);
+  const scenes::Shot shot = shot_of(options, plan, console);
   if (!options.dots.empty() && shot.actors.front().dots.empty()) {
     throw Error("--dots: only a point-light figure has dots", "add --figure point-light");
   }

@@ -211,10 +211,18 @@ void StreamEncoder::send() {
   drain();
 }
 
+void StreamEncoder::end_on_time() {
+  const std::int64_t last = av_rescale_q(frames_ - 1, codec_->time_base, stream_->time_base);
+  const std::int64_t end = av_rescale_q(frames_, codec_->time_base, stream_->time_base);
+  checked(av_opt_set_int(file_->priv_data, "final_delay", end - last, 0),
+          path_ + ": the last frame's length");
+}
+
 void StreamEncoder::finish() {
   if (frames_ == 0) throw Error(path_ + ": a video without frames");
   checked(avcodec_send_frame(codec_.get(), nullptr), path_ + ": encoding");
   drain();
+  if (format_.kind == VideoKind::gif) end_on_time();
   checked(av_write_trailer(file_.get()), path_ + ": writing the index");
   checked(avio_closep(&file_->pb), path_ + ": closing");
 }

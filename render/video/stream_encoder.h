@@ -34,6 +34,9 @@ class StreamEncoder {
   void open_file();
   void drain();
 
+  /// A GIF's last frame would last as long as the one before, which is rounded otherwise.
+  void end_on_time();
+
   std::string path_;
   VideoFormat format_;
   Output file_;

@@ -58,7 +58,7 @@ std::string failures_of(const fs::path& manifest, const fs::path& folder) {
 }
 
 /// Seeds whose manifests once passed the check and failed in the run.
-const std::vector<std::uint64_t> kept_seeds = {};
+const std::vector<std::uint64_t> kept_seeds = {138};  // a GIF's last frame was too long
 
 /// With MIEN_RANDOM_MANIFESTS=300 so many, else a few: making studies takes its time.
 std::vector<std::uint64_t> seeds() {

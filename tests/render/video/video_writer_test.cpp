@@ -110,6 +110,17 @@ TEST_F(VideoWriterTest, TakesOddSizesWhereColoursAreNotHalved) {
   }
 }
 
+TEST_F(VideoWriterTest, EndsAGifWithinHalfAHundredthOfASecond) {
+  const auto file = temporary.path() / "a.gif";
+  for (const int rate : {1, 7, 12, 15, 24, 30, 49}) {
+    for (const int count : {2, 9, 10, 11}) {
+      write_video(file, smooth_frames(16, 16, count), {rate, 1}, VideoKind::gif);
+      EXPECT_NEAR(probe(file).duration_seconds, static_cast<double>(count) / rate, 0.00501)
+          << count << " frames at " << rate;
+    }
+  }
+}
+
 TEST_F(VideoWriterTest, LeavesNothingBesideAGif) {
   write_video(temporary.path() / "a.gif", smooth_frames(64, 48, 3), {30, 1}, VideoKind::gif);
   for (const auto& entry : std::filesystem::directory_iterator(temporary.path())) {
