@@ -118,6 +118,13 @@ class MethodsWriter {
       say("Of each the steadiest straight gait cycle was cut, by heel strikes and toe offs" +
           cite({"zeni2008"}) + ", and closed to a loop");
     }
+    const auto mirrored = std::ranges::count_if(
+        repertoire.origins, [](const motion::ExampleOrigin& origin) { return origin.is_mirrored; });
+    if (mirrored > 0) {
+      say(fmt::format(
+          "{} too short for one: a step and its mirror image stand for the cycle",
+          count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
+    }
     say(fmt::format("They last {} (mean {:.2f} s)", told(seconds, 2, " s"), seconds.mean()));
   }
 
@@ -213,6 +220,7 @@ class MethodsWriter {
   void tell_reached() {
     Range missed;
     for (const Stimulus& stimulus : manifest_.stimuli) {
+      if (!stimulus.modify.empty()) continue;  // known of the blend before alone
       const Synthesis& made = motions_.of(stimulus.id);
       const std::size_t count = std::min(made.asked.size(), made.reached.size());
       for (std::size_t i = 0; i < count; ++i)
@@ -325,13 +333,23 @@ class MethodsWriter {
     if (!alike.empty()) say("All films were made alike in " + listed(alike));
   }
 
+  bool compares_files() const {
+    return std::any_of(manifest_.sheets.begin(), manifest_.sheets.end(), [&](const Sheet& sheet) {
+      const std::vector<MotionPair> pairs = pairs_on(sheet);
+      return std::any_of(pairs.begin(), pairs.end(), [&](const MotionPair& pair) {
+        const Stimulus* target = find_stimulus(manifest_, pair.target);
+        const Stimulus* created = find_stimulus(manifest_, pair.created);
+        return (target && target->clip) || (created && created->clip);
+      });
+    });
+  }
+
   void tell_distances() {
     Range distances;
     std::size_t matches = 0;
     for (const Sheet& sheet : manifest_.sheets) {
       for (const auto& [target, created] : pairs_on(sheet)) {
-        const motion::Distance d =
-            motion::distance(motions_.of(target).motion, motions_.of(created).motion);
+        const motion::Distance d = motions_.distance(target, created);
         distances.add(d.mean);
         matches += d.matches() ? 1 : 0;
       }
@@ -341,6 +359,10 @@ class MethodsWriter {
         "The distance D of two motions is the mean distance of {} joints at {} corresponding "
         "moments, place and heading of the body taken out{}",
         motion::distance_joints, motion::distance_times, cite({"adjectives"})));
+    if (compares_files()) {
+      say("Before it was measured, planted feet of motion files were locked to the floor, as those "
+          "of blends are");
+    }
     say(
         fmt::format("Of {} compared, D is {} (mean {:.4f} m); {} below {:g} m, under which two "
                     "motions count as the same",

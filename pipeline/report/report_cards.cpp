@@ -120,6 +120,9 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
     std::string sentence = "Modified: " + made.modified + share_text(made.modified_share);
     for (const std::string& note : made.notes) sentence += "; " + note;
     card += fmt::format("<p>{}.</p>\n", html_escaped(sentence));
+  } else if (!made.notes.empty()) {
+    card += fmt::format("<p>Note: {}.</p>\n",
+                        html_escaped(fmt::format("{}", fmt::join(made.notes, "; "))));
   }
   return card + html_list("warnings", made.warnings) + finding_list(made) +
          parameter_table(stimulus, made, motions) + weight_table(made, motions) + "</article>\n";
@@ -150,7 +153,7 @@ std::string sheet_card(const Sheet& sheet, Motions& motions) {
                               html_escaped(sheet.created));
     const motion::Example& target = motions.of(sheet.target).motion;
     const motion::Example& created = motions.of(sheet.created).motion;
-    const motion::Distance distance = motion::distance(target, created);
+    const motion::Distance distance = motions.distance(sheet.target, sheet.created);
     caption = html_escaped(verdict(distance) + "; " + beside_verdict(distance, target, created));
   }
   return fmt::format(

@@ -100,7 +100,7 @@ std::string distance_table(const Manifest& manifest, Motions& motions) {
     for (const auto& [target, created] : pairs_on(sheet)) {
       const motion::Example& wanted = motions.of(target).motion;
       const motion::Example& came = motions.of(created).motion;
-      const motion::Distance d = motion::distance(wanted, came);
+      const motion::Distance d = motions.distance(target, created);
       // A gallery sets motions side by side; nobody said that they should be alike.
       const std::string below = sheet.gallery.empty() ? (d.matches() ? "yes" : "no") : "";
       rows += fmt::format(

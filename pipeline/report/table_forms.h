@@ -20,7 +20,10 @@ inline constexpr std::array distances_columns = std::to_array<Column>({
     {"created", "", "stimulus or example that is measured"},
     ratings_column,
     {"alignment", "", "pelvis: place and heading of the body are taken out; world: they are not"},
-    {"d_m", "m", "D: mean distance over 20 joints and 11 corresponding moments"},
+    {"d_m", "m",
+     "D: mean distance over 20 joints and 11 corresponding moments; feet of motion files are "
+     "settled "
+     "first, as those of blends are"},
     {"d_sum_m", "m", "the same distances summed, as the formula is printed"},
     {"mpjpe_m", "m", "mean distance of the joints over all frames"},
     {"threshold_m", "m", "the paper counts two motions as the same when D is below this"},

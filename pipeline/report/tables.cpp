@@ -21,10 +21,6 @@ std::string ratings_of(const MotionPair& pair, const Manifest& manifest, Motions
   return target == "none" ? created : target;
 }
 
-motion::Distance distance_of(const MotionPair& pair, Motions& motions) {
-  return motion::distance(motions.of(pair.target).motion, motions.of(pair.created).motion);
-}
-
 /// Way over the floor in one cycle, or of the whole clip.
 double way_of(const motion::Clip& clip) {
   const motion::Vec3 way =
@@ -104,7 +100,7 @@ std::string distances_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table = table_of(distances_form);
   for (const Sheet& sheet : manifest.sheets) {
     for (const MotionPair& pair : pairs_on(sheet)) {
-      const motion::Distance d = distance_of(pair, motions);
+      const motion::Distance d = motions.distance(pair.target, pair.created);
       table.row({sheet.id, pair.target, pair.created, ratings_of(pair, manifest, motions),
                  d.alignment == motion::Alignment::pelvis ? "pelvis" : "world", shortest(d.mean),
                  shortest(d.sum), shortest(d.mpjpe), shortest(motion::distance_threshold_m),
@@ -121,7 +117,7 @@ std::string joint_distances_csv(const Manifest& manifest, Motions& motions) {
   for (const Sheet& sheet : manifest.sheets) {
     for (const MotionPair& pair : pairs_on(sheet)) {
       add_joint_distances(sheet.id, pair, ratings_of(pair, manifest, motions),
-                          distance_of(pair, motions), table);
+                          motions.distance(pair.target, pair.created), table);
     }
   }
   return table.text();

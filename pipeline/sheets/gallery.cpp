@@ -56,10 +56,8 @@ void draw_label(Canvas& canvas, const GalleryContent& content, const SheetMotion
               {.size = 11.0, .colour = colour, .bold = true, .max_width = label_width - 12.0});
   canvas.text({row.x, row.middle() + 1.0}, shown.origin, quiet);
   std::string facts = fmt::format("{:.2f} s", shown.motion.clip.duration_seconds());
-  if (&shown != &content.motions.front()) {
-    const motion::Distance d = motion::distance(content.motions.front().motion, shown.motion);
-    facts += fmt::format(", D = {:.3f} m", d.mean);
-  }
+  const auto place = static_cast<std::size_t>(&shown - content.motions.data());
+  if (place > 0) facts += fmt::format(", D = {:.3f} m", content.distances_m[place]);
   canvas.text({row.x, row.middle() + 13.0}, facts, quiet);
 }
 

@@ -15,6 +15,7 @@ struct GalleryContent {
   std::string study;
   std::string title;  ///< the sheet's id
   std::vector<SheetMotion> motions;
+  std::vector<double> distances_m;     ///< D from the first, one a motion
   std::vector<MotionColours> colours;  ///< one a motion: of its role
   bool simulated_ratings = false;
   std::vector<std::pair<std::string, std::string>> provenance;

@@ -140,7 +140,7 @@ SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions
   if (!sheet.reference.empty()) {
     content.reference = sheet_motion(sheet.reference, manifest, motions);
   }
-  content.distance = motion::distance(content.target.motion, content.created.motion);
+  content.distance = motions.distance(sheet.target, sheet.created);
   const Values target = values_of(sheet.target, manifest, motions);
   const Values created = values_of(sheet.created, manifest, motions);
   if (!target.asked.empty() || !created.asked.empty() || rests_on_ratings(target) ||
@@ -155,9 +155,10 @@ SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions
 }
 
 GalleryContent gallery_content(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
-  GalleryContent content{manifest.study, sheet.id, {}, {}, false, provenance_of(manifest)};
+  GalleryContent content{manifest.study, sheet.id, {}, {}, {}, false, provenance_of(manifest)};
   for (const std::string& name : sheet.gallery) {
     content.motions.push_back(sheet_motion(name, manifest, motions));
+    content.distances_m.push_back(motions.distance(sheet.gallery.front(), name).mean);
     const Stimulus* stimulus = find_stimulus(manifest, name);
     content.colours.push_back(colours_of(stimulus));
     const bool is_rated = stimulus != nullptr && !stimulus->adjectives.empty();

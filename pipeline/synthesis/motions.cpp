@@ -4,11 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/examples/settled_feet.h"
+
 namespace mien::pipeline {
 
 struct Motions::Entry {
   std::once_flag once;
   std::optional<Synthesis> synthesis;
+  std::once_flag measured_once;
+  std::optional<motion::Example> settled;  ///< of a motion file
 };
 
 Motions::Motions(const Manifest& manifest) : manifest_(manifest) {}
@@ -24,6 +28,23 @@ const Synthesis& Motions::of(const std::string& name) {
   Entry& found = entry(name);
   std::call_once(found.once, [&] { found.synthesis = make(name); });
   return *found.synthesis;
+}
+
+motion::Distance Motions::distance(const std::string& target, const std::string& created) {
+  return motion::distance(measured(target), measured(created));
+}
+
+const motion::Example& Motions::measured(const std::string& name) {
+  const motion::Example& made = of(name).motion;
+  const Stimulus* stimulus = find_stimulus(manifest_, name);
+  const bool is_on_the_spot = made.clip.loops && made.clip.cycle_displacement.isZero(1e-6);
+  if (stimulus == nullptr || !stimulus->clip || is_on_the_spot) return made;
+  Entry& found = entry(name);
+  std::call_once(found.measured_once, [&] {
+    found.settled = made;
+    found.settled->clip = motion::with_settled_feet(made.clip);
+  });
+  return *found.settled;
 }
 
 motion::Clip Motions::shown(const Stimulus& stimulus) {

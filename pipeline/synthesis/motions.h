@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "motion/measures/distance.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/synthesis/repertoire.h"
 #include "pipeline/synthesis/synthesis.h"
@@ -28,6 +29,11 @@ class Motions {
   /// The motion of a stimulus or, if no stimulus is called so, of an example. Throws Error.
   const Synthesis& of(const std::string& name);
 
+  /// Of two of them (motion/measures/distance.h). Feet of a motion file are settled first
+  /// (settled_feet.h), as those of blends are: captures hang above the floor, and else their height
+  /// would be most of the distance. Throws Error.
+  motion::Distance distance(const std::string& target, const std::string& created);
+
   /// The clip that is shown of a stimulus (shown_clip); where the study has durations equalized,
   /// only its beginning, as long as the shortest of all stimuli. Throws Error.
   motion::Clip shown(const Stimulus& stimulus);
@@ -36,6 +42,7 @@ class Motions {
   struct Entry;
   Entry& entry(const std::string& name);
   Synthesis make(const std::string& name);
+  const motion::Example& measured(const std::string& name);
 
   const Manifest& manifest_;
   std::once_flag repertoire_once_;

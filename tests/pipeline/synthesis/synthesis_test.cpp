@@ -5,11 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/examples/settled_feet.h"
+#include "motion/formats/motion_file.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
 #include "motion/interpolation/blend.h"
 #include "motion/math/rotation.h"
 #include "motion/measures/distance.h"
+#include "pipeline/synthesis/motions.h"
+#include "pipeline/temporary_folder.h"
 
 #include "real_data.h"
 
@@ -182,6 +186,31 @@ TEST(Synthesis, InPlaceTheClipStaysAndOtherwiseItTravels) {
   EXPECT_GT(travelling.poses.back().root_position.z(), 3.0);
   output.in_place = true;
   EXPECT_LT(std::abs(shown_clip(made, output).poses.back().root_position.z()), 0.3);
+}
+
+TEST(Motions, OfFilesAreComparedWithSettledFeetAsThoseOfBlends) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = builtin_manifest();
+  Stimulus blend;
+  blend.id = "blend";
+  blend.weights = {{"happy", 0.5}, {"sad", 0.5}};
+  Stimulus free = blend;
+  free.interpolation.foot_lock = false;
+  const motion::Clip skating = synthesize(free, load_repertoire(manifest)).motion.clip;
+  motion::write_motion(motion::to_recording(motion::repeated(skating, 2)),
+                       folder.path() / "skating.bvh");
+  Stimulus file;
+  file.id = "file";
+  file.clip = ClipSource{.file = folder.path() / "skating.bvh"};
+  manifest.stimuli = {blend, file};
+  Motions motions(manifest);
+  const motion::Example& of_blend = motions.of("blend").motion;
+  motion::Example settled = motions.of("file").motion;
+  settled.clip = motion::with_settled_feet(settled.clip);
+  EXPECT_EQ(motions.distance("blend", "file").mean, motion::distance(of_blend, settled).mean);
+  EXPECT_NE(motions.distance("blend", "file").mean,
+            motion::distance(of_blend, motions.of("file").motion).mean);
+  EXPECT_EQ(motions.distance("file", "file").mean, 0.0);
 }
 
 TEST(RealWalks, AtTheirOwnRatingsAreThemselves) {
