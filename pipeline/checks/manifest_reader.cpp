@@ -79,6 +79,7 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   reading.manifest = build_manifest(json.document, std::move(json.places), file);
   add_at_new_paths(reading.faults, resolve_modifications(reading.manifest));
   add_at_new_paths(reading.faults, resolve_foils(reading.manifest));
+  resolve_holds(reading.manifest);
   add_at_new_paths(reading.faults, check_meaning(reading.manifest));
   add_at_new_paths(reading.faults, complete_looks(reading.manifest));
   std::vector<Fault> in_scales = complete_scales(reading.manifest.scales);

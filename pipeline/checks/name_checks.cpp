@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault_list.h"
@@ -84,17 +86,38 @@ void check_keys(const Stimulus& stimulus, const char* map, const NamedValues& va
   }
 }
 
-void check_hold(const Stimulus& stimulus, const Names& parameters, FaultList& list) {
+/// Parameters of the kind that the stimulus asks for, groups or scales, that it does not name.
+std::size_t others_than_asked(const Stimulus& stimulus, const Names& parameters,
+                              const ScaleSet& scales) {
+  const auto is_group = [&](const std::string& name) {
+    return std::ranges::find(scales.groups, name, &ScaleGroup::id) != scales.groups.end();
+  };
+  const bool by_groups =
+      std::ranges::any_of(stimulus.adjectives, is_group, &NamedValues::value_type::first);
+  const auto of_kind = std::ranges::count_if(
+      parameters, [&](const std::string& name) { return is_group(name) == by_groups; });
+  return static_cast<std::size_t>(of_kind) -
+         std::min(static_cast<std::size_t>(of_kind), stimulus.adjectives.size());
+}
+
+void check_hold(const Stimulus& stimulus, const Names& parameters, const ScaleSet& scales,
+                FaultList& list) {
   const std::string path = member_path(stimulus.path, "hold");
   for (std::size_t i = 0; i < stimulus.hold.names.size(); ++i)
     list.check_word(element_path(path, i), stimulus.hold.names[i], "parameter", parameters);
   check_keys(stimulus, "hold", stimulus.hold.values, "parameter", parameters, list);
-  const std::size_t count = stimulus.hold.others ? parameters.size() : 0;
-  if (stimulus.interpolation.weights.method != motion::InterpolationMethod::grid ||
+  const Hold& hold = stimulus.hold;
+  const std::size_t held = hold.others ? others_than_asked(stimulus, parameters, scales)
+                                       : hold.names.size() + hold.values.size();
+  const std::size_t count = stimulus.adjectives.size() + held;
+  if (stimulus.interpolation.weights.method != motion::InterpolationMethod::grid || held == 0 ||
       count <= static_cast<std::size_t>(motion::most_grid_dimensions))
     return;
-  list.add(path, "a grid over all parameters has too many corners",
-           "name the parameters to hold, or use another method");
+  list.add(
+      path,
+      fmt::format("a grid over {} parameters, asked for and held, has too many corners", count),
+      fmt::format("hold fewer, {} in all at most, or use another method",
+                  motion::most_grid_dimensions));
 }
 
 void check_motion(const std::string& path, const std::string& name, const Names& known,
@@ -185,11 +208,12 @@ std::vector<Fault> check_ids(const Manifest& manifest) {
 
 std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary) {
   FaultList list(manifest.places);
+  const ScaleSet scales = scales_of(manifest.scales);
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.foil) continue;
     check_keys(stimulus, "adjectives", stimulus.adjectives, "parameter", vocabulary.parameters,
                list);
-    check_hold(stimulus, vocabulary.parameters, list);
+    check_hold(stimulus, vocabulary.parameters, scales, list);
     check_keys(stimulus, "features", stimulus.features, "feature", vocabulary.features, list);
     check_keys(stimulus, "weights", stimulus.weights, "example", vocabulary.examples, list);
   }

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "pipeline/documents/fault_list.h"
+#include "scenes/figures/figure.h"
 
 namespace mien::pipeline {
 
@@ -30,6 +31,14 @@ class SourceChecker : public FaultList {
         "copy it elsewhere, or give the study another name than " + study_);
   }
 
+  /// What is given there, and not taken from elsewhere.
+  void check_look(const std::string& path, const Look& look) {
+    if (!was_given(path)) return;
+    check(member_path(path, "scene"), look.scene_file);
+    if (const auto* character = scenes::character_in(look.figure))
+      check(member_path(path, "figure"), character->file);
+  }
+
   /// A value that is a map with a file, or that file alone.
   void check_file_of(const std::string& path, const char* key, const fs::path& source) {
     const std::string own = member_path(path, key);
@@ -37,8 +46,10 @@ class SourceChecker : public FaultList {
   }
 
  private:
+  /// But for the copies of inputs, which a study that is made again reads.
   bool is_inside(const fs::path& source) const {
-    return std::ranges::mismatch(folder_, source).in1 == folder_.end();
+    const auto [rest_of_folder, rest] = std::ranges::mismatch(folder_, source);
+    return rest_of_folder == folder_.end() && (rest == source.end() || *rest != "inputs");
   }
 
   std::string study_;
@@ -53,6 +64,9 @@ std::vector<Fault> check_sources(const Manifest& manifest, const fs::path& folde
   checker.check("examples.ratings", manifest.ratings.file);
   checker.check("examples.scales", manifest.scales.file);
   checker.check("recipes", manifest.recipes.file);
+  checker.check_look("look", manifest.look);
+  for (const Stimulus* film : films_of(manifest))
+    checker.check_look(member_path(film->path, "look"), film->look);
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.clip)
       checker.check_file_of(member_path(stimulus.path, "clip"), "file", stimulus.clip->file);

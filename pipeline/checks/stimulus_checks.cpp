@@ -175,6 +175,7 @@ void check_factors(const Stimulus& stimulus, FaultList& list) {
 }
 
 void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultList& list) {
+  check_factors(stimulus, list);
   if (stimulus.foil) return;  // its motion is that of another, which is checked
   const bool has_examples = list.was_given("examples");
   check_adjectives(stimulus, manifest, has_examples, list);
@@ -186,7 +187,6 @@ void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultLis
   if (has_examples && !manifest.examples.blendable) check_single(stimulus, list);
   check_interpolation(stimulus, list);
   check_clip(stimulus, list);
-  check_factors(stimulus, list);
 }
 
 }  // namespace

@@ -38,19 +38,6 @@ void add_steps(KeyBuilder& key, const Stimulus& stimulus) {
   }
 }
 
-/// Files that a motion file of its kind may refer to: skeletons beside AMC, buffers beside glTF.
-std::vector<std::filesystem::path> parts_of(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
-  const std::string wanted = ending == ".amc" ? ".asf" : ending == ".gltf" ? ".bin" : "";
-  std::vector<std::filesystem::path> parts;
-  if (wanted.empty()) return parts;
-  for (const auto& entry : std::filesystem::directory_iterator(absolute(file).parent_path())) {
-    if (entry.path().extension() == wanted) parts.push_back(entry.path());
-  }
-  std::sort(parts.begin(), parts.end());
-  return parts;
-}
-
 /// With the buffers and pictures that its file refers to.
 void add_character(KeyBuilder& key, const std::filesystem::path& file) {
   add_file(key, file);
@@ -78,6 +65,10 @@ Hash repertoire_key(const Manifest& manifest) {
     if ((entry.concerns & concerns::repertoire) != 0) key.add(entry.path, entry.value.dump());
   }
   for (const std::filesystem::path& file : repertoire_files(manifest)) add_file(key, file);
+  // Answers may be about files that are left out: those are no strangers.
+  if (manifest.ratings.source == Ratings::Source::file) {
+    for (const std::string& stem : stems_in_folder(manifest.examples)) key.add("stem", stem);
+  }
   return key.key();
 }
 
@@ -89,7 +80,7 @@ SharedDeterminants shared_determinants(const Manifest& manifest) {
 
 void add_file(KeyBuilder& key, const std::filesystem::path& file) {
   key.add("file", file.filename().string()).add("content", hash_of_file(file));
-  for (const std::filesystem::path& part : parts_of(file)) {
+  for (const std::filesystem::path& part : motion_parts(file)) {
     key.add("part", part.filename().string()).add("content", hash_of_file(part));
   }
 }
@@ -118,6 +109,16 @@ void add_film(KeyBuilder& key, const Stimulus& stimulus) {
     key.add("dots of", stimulus.id);
   if (const auto* character = scenes::character_in(stimulus.look.figure))
     add_character(key, character->file);
+}
+
+void add_page(KeyBuilder& key, const Manifest& manifest) {
+  for (const FieldEntry& entry : entries_of(manifest, {.for_key = true})) {
+    if ((entry.concerns & concerns::page) != 0) key.add(entry.path, entry.value.dump());
+  }
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    for (const auto& [factor, level] : stimulus.factors)
+      key.add("factor", factor).add("level", level);
+  }
 }
 
 void add_presentation(KeyBuilder& key, const Presentation& presentation) {

@@ -29,6 +29,10 @@ void add_interpolation(KeyBuilder& key, const Interpolation& how);
 /// How a shot is staged and drawn, without the motion.
 void add_film(KeyBuilder& key, const Stimulus& stimulus);
 
+/// What concerns tables and pages alone, as its values are: the text of the manifest may take them
+/// from the environment.
+void add_page(KeyBuilder& key, const Manifest& manifest);
+
 /// What a video shows beside the film.
 void add_presentation(KeyBuilder& key, const Presentation& presentation);
 

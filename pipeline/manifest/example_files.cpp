@@ -67,6 +67,18 @@ std::vector<std::string> stems_in_folder(const Examples& examples) {
   return stems;
 }
 
+std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  const std::string wanted = ending == ".amc" ? ".asf" : ending == ".gltf" ? ".bin" : "";
+  std::vector<std::filesystem::path> parts;
+  if (wanted.empty()) return parts;
+  for (const auto& entry : std::filesystem::directory_iterator(absolute(file).parent_path())) {
+    if (entry.path().extension() == wanted) parts.push_back(entry.path());
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
 Answers given_answers(const Manifest& manifest) {
   const std::vector<std::string> stems = stems_in_folder(manifest.examples);
   return read_answers(manifest.ratings.file, scales_of(manifest.scales),

@@ -25,6 +25,9 @@ std::vector<RatedExample> rated_examples(const Manifest& manifest);
 /// Stems of all motion files of the examples' folder, chosen or not. Throws Error.
 std::vector<std::string> stems_in_folder(const Examples& examples);
 
+/// Files that a motion file of its kind may refer to: skeletons beside AMC, buffers beside glTF.
+std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file);
+
 /// The answers of the file that the manifest's ratings name. Throws Error.
 Answers given_answers(const Manifest& manifest);
 

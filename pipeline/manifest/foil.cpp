@@ -102,7 +102,7 @@ std::vector<Fault> resolve_foils(Manifest& manifest) {
   for (Stimulus& foil : manifest.stimuli) {
     if (!foil.foil) continue;
     const std::string path = member_path(foil.path, "foil");
-    for (const char* key : {"modify", "interpolation"}) {
+    for (const char* key : {"modify", "interpolation", "hold"}) {
       if (list.was_given(member_path(foil.path, key)))
         list.add(member_path(foil.path, key), "a foil takes this from the stimulus that it is of",
                  "leave it out, or give it to \"" + foil.foil->of + "\"");

@@ -1,5 +1,8 @@
 #include "pipeline/manifest/hold.h"
 
+#include <algorithm>
+
+#include "pipeline/manifest/manifest.h"
 #include "pipeline/reading/field_reader.h"
 #include "pipeline/reading/field_writer.h"
 
@@ -15,6 +18,19 @@ void HoldForm::read(const Given& given, Hold& hold) {
 OrderedJson HoldForm::write(const Hold& hold, const Writing& how) {
   if (hold.others) return "others";
   return hold.names.empty() ? written(hold.values, how) : written(hold.names, how);
+}
+
+void resolve_holds(Manifest& manifest) {
+  // A captured motion has no values of its own.
+  const auto is_reference = [](const Stimulus& stimulus) {
+    return stimulus.role == Role::reference && !stimulus.clip;
+  };
+  const auto found = std::ranges::find_if(manifest.stimuli, is_reference);
+  if (found == manifest.stimuli.end()) return;
+  const auto reference = std::make_shared<const Stimulus>(*found);
+  for (Stimulus& stimulus : manifest.stimuli) {
+    if (&stimulus != &*found) stimulus.hold.reference = reference;
+  }
 }
 
 }  // namespace mien::pipeline

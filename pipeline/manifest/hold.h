@@ -11,6 +11,7 @@
 
 namespace mien::pipeline {
 
+struct Manifest;
 struct Stimulus;
 
 /// Rated parameters that a stimulus does not ask for and that shall stay where they are, or as near
@@ -31,5 +32,8 @@ struct HoldForm {
   static void read(const Given& given, Hold& hold);
   static nlohmann::ordered_json write(const Hold& hold, const Writing& how);
 };
+
+/// Gives each hold its reference. Foils are resolved before (foil.h).
+void resolve_holds(Manifest& manifest);
 
 }  // namespace mien::pipeline

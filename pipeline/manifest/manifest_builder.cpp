@@ -30,19 +30,6 @@ void name_places(Manifest& manifest) {
     manifest.sheets[i].path = element_path("sheets", i);
 }
 
-/// What is held stays where the study's reference has it, unless that is a captured motion.
-void find_reference(Manifest& manifest) {
-  const auto is_reference = [](const Stimulus& stimulus) {
-    return stimulus.role == Role::reference && !stimulus.clip;
-  };
-  const auto found = std::ranges::find_if(manifest.stimuli, is_reference);
-  if (found == manifest.stimuli.end()) return;
-  const auto reference = std::make_shared<const Stimulus>(*found);
-  for (Stimulus& stimulus : manifest.stimuli) {
-    if (&stimulus != &*found) stimulus.hold.reference = reference;
-  }
-}
-
 std::string usual_id(const Sheet& sheet) {
   return !sheet.stills.empty()    ? "stills"
          : !sheet.gallery.empty() ? "gallery"
@@ -73,7 +60,6 @@ Manifest build_manifest(const json& document, Places places, const std::filesyst
   add_builtin_ratings(document, manifest);
   name_places(manifest);
   name_what_has_no_id(manifest);
-  find_reference(manifest);
   return manifest;
 }
 

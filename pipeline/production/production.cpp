@@ -11,6 +11,7 @@
 #include "pipeline/film/film_task.h"
 #include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/production/design_task.h"
+#include "pipeline/production/study_inputs.h"
 #include "pipeline/report/study_tasks.h"
 #include "pipeline/sheets/sheet_task.h"
 #include "pipeline/sheets/stills_task.h"
@@ -63,7 +64,9 @@ Production::Production(Manifest manifest, ProductionOptions options)
   add_stimuli(shared);
   add_overlays(shared);
   add_sheets(shared);
-  if (is_whole()) add_study(shared);
+  if (!is_whole()) return;
+  add_study(shared);
+  inputs_ = hashes_of_inputs(manifest_);
 }
 
 /// The motions, and what films need to know of all of them to be alike.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct ProductionOptions {
 ///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
 ///           motions → shots → stills → page
 ///   sizes     motions → shots → numbers     metrics/sizes.csv: what equalizing size needs
+///   places    motions → shots → numbers     metrics/places.csv: and place
 ///   exposure  motions → shots → numbers     metrics/exposure.csv: and luminance
 ///   tables  motions → numbers               metrics/*.csv
 ///   films   films → numbers                 metrics/luminance.csv, videos.csv, views.csv
@@ -48,6 +50,10 @@ class Production {
   const TaskGraph& graph() const { return graph_; }
   Motions& motions() { return motions_; }
   bool is_whole() const { return options_.only.empty(); }
+
+  /// Of a whole production: the files that it rests on as they were when it was planned
+  /// (hashes_of_inputs).
+  const std::map<std::string, Hash>& inputs() const { return inputs_; }
 
  private:
   void add_motions(const SharedDeterminants& shared);
@@ -69,6 +75,7 @@ class Production {
   ProductionOptions options_;
   Motions motions_;
   TaskGraph graph_;
+  std::map<std::string, Hash> inputs_;
 };
 
 }  // namespace mien::pipeline

@@ -9,9 +9,9 @@ namespace mien::pipeline {
 
 /// What only shows when motions are made and staged, found before a frame is drawn for a film:
 /// examples that cannot be blended, clips that hold no human or not the frames asked for, films
-/// shorter than their fades, and light that no exposure makes alike. The manifest itself is without
-/// faults (checked_manifest.h). Takes as long as the motions of a run, and a little more where
-/// luminance is equalized.
+/// shorter than their fades, figures that no place of the picture suits, and light that no exposure
+/// makes alike. The manifest itself is without faults (checked_manifest.h). Takes as long as the
+/// motions of a run, and a little more where luminance is equalized.
 std::vector<Fault> rehearse(const Manifest& manifest);
 
 }  // namespace mien::pipeline

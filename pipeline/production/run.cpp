@@ -64,7 +64,7 @@ bool RunResult::is_complete() const {
 std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production) {
   if (!production.is_whole()) return {};
   std::vector<std::string> kept = {provenance_path};
-  for (const auto& [path, hash] : hashes_of_inputs(production.manifest())) kept.push_back(path);
+  for (const auto& [path, hash] : production.inputs()) kept.push_back(path);
   kept.emplace_back(as_run_path);
   return stale_artifacts(folder, production.graph(), kept);
 }
@@ -76,7 +76,7 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
   result.outcomes = run(production.graph(), store, jobs, stop, observer);
   result.was_interrupted = stop.stop_requested() && !result.is_complete();
   if (production.is_whole() && result.is_complete()) {
-    put_inputs(production.manifest(), store);
+    put_inputs(production.manifest(), production.inputs(), store);
     put_provenance(production, result, store);
   }
   result.warnings = warnings_in(production, result, store);

@@ -70,16 +70,30 @@ std::string name_with_folder(const fs::path& file) {
   return (fs::absolute(file).parent_path().filename() / file.filename()).generic_string();
 }
 
-/// Motions and characters, with the files that belong to them.
+void add_motion_file(std::vector<fs::path>& files, const fs::path& file) {
+  if (file.empty()) return;
+  files.push_back(file);
+  for (const fs::path& part : motion_parts(file)) files.push_back(part);
+}
+
+/// Motions and characters, with the files that belong to them, each once.
 std::vector<fs::path> uncopied_files(const Manifest& manifest) {
-  std::vector<fs::path> files = repertoire_files(manifest);
+  std::vector<fs::path> files;
+  for (const fs::path& file : repertoire_files(manifest)) add_motion_file(files, file);
   for (const Stimulus* film : films_of(manifest)) {
-    if (film->clip) files.push_back(film->clip->file);
+    if (film->clip) add_motion_file(files, film->clip->file);
+    for (const ModificationStep& step : film->modify) {
+      if (!step.pose) continue;
+      add_motion_file(files, step.pose->neutral.file);
+      add_motion_file(files, step.pose->posed.file);
+    }
     if (const auto* character = scenes::character_in(film->look.figure)) {
       files.push_back(character->file);
       for (const auto& part : scenes::parts_of_character(character->file)) files.push_back(part);
     }
   }
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
   return files;
 }
 
@@ -94,7 +108,14 @@ std::vector<InputCopy> input_copies(const Manifest& manifest) {
   return copies;
 }
 
-void put_inputs(const Manifest& manifest, Store& store) {
+void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_read,
+                Store& store) {
+  for (const auto& [name, hash] : hashes_of_inputs(manifest)) {
+    const auto before = as_read.find(name);
+    if (before != as_read.end() && before->second == hash) continue;
+    throw Error(name + " was changed while the study was made of it",
+                "run it again: what does not rest on the change is there already");
+  }
   const std::vector<InputCopy> copies = input_copies(manifest);
   for (const InputCopy& copy : copies) put_text(store, copy.path, read_file(copy.source));
   const Manifest again = as_run(manifest, copies, store.folder());
@@ -108,7 +129,11 @@ std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest) {
   for (const InputCopy& copy : copies) hashes[copy.path] = hash_of_file(copy.source);
   for (const fs::path& file : uncopied_files(manifest)) {
     if (std::ranges::find(copies, file, &InputCopy::source) != copies.end()) continue;
-    hashes[name_with_folder(file)] = hash_of_file(file);
+    const std::string plain = name_with_folder(file);
+    std::string name = plain;
+    for (int number = 2; hashes.contains(name); ++number)
+      name = plain + " (" + std::to_string(number) + ")";
+    hashes[name] = hash_of_file(file);
   }
   return hashes;
 }

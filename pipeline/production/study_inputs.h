@@ -25,11 +25,13 @@ struct InputCopy {
 /// manifest's folder keeps its place, so that the copied manifest finds it.
 std::vector<InputCopy> input_copies(const Manifest& manifest);
 
-/// Writes the copies and `as_run_path` into the study's folder.
-void put_inputs(const Manifest& manifest, Store& store);
+/// Writes the copies and `as_run_path` into the study's folder. `as_read` are the hashes of inputs
+/// when the study was planned; throws Error when one has changed since.
+void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_read, Store& store);
 
 /// Hashes of all files that the study rests on: copies by their paths, motions and characters by
-/// their names and those of their folders. Where these lie is the machine's affair.
+/// their names and those of their folders, numbered where these are the same. Where these lie is
+/// the machine's affair.
 std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest);
 
 }  // namespace mien::pipeline

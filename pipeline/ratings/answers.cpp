@@ -9,10 +9,14 @@ namespace mien::pipeline {
 
 namespace {
 
+/// With the name of the file alone: they go into tables, which do not depend on its folder.
 std::vector<std::string> sentences_of(const std::vector<StudyWarning>& warnings) {
   std::vector<std::string> sentences;
-  for (const StudyWarning& warning : warnings)
-    sentences.push_back(to_string(warning.place) + ": " + warning.text);
+  for (const StudyWarning& warning : warnings) {
+    Place place = warning.place;
+    place.file = std::filesystem::path(place.file).filename().string();
+    sentences.push_back(to_string(place) + ": " + warning.text);
+  }
   return sentences;
 }
 

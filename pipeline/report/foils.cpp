@@ -74,7 +74,7 @@ struct CertifiedAspect {
 std::vector<CertifiedAspect> certificate(const motion::Clip& of, const motion::Clip& foil) {
   const EmotionMeasures a = measure_emotion(of);
   const EmotionMeasures b = measure_emotion(foil);
-  const auto share = [](double from, double to) { return to / from - 1.0; };
+  const auto share = [](double from, double to) { return from == to ? 0.0 : to / from - 1.0; };
   return {{FoilAspect::posture, "largest turn of a joint (degrees)", NAN, NAN,
            posture_difference(of, foil), held_posture_degrees},
           {FoilAspect::path_length, "way of head, wrists and ankles (m)", a.path_m, b.path_m,

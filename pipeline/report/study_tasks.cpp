@@ -46,6 +46,7 @@ void add_study(KeyBuilder& key, const Manifest& manifest, const SharedDeterminan
   key.add("film", film_code());
   add_file(key, manifest.file);
   key.add("command", manifest.command);
+  add_page(key, manifest);
   for (const Stimulus& stimulus : manifest.stimuli) {
     add_motion(key, stimulus);
     add_film(key, stimulus);

@@ -12,9 +12,11 @@
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/production/codebook.h"
 #include "pipeline/production/provenance.h"
 #include "pipeline/production/run.h"
+#include "pipeline/report/study_tasks.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -242,6 +244,40 @@ TEST_F(StudyFolder, TellsWhichInputsHaveChangedSince) {
   std::ofstream(provenance.parent_path() / "inputs/my.recipes.yaml")
       << "recipes: {heavy: {tempo: 0.8}}\n";
   EXPECT_EQ(changes(), std::vector<std::string>{"inputs/my.recipes.yaml is not what it was"});
+}
+
+TEST_F(StudyFolder, IsNotToldAsMadeOfInputsThatChangedMeanwhile) {
+  Production production(
+      load_manifest(folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; }),
+      {.quality = Quality::draft, .only = {}, .jobs = 1});
+  write("my.recipes.yaml", "recipes: {heavy: {tempo: 0.8, posture: {head-flexion: 10}}}\n");
+  const fs::path out = folder.path() / "out/tiny";
+  try {
+    run(production, out, 1, {}, {});
+    FAIL() << "the change was not seen";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("inputs/my.recipes.yaml was changed"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_FALSE(fs::exists(out / "provenance.json"));
+}
+
+TEST_F(StudyFolder, HasTablesOfTheEnvironmentsFactors) {
+  std::string text = manifest_text;
+  text.replace(text.find("actor: k"), 8, "actor: \"${ACTOR}\"");
+  write("m.yaml", text);
+  const auto key_with = [&](const char* actor) {
+    const Production production(
+        load_manifest(folder.path() / "m.yaml",
+                      [&](const std::string&) { return std::optional<std::string>(actor); }),
+        {.quality = Quality::draft, .only = {}, .jobs = 1});
+    KeyBuilder key;
+    add_study(key, production.manifest(), shared_determinants(production.manifest()));
+    return key.key();
+  };
+  EXPECT_EQ(key_with("k"), key_with("k"));
+  EXPECT_NE(key_with("k"), key_with("t"));
 }
 
 TEST_F(StudyFolder, IsNotMadeAgainWithoutItsInputs) {
