@@ -94,7 +94,8 @@ class Programme {
       if (released < 0) break;
       free_.push_back(released);
     }
-    return weights_ / weights_.sum();
+    const Eigen::VectorXd weights = weights_.cwiseMax(0.0);  // without roundings below 0
+    return weights / weights.sum();
   }
 
  private:

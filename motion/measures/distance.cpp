@@ -31,7 +31,10 @@ double mapped(double seconds, std::span<const double> from, std::span<const doub
 }
 
 bool marks_match(const Example& a, const Example& b) {
-  return a.keytimes.size() == b.keytimes.size() && a.keytimes.size() >= 2 &&
+  const auto goes_on = [](const Example& motion) {
+    return motion.keytimes.size() >= 2 && motion.keytimes.back() > motion.keytimes.front();
+  };
+  return a.keytimes.size() == b.keytimes.size() && goes_on(a) && goes_on(b) &&
          a.keytimes != b.keytimes;
 }
 

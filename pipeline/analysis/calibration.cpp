@@ -68,7 +68,8 @@ Correction correction_of(const std::string& parameter,
   const Moments m = moments_of(stimuli);
   correction.intercept = m.perceived;
   correction.slope_error = correction.r_squared = not_known;
-  if (m.xx <= 0.0) return correction;
+  // Shares of a scale; the mean of equal ones may be off by a rounding.
+  if (m.xx < 1e-12 * correction.stimuli) return correction;
   correction.slope = m.xy / m.xx;
   correction.intercept = m.perceived - correction.slope * m.asked;
   const double left = std::max(0.0, m.yy - correction.slope * m.xy);
@@ -120,7 +121,8 @@ Calibration calibrate(const std::vector<MadeParameter>& made, const Answers& ans
   }
   if (calibration.stimuli.empty())
     throw Error("nobody rated what the stimuli were asked for",
-                "give answers about these stimuli, on the scales that their adjectives name");
+                "give answers about these stimuli, on the scales that their adjectives name, with "
+                "a column participant");
   std::map<std::string, std::vector<const PerceivedParameter*>> by_parameter;
   for (const PerceivedParameter& seen : calibration.stimuli)
     by_parameter[seen.made.parameter].push_back(&seen);

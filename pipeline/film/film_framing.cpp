@@ -28,7 +28,8 @@ using SizesById = std::map<std::string, double>;
 using Visit = std::function<void(const Stimulus& stimulus)>;
 
 /// In steps of 1/64 pixel: no machine's arithmetic shows.
-double in_steps(double pixels) { return std::floor(64.0 * pixels) / 64.0; }
+double step_below(double pixels) { return std::floor(64.0 * pixels) / 64.0; }
+double nearest_step(double pixels) { return std::round(64.0 * pixels) / 64.0; }
 
 std::string in_hundredths(double pixels) { return shortest(std::round(100.0 * pixels) / 100.0); }
 
@@ -51,7 +52,7 @@ SizesById common_sizes(const Manifest& manifest, const SizesById& framed) {
   for (const auto& group : alike(manifest.stimuli, *manifest.equalize.size)) {
     double least = std::numeric_limits<double>::infinity();
     for (const Stimulus* stimulus : group) least = std::min(least, framed.at(stimulus->id));
-    for (const Stimulus* stimulus : group) common[stimulus->id] = in_steps(least);
+    for (const Stimulus* stimulus : group) common[stimulus->id] = step_below(least);
   }
   return common;
 }
@@ -106,7 +107,7 @@ Vector2d common_place(const std::vector<const Stimulus*>& group, const Standings
                       "\" cannot stand at the same place of the picture and be seen whole",
                   "equalize size too, place: {by: figure}, or leave place out");
     }
-    place[axis] = in_steps(std::clamp(mean[axis], least(one), -most(other)));
+    place[axis] = nearest_step(std::clamp(mean[axis], least(one), -most(other)));
   }
   return place;
 }

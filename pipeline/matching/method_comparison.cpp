@@ -93,10 +93,12 @@ std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
                                          const MethodTrialOptions& options) {
   const Eigen::MatrixXd places = places_of(parameters, repertoire.parameters);
   const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
+  const motion::BlendOptions as_blends{.rotations = interpolation.rotations,
+                                       .warp = interpolation.time_warp};
   std::vector<TrialWish> wishes;
   for (int draw = 0; draw < options.wishes; ++draw) {
     const Eigen::VectorXd weights = drawn_blend(options.seed, draw, places.rows());
-    wishes.push_back({weights.transpose() * places, motion::blend(examples, weights)});
+    wishes.push_back({weights.transpose() * places, motion::blend(examples, weights, as_blends)});
   }
   std::vector<MethodTrial> results;
   for (const motion::InterpolationMethod method : methods) {

@@ -60,6 +60,8 @@ class TargetPool {
       SampledTarget target;
       target.place = drawn(options_.seed, draw, names_);
       if (!is_near(target) || !reach(target)) continue;
+      const auto is_same = [&](const SampledTarget& other) { return other.place == target.place; };
+      if (std::ranges::any_of(pool, is_same)) continue;  // projected onto the same corner
       pool.push_back(std::move(target));
     }
     return pool;

@@ -288,7 +288,7 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
   synthesis.modified = described_modifications(stimulus);
   synthesis.modified_share = modified.share;
   synthesis.findings = std::move(modified.findings);
-  synthesis.notes = std::move(modified.notes);
+  synthesis.notes.insert(synthesis.notes.end(), modified.notes.begin(), modified.notes.end());
   synthesis.warnings.insert(synthesis.warnings.end(), modified.warnings.begin(),
                             modified.warnings.end());
 }
@@ -298,6 +298,8 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
   assert(!stimulus.clip);
   if (wishes_of(stimulus).empty()) return given_weights(stimulus.weights, repertoire);
+  // Features are met by trial (with_met_features).
+  if (!stimulus.features.empty()) return from_parameters(stimulus, repertoire).weights;
   const Wish wish = wish_of(stimulus, repertoire);
   const FittedInterface sliders =
       fit_interface(wish.sliders, stimulus.interpolation, repertoire, wish.held);

@@ -125,7 +125,7 @@ Wish wish_of(const Stimulus& stimulus, const Repertoire& repertoire) {
 }
 
 bool FeasibleParameter::holds() const {
-  return asked > range.least - met && asked < range.most + met;
+  return range.miss <= met && asked > range.least - met && asked < range.most + met;
 }
 
 std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const ParameterTable& table) {
@@ -146,14 +146,22 @@ std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const Param
 std::string to_sentence(const FeasibleParameter& parameter) {
   std::string text = fmt::format("blends of these examples have {:.2f} to {:.2f} of {}",
                                  parameter.range.least, parameter.range.most, parameter.name);
-  if (!parameter.others.empty()) text += " while " + listed(parameter.others);
+  if (!parameter.others.empty()) {
+    text += parameter.range.miss <= met
+                ? " while " + listed(parameter.others)
+                : fmt::format(" while the others come as near as they can, {:.2f} off: {}",
+                              parameter.range.miss, listed(parameter.others));
+  }
   if (parameter.gives_up_held) text += ", and what is held is given up";
   return text;
 }
 
 std::vector<std::string> feasible_ranges(const Manifest& manifest) {
   std::vector<std::string> lines;
-  const auto asks = [](const Stimulus& stimulus) { return !stimulus.adjectives.empty(); };
+  const auto asks = [](const Stimulus& stimulus) {
+    return !stimulus.adjectives.empty() &&
+           stimulus.interpolation.weights.method != motion::InterpolationMethod::pca;
+  };
   if (!std::ranges::any_of(manifest.stimuli, asks)) return lines;
   const Repertoire repertoire = load_repertoire(manifest);
   for (const Stimulus& stimulus : manifest.stimuli) {

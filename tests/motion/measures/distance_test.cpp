@@ -244,6 +244,15 @@ TEST(Distance, OfSingleFramesIsThatOfThePoses) {
   EXPECT_NEAR(d.mpjpe, 0.05, 1e-12);
 }
 
+TEST(Distance, OfAStillFromAMotionIsANumber) {
+  Example still = example_of({standing()}, 30.0, false);
+  still.keytimes = {0.0, 0.0};
+  Example motion = dance(3, 40);
+  motion.keytimes = {0.0, motion.clip.duration_seconds()};
+  EXPECT_GT(distance(motion, still).mean, 0.0);
+  EXPECT_TRUE(std::isfinite(distance(still, motion).mpjpe));
+}
+
 TEST(Distance, CorrespondingTimeIsExactAtKeytimes) {
   Example a = dance(9, 30);
   Example b = dance(9, 30);

@@ -93,6 +93,18 @@ TEST(Calibration, CorrectsNothingWherePeopleSeeNothing) {
   for (const PerceivedParameter& stimulus : calibration.stimuli) EXPECT_FALSE(stimulus.next);
 }
 
+// The mean of equal numbers may be off by a rounding, which is no spread to fit a line to.
+TEST(Calibration, FitsNoLineWhereAllAskForTheSame) {
+  for (const double asked : {0.8, 0.1, 0.3}) {
+    auto made = asked_for(6);
+    for (MadeParameter& parameter : made) parameter.asked = asked;
+    const Calibration calibration =
+        calibrate(made, answers_by(made, 4, 0.1, [](double) { return 0.5; }), pairs());
+    EXPECT_FALSE(calibration.corrections[0].is_usable()) << asked;
+    for (const PerceivedParameter& stimulus : calibration.stimuli) EXPECT_FALSE(stimulus.next);
+  }
+}
+
 TEST(Calibration, ReadsAStudysTableAndRefusesOneWithoutWishes) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "parameters.csv";

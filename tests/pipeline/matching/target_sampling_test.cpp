@@ -84,11 +84,17 @@ TEST(TargetSampling, TargetsAreSpreadFartherThanPracticeDraws) {
 }
 
 TEST(TargetSampling, NoTwoTargetsAreTheSame) {
-  const auto all = sample_targets(random_table(12), names, {.targets = 20, .practice = 20});
-  ASSERT_EQ(all.size(), 40u);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) EXPECT_GT((all[i].place - all[k].place).norm(), 1e-9);
+  for (const Unreachable unreachable : {Unreachable::reject, Unreachable::project}) {
+    const auto all = sample_targets(random_table(12), names,
+                                    {.targets = 20, .practice = 20, .unreachable = unreachable});
+    ASSERT_EQ(all.size(), 40u);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) EXPECT_GT((all[i].place - all[k].place).norm(), 1e-9);
+    }
   }
+  EXPECT_THROW(sample_targets(random_table(1), names,
+                              {.targets = 2, .practice = 0, .unreachable = Unreachable::project}),
+               Error);
 }
 
 TEST(TargetSampling, ExamplesThatLeaveNoRoomAreRefused) {

@@ -1,5 +1,6 @@
 #include "pipeline/synthesis/wish.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -77,6 +78,19 @@ TEST(Hold, KeepsWhatTheReferenceHas) {
   EXPECT_NEAR(made.held[0].second, wanted, 1e-12);
 }
 
+TEST(Hold, KeepsWhatAFoilAsReferenceHas) {
+  const Manifest manifest = parsed(
+      "  - {id: a, adjectives: {quickness: 0.4}, hold: [largeness]}\n"
+      "  - {id: s, weights: {sad-slow: 1}, modify: {posture: {head-flexion: 10}, tempo: 0.9}}\n"
+      "  - {id: r, role: reference, foil: {of: s, differ: posture}}\n");
+  const auto& table = repertoire().parameters;
+  const double sad =
+      table.values(table.find("largeness"),
+                   std::ranges::find(repertoire().names, "sad-slow", &RatedExample::name) -
+                       repertoire().names.begin());
+  EXPECT_NEAR(synthesize(manifest.stimuli[0], repertoire()).held[0].second, sad, 1e-12);
+}
+
 // Made anew when the reference changes, because what is held does.
 TEST(Hold, IsInTheKeyWithItsReference) {
   const auto key_of = [](const std::string& reference, const std::string& hold) {
@@ -135,6 +149,24 @@ TEST(FeasibleParameters, AreThoseThatCanBeMade) {
   ASSERT_FALSE(beyond.warnings.empty());
   EXPECT_NE(beyond.warnings[0].find("while largeness is 0.50"), std::string::npos)
       << beyond.warnings[0];
+}
+
+// No blend of these has p and q at 0.9 together, so nothing is said to be met beside them.
+TEST(FeasibleParameters, SayThatTheOthersCannotBeHad) {
+  ParameterTable table;
+  table.names = {"p", "q", "r"};
+  table.values.resize(3, 3);
+  table.values << 0.0, 1.0, 0.0,  //
+      0.0, 0.0, 1.0,              //
+      0.2, 0.4, 0.6;
+  Wish wish;
+  wish.sliders.sliders = table.names;
+  wish.settings.resize(3);
+  wish.settings << 0.9, 0.9, 0.5;
+  const FeasibleParameter r = feasible_parameters(wish, table).at(2);
+  EXPECT_GT(r.range.miss, 0.5);
+  EXPECT_FALSE(r.holds());
+  EXPECT_NE(to_sentence(r).find("as near as they can"), std::string::npos) << to_sentence(r);
 }
 
 TEST(Synthesis, TellsWhenAMotionIsNearlyOneCapture) {
