@@ -9,6 +9,7 @@
 #include "pipeline/film/film_record.h"
 #include "pipeline/film/film_tables.h"
 #include "pipeline/look/look_fields.h"
+#include "pipeline/look/point_form.h"
 #include "pipeline/reading/field_writer.h"
 #include "pipeline/report/study_facts.h"
 #include "pipeline/tasks/receipt.h"
