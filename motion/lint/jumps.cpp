@@ -108,6 +108,9 @@ Levels widened(const Levels& levels, double factor) {
   return {factor * levels.warning, factor * levels.error};
 }
 
+/// Smooth movement, too, turns further from step to step where a second has few of them.
+double sparse(double rate) { return std::max(1.0, 30.0 / rate); }
+
 /// Toes flick when they leave the floor: by nearly 40° in one thirtieth of a second as captured.
 double flick(const LintSubject& subject, int joint) {
   const bool is_toe = is_body(subject.clip.body) && (joint == LeftToe || joint == RightToe);
@@ -149,7 +152,7 @@ Findings find_jumps(const LintSubject& subject, const LintOptions& options) {
     };
     const std::vector<double> leaps =
         in_degrees(leaps_of_joint(turns(subject.clip, j), subject.rate()));
-    const Levels levels = widened(options.jump_degrees, flick(subject, j));
+    const Levels levels = widened(options.jump_degrees, sparse(subject.rate()) * flick(subject, j));
     add_stretches(findings, subject, {"jump", name, "°", levels, 0, 1, sentence},
                   without_seams(subject, leaps));
   }
@@ -157,8 +160,10 @@ Findings find_jumps(const LintSubject& subject, const LintOptions& options) {
     return "The whole body leaps by " + rounded(100.0 * worst, 0) +
            " cm from one frame to the next.";
   };
-  add_stretches(findings, subject, {"jump", "", "m", options.jump_metres, 0, 1, sentence},
-                without_seams(subject, leaps_of_body(root_steps(subject.clip))));
+  add_stretches(
+      findings, subject,
+      {"jump", "", "m", widened(options.jump_metres, sparse(subject.rate())), 0, 1, sentence},
+      without_seams(subject, leaps_of_body(root_steps(subject.clip))));
   return findings;
 }
 

@@ -15,7 +15,8 @@ struct LintOptions {
   // The data itself.
   Levels unit_error = {1e-6, 1e-3};    ///< | |q| − 1 |
   Levels bone_drift = {0.001, 0.01};   ///< share of the bone's usual length
-  Levels jump_degrees = {20.0, 30.0};  ///< a step beyond the mean of its two neighbours
+  Levels jump_degrees = {20.0, 30.0};  ///< a step beyond the mean of its two neighbours; at less
+                                       ///< than 30 frames a second by so much more
   Levels jump_metres = {0.05, 0.1};    ///< of the root, likewise
   Levels seam_degrees = {3.0, 8.0};    ///< at a loop's seam, beyond the steps elsewhere
   Levels seam_metres = {0.01, 0.03};   ///< of the root, likewise

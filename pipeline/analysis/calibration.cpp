@@ -84,6 +84,9 @@ std::string known_number(double value) { return std::isnan(value) ? "" : shortes
 }  // namespace
 
 std::vector<MadeParameter> read_made_parameters(const fs::path& study) {
+  if (!fs::exists(study))
+    throw Error("there is no study in " + study.string(),
+                "name the folder of a study that was run, as out/my-study");
   const CsvTable table = read_csv(table_of(study));
   const auto column = [&](const char* name) {
     return static_cast<std::size_t>(require_column(table, name));
@@ -99,6 +102,16 @@ std::vector<MadeParameter> read_made_parameters(const fs::path& study) {
     throw Error(fmt::format("{}: no stimulus was asked for any parameter", table.file),
                 "name the folder of a study whose stimuli have adjectives");
   return made;
+}
+
+std::set<std::string> other_stimuli(const fs::path& study, const std::vector<MadeParameter>& made) {
+  std::set<std::string> others;
+  const fs::path all = table_of(study).parent_path() / "stimuli.csv";
+  const CsvTable table = read_csv(fs::exists(all) ? all : table_of(study));
+  const auto column = static_cast<std::size_t>(require_column(table, "stimulus"));
+  for (const auto& row : table.rows) others.insert(row[column].text);
+  for (const MadeParameter& parameter : made) others.erase(parameter.stimulus);
+  return others;
 }
 
 std::vector<RatedExample> stimuli_of(const std::vector<MadeParameter>& made) {

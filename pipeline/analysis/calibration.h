@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct MadeParameter {
 /// What was asked for in a study, from its metrics/parameters.csv, or from that file in the study's
 /// folder. Throws Error.
 std::vector<MadeParameter> read_made_parameters(const std::filesystem::path& study);
+
+/// The study's other stimuli, of which nothing was asked.
+std::set<std::string> other_stimuli(const std::filesystem::path& study,
+                                    const std::vector<MadeParameter>& made);
 
 /// The stimuli as answers name them.
 std::vector<RatedExample> stimuli_of(const std::vector<MadeParameter>& made);

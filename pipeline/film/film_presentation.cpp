@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "pipeline/drawing/canvas.h"
 #include "render/image/tone.h"
 
@@ -155,6 +157,16 @@ render::Image8 card_picture(std::array<int, 2> size, std::uint8_t grey, const st
     baseline += step;
   }
   return canvas.finish_picture();
+}
+
+std::string fade_fault(const Stimulus& film, int film_frames) {
+  const Presentation& shown = film.output.presentation;
+  const double seconds = film_frames / film.output.fps;
+  const double fades = shown.fade_in + shown.fade_out;
+  const double half_a_frame = 0.5 / film.output.fps;
+  if (film.output.video.empty() || fades <= seconds + half_a_frame) return "";
+  return fmt::format("the fades last {:.4g} s and the film of \"{}\" {:.4g} s", fades, film.id,
+                     seconds);
 }
 
 }  // namespace mien::pipeline

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "pipeline/manifest/manifest.h"
 #include "render/image/image.h"
@@ -23,6 +24,11 @@ struct PresentationFrames {
 
 /// Seconds rounded to the nearest whole number of frames.
 PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames);
+
+/// What is wrong with fades that last longer than a film of so many frames; empty for nothing.
+std::string fade_fault(const Stimulus& film, int film_frames);
+
+inline constexpr char fade_remedy[] = "make them shorter, or show more cycles";
 
 /// Shows a film with what comes before and after it.
 ///

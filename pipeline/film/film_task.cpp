@@ -9,6 +9,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film.h"
 #include "pipeline/film/film_frames.h"
+#include "pipeline/film/film_presentation.h"
 #include "pipeline/film/film_record.h"
 #include "pipeline/film/film_recorder.h"
 #include "pipeline/film/film_shot.h"
@@ -64,7 +65,8 @@ class FilmMaker {
  public:
   FilmMaker(const FilmSubject& subject, const Equalized& alike, const FilmSettings& settings,
             TaskRun& run)
-      : id_(subject.film.id),
+      : film_(subject.film),
+        id_(subject.film.id),
         output_(subject.film.output),
         settings_(settings),
         run_(run),
@@ -81,7 +83,10 @@ class FilmMaker {
       record_.visual_degrees = scenes::visual_degrees(shot_.cameras);
   }
 
+  /// Throws Error when its fades last longer than the film.
   void make() {
+    const std::string wrong = fade_fault(film_, shot_.frame_count());
+    if (!wrong.empty()) throw Error(wrong, fade_remedy);
     std::size_t next = 0;
     std::unique_ptr<FrameStore> frames;
     if (output_.frames != FrameFormat::none) frames = open_frames(next++);
@@ -151,6 +156,7 @@ class FilmMaker {
         [](const std::filesystem::path& file) { render::read_png8(file); });
   }
 
+  const Stimulus& film_;
   const std::string& id_;
   const Output& output_;
   FilmSettings settings_;

@@ -10,6 +10,7 @@
 #include "pipeline/reading/value_forms.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/hash.h"
+#include "pipeline/tasks/receipt.h"
 
 namespace mien::pipeline {
 
@@ -85,6 +86,10 @@ std::vector<std::string> changes_since(const std::filesystem::path& provenance,
     const bool is_same = before.contains(name) && before[name] == hash;
     if (!is_same) changes.push_back(name + " is not what it was");
   }
+  const std::filesystem::path folder = provenance.parent_path();
+  const auto as_run = read_receipt(folder, as_run_path);
+  if (as_run && as_run->hash != hash_of_file(folder / as_run_path))
+    changes.push_back(std::string(as_run_path) + " is not what it was");
   return changes;
 }
 

@@ -7,6 +7,7 @@
 #include "pipeline/documents/fault_list.h"
 #include "pipeline/film/film_exposure.h"
 #include "pipeline/film/film_framing.h"
+#include "pipeline/film/film_presentation.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/synthesis/motions.h"
 
@@ -55,16 +56,10 @@ class Rehearsal : public FaultList {
   }
 
   void check_fades(const Stimulus& film, int frames) {
-    const Presentation& shown = film.output.presentation;
-    const double seconds = frames / film.output.fps;
-    const double fades = shown.fade_in + shown.fade_out;
-    const double half_a_frame = 0.5 / film.output.fps;
-    if (film.output.video.empty() || fades <= seconds + half_a_frame) return;
+    const std::string wrong = fade_fault(film, frames);
+    if (wrong.empty()) return;
     const std::string own = member_path(film.path, "output.presentation");
-    add(was_given(own) ? own : "output.presentation",
-        fmt::format("the fades last {:.4g} s and the film of \"{}\" {:.4g} s", fades, film.id,
-                    seconds),
-        "make them shorter, or show more cycles");
+    add(was_given(own) ? own : "output.presentation", wrong, fade_remedy);
   }
 
   void check_luminance() {

@@ -102,7 +102,7 @@ Impressions impressions_of(const Answers& answers, const ScaleSet& scales,
   }
   if (!unrated.empty()) {
     throw Error(fmt::format("no answer about {}", some_of(unrated)),
-                "rate them, or leave those examples out with examples.exclude");
+                "rate them, or leave those examples out (exclude: of a folder of examples)");
   }
   return result;
 }

@@ -61,16 +61,6 @@ std::vector<double> steps_of(const std::vector<std::vector<Vec3>>& frames, motio
   return steps;
 }
 
-/// One aspect of a foil and of the motion that it is of.
-struct CertifiedAspect {
-  FoilAspect aspect;
-  const char* measure;
-  double of_value;  ///< NaN: only the difference is known
-  double foil_value;
-  double difference;
-  double tolerance;
-};
-
 std::vector<CertifiedAspect> certificate(const motion::Clip& of, const motion::Clip& foil) {
   const EmotionMeasures a = measure_emotion(of);
   const EmotionMeasures b = measure_emotion(foil);
@@ -116,19 +106,28 @@ double posture_difference(const motion::Clip& a, const motion::Clip& b) {
   return largest * 180.0 / std::numbers::pi;
 }
 
-std::string foils_csv(const Manifest& manifest, Motions& motions) {
-  CsvWriter table = table_of(foils_form);
+bool CertifiedAspect::is_held() const { return std::abs(difference) < tolerance; }
+
+std::vector<Certificate> foil_certificates(const Manifest& manifest, Motions& motions) {
+  std::vector<Certificate> certificates;
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (!stimulus.foil) continue;
-    const Foil& foil = *stimulus.foil;
-    for (const CertifiedAspect& aspect :
-         certificate(motions.of(foil.of).motion.clip, motions.of(stimulus.id).motion.clip)) {
-      const bool is_held = std::abs(aspect.difference) < aspect.tolerance;
-      table.row({stimulus.id, foil.of, std::string(name_of(foil.differ)),
+    certificates.push_back({stimulus.id, *stimulus.foil,
+                            certificate(motions.of(stimulus.foil->of).motion.clip,
+                                        motions.of(stimulus.id).motion.clip)});
+  }
+  return certificates;
+}
+
+std::string foils_csv(const Manifest& manifest, Motions& motions) {
+  CsvWriter table = table_of(foils_form);
+  for (const auto& [id, foil, aspects] : foil_certificates(manifest, motions)) {
+    for (const CertifiedAspect& aspect : aspects) {
+      table.row({id, foil.of, std::string(name_of(foil.differ)),
                  std::string(name_of(aspect.aspect)), aspect.measure, number(aspect.of_value),
                  number(aspect.foil_value), shortest(aspect.difference),
                  aspect.aspect == foil.differ ? ""
-                 : is_held                    ? "1"
+                 : aspect.is_held()           ? "1"
                                               : "0"});
     }
   }

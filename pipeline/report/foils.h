@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pipeline/synthesis/motions.h"
 
@@ -18,6 +19,28 @@ EmotionMeasures measure_emotion(const motion::Clip& clip);
 /// The difference of two postures, whatever is done with them: the largest angle, degrees, between
 /// the mean rotations of a joint, of the pelvis without its heading.
 double posture_difference(const motion::Clip& a, const motion::Clip& b);
+
+/// One aspect of a foil and of the motion that it is of.
+struct CertifiedAspect {
+  FoilAspect aspect;
+  const char* measure;  ///< what was measured, with its unit
+  double of_value;      ///< NaN: only the difference is known
+  double foil_value;
+  double difference;  ///< degrees of posture, else a share
+  double tolerance;
+
+  bool is_held() const;
+};
+
+/// All aspects of a foil, measured of both finished motions.
+struct Certificate {
+  std::string id;
+  Foil foil;
+  std::vector<CertifiedAspect> aspects;
+};
+
+/// Of every foil of the study.
+std::vector<Certificate> foil_certificates(const Manifest& manifest, Motions& motions);
 
 /// The certificate of every foil (foils_form).
 std::string foils_csv(const Manifest& manifest, Motions& motions);

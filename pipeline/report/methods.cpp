@@ -6,14 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "motion/measures/distance.h"
-#include "pipeline/film/film.h"
 #include "pipeline/report/method_sources.h"
+#include "pipeline/report/methods_pictures.h"
 #include "pipeline/report/prose.h"
 #include "pipeline/report/references.h"
 #include "pipeline/report/study_facts.h"
 #include "pipeline/tasks/code_identity.h"
-#include "render/video/video_kind.h"
 
 namespace mien::pipeline {
 
@@ -25,7 +23,6 @@ class MethodsWriter {
       : manifest_(manifest), motions_(motions) {}
 
   Methods write() {
-    text_ = "# Stimuli\n\n";
     tell_program();
     tell_design();
     if (uses_examples(manifest_)) {
@@ -35,34 +32,18 @@ class MethodsWriter {
     tell_blends();
     tell_files();
     tell_modifications();
-    end_paragraph();
-    tell_pictures();
-    tell_videos();
-    tell_equalizing();
-    tell_distances();
-    end_paragraph();
-    text_.pop_back();  // one line end is enough
-    return {text_, bibtex_of(cited_)};
+    tell_foils();
+    out_.end_paragraph();
+    tell_pictures(manifest_, motions_, out_);
+    out_.end_paragraph();
+    std::string text = out_.text();
+    text.pop_back();  // one line end is enough
+    return {text, bibtex_of(out_.cited())};
   }
 
  private:
-  void say(const std::string& sentence) {
-    if (!text_.ends_with("\n")) text_ += " ";
-    text_ += sentence + ".";
-  }
-
-  void end_paragraph() { text_ += text_.ends_with(".") ? "\n\n" : ""; }
-
-  /// " [@rose1998; @sloan2001]"
-  std::string cite(const Names& keys) {
-    if (keys.empty()) return "";
-    std::string text;
-    for (const std::string& key : keys) {
-      text += (text.empty() ? "@" : "; @") + key;
-      add_once(cited_, key);
-    }
-    return " [" + text + "]";
-  }
+  void say(const std::string& sentence) { out_.say(sentence); }
+  std::string cite(const Names& keys) { return out_.cite(keys); }
 
   std::vector<const Stimulus*> stimuli_of(const std::string& source) const {
     std::vector<const Stimulus*> found;
@@ -125,7 +106,7 @@ class MethodsWriter {
           "{} too short for one: a step and its mirror image stand for the cycle",
           count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
     }
-    say(fmt::format("They last {} (mean {:.2f} s)", told(seconds, 2, " s"), seconds.mean()));
+    say("They last " + with_mean(seconds, 2, " s"));
   }
 
   void tell_ratings() {
@@ -140,18 +121,28 @@ class MethodsWriter {
       say(fmt::format("No person rated them: {} simulated raters answered on {}",
                       manifest_.ratings.raters, scales));
     } else {
-      say(fmt::format("People rated them on {}, {} to {} answers a scale and example", scales,
-                      impressions.count.minCoeff(), impressions.count.maxCoeff()));
+      Range answers;
+      answers.add(impressions.count.minCoeff());
+      answers.add(impressions.count.maxCoeff());
+      say(fmt::format("People rated them on {}, {} a scale and example", scales,
+                      told(answers, 0, " answers")));
     }
-    say("An example's place on a scale is its mean answer, from 0 (the low end) to 1 (the high "
-        "end); that on a group of scales is the mean of these");
-    std::size_t held = 0;
+    say(std::string("An example's place on a scale is its mean answer, from 0 (the low end) to 1 "
+                    "(the high end)") +
+        (scales_of(manifest_.scales).groups.empty()
+             ? ""
+             : "; that on a group of scales is the mean of these"));
+    std::size_t held = 0, certain = 0;
     const auto checks = expectation_checks(manifest_, repertoire);
-    for (const ExpectationCheck& check : checks) held += check.holds() ? 1 : 0;
+    for (const ExpectationCheck& check : checks) {
+      held += check.holds() ? 1 : 0;
+      certain += check.holds() && check.is_certain() ? 1 : 0;
+    }
     if (!checks.empty())
-      say(fmt::format("Of {} expected of the ratings, {} as expected",
-                      count_of(checks.size(), "order", "orders"),
-                      count_of(held, "came out", "came out")));
+      say(
+          fmt::format("Of {} expected of the ratings, {} came out as expected, {} of them by more "
+                      "than the noise of the answers",
+                      count_of(checks.size(), "order", "orders"), held, certain));
   }
 
   void tell_blends() {
@@ -159,6 +150,7 @@ class MethodsWriter {
     if (!stimuli_of("adjectives").empty() || !stimuli_of("features").empty()) {
       tell_interpolation();
       tell_reached();
+      tell_held();
     }
     if (const auto weighted = stimuli_of("weights"); !weighted.empty()) {
       say(count_of(weighted.size(), "stimulus was blended", "stimuli were blended") +
@@ -234,6 +226,42 @@ class MethodsWriter {
                     missed.mean(), missed.most));
   }
 
+  void tell_held() {
+    const auto holds = [](const Stimulus& stimulus) { return stimulus.hold.anything(); };
+    const auto held = std::ranges::count_if(manifest_.stimuli, holds);
+    if (held == 0) return;
+    say(
+        fmt::format("In {} parameters that were not asked for were held where they are in {}, as "
+                    "near as the examples allow",
+                    count_of(static_cast<std::size_t>(held), "stimulus", "stimuli"), held_where()));
+  }
+
+  std::string held_where() const {
+    Names places;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      const Hold& hold = stimulus.hold;
+      if (!hold.values.empty()) add_once(places, "the manifest");
+      if (!hold.others && hold.names.empty()) continue;
+      add_once(places,
+               hold.reference ? "the stimulus " + hold.reference->id : "the mean of the examples");
+    }
+    return listed(places);
+  }
+
+  void tell_foils() {
+    std::size_t foils = 0;
+    Names aspects;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      if (!stimulus.foil) continue;
+      ++foils;
+      add_once(aspects, std::string(name_of(stimulus.foil->differ)));
+    }
+    if (foils == 0) return;
+    say(count_of(foils, "stimulus is a foil", "stimuli are foils") +
+        ": modified as another stimulus is, but for its change of " + listed(aspects) +
+        "; what else differs was measured of both (metrics/foils.csv)");
+  }
+
   void tell_files() {
     const auto files = stimuli_of("clip");
     if (files.empty()) return;
@@ -242,12 +270,15 @@ class MethodsWriter {
 
   void tell_modifications() {
     std::size_t modified = 0, reduced = 0;
+    double least_share = 1.0;
     Names emotions, styles, parts;
     Range strengths;
     for (const Stimulus& stimulus : manifest_.stimuli) {
       if (stimulus.modify.empty()) continue;
       ++modified;
-      reduced += motions_.of(stimulus.id).modified_share < 1.0 ? 1 : 0;
+      const double share = motions_.of(stimulus.id).modified_share;
+      reduced += share < 1.0 ? 1 : 0;
+      least_share = std::min(least_share, share);
       for (const ModificationStep& step : stimulus.modify) {
         if (!step.emotion.empty()) {
           add_once(emotions, step.emotion);
@@ -258,13 +289,13 @@ class MethodsWriter {
       }
     }
     if (modified == 0) return;
-    say(count_of(modified, "stimulus was", "stimuli were") +
-        " modified afterwards, by lengths of paths, timing and posture" + modification_sources());
+    say(count_of(modified, "stimulus was", "stimuli were") + " modified afterwards" +
+        modification_sources());
     if (!emotions.empty()) {
       say(fmt::format("The recipes used ({}) were {}, at a strength of {}", recipe_book(),
                       listed(emotions), told(strengths, 2, "")));
     }
-    if (!parts.empty()) say("Set by hand were " + listed(parts));
+    if (!parts.empty()) say("Set by hand: " + listed(parts));
     if (!styles.empty()) {
       say("Differences of style were taken over from pairs of examples by published methods" +
           cite(styles));
@@ -272,8 +303,8 @@ class MethodsWriter {
     if (reduced > 0) {
       say(
           fmt::format("In {} the modification was reduced as far as the motion needed to stay free "
-                      "of faults",
-                      reduced));
+                      "of faults, to {:.0f} % at the least",
+                      reduced, 100.0 * least_share));
     }
   }
 
@@ -285,96 +316,9 @@ class MethodsWriter {
                                              : "mien's own, after the thesis";
   }
 
-  void tell_pictures() {
-    Names figures, scenes, cameras, sizes, rates, qualities;
-    for (const Stimulus& stimulus : manifest_.stimuli) {
-      const Output& output = stimulus.output;
-      const auto [width, height] = output.shown_size();
-      add_once(figures, figure_name(stimulus.look));
-      add_once(scenes, scene_name(stimulus.look));
-      add_once(cameras, stimulus.look.camera.view);
-      add_once(sizes, fmt::format("{} × {}", width, height));
-      add_once(rates, fmt::format("{:g}", output.fps));
-      add_once(qualities,
-               std::to_string(quality_of(FilmSettings{.output = output}).samples_per_pixel));
-    }
-    say(fmt::format(
-        "Motions were shown on {} ({}; set: {}; camera: {}), ray-traced{} in pictures "
-        "of {} pixels with {} samples a pixel, {} a second",
-        figures.size() == 1 ? "one figure" : "several figures", listed(figures), listed(scenes),
-        listed(cameras), cite({"embree2014"}), listed(sizes), listed(qualities), listed(rates)));
-  }
-
-  void tell_videos() {
-    Range seconds;
-    Names kinds;
-    for (const Stimulus& stimulus : manifest_.stimuli) {
-      seconds.add(motions_.shown(stimulus).frame_count() / stimulus.output.fps);
-      for (const render::VideoKind kind : stimulus.output.video)
-        add_once(kinds, std::string(render::traits_of(kind).name));
-    }
-    say(fmt::format("The films last {} (mean {:.2f} s)", told(seconds, 2, " s"), seconds.mean()));
-    if (kinds.empty()) return;
-    say(
-        fmt::format("They were written as {}, and every video was decoded again and compared with "
-                    "the pictures drawn",
-                    listed(kinds)));
-  }
-
-  void tell_equalizing() {
-    Names alike;
-    if (manifest_.equalize.duration) alike.emplace_back("length, that of the shortest");
-    if (manifest_.equalize.size)
-      alike.emplace_back("height of the standing figure, that of the smallest, by the camera");
-    if (manifest_.equalize.place)
-      alike.emplace_back("place of the figure in the picture, the mean of all, by its shift");
-    if (manifest_.equalize.luminance)
-      alike.emplace_back("mean luminance, the geometric mean of all, by the exposure");
-    if (!alike.empty()) say("All films were made alike in " + listed(alike));
-  }
-
-  bool compares_files() const {
-    return std::any_of(manifest_.sheets.begin(), manifest_.sheets.end(), [&](const Sheet& sheet) {
-      const std::vector<MotionPair> pairs = pairs_on(sheet);
-      return std::any_of(pairs.begin(), pairs.end(), [&](const MotionPair& pair) {
-        const Stimulus* target = find_stimulus(manifest_, pair.target);
-        const Stimulus* created = find_stimulus(manifest_, pair.created);
-        return (target && target->clip) || (created && created->clip);
-      });
-    });
-  }
-
-  void tell_distances() {
-    Range distances;
-    std::size_t matches = 0;
-    for (const Sheet& sheet : manifest_.sheets) {
-      for (const auto& [target, created] : pairs_on(sheet)) {
-        const motion::Distance d = motions_.distance(target, created);
-        distances.add(d.mean);
-        matches += d.matches() ? 1 : 0;
-      }
-    }
-    if (distances.count == 0) return;
-    say(fmt::format(
-        "The distance D of two motions is the mean distance of {} joints at {} corresponding "
-        "moments, place and heading of the body taken out{}",
-        motion::distance_joints, motion::distance_times, cite({"adjectives"})));
-    if (compares_files()) {
-      say("Before it was measured, planted feet of motion files were locked to the floor, as those "
-          "of blends are");
-    }
-    say(
-        fmt::format("Of {} compared, D is {} (mean {:.4f} m); {} below {:g} m, under which two "
-                    "motions count as the same",
-                    count_of(static_cast<std::size_t>(distances.count), "pair", "pairs"),
-                    told(distances, 4, " m"), distances.mean(),
-                    count_of(matches, "pair lies", "pairs lie"), motion::distance_threshold_m));
-  }
-
   const Manifest& manifest_;
   Motions& motions_;
-  std::string text_;
-  Names cited_;
+  MethodsText out_;
 };
 
 }  // namespace

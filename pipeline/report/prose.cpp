@@ -36,4 +36,10 @@ std::string told(const Range& range, int digits, const std::string& unit) {
   return least == most ? least + unit : "from " + least + " to " + most + unit;
 }
 
+std::string with_mean(const Range& range, int digits, const std::string& unit) {
+  const std::string text = told(range, digits, unit);
+  if (!text.starts_with("from ")) return text;
+  return fmt::format("{} (mean {:.{}f}{})", text, range.mean(), digits, unit);
+}
+
 }  // namespace mien::pipeline

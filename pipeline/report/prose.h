@@ -32,4 +32,7 @@ struct Range {
 /// "from 1.20 to 1.40 s", or "1.20 s" where all are alike.
 std::string told(const Range& range, int digits, const std::string& unit);
 
+/// "from 1.20 to 1.40 s (mean 1.31 s)", or "1.20 s" where all are alike.
+std::string with_mean(const Range& range, int digits, const std::string& unit);
+
 }  // namespace mien::pipeline

@@ -66,6 +66,11 @@ std::string stimuli_section(const Manifest& manifest, Motions& motions) {
   return titled_section("Stimuli", alike(manifest.equalize) + card_grid(films));
 }
 
+std::string foils_section(const Manifest& manifest, Motions& motions) {
+  const std::string table = foil_table(manifest, motions);
+  return table.empty() ? "" : titled_section("Foils", table);
+}
+
 std::string overlays_section(const Manifest& manifest) {
   std::string films;
   for (const Overlay& overlay : manifest.overlays) films += overlay_card(overlay, manifest);
@@ -112,8 +117,8 @@ std::string page_footer(const Manifest& manifest) {
 std::string report(const Manifest& manifest, Motions& motions, const Methods& methods) {
   std::string body = page_header(manifest, motions) + "<main>\n";
   if (blends_examples(manifest)) body += html_list("warnings", motions.repertoire().warnings);
-  body += stimuli_section(manifest, motions) + overlays_section(manifest) +
-          sheets_sections(manifest, motions);
+  body += stimuli_section(manifest, motions) + foils_section(manifest, motions) +
+          overlays_section(manifest) + sheets_sections(manifest, motions);
   if (blends_examples(manifest)) body += ratings_section(manifest, motions.repertoire());
   body += methods_section(methods) + "</main>\n" + page_footer(manifest);
   return html_page(manifest.study + " · mien", report_style, body);

@@ -7,6 +7,7 @@
 #include "motion/measures/distance.h"
 #include "pipeline/documents/html.h"
 #include "pipeline/report/feature_changes.h"
+#include "pipeline/report/foils.h"
 #include "pipeline/sheets/sheet.h"
 #include "pipeline/synthesis/parameter_label.h"
 
@@ -133,6 +134,25 @@ std::string feature_agreement_table(const Manifest& manifest, Motions& motions) 
   return html_table({"target", "created", "features that the target moved from the reference",
                      "moved the same way"},
                     rows);
+}
+
+std::string foil_table(const Manifest& manifest, Motions& motions) {
+  std::string rows;
+  for (const auto& [id, foil, aspects] : foil_certificates(manifest, motions)) {
+    for (const CertifiedAspect& aspect : aspects) {
+      const bool is_posture = aspect.aspect == FoilAspect::posture;
+      rows += fmt::format(
+          "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+          html_escaped(id), html_escaped(foil.of), name_of(aspect.aspect),
+          is_posture ? fmt::format("{:.1f}°", aspect.difference)
+                     : fmt::format("{:+.1f} %", 100.0 * aspect.difference),
+          aspect.aspect == foil.differ ? "meant to differ"
+          : aspect.is_held()           ? "held"
+                                       : "<strong>differs, too</strong>");
+    }
+  }
+  if (rows.empty()) return "";
+  return html_table({"foil", "of", "aspect", "difference", ""}, rows);
 }
 
 }  // namespace mien::pipeline

@@ -22,4 +22,7 @@ std::string distance_table(const Manifest& manifest, Motions& motions);
 /// Of comparisons with a reference: how many features went the target's way. Empty without any.
 std::string feature_agreement_table(const Manifest& manifest, Motions& motions);
 
+/// What foils and the stimuli that they are of differ in; empty without foils.
+std::string foil_table(const Manifest& manifest, Motions& motions);
+
 }  // namespace mien::pipeline

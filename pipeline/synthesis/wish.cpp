@@ -11,7 +11,7 @@ namespace mien::pipeline {
 namespace {
 
 /// As near to a wish as counts for meeting it.
-constexpr double met = 1e-4;
+constexpr double met = 0.005;  // what two decimals show
 
 /// Others that a sentence names before it only counts them.
 constexpr std::size_t named_others = 4;
@@ -134,7 +134,7 @@ std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const Param
   std::vector<FeasibleParameter> parameters;
   for (Eigen::Index i = 0; i < asked; ++i) {
     FeasibleParameter parameter = feasible_among(wish, all, i);
-    if (wish.held > 0 && parameter.range.miss > met) {
+    if (wish.held > 0 && !parameter.holds()) {
       parameter = feasible_among(wish, all.leftCols(asked), i);
       parameter.gives_up_held = true;
     }

@@ -145,8 +145,9 @@ void show_corrections(const Calibration& calibration, const fs::path& folder,
 int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
   const ScaleSet scales = options.scales.empty() ? builtin_scales() : read_scales(options.scales);
   const std::vector<MadeParameter> made = read_made_parameters(options.stimuli);
-  const StudyAnswers answers =
-      read_study_answers(options.answers, scales, stimuli_of(made), options.rules);
+  AnswerRules rules = options.rules;
+  rules.left_out = other_stimuli(options.stimuli, made);
+  const StudyAnswers answers = read_study_answers(options.answers, scales, stimuli_of(made), rules);
   const Calibration calibration = calibrate(made, answers.plain(), scales);
   const fs::path folder = folder_for(options);
   make_folder(folder);

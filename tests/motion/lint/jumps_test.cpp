@@ -29,6 +29,19 @@ TEST(Jumps, OfOneFrameAreErrorsAtAnyRate) {
   }
 }
 
+TEST(Jumps, AreNotWalksOfFewFramesASecond) {
+  for (const Clip& walk : builtin_walks()) {
+    for (const double rate : {24.0, 15.0, 12.0, 10.0}) {
+      const Clip clip = resampled(three_cycles(walk), rate);
+      EXPECT_FALSE(find(lint(clip), "jump", "")) << walk.name << " at " << rate << '\n'
+                                                 << all_of(lint(clip));
+      for (const auto& joint : clip.body.joints) {
+        EXPECT_FALSE(find(lint(clip), "jump", joint.name)) << walk.name << " at " << rate;
+      }
+    }
+  }
+}
+
 TEST(Jumps, AreNotFastWaves) {
   // A forearm that waves four times a second steps 40° between frames of a slow recording.
   Clip clip = three_cycles(builtin_walks()[0]);

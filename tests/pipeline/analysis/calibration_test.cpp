@@ -115,6 +115,9 @@ TEST(Calibration, ReadsAStudysTableAndRefusesOneWithoutWishes) {
   ASSERT_EQ(made.size(), 1u);
   EXPECT_EQ(made[0].asked, 0.4);
   EXPECT_EQ(made[0].reached, 0.41);
+  EXPECT_TRUE(other_stimuli(file, made).empty());
+  write_file(folder.path() / "stimuli.csv", "stimulus,kind\na,stimulus\nmix,stimulus\n");
+  EXPECT_EQ(other_stimuli(file, made), std::set<std::string>{"mix"});
   write_file(file, "stimulus,parameter,asked,reached\na,slow-fast,,0.41\n");
   EXPECT_THROW(read_made_parameters(file), Error);
 }

@@ -390,6 +390,23 @@ TEST(Overlays, AreAskedForByNameOrByTheirMotions) {
   EXPECT_FALSE(is_made({"long"}));
 }
 
+TEST(Films, AreNotMadeWithFadesLongerThanThey) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = study();
+  manifest.equalize = {};
+  manifest.stimuli[0].output.presentation.fade_in = 3.0;
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  const auto error_of = [&](const std::string& task) {
+    return result.outcomes[production.graph().index_of(task)].error;
+  };
+  EXPECT_NE(error_of("film:short").find("the fades last 3 s and the film of \"short\""),
+            std::string::npos)
+      << error_of("film:short");
+  EXPECT_EQ(error_of("film:long"), "");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/videos/short.mp4"));
+}
+
 TEST(Equalize, LeavesFilmsAloneOtherwise) {
   Manifest manifest = study();
   manifest.equalize = {};

@@ -246,6 +246,17 @@ TEST_F(StudyFolder, TellsWhichInputsHaveChangedSince) {
   EXPECT_EQ(changes(), std::vector<std::string>{"inputs/my.recipes.yaml is not what it was"});
 }
 
+TEST_F(StudyFolder, TellsThatTheManifestWhichIsRunHasChanged) {
+  const fs::path out = made(folder.path() / "m.yaml", "out");
+  std::string text = read_file(out / "inputs/as-run.yaml");
+  text.replace(text.find("0.6"), 3, "0.5");
+  std::ofstream(out / "inputs/as-run.yaml") << text;
+  const Manifest manifest =
+      load_manifest(out / "provenance.json", [](const std::string&) { return std::nullopt; });
+  EXPECT_EQ(changes_since(out / "provenance.json", manifest),
+            std::vector<std::string>{"inputs/as-run.yaml is not what it was"});
+}
+
 TEST_F(StudyFolder, IsNotToldAsMadeOfInputsThatChangedMeanwhile) {
   Production production(
       load_manifest(folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; }),

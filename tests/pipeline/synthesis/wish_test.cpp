@@ -151,6 +151,17 @@ TEST(FeasibleParameters, AreThoseThatCanBeMade) {
       << beyond.warnings[0];
 }
 
+// What is asked for goes before what is held: the range is that of what is made.
+TEST(FeasibleParameters, GiveUpWhatIsHeldWhereItAloneForbids) {
+  const Manifest manifest = parsed("  - {id: a, adjectives: {quickness: 0.6}, hold: others}\n");
+  const Synthesis made = synthesize(manifest.stimuli[0], repertoire());
+  ASSERT_EQ(made.feasible.size(), 1u);
+  EXPECT_TRUE(made.feasible[0].holds());
+  EXPECT_NEAR(made.reached[0].second, 0.6, 1e-3);
+  EXPECT_LE(made.feasible[0].range.least, made.reached[0].second);
+  EXPECT_GE(made.feasible[0].range.most, made.reached[0].second);
+}
+
 // No blend of these has p and q at 0.9 together, so nothing is said to be met beside them.
 TEST(FeasibleParameters, SayThatTheOthersCannotBeHad) {
   ParameterTable table;
