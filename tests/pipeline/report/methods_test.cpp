@@ -55,6 +55,26 @@ TEST(Methods, TellTheNumbersOfTheStudy) {
   expect_in(methods, "Of 1 pair compared, D is 0.");
 }
 
+TEST(Methods, TellHoldsFoilsAndAmongWhichFilmsAreAlike) {
+  const Methods methods = methods_for(
+      "equalize: {luminance: {by: figure}, place: true}\n"
+      "output: {video: []}\n"
+      "stimuli:\n"
+      "  - {id: a, adjectives: {quickness: 0.6}, hold: others}\n"
+      "  - {id: r, role: reference, weights: {normal: 1}, modify: {tempo: 0.9, paths: 1.2}}\n"
+      "  - {id: f, foil: {of: r, differ: speed}}\n"
+      "sheets: [{gallery: [a, r]}]\n");
+  expect_in(methods, "geometric mean of them, by the exposure (among those with the same kind of");
+  expect_in(methods,
+            "In 1 stimulus parameters that were not asked for were held where they are in "
+            "the stimulus r");
+  expect_in(methods,
+            "1 stimulus is a foil: modified as another stimulus is, but for its change of "
+            "speed");
+  expect_in(methods, "Set by hand: ");
+  EXPECT_EQ(methods.markdown.find("motions count as the same"), std::string::npos);
+}
+
 TEST(Methods, LeaveOutWhatTheStudyDoesNotDo) {
   const Methods methods = methods_for("stimuli: [{id: a, features: {step-length: 0.4}}]\n");
   for (const char* word : {"rated", "modified", "recipe", "distance D", "shows recorded"})
