@@ -18,6 +18,8 @@ Eigen::MatrixXd LinearSystem::solve_columns(const Eigen::MatrixXd& right) const 
 double LinearSystem::reciprocal_condition() const { return factors_.rcond(); }
 
 Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  // Of nothing Eigen would take a reference.
+  if (right.size() == 0) return Eigen::MatrixXd::Zero(matrix.cols(), right.cols());
   return matrix.ldlt().solve(right);
 }
 

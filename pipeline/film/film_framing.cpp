@@ -25,7 +25,6 @@ constexpr const char* sizes_path = "metrics/sizes.csv";
 constexpr const char* places_path = "metrics/places.csv";
 
 using SizesById = std::map<std::string, double>;
-using Visit = std::function<void(const Stimulus& stimulus)>;
 
 /// In steps of 1/64 pixel: no machine's arithmetic shows.
 double step_below(double pixels) { return std::floor(64.0 * pixels) / 64.0; }
@@ -33,18 +32,32 @@ double nearest_step(double pixels) { return std::round(64.0 * pixels) / 64.0; }
 
 std::string in_hundredths(double pixels) { return shortest(std::round(100.0 * pixels) / 100.0); }
 
-/// Each stimulus in turn, with the run's progress and its wish to stop.
-void visit_all(const Manifest& manifest, TaskRun& run, const Visit& visit) {
-  double visited = 0.0;
-  for (const Stimulus& stimulus : manifest.stimuli) {
+/// Called with the share of the stimuli that were looked at.
+using Between = std::function<void(double share)>;
+
+Between between_stimuli_of(TaskRun& run) {
+  return [&run](double share) {
     if (run.stop.stop_requested()) throw Interrupted{};
-    visit(stimulus);
-    run.progress(++visited / static_cast<double>(manifest.stimuli.size()));
-  }
+    run.progress(share);
+  };
 }
 
-double framed_size(const Stimulus& stimulus, const Manifest& manifest, Motions& motions) {
-  return scenes::figure_pixels(shot_of(stimulus, motions, manifest.seed).cameras);
+/// What is found of each stimulus, by its id.
+template <class Find>
+auto found_of_all(const Manifest& manifest, const Find& find, const Between& between) {
+  std::map<std::string, decltype(find(manifest.stimuli.front()))> all;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    all.emplace(stimulus.id, find(stimulus));
+    between(static_cast<double>(all.size()) / static_cast<double>(manifest.stimuli.size()));
+  }
+  return all;
+}
+
+SizesById framed_sizes(const Manifest& manifest, Motions& motions, const Between& between) {
+  const auto size_of = [&](const Stimulus& stimulus) {
+    return scenes::figure_pixels(shot_of(stimulus, motions, manifest.seed).cameras);
+  };
+  return found_of_all(manifest, size_of, between);
 }
 
 SizesById common_sizes(const Manifest& manifest, const SizesById& framed) {
@@ -82,6 +95,18 @@ Standing standing_of(const scenes::Shot& shot) {
     standing.possible.max()[axis] = most[axis];
   }
   return standing;
+}
+
+/// Of all stimuli; their figures are as tall as `sizes` says, or, where that is empty, as their
+/// cameras do.
+StandingsById standings_at(const SizesById& sizes, const Manifest& manifest, Motions& motions,
+                           const Between& between) {
+  const auto standing = [&](const Stimulus& stimulus) {
+    Framing framing;
+    if (!sizes.empty()) framing.figure_px = sizes.at(stimulus.id);
+    return standing_of(shot_of(stimulus, motions, manifest.seed, framing));
+  };
+  return found_of_all(manifest, standing, between);
 }
 
 /// The stimulus among the group for which something is greatest.
@@ -129,10 +154,7 @@ double figure_px_of(const fs::path& folder, const std::string& stimulus) {
 }  // namespace
 
 std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
-  SizesById framed;
-  visit_all(manifest, run, [&](const Stimulus& stimulus) {
-    framed[stimulus.id] = framed_size(stimulus, manifest, motions);
-  });
+  const SizesById framed = framed_sizes(manifest, motions, between_stimuli_of(run));
   const SizesById common = common_sizes(manifest, framed);
   CsvWriter table = table_of(sizes_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
@@ -143,12 +165,12 @@ std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) 
 }
 
 std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
-  StandingsById standings;
-  visit_all(manifest, run, [&](const Stimulus& stimulus) {
-    Framing framing;
-    if (manifest.equalize.size) framing.figure_px = figure_px_of(run.store.folder(), stimulus.id);
-    standings[stimulus.id] = standing_of(shot_of(stimulus, motions, manifest.seed, framing));
-  });
+  SizesById sizes;
+  if (manifest.equalize.size) {
+    for (const Stimulus& stimulus : manifest.stimuli)
+      sizes[stimulus.id] = figure_px_of(run.store.folder(), stimulus.id);
+  }
+  const StandingsById standings = standings_at(sizes, manifest, motions, between_stimuli_of(run));
   const auto common = common_places(manifest, standings);
   CsvWriter table = table_of(places_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
@@ -161,19 +183,11 @@ std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run)
 }
 
 void check_places(const Manifest& manifest, Motions& motions) {
+  const Between quietly = [](double) {};
   SizesById sizes;
-  if (manifest.equalize.size) {
-    for (const Stimulus& stimulus : manifest.stimuli)
-      sizes[stimulus.id] = framed_size(stimulus, manifest, motions);
-    sizes = common_sizes(manifest, sizes);
-  }
-  StandingsById standings;
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    Framing framing;
-    if (manifest.equalize.size) framing.figure_px = sizes.at(stimulus.id);
-    standings[stimulus.id] = standing_of(shot_of(stimulus, motions, manifest.seed, framing));
-  }
-  common_places(manifest, standings);
+  if (manifest.equalize.size)
+    sizes = common_sizes(manifest, framed_sizes(manifest, motions, quietly));
+  common_places(manifest, standings_at(sizes, manifest, motions, quietly));
 }
 
 Framing equalized_framing(const Equalize& equalize, const fs::path& folder,

@@ -87,6 +87,22 @@ void check_original(const Stimulus& original, const Stimulus& foil, FaultList& l
            "name another aspect, or a stimulus that differs in it");
 }
 
+/// The stimulus that a foil is of; nullptr, and told, where there is none.
+const Stimulus* original_of(const Stimulus& foil, const Manifest& manifest, FaultList& list) {
+  const std::string path = member_path(member_path(foil.path, "foil"), "of");
+  const std::string& of = foil.foil->of;
+  const auto named = std::ranges::find(manifest.stimuli, of, &Stimulus::id);
+  if (named == manifest.stimuli.end()) {
+    list.add(path, "\"" + of + "\" is no stimulus",
+             motion::did_you_mean(of, possible_originals(manifest)));
+    return nullptr;
+  }
+  if (!named->foil) return &*named;
+  list.add(path, "\"" + of + "\" is a foil itself",
+           "name the stimulus that it is of, \"" + named->foil->of + "\"");
+  return nullptr;
+}
+
 }  // namespace
 
 std::string_view name_of(FoilAspect aspect) {
@@ -98,7 +114,6 @@ std::string_view name_of(FoilAspect aspect) {
 
 std::vector<Fault> resolve_foils(Manifest& manifest) {
   FaultList list(manifest.places);
-  const std::vector<std::string> originals = possible_originals(manifest);
   for (Stimulus& foil : manifest.stimuli) {
     if (!foil.foil) continue;
     const std::string path = member_path(foil.path, "foil");
@@ -107,15 +122,8 @@ std::vector<Fault> resolve_foils(Manifest& manifest) {
         list.add(member_path(foil.path, key), "a foil takes this from the stimulus that it is of",
                  "leave it out, or give it to \"" + foil.foil->of + "\"");
     }
-    const auto original = std::ranges::find_if(manifest.stimuli, [&](const Stimulus& other) {
-      return other.id == foil.foil->of && !other.foil;
-    });
-    if (original == manifest.stimuli.end()) {
-      list.add(member_path(path, "of"),
-               "\"" + foil.foil->of + "\" is no stimulus that a foil can be made of",
-               motion::did_you_mean(foil.foil->of, originals));
-      continue;
-    }
+    const Stimulus* original = original_of(foil, manifest, list);
+    if (original == nullptr) continue;
     make_like(*original, list.was_given(member_path(foil.path, "on_fault")), foil);
     check_original(*original, foil, list);
   }

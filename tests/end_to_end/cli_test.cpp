@@ -60,6 +60,22 @@ TEST(CommandLine, RefusesWhatItDoesNotKnow) {
   }
 }
 
+TEST(CommandLine, NamesTheWordsThatAnOptionTakes) {
+  const auto told = [](const std::vector<std::string>& choice) {
+    std::vector<std::string> arguments = {"study", "targets", "--examples", "builtin:walks-10"};
+    arguments.insert(arguments.end(), choice.begin(), choice.end());
+    const Ended ended = run_mien(arguments);
+    EXPECT_EQ(ended.code, 2);
+    return ended.errors;
+  };
+  EXPECT_NE(
+      told({"--spread", "sideways"}).find("\"sideways\" is not one of everything, parameters"),
+      std::string::npos)
+      << told({"--spread", "sideways"});
+  EXPECT_NE(told({"--unreachable", "rejct"}).find("did you mean \"reject\"?"), std::string::npos)
+      << told({"--unreachable", "rejct"});
+}
+
 TEST(CommandLine, CheckTellsEveryFaultAndWritesNothing) {
   const Scratch scratch;
   const fs::path bad = scratch.write("bad.yaml", R"(mien: 1

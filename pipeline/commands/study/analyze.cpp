@@ -15,6 +15,7 @@
 #include "pipeline/analysis/cluster_names.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
+#include "pipeline/commands/word_choice.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
@@ -189,7 +190,7 @@ void add_rule(CLI::App& command, const char* name, Enum& rule, const std::string
   std::string words;
   for (const auto& [word, value] : choices) words += (words.empty() ? "" : "|") + word;
   command.add_option(name, rule, help + " [" + usual + "]")
-      ->transform(CLI::CheckedTransformer(choices).description(""))
+      ->transform(choice_of(choices))
       ->type_name(words);
 }
 

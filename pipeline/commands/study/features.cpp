@@ -11,6 +11,7 @@
 #include "pipeline/analysis/feature_clusters.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
+#include "pipeline/commands/word_choice.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/synthesis/repertoire.h"
@@ -81,7 +82,7 @@ void add_study_features_command(CLI::App& study, Command& chosen) {
   command
       ->add_option("--scaling", options->scaling,
                    "Scale features over the examples to 0 … 1, or to z scores [min-max]")
-      ->transform(CLI::CheckedTransformer(scalings_by_name()).description(""))
+      ->transform(choice_of(scalings_by_name()))
       ->type_name("min-max|z-score");
   command->add_option("-o,--output", options->out, "Folder for the results")->required();
   command->footer(

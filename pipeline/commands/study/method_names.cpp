@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "pipeline/commands/word_choice.h"
+
 namespace mien::pipeline {
 
 std::vector<motion::InterpolationMethod> methods_with_parameters() {
@@ -23,7 +25,7 @@ void add_methods_option(CLI::App& command, std::vector<motion::InterpolationMeth
       .add_option("--methods", methods,
                   "Methods of interpolation to try, with commas: " + names + "; " + otherwise)
       ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(by_name, CLI::ignore_case))
+      ->transform(choice_of(by_name))
       ->option_text("METHOD,...");
 }
 

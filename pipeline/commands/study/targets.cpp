@@ -10,6 +10,7 @@
 
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
+#include "pipeline/commands/word_choice.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/matching/primary_parameters.h"
 #include "pipeline/matching/target_manifest.h"
@@ -116,7 +117,7 @@ void add_study_targets_command(CLI::App& study, Command& chosen) {
       ->add_option("--unreachable", options->sampling.unreachable,
                    "Places that no blend of the examples has: reject draws another, project takes "
                    "the nearest place that one has")
-      ->transform(CLI::CheckedTransformer(fates))
+      ->transform(choice_of(fates))
       ->option_text("reject|project [reject]");
   const std::map<std::string, TargetSpread> spreads = {{"parameters", TargetSpread::parameters},
                                                        {"everything", TargetSpread::everything}};
@@ -124,7 +125,7 @@ void add_study_targets_command(CLI::App& study, Command& chosen) {
       ->add_option("--spread", options->sampling.spread,
                    "What targets are as far from each other as possible in: their own parameters, "
                    "or everything that was rated (with --from features: measured)")
-      ->transform(CLI::CheckedTransformer(spreads))
+      ->transform(choice_of(spreads))
       ->option_text("parameters|everything [parameters]");
   command->add_option("--seed", options->seed, "Seed of the sampling; the manifest's without it");
   command->add_option("-o,--output", options->out,

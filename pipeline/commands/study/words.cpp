@@ -9,6 +9,7 @@
 
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/study/study.h"
+#include "pipeline/commands/word_choice.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/ratings/word_answers.h"
 
@@ -137,10 +138,8 @@ void add_study_words_command(CLI::App& study, Command& chosen) {
       ->add_option("--unmentioned", options->unmentioned,
                    "What an answer says about a scale that it does not mention: neutral (its "
                    "middle) or no-answer")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Unmentioned>{{"neutral", Unmentioned::neutral},
-                                             {"no-answer", Unmentioned::no_answer}},
-          CLI::ignore_case))
+      ->transform(choice_of(std::map<std::string, Unmentioned>{
+          {"neutral", Unmentioned::neutral}, {"no-answer", Unmentioned::no_answer}}))
       ->option_text("neutral|no-answer [neutral]");
   command->footer(
       "\nA word is worth 1 of 2 towards its end of the scale, a strengthened one (\"very\") 2; a "

@@ -86,6 +86,16 @@ TEST(Foils, ThatCannotBeMadeAreRefused) {
   EXPECT_EQ(first_fault("  - {id: f, foil: {of: low, differ: posture}}\n"), "");
   EXPECT_NE(first_fault("  - {id: f, foil: {of: lwo, differ: posture}}\n").find("did you mean"),
             std::string::npos);
+  EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}}\n"
+                        "  - {id: g, foil: {of: f, differ: speed}}\n")
+                .find("\"f\" is a foil itself; name the stimulus that it is of, \"low\""),
+            std::string::npos);
+  EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, hold: others}\n")
+                .find("a foil takes this from the stimulus"),
+            std::string::npos);
+  EXPECT_NE(first_fault("  - {id: f, foil: {of: low, differ: posture}, factors: {my lab: k}}\n")
+                .find("is no name of a column"),
+            std::string::npos);
   EXPECT_NE(first_fault("  - {id: f, foil: {of: plain, differ: posture}}\n")
                 .find("change nothing of its posture"),
             std::string::npos);
