@@ -1,6 +1,7 @@
 #include "pipeline/report/report_tables.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -42,6 +43,13 @@ std::string smaller_weights(const std::vector<std::pair<double, std::string>>& w
   return fmt::format(
       "<tr><th scope=\"row\">{} more (metrics/weights.csv)</th><td></td><td>{:.2f}</td></tr>\n",
       count, sum);
+}
+
+/// "5.0°", "+2.3 %", "less than 0.1 %"
+std::string difference_text(const CertifiedAspect& aspect) {
+  if (aspect.aspect == FoilAspect::posture) return fmt::format("{:.1f}°", aspect.difference);
+  const double percent = 100.0 * aspect.difference;
+  return std::abs(percent) < 0.1 ? "less than 0.1 %" : fmt::format("{:+.1f} %", percent);
 }
 
 }  // namespace
@@ -140,12 +148,9 @@ std::string foil_table(const Manifest& manifest, Motions& motions) {
   std::string rows;
   for (const auto& [id, foil, aspects] : foil_certificates(manifest, motions)) {
     for (const CertifiedAspect& aspect : aspects) {
-      const bool is_posture = aspect.aspect == FoilAspect::posture;
       rows += fmt::format(
           "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-          html_escaped(id), html_escaped(foil.of), name_of(aspect.aspect),
-          is_posture ? fmt::format("{:.1f}°", aspect.difference)
-                     : fmt::format("{:+.1f} %", 100.0 * aspect.difference),
+          html_escaped(id), html_escaped(foil.of), name_of(aspect.aspect), difference_text(aspect),
           aspect.aspect == foil.differ ? "meant to differ"
           : aspect.is_held()           ? "held"
                                        : "<strong>differs, too</strong>");

@@ -6,6 +6,7 @@
 
 #include "pipeline/checks/manifest_reader.h"
 #include "pipeline/documents/csv.h"
+#include "pipeline/report/report_tables.h"
 
 namespace mien::pipeline {
 namespace {
@@ -35,6 +36,23 @@ std::map<std::string, double> differences(const std::string& differ, std::string
     *held += text("is_held").empty() ? "-" : text("is_held");
   }
   return by_aspect;
+}
+
+TEST(Foils, AreInTheReportWithWhatTheyDifferIn) {
+  const Manifest manifest = parsed("  - {id: foil, foil: {of: low, differ: posture}}\n").manifest;
+  Motions motions(manifest);
+  const std::string table = foil_table(manifest, motions);
+  const auto count = [&](const std::string& words) {
+    int found = 0;
+    for (std::size_t at = 0; (at = table.find(words, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<td>meant to differ</td>"), 1);
+  EXPECT_EQ(count("<td>held</td>"), 3);
+  EXPECT_EQ(count("differs, too"), 0);
+  const Manifest without = parsed("").manifest;
+  Motions others(without);
+  EXPECT_EQ(foil_table(without, others), "");
 }
 
 TEST(Foils, DifferInPostureAlone) {
