@@ -31,7 +31,7 @@ struct Cleaned {
 Cleaned clean_folder(const std::filesystem::path& folder, const Production& production) {
   Cleaned cleaned;
   if (!std::filesystem::is_directory(folder)) return cleaned;
-  const Store store(folder);
+  const Store store(folder, Sharing::exclusive);
   for (const Receipt& artifact : stale_in(folder, production))
     (remove_artifact(store, artifact) ? cleaned.removed : cleaned.changed).push_back(artifact);
   return cleaned;

@@ -7,7 +7,7 @@
 
 namespace mien::pipeline {
 
-void add_production_options(CLI::App& command, ProductionArguments& arguments) {
+void add_manifest_options(CLI::App& command, ProductionArguments& arguments) {
   command
       .add_option(
           "manifest", arguments.manifest,
@@ -16,14 +16,18 @@ void add_production_options(CLI::App& command, ProductionArguments& arguments) {
   command
       .add_option("--out,-o", arguments.out, "Folder of all studies; results go to <out>/<study>")
       ->capture_default_str();
-  command
-      .add_option("--only", arguments.only,
-                  "Ids of stimuli, overlays or sheets, separated by commas")
-      ->delimiter(',');
   command.add_option("--quality", arguments.quality, "Instead of the manifest's quality")
       ->check(CLI::IsMember({"draft", "standard", "final"}));
   command.add_option("--jobs,-j", arguments.jobs, "Tasks at a time (default: one a processor)")
       ->check(CLI::Range(1, 1024));
+}
+
+void add_production_options(CLI::App& command, ProductionArguments& arguments) {
+  add_manifest_options(command, arguments);
+  command
+      .add_option("--only", arguments.only,
+                  "Ids of stimuli, overlays or sheets, separated by commas")
+      ->delimiter(',');
   command.add_flag("--json", arguments.json, "Result as JSON on standard output");
 }
 

@@ -21,9 +21,13 @@ struct ProductionArguments {
   std::string quality;  ///< empty: as the manifest says
   int jobs = 0;         ///< 0: one a processor
   bool json = false;
+  bool exclusive = false;
 };
 
 void add_production_options(CLI::App& command, ProductionArguments& arguments);
+
+/// Those of them that tell which study it is and with how many threads it is made.
+void add_manifest_options(CLI::App& command, ProductionArguments& arguments);
 
 int jobs_of(const ProductionArguments& arguments);
 ProductionOptions options_of(const ProductionArguments& arguments);

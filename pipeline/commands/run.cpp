@@ -35,10 +35,8 @@ void tell_faults(const TaskGraph& graph, const RunResult& result, const Console&
     console.err << error << "\n  (" << tasks << ")\n";
   }
   for (const std::string& warning : result.warnings) console.err << "warning: " << warning << '\n';
-  for (const Nondeterminism& met : result.nondeterminism) {
-    console.err << met.path << ": made twice from the same inputs with different bytes ("
-                << met.before << ", now " << met.now << "); please report this\n";
-  }
+  for (const std::string& repair : result.repairs) console.err << "note: " << repair << '\n';
+  for (const Nondeterminism& met : result.nondeterminism) console.err << to_string(met) << '\n';
 }
 
 void tell_summary(const RunResult& result, const fs::path& folder, const Console& console) {
@@ -90,6 +88,7 @@ void tell_json(const Production& production, const RunResult& result, const fs::
                                 {"failed", failed},
                                 {"interrupted", result.was_interrupted},
                                 {"warnings", result.warnings},
+                                {"repairs", result.repairs},
                                 {"nondeterminism", differing},
                                 {"artifacts", artifacts},
                                 {"stale", shown_paths(stale_in(folder, production))}};
@@ -124,7 +123,8 @@ int run_production(const ProductionArguments& arguments, const Console& console)
   {
     Progress progress(console.err, console.err_is_terminal, production.graph(),
                       plan(production.graph(), folder), steady_seconds);
-    result = run(production, folder, jobs_of(arguments), console.stop, progress.observer());
+    result = run(production, folder, jobs_of(arguments), console.stop, progress.observer(),
+                 arguments.exclusive ? Sharing::exclusive : Sharing::shared);
   }
   tell_faults(production.graph(), result, console);
   if (arguments.json) {
@@ -142,6 +142,9 @@ void add_run_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("run", "Make everything that a manifest asks for");
   const auto arguments = std::make_shared<ProductionArguments>();
   add_production_options(*command, *arguments);
+  command->add_flag("--exclusive", arguments->exclusive,
+                    "Refuse to work beside another process in the study's folder; without it, two "
+                    "share the work");
   command->footer(
       "\nWhat is there and unchanged is not made again; an interrupted run goes on where it "
       "stopped.\n\nExamples:\n"

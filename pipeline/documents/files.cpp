@@ -20,9 +20,9 @@ namespace {
 }
 
 [[noreturn]] void throw_unwritable(const std::filesystem::path& file) {
-  throw std::runtime_error(file.string() + ": cannot be written (" +
-                           std::generic_category().message(errno) +
-                           "); check that the folder exists, may be written to and has space");
+  throw WriteFailure(file.string() + ": cannot be written (" +
+                     std::generic_category().message(errno) +
+                     "); check that the folder exists, may be written to and has space");
 }
 
 /// An open file that closes itself.
@@ -67,18 +67,13 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error) return;
-  throw std::runtime_error(folder.string() + ": cannot be made (" + error.message() +
-                           "); name a folder that can be written to");
+  throw WriteFailure(folder.string() + ": cannot be made (" + error.message() +
+                     "); name a folder that can be written to");
 }
 
 void flush_to_disk(const std::filesystem::path& file) {
   const Descriptor descriptor(file, O_RDONLY);
   if (::fsync(descriptor.number()) != 0) throw_errno(file);
-}
-
-void flush_file_system(const std::filesystem::path& folder) {
-  const Descriptor descriptor(folder, O_RDONLY);
-  if (::syncfs(descriptor.number()) != 0) throw_errno(folder);
 }
 
 }  // namespace mien::pipeline

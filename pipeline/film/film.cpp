@@ -13,7 +13,7 @@
 
 #include "pipeline/film/film_frames.h"
 #include "pipeline/tasks/bounded_queue.h"
-#include "pipeline/tasks/task_graph.h"
+#include "pipeline/tasks/progress.h"
 #include "render/error.h"
 #include "render/image/contact_sheet.h"
 #include "render/image/image_io.h"
@@ -79,8 +79,8 @@ class FrameTaker {
     const auto* layers = std::get_if<render::Layers>(&exposure.picture);
     const render::Film& film =
         layers != nullptr ? layers->beauty : std::get<render::Film>(exposure.picture);
-    if (store_ == nullptr) return render::to_srgb8(film, tone_);
     const FrameFormat format = settings_.output.frames;
+    if (store_ == nullptr || format == FrameFormat::none) return render::to_srgb8(film, tone_);
     render::Image8 read_back;
     store_->put(
         frame_name(format, exposure.frame),
@@ -115,11 +115,12 @@ void give_back_memory() {
 std::optional<render::Image8> stored_frame(FrameStore* store, int frame, const Output& output,
                                            const render::Tone& tone) {
   if (store == nullptr) return std::nullopt;
-  const std::string name = frame_name(output.frames, frame);
+  const FrameFormat format = output.frames == FrameFormat::none ? FrameFormat::png : output.frames;
+  const std::string name = frame_name(format, frame);
   const auto file = store->find(name);
   if (!file) return std::nullopt;
   try {
-    return read_frame(*file, output.frames, output.shown_size(), tone);
+    return read_frame(*file, format, output.shown_size(), tone);
   } catch (const render::Error&) {
     store->discard(name);
     return std::nullopt;
@@ -160,6 +161,23 @@ render::Film exposed(render::Tracer& tracer, const scenes::Shot& shot, int frame
   return beside(seen_by(0), seen_by(cameras.size() - 1));
 }
 
+/// False when it was given up because of a stop request.
+bool draw_frame(render::Tracer& tracer, const scenes::Shot& shot, const FilmSettings& settings,
+                const render::Quality& quality, Exposure& exposure) {
+  const Stopwatch::Running tracing(settings.drawing);
+  const double begin = steady_seconds();
+  try {
+    if (settings.output.frames == FrameFormat::layers)
+      exposure.picture = layers_of(tracer, shot, exposure.frame, quality);
+    else
+      exposure.picture = exposed(tracer, shot, exposure.frame, quality);
+  } catch (const render::Stopped&) {
+    return false;
+  }
+  if (settings.drew) settings.drew(steady_seconds() - begin);
+  return true;
+}
+
 }  // namespace
 
 render::Quality quality_of(const FilmSettings& settings) {
@@ -194,27 +212,34 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress) {
   give_back_memory();
-  render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
+  render::Tracer tracer({.threads = settings.threads, .instruction_set = "", .stop = stop});
   const render::Quality quality = quality_of(settings, shot);
   FrameTaker taker(settings, shot.tone, store, sink);
   double done = 0.0;
   for (const int frame : frames) {
-    if (stop.stop_requested()) throw Interrupted{};
+    if (stop.stop_requested()) break;
     Exposure exposure;
     exposure.frame = frame;
     if (auto stored = stored_frame(store, frame, settings.output, shot.tone)) {
       exposure.picture = std::move(*stored);
-    } else {
-      const Stopwatch::Running tracing(settings.drawing);
-      if (settings.output.frames == FrameFormat::layers)
-        exposure.picture = layers_of(tracer, shot, frame, quality);
-      else
-        exposure.picture = exposed(tracer, shot, frame, quality);
+    } else if (!draw_frame(tracer, shot, settings, quality, exposure)) {
+      break;
     }
     if (!taker.push(std::move(exposure))) break;
     progress(++done / static_cast<double>(frames.size()));
   }
-  taker.finish();
+  taker.finish();  // frames that are drawn are kept, also of a film that is given up
+  if (stop.stop_requested() && done < static_cast<double>(frames.size())) throw Interrupted{};
+}
+
+std::vector<int> frames_of_part(const Part& part, int frame_count) {
+  const auto begin = [&](int number) {
+    return static_cast<int>(std::int64_t{number} * frame_count / part.of);
+  };
+  std::vector<int> frames;
+  for (int frame = begin(part.number - 1); frame < begin(part.number); ++frame)
+    frames.push_back(frame);
+  return frames;
 }
 
 ContactSheetBuilder::ContactSheetBuilder(int frame_count)

@@ -9,6 +9,7 @@
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/tasks/stopwatch.h"
 #include "pipeline/tasks/store.h"
+#include "pipeline/tasks/task_graph.h"
 #include "render/image/image.h"
 #include "render/image/layers.h"
 #include "render/scene/quality.h"
@@ -25,6 +26,9 @@ struct FilmSettings {
   Stopwatch* drawing = nullptr;  ///< if any, runs while a frame is traced or encoded
   int eyes = 1;                  ///< pictures side by side in each frame: 2 of a stereo pair
   bool loops = false;            ///< animated pictures repeat for ever
+
+  /// Told how long the drawing of each frame took, in seconds.
+  std::function<void(double)> drew = {};
 };
 
 /// The renderer's settings for them.
@@ -44,12 +48,17 @@ using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 /// Draws frames and hands them on. While one is traced, earlier ones are written, read back and
 /// taken by the sink in a second thread; at most one waits in between, however long the shot.
 ///
-/// With `store`, frames that it has are not drawn again, and each new one is kept there; the sink
-/// then gets what was stored, so a resumed film is the same to the last bit. Throws Interrupted
-/// after a stop request, and what the tracer, the store or the sink throw.
+/// With `store`, frames that it has are not drawn again, and each new one is kept there unless the
+/// output's frames are none (those that it has are then PNG); the sink gets what was stored, so a
+/// resumed film is the same to the last bit. Throws Interrupted soon after a stop request, and what
+/// the tracer, the store or the sink throw.
 void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress);
+
+/// The frames of a part of a film of so many, ascending: whole frames, all parts together each
+/// once.
+std::vector<int> frames_of_part(const Part& part, int frame_count);
 
 /// Collects evenly spread frames, at a size that fits a page, into one picture.
 class ContactSheetBuilder {

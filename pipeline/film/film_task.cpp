@@ -60,7 +60,11 @@ std::vector<std::string> names_of(const std::vector<int>& frames, FrameFormat fo
   return names;
 }
 
-/// Makes one film; lives as long as the task runs.
+/// Films that take longer are kept frame by frame while they are made, so that an interrupted run
+/// loses little; the others are drawn again faster than their frames are written.
+constexpr double kept_from_seconds = 60.0;
+
+/// Makes one film or a part of it; lives as long as the task runs.
 class FilmMaker {
  public:
   FilmMaker(const FilmSubject& subject, const Equalized& alike, const FilmSettings& settings,
@@ -73,6 +77,7 @@ class FilmMaker {
         shot_(exposed(subject.make_shot(alike), alike.exposure_stops)),
         contact_(shot_.frame_count()),
         recorder_(settings_, shot_.frame_count()) {
+    settings_.drew = [&run](double seconds) { run.store.presence().drew_frame(seconds); };
     record_.exposure_stops = static_cast<double>(alike.exposure_stops);
     record_.figure_px = scenes::figure_pixels(shot_.cameras);
     record_.figure_place = scenes::figure_place(shot_.cameras);
@@ -85,26 +90,50 @@ class FilmMaker {
 
   /// Throws Error when its fades last longer than the film.
   void make() {
-    const std::string wrong = fade_fault(film_, shot_.frame_count());
-    if (!wrong.empty()) throw Error(wrong, fade_remedy);
-    std::size_t next = 0;
-    std::unique_ptr<FrameStore> frames;
-    if (output_.frames != FrameFormat::none) frames = open_frames(next++);
+    refuse_long_fades();
+    std::size_t next = keeps_frames() ? 1 : 0;
+    const std::unique_ptr<FrameStore> frames = open_frames();
     if (output_.video.empty()) {
-      draw(frames.get(), output_.frames == FrameFormat::none ? contact_.frames() : every_frame(),
-           {});
+      draw(frames.get(), keeps_frames() ? every_frame() : contact_.frames(), {});
     } else {
       make_videos(0, next, frames.get());
       next += output_.video.size();
     }
-    if (frames) frames->publish(names_of(every_frame(), output_.frames));
+    if (keeps_frames()) frames->publish(names_of(every_frame(), output_.frames));
     put_contact_sheet(next++);
     put_record(next);
+    if (!keeps_frames()) frames->drop();
+  }
+
+  /// Draws frames that are missing, for `make` to find.
+  void make(const Part& part) {
+    refuse_long_fades();
+    draw_frames(
+        shot_, frames_of_part(part, shot_.frame_count()), kept_frames(), open_frames().get(),
+        [](int, const render::Image8&) {}, run_.stop, run_.progress);
   }
 
  private:
-  std::unique_ptr<FrameStore> open_frames(std::size_t product) {
-    return run_.store.frames(run_.task.products[product].path, run_.keys[product]);
+  void refuse_long_fades() const {
+    const std::string wrong = fade_fault(film_, shot_.frame_count());
+    if (!wrong.empty()) throw Error(wrong, fade_remedy);
+  }
+
+  bool keeps_frames() const { return output_.frames != FrameFormat::none; }
+
+  /// The frames that the output asks for, or those that are kept until the film is made.
+  std::unique_ptr<FrameStore> open_frames() {
+    if (keeps_frames())
+      return run_.store.frames(run_.task.products.front().path, run_.keys.front());
+    const std::string path = "frames/" + id_;
+    return run_.store.frames(path, KeyBuilder().add("kept", path).add("task", run_.task_key).key());
+  }
+
+  /// Settings by which each frame that is drawn is kept.
+  FilmSettings kept_frames() const {
+    FilmSettings kept = settings_;
+    if (!keeps_frames()) kept.output.frames = FrameFormat::png;
+    return kept;
   }
 
   std::vector<int> every_frame() const { return all_frames(shot_.frame_count()); }
@@ -116,7 +145,9 @@ class FilmMaker {
       record_.luminance.add(render::luminance_of(picture));
       if (sink) sink(frame, picture);
     };
-    draw_frames(shot_, frames, settings_, store, both, run_.stop, run_.progress);
+    const bool is_long = run_.task.cost_seconds > kept_from_seconds;
+    draw_frames(shot_, frames, is_long ? kept_frames() : settings_, store, both, run_.stop,
+                run_.progress);
   }
 
   /// Opens this video and the ones after it; then the film is drawn once, for all of them.
@@ -232,13 +263,15 @@ Task film_task(const FilmSubject& subject, const FilmSettings& settings,
   const Equalize& equalize = subject.equalize;
   task.determinants.add("duration", std::int64_t{equalize.duration});
   for (const std::string& other : equalizing_task_ids(equalize)) task.inputs.push_back(other);
-  task.make = [subject, &motions, settings](TaskRun& run) {
+  const auto begin = [subject, &motions, settings](TaskRun& run) {
     FilmSettings own = settings;
     own.loops = repeats(subject, motions);
     own.eyes = subject.film.look.camera.stereo_separation_m ? 2 : 1;
     const Equalized alike = equalized_film(subject.equalize, run.store.folder(), subject.film.id);
-    FilmMaker(subject, alike, own, run).make();
+    return FilmMaker(subject, alike, own, run);
   };
+  task.make = [begin](TaskRun& run) { begin(run).make(); };
+  task.make_part = [begin](TaskRun& run, const Part& part) { begin(run).make(part); };
   return task;
 }
 

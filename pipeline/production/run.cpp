@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "motion/error.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_record.h"
 #include "pipeline/film/film_tables.h"
@@ -49,6 +50,20 @@ std::vector<std::string> warnings_in(const Production& production, const RunResu
   return warnings;
 }
 
+/// Two runs of a manifest that was edited in between write to the same paths: the later artifact
+/// stays, and what was made of the other one no longer fits it.
+void refuse_replaced(const RunResult& result, const Store& store) {
+  for (const TaskOutcome& outcome : result.outcomes) {
+    for (const Receipt& product : outcome.products) {
+      const auto now = read_receipt(store.folder(), product.path);
+      if (now && now->key == product.key) continue;
+      throw Error(product.path + " was replaced by another process while this one worked",
+                  "a run of another state of this study, perhaps; when it is over, the same "
+                  "command goes on from here");
+    }
+  }
+}
+
 }  // namespace
 
 int RunResult::count(TaskState state) const {
@@ -70,17 +85,19 @@ std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Product
 }
 
 RunResult run(Production& production, const std::filesystem::path& folder, int jobs,
-              const std::stop_token& stop, const RunObserver& observer) {
-  Store store(folder);
+              const std::stop_token& stop, const RunObserver& observer, Sharing sharing) {
+  Store store(folder, sharing);
   RunResult result;
   result.outcomes = run(production.graph(), store, jobs, stop, observer);
   result.was_interrupted = stop.stop_requested() && !result.is_complete();
   if (production.is_whole() && result.is_complete()) {
+    refuse_replaced(result, store);
     put_inputs(production.manifest(), production.inputs(), store);
     put_provenance(production, result, store);
   }
   result.warnings = warnings_in(production, result, store);
   result.nondeterminism = store.nondeterminism();
+  result.repairs = store.repairs();
   return result;
 }
 

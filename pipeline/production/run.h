@@ -16,6 +16,7 @@ namespace mien::pipeline {
 struct RunResult {
   std::vector<TaskOutcome> outcomes;  ///< one a task of the production's graph
   std::vector<Nondeterminism> nondeterminism;
+  std::vector<std::string> repairs;   ///< what was found damaged or in the way, and made good
   std::vector<std::string> warnings;  ///< about the motions: "guess-1: …"
   bool was_interrupted = false;
 
@@ -27,10 +28,12 @@ struct RunResult {
 /// only: the others are no less wanted.
 std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production);
 
-/// Makes what is not in `folder` yet, and writes provenance.json and inputs/ when everything is
-/// there. Throws
-/// StoreBusy when another run works in the folder.
+/// Makes what is not in `folder` yet, together with other runs of the study that work there, and
+/// writes provenance.json and inputs/ when everything is there. Throws StoreBusy when another
+/// process works in the folder and it or this one is to be alone, and Error when a run of another
+/// state of the study replaced artifacts in the meantime.
 RunResult run(Production& production, const std::filesystem::path& folder, int jobs,
-              const std::stop_token& stop, const RunObserver& observer);
+              const std::stop_token& stop, const RunObserver& observer,
+              Sharing sharing = Sharing::shared);
 
 }  // namespace mien::pipeline

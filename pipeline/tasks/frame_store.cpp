@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <cerrno>
 #include <fstream>
-#include <set>
 #include <sstream>
+#include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "pipeline/documents/files.h"
 #include "pipeline/tasks/store.h"
@@ -13,118 +17,203 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string journal_line(const FrameReceipt& frame) {
-  return frame.hash + " " + std::to_string(frame.size) + " " + frame.name + "\n";
+/// A line begins with a hash of the rest, so one that was cut off or damaged is no note.
+std::string note_line(const FrameReceipt& frame, const Maker& maker) {
+  const std::string rest = fmt::format("{} {} {} {} {}", frame.hash, frame.size,
+                                       maker.instruction_set, frame.name, maker.host);
+  return hash_of(rest) + " " + rest + "\n";
+}
+
+/// Fills what a line notes; false when it is no note.
+bool parse_note(const std::string& line, FrameReceipt& frame, Maker& maker) {
+  const std::size_t space = line.find(' ');
+  if (space == std::string::npos) return false;
+  const std::string rest = line.substr(space + 1);
+  if (line.substr(0, space) != hash_of(rest)) return false;
+  std::istringstream fields(rest);
+  fields >> frame.hash >> frame.size >> maker.instruction_set >> frame.name >> maker.host;
+  return !fields.fail();
+}
+
+/// A second name for a file, or where there is no such thing a copy.
+void link_or_copy(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_hard_link(from, to, error);
+  if (!error) return;
+  fs::copy_file(from, to);
+  flush_to_disk(to);
 }
 
 }  // namespace
 
 FrameStore::FrameStore(Store::State& store, std::string path, Hash key)
     : store_(&store), path_(std::move(path)), key_(std::move(key)) {
-  folder_ = store_->internal() / "partial" / path_;
-  journal_ = folder_;
-  journal_ += ".journal";
-  take_back_unreceipted();
-  read_journal();
-  if (fs::is_empty(folder_)) adopt_published();
+  folder_ = store_->internal() / "partial" / path_ / key_;
 }
 
-/// A kill after the frames were published but before their receipt was: they are ours again.
-void FrameStore::take_back_unreceipted() {
-  const fs::path target = store_->folder / path_;
-  if (!fs::exists(journal_) || fs::exists(folder_) || !fs::is_directory(target)) return;
-  fs::rename(target, folder_);
-}
-
-/// A journal whose last line was cut off by a crash is read up to there, and then written whole.
-void FrameStore::read_journal() {
-  std::ifstream stream(journal_);
-  std::string line;
-  if (!std::getline(stream, line) || line != key_) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    write_file(journal_, key_ + "\n");
-    return;
+std::optional<fs::path> FrameStore::find(const std::string& name) {
+  const fs::path drawn = folder_ / "frames" / name;
+  const std::vector<Note> notes = notes_of(name);
+  for (const Note& note : notes) {
+    if (!agrees(drawn, note.frame.hash, note.frame.size)) continue;
+    remember(name, {note.frame, drawn});
+    return drawn;
   }
-  fs::create_directories(folder_);
-  while (std::getline(stream, line)) {
-    FrameReceipt frame;
-    std::istringstream fields(line);
-    if (fields >> frame.hash >> frame.size >> frame.name) noted_[frame.name] = frame;
+  std::error_code none;
+  if (!notes.empty() && fs::exists(drawn, none)) note_damage(name);
+  const std::optional<Note> published = published_note(name);
+  const fs::path file = store_->folder / path_ / name;
+  if (!published) return std::nullopt;
+  if (!agrees(file, published->frame.hash, published->frame.size)) {
+    note_damage(name);
+    return std::nullopt;
   }
-  write_journal();
-}
-
-void FrameStore::write_journal() const {
-  std::string journal = key_ + "\n";
-  for (const auto& [name, frame] : noted_) journal += journal_line(frame);
-  write_file(journal_, journal);
-}
-
-/// Takes over a published sequence of the same key, of which some frames no longer agree.
-void FrameStore::adopt_published() {
-  const std::optional<Receipt> receipt = read_receipt(store_->folder, path_);
-  if (!receipt || receipt->key != key_ || !fs::is_directory(store_->folder / path_)) return;
-  for (const FrameReceipt& frame : receipt->frames) noted_[frame.name] = frame;
-  write_journal();
-  fs::remove_all(folder_);
-  fs::rename(store_->folder / path_, folder_);
-}
-
-std::optional<fs::path> FrameStore::find(const std::string& name) const {
-  const std::optional<FrameReceipt> frame = noted(name);
-  fs::path file = folder_ / name;
-  if (!frame || !agrees(file, frame->hash, frame->size)) return std::nullopt;
+  remember(name, {published->frame, file});
   return file;
 }
 
-std::optional<FrameReceipt> FrameStore::noted(const std::string& name) const {
-  const std::lock_guard guard(mutex_);
-  const auto found = noted_.find(name);
-  if (found == noted_.end()) return std::nullopt;
-  return found->second;
+void FrameStore::note_damage(const std::string& name) {
+  store_->note_repair(path_ + "/" + name +
+                      ": was damaged or changed since it was drawn, and is drawn again");
 }
 
-void FrameStore::discard(const std::string& name) { fs::remove(folder_ / name); }
+/// What the receipt of a published sequence of this key says of a frame.
+std::optional<FrameStore::Note> FrameStore::published_note(const std::string& name) const {
+  const std::optional<Receipt> published = read_receipt(store_->folder, path_);
+  if (!published || published->key != key_ || published->path != path_) return std::nullopt;
+  const auto frame = std::ranges::find(published->frames, name, &FrameReceipt::name);
+  if (frame == published->frames.end()) return std::nullopt;
+  return Note{*frame, published->maker};
+}
+
+void FrameStore::discard(const std::string& name) {
+  std::error_code ignored;
+  fs::remove(folder_ / "frames" / name, ignored);
+  const std::lock_guard guard(mutex_);
+  found_.erase(name);
+}
 
 fs::path FrameStore::put(const std::string& name, const Store::Write& write,
                          const Store::Verify& verify) {
   const fs::path attempt = store_->new_attempt();
-  write(attempt / name);
-  verify(attempt / name);
-  const FrameReceipt frame{name, hash_of_file(attempt / name), fs::file_size(attempt / name)};
-  if (const auto before = noted(name)) {
-    store_->compare(path_ + "/" + name, before->hash, frame.hash);
+  const fs::path drawn = attempt / name;
+  write(drawn);
+  flush_to_disk(drawn);
+  verify(drawn);
+  const FrameReceipt frame{name, hash_of_file(drawn), fs::file_size(drawn)};
+  std::vector<Note> earlier = notes_of(name);
+  if (auto published = published_note(name)) earlier.push_back(*std::move(published));
+  for (const Note& note : earlier) {
+    store_->compare(path_ + "/" + name, note.frame.hash, note.maker, frame.hash);
   }
-  fs::rename(attempt / name, folder_ / name);
-  fs::remove(attempt);
-  const std::lock_guard guard(mutex_);
-  std::ofstream(journal_, std::ios::app) << journal_line(frame);
-  noted_[name] = frame;
-  return folder_ / name;
+  const fs::path file = folder_ / "frames" / name;
+  fs::create_directories(file.parent_path());
+  fs::rename(drawn, file);
+  fs::remove_all(attempt);
+  add_note(frame);
+  remember(name, {frame, file});
+  return file;
 }
 
 Receipt FrameStore::publish(const std::vector<std::string>& names) {
-  Receipt receipt{key_, path_, "", 0, {}};
+  const Receipt receipt = receipt_of(names);
+  const fs::path attempt = store_->new_attempt();
+  const fs::path sequence = attempt / "frames";
+  fs::create_directories(sequence);
+  try {
+    link_frames(receipt.frames, sequence);
+  } catch (const fs::filesystem_error&) {
+    // Another process has published the sequence and cleared away what it was made of.
+    if (const auto published = find_artifact(store_->folder, path_, key_)) return *published;
+    throw;
+  }
+  flush_to_disk(sequence);
+  Receipt published = store_->publish(sequence, receipt);
+  fs::remove_all(attempt);
+  drop();
+  return published;
+}
+
+void FrameStore::link_frames(const std::vector<FrameReceipt>& frames, const fs::path& into) {
+  const std::lock_guard guard(mutex_);
+  for (const FrameReceipt& frame : frames) {
+    link_or_copy(found_.at(frame.name).file, into / frame.name);
+  }
+}
+
+Receipt FrameStore::receipt_of(const std::vector<std::string>& names) const {
+  Receipt receipt{key_, path_, "", 0, {}, store_->self()};
   for (const std::string& name : names) {
-    receipt.frames.push_back(noted_.at(name));
+    receipt.frames.push_back(found_.at(name).frame);
     receipt.size += receipt.frames.back().size;
   }
   receipt.hash = hash_of(receipt.frames);
-  const std::set<std::string> wanted(names.begin(), names.end());
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
-    if (!wanted.contains(entry.path().filename())) fs::remove_all(entry.path());
-  }
-  flush_file_system(folder_);
-
-  const fs::path target = store_->folder / path_;
-  fs::create_directories(target.parent_path());
-  fs::remove_all(target);
-  fs::rename(folder_, target);
-  flush_to_disk(target.parent_path());
-  store_->write_receipt(receipt);
-  fs::remove(journal_);
   return receipt;
+}
+
+void FrameStore::drop() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+  drop_other_keys();
+  fs::remove(folder_.parent_path(), ignored);
+}
+
+/// Frames of other keys are of no use any more, unless another process is drawing them.
+void FrameStore::drop_other_keys() {
+  std::error_code ignored;
+  for (const fs::directory_entry& sequence :
+       fs::directory_iterator(folder_.parent_path(), ignored)) {
+    bool is_in_use = false;
+    for (const fs::directory_entry& note :
+         fs::directory_iterator(sequence.path() / "notes", ignored)) {
+      const auto worker = read_worker_record(store_->folder, note.path().filename());
+      is_in_use = is_in_use || (worker && worker->name != store_->worker() && !is_gone(*worker));
+    }
+    if (!is_in_use) fs::remove_all(sequence.path(), ignored);
+  }
+}
+
+std::vector<FrameStore::Note> FrameStore::notes_of(const std::string& name) {
+  const std::lock_guard guard(mutex_);
+  read_new_notes();
+  std::vector<Note> notes;
+  const auto [first, last] = notes_.equal_range(name);
+  for (auto note = first; note != last; ++note) notes.push_back(note->second);
+  return notes;
+}
+
+/// Each process has a file of notes of its own, which grows.
+void FrameStore::read_new_notes() {
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "notes", none)) {
+    const std::uintmax_t size = fs::file_size(entry.path(), none);
+    if (none) continue;
+    std::uintmax_t& before = read_[entry.path().filename()];
+    if (size == before) continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(before));
+    std::string line;
+    while (std::getline(stream, line) && !stream.eof()) {
+      before += line.size() + 1;
+      Note note;
+      if (parse_note(line, note.frame, note.maker)) notes_.emplace(note.frame.name, note);
+    }
+  }
+}
+
+/// Opened and closed for each note, so that other machines see it.
+void FrameStore::add_note(const FrameReceipt& frame) {
+  const fs::path notes = folder_ / "notes" / store_->worker();
+  const std::lock_guard guard(mutex_);
+  fs::create_directories(notes.parent_path());
+  std::ofstream stream(notes, std::ios::app | std::ios::binary);
+  stream << note_line(frame, store_->self()) << std::flush;
+  if (!stream) throw std::system_error(errno, std::generic_category(), notes.string());
+}
+
+void FrameStore::remember(const std::string& name, Found found) {
+  const std::lock_guard guard(mutex_);
+  found_[name] = std::move(found);
 }
 
 }  // namespace mien::pipeline

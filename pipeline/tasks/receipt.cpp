@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/documents/files.h"
+#include "motion/text/file_contents.h"
 #include "pipeline/tasks/artifact_key.h"
 
 namespace mien::pipeline {
@@ -20,13 +20,50 @@ FrameReceipt frame_from(const json& entry) {
   return {entry.at("name"), entry.at("hash"), entry.at("size")};
 }
 
-bool frames_agree(const fs::path& folder, const std::vector<FrameReceipt>& frames) {
-  if (!fs::is_directory(folder)) return false;
-  const auto present = std::distance(fs::directory_iterator(folder), fs::directory_iterator());
-  if (present != static_cast<std::ptrdiff_t>(frames.size())) return false;
-  return std::all_of(frames.begin(), frames.end(), [&](const FrameReceipt& frame) {
-    return agrees(folder / frame.name, frame.hash, frame.size);
+/// A network's file system may remember for a while that a file was not there. To open the folder
+/// makes it ask again.
+bool is_file(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_regular_file(file, error)) return true;
+  const fs::directory_iterator opened(file.parent_path(), error);
+  return fs::is_regular_file(file, error);
+}
+
+bool has_size(const fs::path& file, std::uint64_t size) {
+  std::error_code error;
+  return is_file(file) && fs::file_size(file, error) == size && !error;
+}
+
+std::ptrdiff_t count_in(const fs::path& folder) {
+  std::error_code error;
+  const fs::directory_iterator entries(folder, error);
+  return error ? -1 : std::distance(entries, fs::directory_iterator());
+}
+
+/// Whether a test holds for an artifact's file, or for each of its frames and nothing is beside
+/// them.
+template <class Test>
+bool holds_for_files(const fs::path& folder, const Receipt& receipt, const Test& test) {
+  const fs::path target = folder / receipt.path;
+  if (receipt.frames.empty()) return test(target, receipt.hash, receipt.size);
+  if (count_in(target) != static_cast<std::ptrdiff_t>(receipt.frames.size())) return false;
+  return std::ranges::all_of(receipt.frames, [&](const FrameReceipt& frame) {
+    return test(target / frame.name, frame.hash, frame.size);
   });
+}
+
+json object_of(const Receipt& receipt) {
+  json object = {
+      {"key", receipt.key},
+      {"path", receipt.path},
+      {"hash", receipt.hash},
+      {"size", receipt.size},
+      {"made_by",
+       {{"host", receipt.maker.host}, {"instruction_set", receipt.maker.instruction_set}}}};
+  for (const FrameReceipt& frame : receipt.frames) {
+    object["frames"].push_back({{"name", frame.name}, {"hash", frame.hash}, {"size", frame.size}});
+  }
+  return object;
 }
 
 }  // namespace
@@ -38,11 +75,8 @@ Hash hash_of(const std::vector<FrameReceipt>& frames) {
 }
 
 std::string to_json(const Receipt& receipt) {
-  json object = {
-      {"key", receipt.key}, {"path", receipt.path}, {"hash", receipt.hash}, {"size", receipt.size}};
-  for (const FrameReceipt& frame : receipt.frames) {
-    object["frames"].push_back({{"name", frame.name}, {"hash", frame.hash}, {"size", frame.size}});
-  }
+  json object = object_of(receipt);
+  object["checksum"] = hash_of(object.dump());
   return object.dump(1) + "\n";
 }
 
@@ -50,9 +84,12 @@ std::optional<Receipt> receipt_from_json(const std::string& text) {
   try {
     const json object = json::parse(text);
     Receipt receipt{object.at("key"), object.at("path"), object.at("hash"), object.at("size"), {}};
+    const json& maker = object.at("made_by");
+    receipt.maker = {maker.at("host"), maker.at("instruction_set")};
     if (object.contains("frames")) {
       for (const json& frame : object["frames"]) receipt.frames.push_back(frame_from(frame));
     }
+    if (object.at("checksum") != hash_of(object_of(receipt).dump())) return std::nullopt;
     return receipt;
   } catch (const json::exception&) {
     return std::nullopt;
@@ -65,23 +102,35 @@ fs::path receipt_path(const fs::path& folder, const std::string& path) {
 
 std::optional<Receipt> read_receipt(const fs::path& folder, const std::string& path) {
   const fs::path file = receipt_path(folder, path);
-  if (!fs::is_regular_file(file)) return std::nullopt;
-  return receipt_from_json(read_file(file));
+  if (!is_file(file)) return std::nullopt;
+  const std::optional<std::string> text = motion::bytes_of_file(file);
+  return text ? receipt_from_json(*text) : std::nullopt;
 }
 
 std::optional<Receipt> find_artifact(const fs::path& folder, const std::string& path,
                                      const Hash& key) {
   std::optional<Receipt> receipt = read_receipt(folder, path);
   if (!receipt || receipt->key != key || receipt->path != path) return std::nullopt;
-  const bool there = receipt->frames.empty() ? agrees(folder / path, receipt->hash, receipt->size)
-                                             : frames_agree(folder / path, receipt->frames);
-  return there ? receipt : std::nullopt;
+  return artifact_agrees(folder, *receipt) ? receipt : std::nullopt;
 }
 
 bool agrees(const fs::path& file, const Hash& hash, std::uint64_t size) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error) || fs::file_size(file, error) != size) return false;
-  return hash_of_file(file) == hash;
+  if (!has_size(file, size)) return false;
+  try {
+    return hash_of_file(file) == hash;
+  } catch (const std::system_error&) {  // it went away, or the disk cannot read it
+    return false;
+  }
+}
+
+bool artifact_agrees(const fs::path& folder, const Receipt& receipt) {
+  return holds_for_files(folder, receipt, agrees);
+}
+
+bool artifact_seems_there(const fs::path& folder, const Receipt& receipt) {
+  return holds_for_files(
+      folder, receipt,
+      [](const fs::path& file, const Hash&, std::uint64_t size) { return has_size(file, size); });
 }
 
 }  // namespace mien::pipeline

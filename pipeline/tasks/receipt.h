@@ -19,6 +19,14 @@ struct FrameReceipt {
   friend bool operator==(const FrameReceipt&, const FrameReceipt&) = default;
 };
 
+/// Who made something: what to tell when two differ.
+struct Maker {
+  std::string host;
+  std::string instruction_set;
+
+  friend bool operator==(const Maker&, const Maker&) = default;
+};
+
 /// What is known about a published artifact: a file, or a folder of frames.
 struct Receipt {
   Hash key;
@@ -26,6 +34,7 @@ struct Receipt {
   Hash hash;         ///< of the bytes; of a frame sequence: of its frames' names and hashes
   std::uint64_t size = 0;
   std::vector<FrameReceipt> frames;  ///< of a frame sequence, in order
+  Maker maker = {};
 };
 
 /// The hash of a frame sequence.
@@ -33,7 +42,8 @@ Hash hash_of(const std::vector<FrameReceipt>& frames);
 
 std::string to_json(const Receipt& receipt);
 
-/// Nothing when the text is no receipt (a damaged receipt is as good as none).
+/// Nothing when the text is no receipt, or one of which a character was changed since it was
+/// written: it has a checksum of its own. (A damaged receipt is as good as none.)
 std::optional<Receipt> receipt_from_json(const std::string& text);
 
 /// Where the receipt of an artifact lies: <folder>/.mien/receipts/<path>.json.
@@ -48,5 +58,11 @@ std::optional<Receipt> find_artifact(const std::filesystem::path& folder, const 
 
 /// Whether a file has the size and hash that are stated.
 bool agrees(const std::filesystem::path& file, const Hash& hash, std::uint64_t size);
+
+/// Whether the artifact of a receipt is there with the size and hash that it states.
+bool artifact_agrees(const std::filesystem::path& folder, const Receipt& receipt);
+
+/// Whether a receipt's artifact seems to be there: files of these sizes, of which no byte is read.
+bool artifact_seems_there(const std::filesystem::path& folder, const Receipt& receipt);
 
 }  // namespace mien::pipeline

@@ -1,13 +1,7 @@
 #include "pipeline/tasks/store.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <system_error>
 #include <utility>
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include "pipeline/documents/files.h"
 #include "pipeline/tasks/store_state.h"
@@ -16,46 +10,17 @@ namespace mien::pipeline {
 
 namespace fs = std::filesystem;
 
-Store::State::State(fs::path at) : folder(std::move(at)) {
-  make_folder(internal());
-  const fs::path file = internal() / "lock";
-  lock = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock < 0) throw std::system_error(errno, std::generic_category(), file.string());
-  if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
-    ::close(lock);
-    throw StoreBusy("another run is working in " + folder.string() +
-                    "; wait for it to end, or choose another folder with --out");
-  }
-  fs::remove_all(internal() / "attempts");
+std::string to_string(const Nondeterminism& met) {
+  const auto by = [](const Hash& hash, const Maker& maker) {
+    return hash + " on " + maker.host + " with " + maker.instruction_set;
+  };
+  return met.path + ": made twice from the same inputs with different bytes (" +
+         by(met.before, met.before_by) + ", now " + by(met.now, met.now_by) +
+         "); please report this";
 }
 
-Store::State::~State() { ::close(lock); }
-
-fs::path Store::State::new_attempt() {
-  const fs::path attempt =
-      internal() / "attempts" / (std::to_string(::getpid()) + "-" + std::to_string(++attempts));
-  fs::create_directories(attempt);
-  return attempt;
-}
-
-void Store::State::write_receipt(const Receipt& receipt) {
-  const fs::path attempt = new_attempt();
-  write_file(attempt / "receipt", to_json(receipt));
-  flush_to_disk(attempt / "receipt");
-  const fs::path target = receipt_path(folder, receipt.path);
-  fs::create_directories(target.parent_path());
-  fs::rename(attempt / "receipt", target);
-  flush_to_disk(target.parent_path());
-  fs::remove_all(attempt);
-}
-
-void Store::State::compare(const std::string& path, const Hash& before, const Hash& now) {
-  if (before == now) return;
-  const std::lock_guard guard(mutex);
-  nondeterminism.push_back({path, before, now});
-}
-
-Store::Store(fs::path folder) : state_(std::make_unique<State>(std::move(folder))) {}
+Store::Store(fs::path folder, Sharing sharing)
+    : state_(std::make_unique<State>(std::move(folder), sharing)) {}
 
 Store::~Store() = default;
 
@@ -67,21 +32,13 @@ std::optional<Receipt> Store::find(const std::string& path, const Hash& key) con
 
 Receipt Store::put(const std::string& path, const Hash& key, const Write& write,
                    const Verify& verify) {
-  const fs::path target = state_->folder / path;
   const fs::path attempt = state_->new_attempt();
-  const fs::path file = attempt / target.filename();
+  const fs::path file = attempt / fs::path(path).filename();
   write(file);
   flush_to_disk(file);
   verify(file);
-  const Receipt receipt{key, path, hash_of_file(file), fs::file_size(file), {}};
-
-  const std::optional<Receipt> before = read_receipt(state_->folder, path);
-  if (before && before->key == key) state_->compare(path, before->hash, receipt.hash);
-  fs::create_directories(target.parent_path());
-  if (fs::is_directory(target)) fs::remove_all(target);
-  fs::rename(file, target);
-  flush_to_disk(target.parent_path());
-  state_->write_receipt(receipt);
+  Receipt receipt{key, path, hash_of_file(file), fs::file_size(file), {}, state_->self()};
+  receipt = state_->publish(file, std::move(receipt));
   fs::remove_all(attempt);
   return receipt;
 }
@@ -90,12 +47,26 @@ std::unique_ptr<FrameStore> Store::frames(const std::string& path, const Hash& k
   return std::unique_ptr<FrameStore>(new FrameStore(*state_, path, key));
 }
 
+std::unique_ptr<Claim> Store::claim(const std::string& what) {
+  return Claim::take(state_->folder, what, state_->worker(), state_->watch);
+}
+
+WorkerPresence& Store::presence() { return state_->presence; }
+
 std::vector<Nondeterminism> Store::nondeterminism() const {
   const std::lock_guard guard(state_->mutex);
   std::vector<Nondeterminism> sorted = state_->nondeterminism;
-  std::sort(sorted.begin(), sorted.end(),
-            [](const auto& left, const auto& right) { return left.path < right.path; });
+  std::ranges::sort(sorted, {}, &Nondeterminism::path);
   return sorted;
+}
+
+void Store::note_damage(const std::string& path) {
+  state_->note_repair(path + ": was damaged or changed since it was made, and is made again");
+}
+
+std::vector<std::string> Store::repairs() const {
+  const std::lock_guard guard(state_->mutex);
+  return {state_->repairs.begin(), state_->repairs.end()};
 }
 
 }  // namespace mien::pipeline

@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,27 +14,45 @@ namespace mien::pipeline {
 
 /// What a Store and its FrameStores share.
 struct Store::State {
-  /// Takes the lock; it is given back when the object (or the process) ends.
-  explicit State(std::filesystem::path at);
+  State(std::filesystem::path at, Sharing sharing);
   ~State();
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
   std::filesystem::path internal() const { return folder / ".mien"; }
+  const std::string& worker() const { return presence.self().name; }
+  Maker self() const { return {presence.self().host, presence.self().instruction_set}; }
 
   /// A new empty folder that no other attempt uses.
   std::filesystem::path new_attempt();
 
-  void write_receipt(const Receipt& receipt);
+  /// Puts an attempt's file or folder in an artifact's place, and its receipt after it. If an
+  /// attempt at the same key was published before and is whole, that one stays and its receipt is
+  /// returned.
+  Receipt publish(const std::filesystem::path& attempt, Receipt receipt);
 
   /// Notes nondeterminism when the hashes differ.
-  void compare(const std::string& path, const Hash& before, const Hash& now);
+  void compare(const std::string& path, const Hash& before, const Maker& before_by,
+               const Hash& now);
+
+  void note_repair(std::string text);
 
   std::filesystem::path folder;
-  int lock = -1;
+  WorkerPresence presence;
+  WorkerWatch watch;
   std::atomic<int> attempts = 0;
   mutable std::mutex mutex;
   std::vector<Nondeterminism> nondeterminism;
+  std::set<std::string> repairs;
+
+ private:
+  void refuse_company(Sharing sharing);
+  void remove_what_the_dead_left();
+  std::optional<Receipt> published_before(const Receipt& receipt) const;
+  void move_into_place(const std::filesystem::path& attempt, const Receipt& receipt);
+  void write_receipt(const Receipt& receipt);
+  void make_way(const std::string& path, bool for_folder);
+  void set_aside(const std::filesystem::path& obstacle);
 };
 
 }  // namespace mien::pipeline

@@ -19,7 +19,6 @@ std::vector<const TaskOutcome*> inputs_of(const TaskGraph& graph, const Task& ta
 }  // namespace
 
 void TaskGraph::add(Task task) {
-  assert(!task.products.empty());
   assert(std::all_of(task.inputs.begin(), task.inputs.end(),
                      [&](const std::string& input) { return indices_.contains(input); }));
   assert(!indices_.contains(task.id));
@@ -31,19 +30,35 @@ const Task& TaskGraph::task(const std::string& id) const { return tasks[index_of
 
 std::size_t TaskGraph::index_of(const std::string& id) const { return indices_.at(id); }
 
-std::vector<Hash> keys_of(const Task& task, const std::vector<const TaskOutcome*>& inputs) {
+Hash key_of(const TaskGraph& graph) {
+  KeyBuilder key;
+  for (const Task& task : graph.tasks) {
+    key.add(task.id, task.determinants.key());
+    for (const Product& product : task.products) key.add(product.path, product.own.key());
+  }
+  return key.key();
+}
+
+Hash task_key_of(const Task& task, const std::vector<const TaskOutcome*>& inputs) {
   KeyBuilder builder = task.determinants;
   builder.add("kind", task.kind);
   for (const TaskOutcome* input : inputs) {
     for (const Receipt& product : input->products) builder.add(product.path, product.hash);
   }
-  const Hash shared = builder.key();
+  return builder.key();
+}
+
+std::vector<Hash> product_keys(const Task& task, const Hash& task_key) {
   std::vector<Hash> keys;
   for (const Product& product : task.products) {
     KeyBuilder own = product.own;
-    keys.push_back(own.add("path", product.path).add("task", shared).key());
+    keys.push_back(own.add("path", product.path).add("task", task_key).key());
   }
   return keys;
+}
+
+std::vector<Hash> keys_of(const Task& task, const std::vector<const TaskOutcome*>& inputs) {
+  return product_keys(task, task_key_of(task, inputs));
 }
 
 std::optional<std::vector<Receipt>> find_products(const Task& task, const std::vector<Hash>& keys,
@@ -55,6 +70,22 @@ std::optional<std::vector<Receipt>> find_products(const Task& task, const std::v
     receipts.push_back(std::move(*receipt));
   }
   return receipts;
+}
+
+Task part_of(const Task& whole, const Part& part) {
+  assert(whole.make_part);
+  Task task;
+  task.id = whole.id + "[" + std::to_string(part.number) + "/" + std::to_string(part.of) + "]";
+  task.kind = whole.kind;
+  task.inputs = whole.inputs;
+  task.determinants = whole.determinants;
+  task.cost_seconds = whole.cost_seconds / part.of;
+  task.make = [&whole, part](TaskRun& run) {
+    TaskRun whole_run{run.store, whole,       run.task_key, product_keys(whole, run.task_key),
+                      run.stop,  run.progress};
+    if (!find_products(whole, whole_run.keys, run.store.folder())) whole.make_part(whole_run, part);
+  };
+  return task;
 }
 
 std::vector<TaskOutcome> plan(const TaskGraph& graph, const std::filesystem::path& folder) {

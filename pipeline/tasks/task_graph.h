@@ -27,6 +27,7 @@ struct Task;
 struct TaskRun {
   Store& store;
   const Task& task;
+  Hash task_key;                         ///< of what all products have in common
   std::vector<Hash> keys;                ///< one a product
   std::stop_token stop;                  ///< throw Interrupted soon after it is requested
   std::function<void(double)> progress;  ///< share done, 0 … 1
@@ -35,15 +36,26 @@ struct TaskRun {
 /// Thrown by a task that was asked to stop.
 struct Interrupted {};
 
+/// Of a task that is made in parts: the third of twelve is {3, 12}.
+struct Part {
+  int number = 1;
+  int of = 1;
+
+  friend bool operator==(const Part&, const Part&) = default;
+};
+
 /// A step of a production: makes all of its products.
 struct Task {
   std::string id;                   ///< "film:target-1"
   std::string kind;                 ///< "film"
   std::vector<std::string> inputs;  ///< ids of tasks whose products it reads
   KeyBuilder determinants;          ///< all that determines the products beside the inputs' bytes
-  std::vector<Product> products;    ///< at least one
+  std::vector<Product> products;    ///< none of a part: it is begun, and finds out what is missing
   double cost_seconds = 0.0;        ///< estimate on one core
   std::function<void(TaskRun&)> make;
+
+  /// Of a task that can be made in parts: does so much of the work that `make` finds it done.
+  std::function<void(TaskRun&, const Part&)> make_part;
 };
 
 /// Tasks in an order in which inputs come first.
@@ -53,6 +65,7 @@ struct TaskGraph {
   /// Adds a task. Its inputs must have been added before.
   void add(Task task);
   const Task& task(const std::string& id) const;
+  bool has(const std::string& id) const { return indices_.contains(id); }
   std::size_t index_of(const std::string& id) const;
 
  private:
@@ -73,10 +86,21 @@ struct TaskOutcome {
   TaskState state = TaskState::waiting;
   std::string error;
   bool is_bad_input = false;      ///< failed through the user's files, not the machine
+  bool is_transient = false;      ///< failed through the machine, and may not the next time
   std::vector<Receipt> products;  ///< when cached or made, in the task's order
 };
 
-/// Keys of a task's products, once all inputs' products are known.
+/// Of all that its tasks determine before anything is made: the same for the same manifest, files,
+/// program, libraries and instruction set.
+Hash key_of(const TaskGraph& graph);
+
+/// What all products of a task depend on, once all inputs' products are known.
+Hash task_key_of(const Task& task, const std::vector<const TaskOutcome*>& inputs);
+
+/// Keys of a task's products.
+std::vector<Hash> product_keys(const Task& task, const Hash& task_key);
+
+/// Likewise, once all inputs' products are known.
 std::vector<Hash> keys_of(const Task& task, const std::vector<const TaskOutcome*>& inputs);
 
 /// The products' receipts when all of them are present with these keys.
@@ -93,8 +117,14 @@ struct RunObserver {
   std::function<void(const Task&, const TaskOutcome&)> ended;
 };
 
-/// Runs the tasks on `jobs` threads. A task that fails leaves the others running; what depends on
-/// it is skipped. After `stop` no task is begun. One outcome a task.
+/// A part of a task, as a task "film:a[3/12]" without products. `whole` has make_part and outlives
+/// it.
+Task part_of(const Task& whole, const Part& part);
+
+/// Runs the tasks on `jobs` threads. What other processes are making in the same store is left to
+/// them, and made here if they die. A task that fails by the machine's fault is tried again, thrice
+/// in all; one that fails leaves the others running, and what depends on it is skipped. After
+/// `stop` no task is begun. One outcome a task.
 std::vector<TaskOutcome> run(const TaskGraph& graph, Store& store, int jobs, std::stop_token stop,
                              const RunObserver& observer);
 

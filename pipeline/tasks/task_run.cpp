@@ -1,15 +1,21 @@
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
-#include <stdexcept>
+#include <set>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
 #include "motion/error.h"
+#include "pipeline/documents/files.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
@@ -29,17 +35,43 @@ TaskOutcome without_products(TaskState state) { return with_products(state, {});
 std::string without_attempts(std::string text, const std::filesystem::path& folder) {
   const std::string attempts = (folder / ".mien" / "attempts").string() + "/";
   for (std::size_t at = text.find(attempts); at != std::string::npos; at = text.find(attempts)) {
-    const std::size_t end = text.find('/', at + attempts.size());
+    const std::size_t worker = text.find('/', at + attempts.size());
+    const std::size_t end = worker == std::string::npos ? worker : text.find('/', worker + 1);
     text.erase(at, end == std::string::npos ? attempts.size() : end + 1 - at);
   }
   return text;
 }
 
-TaskOutcome failure(const std::exception& error, bool is_bad_input,
-                    const std::filesystem::path& folder) {
+/// Tries of what fails by the machine's fault, and the pause before the second; the third waits
+/// twice as long.
+constexpr int tries_of_a_task = 3;
+constexpr std::chrono::milliseconds pause_after_failure{300};
+
+/// How often it is looked whether another process is done with what it makes.
+constexpr std::chrono::milliseconds between_looks{200};
+
+/// A disk with less is as good as full.
+constexpr std::uintmax_t full_below_bytes = 1 << 20;
+
+/// What a full disk has to do with a failure: libraries that write pictures and videos do not say.
+std::string about_space(const std::filesystem::path& folder) {
+  std::error_code unknown;
+  const std::filesystem::space_info space = std::filesystem::space(folder, unknown);
+  if (unknown || space.available >= full_below_bytes) return "";
+  return " (the disk that holds " + folder.string() + " is full)";
+}
+
+TaskOutcome failure(const std::exception& error, const std::filesystem::path& folder) {
   TaskOutcome outcome = without_products(TaskState::failed);
   outcome.error = without_attempts(error.what(), folder);
-  outcome.is_bad_input = is_bad_input;
+  outcome.is_bad_input = dynamic_cast<const Error*>(&error) != nullptr;
+  if (outcome.is_bad_input) return outcome;
+  const std::string space = about_space(folder);
+  outcome.error += space;
+  outcome.is_transient = !space.empty() ||
+                         dynamic_cast<const std::system_error*>(&error) != nullptr ||
+                         dynamic_cast<const WriteFailure*>(&error) != nullptr ||
+                         dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
   return outcome;
 }
 
@@ -52,7 +84,16 @@ class Runner {
         stop_(std::move(stop)),
         observer_(observer),
         outcomes_(graph.tasks.size()),
-        begun_(graph.tasks.size(), false) {}
+        dependents_(graph.tasks.size()),
+        awaited_(graph.tasks.size(), 0) {
+    for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
+      for (const std::string& input : graph.tasks[i].inputs) {
+        dependents_[graph.index_of(input)].push_back(i);
+        ++awaited_[i];
+      }
+      if (awaited_[i] == 0) ready_.insert(i);
+    }
+  }
 
   std::vector<TaskOutcome> run(int jobs) {
     {
@@ -63,13 +104,14 @@ class Runner {
   }
 
  private:
-  enum class Readiness { ready, not_yet, never };
-
   void work() {
     std::unique_lock lock(mutex_);
     while (ended_ < graph_.tasks.size()) {
       if (const auto next = take_next()) {
         perform(*next, lock);
+      } else if (!elsewhere_.empty()) {
+        changed_.wait_for(lock, between_looks);
+        ready_.merge(elsewhere_);
       } else if (ended_ < graph_.tasks.size()) {
         changed_.wait(lock);
       }
@@ -80,29 +122,22 @@ class Runner {
     return outcome.state == TaskState::cached || outcome.state == TaskState::made;
   }
 
-  Readiness readiness(const Task& task) const {
-    Readiness result = Readiness::ready;
-    for (const std::string& input : task.inputs) {
-      const TaskOutcome& outcome = outcomes_[graph_.index_of(input)];
-      if (outcome.state == TaskState::waiting) {
-        result = Readiness::not_yet;
-      } else if (!has_products(outcome)) {
-        return Readiness::never;
-      }
-    }
-    return result;
+  std::vector<const TaskOutcome*> inputs_of(const Task& task) const {
+    std::vector<const TaskOutcome*> inputs;
+    for (const std::string& id : task.inputs) inputs.push_back(&outcomes_[graph_.index_of(id)]);
+    return inputs;
   }
 
   /// Ends what cannot be begun any more and takes the first task that can.
   std::optional<std::size_t> take_next() {
-    for (std::size_t i = 0; i < graph_.tasks.size(); ++i) {
-      if (begun_[i]) continue;
-      const Readiness ready = readiness(graph_.tasks[i]);
-      if (ready == Readiness::not_yet) continue;
-      begun_[i] = true;
-      if (ready == Readiness::ready && !stop_.stop_requested()) return i;
-      const bool is_blocked = ready == Readiness::never;
-      end(i, without_products(is_blocked ? TaskState::skipped : TaskState::interrupted));
+    while (!ready_.empty()) {
+      const std::size_t next = *ready_.begin();
+      ready_.erase(ready_.begin());
+      const auto inputs = inputs_of(graph_.tasks[next]);
+      const bool is_blocked =
+          !std::ranges::all_of(inputs, [](const auto* input) { return has_products(*input); });
+      if (!is_blocked && !stop_.stop_requested()) return next;
+      end(next, without_products(is_blocked ? TaskState::skipped : TaskState::interrupted));
     }
     return std::nullopt;
   }
@@ -110,49 +145,96 @@ class Runner {
   void end(std::size_t index, TaskOutcome outcome) {
     outcomes_[index] = std::move(outcome);
     ++ended_;
+    for (const std::size_t dependent : dependents_[index]) {
+      if (--awaited_[dependent] == 0) ready_.insert(dependent);
+    }
     if (observer_.ended) observer_.ended(graph_.tasks[index], outcomes_[index]);
     changed_.notify_all();
   }
 
   void perform(std::size_t index, std::unique_lock<std::mutex>& lock) {
     const Task& task = graph_.tasks[index];
-    std::vector<const TaskOutcome*> inputs;
-    for (const std::string& id : task.inputs) inputs.push_back(&outcomes_[graph_.index_of(id)]);
-    const std::vector<Hash> keys = keys_of(task, inputs);
+    const auto inputs = inputs_of(task);
+    const Hash task_key = task_key_of(task, inputs);
+    const std::vector<Hash> keys = product_keys(task, task_key);
     lock.unlock();
-    TaskOutcome outcome = outcome_of(task, keys);
+    std::optional<TaskOutcome> outcome;
+    for (int tries = 1; tries <= tries_of_a_task; ++tries) {
+      outcome = outcome_of(task, task_key, keys);
+      if (!outcome || !outcome->is_transient || stop_.stop_requested()) break;
+      if (tries < tries_of_a_task) std::this_thread::sleep_for(tries * pause_after_failure);
+    }
     lock.lock();
-    end(index, std::move(outcome));
-  }
-
-  /// Looks the products up or makes them. No exception of a task gets past here.
-  TaskOutcome outcome_of(const Task& task, const std::vector<Hash>& keys) {
-    try {
-      if (auto present = find_products(task, keys, store_.folder())) {
-        return with_products(TaskState::cached, std::move(*present));
-      }
-      make(task, keys);
-      return with_products(TaskState::made, published(task, keys));
-    } catch (const Interrupted&) {
-      return without_products(TaskState::interrupted);
-    } catch (const Error& error) {
-      return failure(error, true, store_.folder());
-    } catch (const std::exception& error) {
-      return failure(error, false, store_.folder());
+    if (outcome) {
+      end(index, *std::move(outcome));
+    } else {
+      elsewhere_.insert(index);
     }
   }
 
-  void make(const Task& task, const std::vector<Hash>& keys) {
+  /// Looks the products up or makes them; nothing while another process makes them. No exception of
+  /// a task gets past here.
+  std::optional<TaskOutcome> outcome_of(const Task& task, const Hash& task_key,
+                                        const std::vector<Hash>& keys) {
+    try {
+      if (auto present = present_products(task, keys))
+        return with_products(TaskState::cached, *std::move(present));
+      const std::unique_ptr<Claim> claim = store_.claim(task_key + " " + task.id);
+      if (!claim) return std::nullopt;
+      // Between the first look and the claim another process may have ended it.
+      if (auto present = present_products(task, keys))
+        return with_products(TaskState::cached, *std::move(present));
+      note_damage(task, keys);
+      make(task, task_key, keys);
+      return with_products(TaskState::made, published(task, keys));
+    } catch (const Interrupted&) {
+      return without_products(TaskState::interrupted);
+    } catch (const std::exception& error) {
+      return failure(error, store_.folder());
+    }
+  }
+
+  std::optional<std::vector<Receipt>> present_products(const Task& task,
+                                                       const std::vector<Hash>& keys) const {
+    if (task.products.empty()) return std::nullopt;
+    return find_products(task, keys, store_.folder());
+  }
+
+  /// Tells of what was made once and is no longer what it was.
+  void note_damage(const Task& task, const std::vector<Hash>& keys) {
+    for (std::size_t i = 0; i < task.products.size(); ++i) {
+      const std::string& path = task.products[i].path;
+      const auto receipt = read_receipt(store_.folder(), path);
+      std::error_code none;
+      const bool is_lost =
+          !receipt && std::filesystem::is_regular_file(receipt_path(store_.folder(), path), none);
+      const bool is_other = receipt && receipt->path != path;
+      const bool is_damaged =
+          receipt && receipt->key == keys[i] && !artifact_agrees(store_.folder(), *receipt);
+      if (is_lost || is_other) store_.note_damage("the receipt of " + path);
+      if (is_damaged) store_.note_damage(path);
+    }
+  }
+
+  void make(const Task& task, const Hash& task_key, const std::vector<Hash>& keys) {
     notify([&] {
       if (observer_.started) observer_.started(task);
     });
     const auto progress = [&](double share) {
+      store_.presence().works_on(task.id, share);
       notify([&] {
         if (observer_.progressed) observer_.progressed(task, share);
       });
     };
-    TaskRun task_run{store_, task, keys, stop_, progress};
-    task.make(task_run);
+    store_.presence().works_on(task.id, 0.0);
+    TaskRun task_run{store_, task, task_key, keys, stop_, progress};
+    try {
+      task.make(task_run);
+    } catch (...) {
+      store_.presence().leaves(task.id);
+      throw;
+    }
+    store_.presence().leaves(task.id);
   }
 
   template <class Call>
@@ -167,7 +249,7 @@ class Runner {
     for (std::size_t i = 0; i < task.products.size(); ++i) {
       const std::string& path = task.products[i].path;
       auto receipt = read_receipt(store_.folder(), path);
-      if (!receipt || receipt->key != keys[i]) throw std::logic_error(path + " was not made");
+      if (!receipt || receipt->key != keys[i]) throw WriteFailure(path + " was not made");
       receipts.push_back(std::move(*receipt));
     }
     return receipts;
@@ -180,7 +262,10 @@ class Runner {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<TaskOutcome> outcomes_;
-  std::vector<bool> begun_;
+  std::vector<std::vector<std::size_t>> dependents_;  ///< of each task
+  std::vector<std::size_t> awaited_;                  ///< inputs of each that have not ended
+  std::set<std::size_t> ready_;                       ///< whose inputs have ended
+  std::set<std::size_t> elsewhere_;                   ///< that other processes are making
   std::size_t ended_ = 0;
 };
 

@@ -23,9 +23,11 @@ Window window_of(const Camera& camera) {
   return camera.window.value_or(Window{0, 0, camera.width, camera.height});
 }
 
-/// Calls work for parts of a film, whole tiles each, that together hold the window.
+/// Calls work for parts of a film, whole tiles each, that together hold the window. Throws Stopped
+/// when a stop was requested.
 template <class Work>
-void for_all_parts(tbb::task_arena& arena, const Film& film, const Window& window, Work work) {
+void for_all_parts(tbb::task_arena& arena, const std::stop_token& stop, const Film& film,
+                   const Window& window, Work work) {
   const auto last = [](int first, int pixels) {
     return (first + pixels + tile_size - 1) / tile_size;
   };
@@ -33,11 +35,13 @@ void for_all_parts(tbb::task_arena& arena, const Film& film, const Window& windo
                                       window.x / tile_size, last(window.x, window.width), 8);
   arena.execute([&] {
     tbb::parallel_for(all, [&](const tbb::blocked_range2d<int>& part) {
+      if (stop.stop_requested()) return;
       const auto &columns = part.cols(), &rows = part.rows();
       work(Tile{columns.begin() * tile_size, std::min(columns.end() * tile_size, film.width),
                 rows.begin() * tile_size, std::min(rows.end() * tile_size, film.height)});
     });
   });
+  if (stop.stop_requested()) throw Stopped{};
 }
 
 std::vector<float> opacities_of(const Scene& scene) {
@@ -64,10 +68,12 @@ struct KeptSet {
 struct Tracer::Engine {
   explicit Engine(const TracerOptions& options)
       : device(options.instruction_set),
-        arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+        arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
+        stop(options.stop) {}
 
   EmbreeDevice device;
   tbb::task_arena arena;
+  std::stop_token stop;
   std::array<KeptSet, 2> kept;  // two, for a pair of cameras; the one used last comes first
   float filter_width = 0.0f;
   std::optional<Filter> filter;
@@ -125,7 +131,7 @@ void Tracer::Engine::add_standing_solids(const Scene& scene, const Camera& camer
   {
     Picture picture = prepare(scene, sharp, thorough, set, standing_shapes(scene), scene.standing);
     look_at_sky(picture);
-    for_all_parts(arena, exposure.film, {0, 0, camera.width, camera.height},
+    for_all_parts(arena, stop, exposure.film, {0, 0, camera.width, camera.height},
                   [&](const Tile& part) { draw(picture, part, exposure); });
     for (int y = 0; y < camera.height; ++y)
       for (int x = 0; x < camera.width; ++x)
@@ -188,7 +194,7 @@ Exposure Tracer::expose(const Scene& scene, const Camera& camera, const Quality&
   Exposure exposure{Film(camera.width, camera.height), {}};
   if (quality.background != Background::shown)
     exposure.alpha.resize(exposure.film.channels.size() / 3);
-  for_all_parts(engine_->arena, exposure.film, window_of(camera),
+  for_all_parts(engine_->arena, engine_->stop, exposure.film, window_of(camera),
                 [&](const Tile& part) { draw(picture, part, exposure); });
   if (!camera.window) return exposure;
   exposure.film = cut_out(exposure.film, *camera.window);
@@ -215,9 +221,9 @@ Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& q
   }
   const NextPicture following{next, next_camera != nullptr ? *next_camera : sharp};
   const bool moves = next != nullptr || next_camera != nullptr;
-  for_all_parts(engine_->arena, layers.albedo, window_of(sharp), [&](const Tile& part) {
-    draw_layers(picture, moves ? &following : nullptr, part, layers);
-  });
+  for_all_parts(
+      engine_->arena, engine_->stop, layers.albedo, window_of(sharp),
+      [&](const Tile& part) { draw_layers(picture, moves ? &following : nullptr, part, layers); });
   if (sharp.window) layers = cut_out(std::move(layers), *sharp.window);
   layers.beauty = trace(scene, sharp, quality);
   add_variance(scene, sharp, quality, layers);

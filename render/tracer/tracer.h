@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "render/image/film.h"
@@ -18,13 +19,20 @@ struct TracerOptions {
   /// avx2, or sse4.2 on a machine without. No influence on the picture: Embree only finds
   /// candidates, the intersections are our own.
   std::string instruction_set;
+
+  /// Once a stop is requested, what is being drawn is given up within a fraction of a second.
+  std::stop_token stop = {};
 };
+
+/// Thrown when a picture was given up because a stop was requested.
+struct Stopped {};
 
 /// Draws scenes with Embree: Lambert surfaces under area lights and a sky, direct light only, soft
 /// shadows, filtered by a Blackman–Harris filter.
 ///
 /// A picture depends on the scene, camera and quality alone: not on threads, on what was traced
 /// before, nor on the machine. One trace at a time a Tracer; several Tracers may work side by side.
+/// Whatever draws throws Stopped when it was asked to stop.
 class Tracer {
  public:
   /// Throws Error when the machine cannot run Embree with that instruction set.

@@ -73,7 +73,7 @@ TEST_F(FrameStoreTest, DrawsAgainWhatWasDamagedInBetween) {
     Store store(folder);
     film(store, "k", 3);
   }
-  write_file(folder / ".mien/partial/frames/a/1.png", "damaged");
+  write_file(folder / ".mien/partial/frames/a/k/frames/1.png", "damaged");
   Store store(folder);
   film(store, "k");
   EXPECT_EQ(drawn, 5);
@@ -81,18 +81,90 @@ TEST_F(FrameStoreTest, DrawsAgainWhatWasDamagedInBetween) {
   EXPECT_TRUE(store.nondeterminism().empty());
 }
 
-TEST_F(FrameStoreTest, ReadsAJournalUpToWhereItWasCutOff) {
+/// The only file of notes in the sequence's folder.
+fs::path notes_in(const fs::path& sequence) {
+  return fs::directory_iterator(sequence / "notes")->path();
+}
+
+TEST_F(FrameStoreTest, ReadsNotesUpToWhereTheyWereCutOff) {
   {
     Store store(folder);
     film(store, "k", 3);
   }
-  const fs::path journal = folder / ".mien/partial/frames/a.journal";
-  const std::string text = read_file(journal);
-  write_file(journal, text.substr(0, text.size() - 20));
+  const fs::path notes = notes_in(folder / ".mien/partial/frames/a/k");
+  const std::string text = read_file(notes);
+  write_file(notes, text.substr(0, text.size() - 20));
   Store store(folder);
   film(store, "k");
   EXPECT_EQ(drawn, 5);
   EXPECT_TRUE(store.find("frames/a", "k"));
+}
+
+TEST_F(FrameStoreTest, BelievesNoNoteThatWasChanged) {
+  {
+    Store store(folder);
+    film(store, "k", 3);
+  }
+  const fs::path notes = notes_in(folder / ".mien/partial/frames/a/k");
+  std::string text = read_file(notes);
+  const std::size_t name = text.find("1.png");
+  text.replace(name, 5, "3.png");
+  write_file(notes, text);
+  Store store(folder);
+  film(store, "k");
+  EXPECT_EQ(drawn, 5);
+  EXPECT_EQ(published().at("3.png"), "k3.png");
+}
+
+TEST_F(FrameStoreTest, TwoProcessesShareOneSequence) {
+  Store here(folder);
+  Store there(folder);
+  const auto mine = here.frames("frames/a", "k");
+  const auto theirs = there.frames("frames/a", "k");
+  const auto draw = [](FrameStore& frames, const std::string& name) {
+    frames.put(
+        name, [&](const fs::path& file) { write_file(file, "k" + name); }, [](const fs::path&) {});
+  };
+  draw(*mine, "0.png");
+  draw(*theirs, "1.png");
+  draw(*mine, "2.png");
+  draw(*theirs, "3.png");
+  for (const std::string& name : names) {
+    EXPECT_TRUE(mine->find(name)) << name;
+    EXPECT_TRUE(theirs->find(name)) << name;
+  }
+  const Receipt first = mine->publish(names);
+  const Receipt second = theirs->publish(names);
+  EXPECT_EQ(first.hash, second.hash);
+  EXPECT_TRUE(here.find("frames/a", "k"));
+  EXPECT_EQ(published().size(), 4u);
+  EXPECT_TRUE(here.nondeterminism().empty());
+  EXPECT_TRUE(there.nondeterminism().empty());
+}
+
+TEST_F(FrameStoreTest, AFrameThatComesTooLateHarmsNothing) {
+  Store here(folder);
+  Store there(folder);
+  const auto late = there.frames("frames/a", "k");
+  const auto draw = [](const fs::path& file) { write_file(file, "k0.png"); };
+  late->put("0.png", draw, [&](const fs::path&) { film(here, "k"); });
+  EXPECT_TRUE(here.find("frames/a", "k"));
+  EXPECT_TRUE(there.nondeterminism().empty());
+}
+
+TEST_F(FrameStoreTest, TellsWhoDrewAFrameOtherwise) {
+  Store here(folder);
+  Store there(folder);
+  const auto put = [](Store& store, const std::string& text) {
+    store.frames("frames/a", "k")
+        ->put(
+            "0.png", [&](const fs::path& file) { write_file(file, text); }, [](const fs::path&) {});
+  };
+  put(here, "one");
+  put(there, "another");
+  ASSERT_EQ(there.nondeterminism().size(), 1u);
+  EXPECT_EQ(there.nondeterminism()[0].before, hash_of("one"));
+  EXPECT_FALSE(there.nondeterminism()[0].before_by.host.empty());
 }
 
 TEST_F(FrameStoreTest, MendsAPublishedSequenceFrameByFrame) {
@@ -138,9 +210,10 @@ TEST_F(FrameStoreTest, LosesNoFrameWhenKilledBetweenPublishingAndReceipt) {
     Store store(folder);
     film(store, "k", 3);
   }
-  // What publish() does before the receipt: the frames move to their place, the journal stays.
-  fs::create_directories(folder / "frames");
-  fs::rename(folder / ".mien/partial/frames/a", folder / "frames/a");
+  // What publish() does before the receipt: the frames have second names in their place.
+  fs::create_directories(folder / "frames/a");
+  for (const auto& entry : fs::directory_iterator(folder / ".mien/partial/frames/a/k/frames"))
+    fs::create_hard_link(entry.path(), folder / "frames/a" / entry.path().filename());
   Store store(folder);
   film(store, "k");
   EXPECT_EQ(drawn, 4);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "pipeline/documents/files.h"
 #include "pipeline/temporary_folder.h"
@@ -27,11 +28,11 @@ class StoreTest : public testing::Test {
     return store.put(path, key, writing(text), accept);
   }
 
-  /// Files below the attempts' folder: what a finished run must not leave.
+  /// Files below this process' folder of attempts: what a finished attempt must not leave.
   int attempts_left() const {
     const fs::path attempts = folder / ".mien" / "attempts";
     return fs::exists(attempts)
-               ? static_cast<int>(std::distance(fs::directory_iterator(attempts), {}))
+               ? static_cast<int>(std::distance(fs::recursive_directory_iterator(attempts), {})) - 1
                : 0;
   }
 };
@@ -96,17 +97,22 @@ TEST_F(StoreTest, VerifiesTheFileBeforeItIsPublished) {
   EXPECT_NE(seen.parent_path(), folder / "videos");
 }
 
-TEST_F(StoreTest, ReportsOtherBytesUnderTheSameKey) {
+TEST_F(StoreTest, OfTwoAttemptsThatDifferTheFirstStaysAndBothAreReported) {
   Store store(folder);
   put(store, "a", "key1", "one");
   put(store, "a", "key1", "one");
   put(store, "a", "key2", "two");
   EXPECT_TRUE(store.nondeterminism().empty());
-  put(store, "a", "key2", "three");
+  EXPECT_EQ(put(store, "a", "key2", "three").hash, hash_of("two"));
+  EXPECT_EQ(read_file(folder / "a"), "two");
   ASSERT_EQ(store.nondeterminism().size(), 1u);
-  EXPECT_EQ(store.nondeterminism()[0].path, "a");
-  EXPECT_EQ(store.nondeterminism()[0].before, hash_of("two"));
-  EXPECT_EQ(store.nondeterminism()[0].now, hash_of("three"));
+  const Nondeterminism met = store.nondeterminism()[0];
+  EXPECT_EQ(met.path, "a");
+  EXPECT_EQ(met.before, hash_of("two"));
+  EXPECT_EQ(met.now, hash_of("three"));
+  EXPECT_FALSE(met.before_by.host.empty());
+  EXPECT_FALSE(met.before_by.instruction_set.empty());
+  EXPECT_EQ(met.before_by, met.now_by);
 }
 
 TEST_F(StoreTest, ADamagedArtifactMadeAgainIsNoNondeterminism) {
@@ -118,19 +124,109 @@ TEST_F(StoreTest, ADamagedArtifactMadeAgainIsNoNondeterminism) {
   EXPECT_TRUE(store.find("a", "key1"));
 }
 
-TEST_F(StoreTest, IsForOneRunAtATime) {
+TEST_F(StoreTest, ManyMayWriteUnlessOneWantsItToItself) {
   {
     const Store first(folder);
-    EXPECT_THROW(Store second(folder), StoreBusy);
+    EXPECT_NO_THROW(Store(folder, Sharing::shared));
+    EXPECT_THROW(Store(folder, Sharing::exclusive), StoreBusy);
   }
-  EXPECT_NO_THROW(Store third(folder));
+  {
+    const Store alone(folder, Sharing::exclusive);
+    EXPECT_THROW(Store(folder, Sharing::shared), StoreBusy);
+    EXPECT_THROW(Store(folder, Sharing::exclusive), StoreBusy);
+  }
+  EXPECT_NO_THROW(Store(folder, Sharing::exclusive));
 }
 
-TEST_F(StoreTest, RemovesWhatKilledAttemptsLeft) {
-  fs::create_directories(folder / ".mien/attempts/123-1");
-  write_file(folder / ".mien/attempts/123-1/a.mp4", "half");
+TEST_F(StoreTest, RemovesWhatKilledAttemptsLeftAndNothingOfTheLiving) {
+  const fs::path attempts = folder / ".mien/attempts";
+  fs::create_directories(attempts / "nobody-1");
+  write_file(attempts / "nobody-1/a.mp4", "half");
+  Store living(folder);
+  fs::path seen;
+  const auto look = [&](const fs::path& file) {
+    const Store second(folder);
+    seen = file;
+    EXPECT_TRUE(fs::exists(file));
+    EXPECT_FALSE(fs::exists(attempts / "nobody-1"));
+  };
+  living.put("a", "k", writing("x"), look);
+  EXPECT_FALSE(seen.empty());
+}
+
+/// A record of a process that is not there any more.
+WorkerRecord of_the_dead() {
+  WorkerRecord record = record_of_this_process();
+  record.process_start += "1";
+  return record;
+}
+
+TEST_F(StoreTest, AProcessWithTheNumberOfADeadOneIsAnother) {
+  const WorkerRecord dead = of_the_dead();
+  EXPECT_TRUE(is_gone(dead));
+  EXPECT_FALSE(is_gone(record_of_this_process()));
+  fs::create_directories(folder / ".mien/attempts" / dead.name);
+  fs::create_directories(worker_record_path(folder, dead.name).parent_path());
+  write_file(worker_record_path(folder, dead.name), to_json(dead));
+  const Store store(folder, Sharing::exclusive);
+  EXPECT_FALSE(fs::exists(folder / ".mien/attempts" / dead.name));
+  EXPECT_FALSE(read_worker_record(folder, dead.name));
+}
+
+TEST_F(StoreTest, NothingIsProvenOfAnotherMachinesProcesses) {
+  WorkerRecord other = of_the_dead();
+  other.boot = "another boot";
+  EXPECT_FALSE(is_gone(other));
+  fs::create_directories(folder / ".mien/attempts" / other.name);
+  fs::create_directories(worker_record_path(folder, other.name).parent_path());
+  write_file(worker_record_path(folder, other.name), to_json(other));
   const Store store(folder);
-  EXPECT_EQ(attempts_left(), 0);
+  EXPECT_TRUE(fs::exists(folder / ".mien/attempts" / other.name));
+  EXPECT_THROW(Store(folder, Sharing::exclusive), StoreBusy);
+  other.ended = true;
+  write_file(worker_record_path(folder, other.name), to_json(other));
+  EXPECT_TRUE(is_gone(other));
+}
+
+TEST_F(StoreTest, AClaimIsHeldByOneAtATimeAndOutlivesNobody) {
+  Store first(folder);
+  Store second(folder);
+  auto claim = first.claim("film:a");
+  EXPECT_TRUE(claim);
+  EXPECT_FALSE(second.claim("film:a"));
+  EXPECT_TRUE(second.claim("film:b"));
+  claim.reset();
+  EXPECT_TRUE(second.claim("film:a"));
+
+  write_file(folder / ".mien/claims" / hash_of("film:c"), "nobody-1\n");
+  EXPECT_TRUE(first.claim("film:c"));
+}
+
+TEST_F(StoreTest, AnAttemptThatWasOvertakenIsDropped) {
+  Store slow(folder);
+  Store fast(folder);
+  const auto overtaken = [&](const fs::path&) { put(fast, "a", "k", "text"); };
+  const Receipt receipt = slow.put("a", "k", writing("text"), overtaken);
+  EXPECT_EQ(receipt.hash, hash_of("text"));
+  EXPECT_TRUE(slow.nondeterminism().empty());
+  EXPECT_TRUE(fast.find("a", "k"));
+}
+
+TEST_F(StoreTest, ADamagedReceiptIsNoReceiptAndNoNondeterminism) {
+  Store store(folder);
+  put(store, "a", "k", "text");
+  const fs::path file = receipt_path(folder, "a");
+  const std::string whole = read_file(file);
+  for (const char* field : {"\"hash\": \"", "\"key\": \"", "\"host\": \"", "\"size\": "}) {
+    std::string text = whole;
+    char& digit = text[text.find(field) + std::string(field).size()];
+    digit = digit == '1' ? '2' : '1';
+    write_file(file, text);
+    EXPECT_FALSE(read_receipt(folder, "a")) << text;
+    put(store, "a", "k", "text");
+    EXPECT_EQ(read_file(file), whole);
+  }
+  EXPECT_TRUE(store.nondeterminism().empty());
 }
 
 TEST_F(StoreTest, ReplacesAFolderByAFileAndAFileByAFolder) {
@@ -143,6 +239,54 @@ TEST_F(StoreTest, ReplacesAFolderByAFileAndAFileByAFolder) {
   frames->publish({"0.png"});
   EXPECT_EQ(read_file(folder / "a/0.png"), "f");
 }
+
+/// What may lie where an artifact, its folder or its receipt has to be.
+class ObstacleTest : public StoreTest, public testing::WithParamInterface<std::string> {
+ protected:
+  static void put_obstacle(const std::string& kind, const fs::path& at) {
+    fs::create_directories(at.parent_path());
+    fs::remove_all(at);
+    if (kind == "folder") fs::create_directories(at / "of the user");
+    if (kind == "loop") fs::create_symlink(at.filename(), at);
+    if (kind == "dangling link") fs::create_symlink("nowhere", at);
+    if (kind == "fifo") {
+      EXPECT_EQ(::mkfifo(at.c_str(), 0666), 0);
+    }
+  }
+};
+
+TEST_P(ObstacleTest, IsSetAsideAndTold) {
+  for (const fs::path& place : {folder / "videos/a.mp4", receipt_path(folder, "videos/a.mp4")}) {
+    Store store(folder);
+    put_obstacle(GetParam(), place);
+    EXPECT_FALSE(store.find("videos/a.mp4", "k"));
+    put(store, "videos/a.mp4", "k", "text");
+    EXPECT_TRUE(store.find("videos/a.mp4", "k"));
+    ASSERT_EQ(store.repairs().size(), 1u);
+    EXPECT_NE(store.repairs()[0].find(".mien/set-aside/"), std::string::npos);
+    if (GetParam() != "folder") continue;
+    bool is_kept = false;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / ".mien/set-aside"))
+      is_kept = is_kept || entry.path().filename() == "of the user";
+    EXPECT_TRUE(is_kept);
+  }
+}
+
+TEST_P(ObstacleTest, InTheFoldersPlaceIsSetAsideUnlessItIsAFolder) {
+  Store store(folder);
+  put_obstacle(GetParam(), folder / "videos");
+  put(store, "videos/a.mp4", "k", "text");
+  EXPECT_TRUE(store.find("videos/a.mp4", "k"));
+  EXPECT_EQ(store.repairs().size(), GetParam() == "folder" ? 0u : 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, ObstacleTest,
+                         testing::Values("folder", "loop", "dangling link", "fifo"),
+                         [](const auto& kind) {
+                           std::string name = kind.param;
+                           std::erase(name, ' ');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace mien::pipeline

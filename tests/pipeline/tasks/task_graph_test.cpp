@@ -1,9 +1,12 @@
 #include "pipeline/tasks/task_graph.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -214,6 +217,100 @@ TEST_F(TaskGraphTest, AProductsOwnDeterminantsConcernNoOtherProduct) {
   EXPECT_EQ(before[0], after[0]);
   EXPECT_NE(before[1], after[1]);
   EXPECT_NE(before[0], before[1]);
+}
+
+TEST_F(TaskGraphTest, TwoRunsShareTheWork) {
+  std::atomic<int> begun = 0;
+  TaskGraph graph;
+  for (int i = 0; i < 12; ++i) {
+    Task task = writing_task("t" + std::to_string(i), {}, "word");
+    task.make = [&begun, make = task.make](TaskRun& task_run) {
+      ++begun;
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      make(task_run);
+    };
+    graph.add(std::move(task));
+  }
+  graph.add(writing_task("last", {"t0", "t11"}, "last"));
+  std::array<int, 2> made_by{};
+  {
+    std::vector<std::jthread> runs;
+    for (int& count : made_by) {
+      runs.emplace_back([&] {
+        Store store(folder);
+        for (const TaskOutcome& outcome : run(graph, store, 1, stop.get_token(), {})) {
+          if (outcome.state == TaskState::made) ++count;
+          EXPECT_FALSE(outcome.products.empty());
+        }
+      });
+    }
+  }
+  EXPECT_EQ(begun, 12);
+  EXPECT_EQ(made_by[0] + made_by[1], 13);
+  EXPECT_GT(made_by[0], 2);
+  EXPECT_GT(made_by[1], 2);
+}
+
+TEST_F(TaskGraphTest, TriesAgainWhatTheMachineMadeFail) {
+  for (const int failures : {2, 3}) {
+    int tries = 0;
+    TaskGraph graph;
+    Task task = writing_task("a", {}, "word " + std::to_string(failures));
+    task.make = [&, make = task.make](TaskRun& task_run) {
+      if (++tries <= failures) throw WriteFailure("the server is away");
+      make(task_run);
+    };
+    graph.add(task);
+    const TaskOutcome outcome = run_all(graph)[0];
+    EXPECT_EQ(tries, 3);
+    EXPECT_EQ(outcome.state, failures == 2 ? TaskState::made : TaskState::failed);
+    EXPECT_EQ(outcome.is_transient, failures == 3);
+  }
+}
+
+TEST_F(TaskGraphTest, TriesOnceWhatWouldFailAgain) {
+  int tries = 0;
+  TaskGraph graph;
+  Task task = writing_task("a", {}, "a");
+  task.make = [&](TaskRun&) {
+    ++tries;
+    throw std::logic_error("a mistake of ours");
+  };
+  graph.add(task);
+  EXPECT_EQ(run_all(graph)[0].state, TaskState::failed);
+  EXPECT_EQ(tries, 1);
+}
+
+TEST_F(TaskGraphTest, APartOfATaskIsDoneForTheTaskOfTheSameKey) {
+  std::string key_of_part;
+  std::string key_of_whole;
+  int parts = 0;
+  TaskGraph graph;
+  graph.add(writing_task("a", {}, "a"));
+  Task whole = writing_task("film", {"a"}, "film");
+  whole.make = [&, make = whole.make](TaskRun& task_run) {
+    key_of_whole = task_run.task_key;
+    make(task_run);
+  };
+  whole.make_part = [&](TaskRun& task_run, const Part& part) {
+    EXPECT_EQ(part, (Part{2, 3}));
+    EXPECT_EQ(task_run.task.id, "film");
+    key_of_part = task_run.task_key;
+    ++parts;
+  };
+  graph.add(whole);
+  const Task part = part_of(graph.task("film"), {2, 3});
+  EXPECT_EQ(part.id, "film[2/3]");
+  TaskGraph items;
+  items.add(graph.task("a"));
+  items.add(part);
+  Task after = graph.task("film");
+  after.inputs.push_back(part.id);
+  items.add(after);
+  EXPECT_EQ(run_all(items)[1].state, TaskState::made);
+  EXPECT_EQ(key_of_part, key_of_whole);
+  run_all(items);
+  EXPECT_EQ(parts, 1);  // what is made needs no parts
 }
 
 }  // namespace

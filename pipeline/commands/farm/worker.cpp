@@ -1,0 +1,162 @@
+#include "pipeline/farm/worker.h"
+
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/commands/cli.h"
+#include "pipeline/commands/farm/farm.h"
+#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/production_options.h"
+#include "pipeline/farm/worker_codes.h"
+#include "pipeline/tasks/progress.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is wrong lies neither in the study nor with the machine: the job is not to be tried again
+/// before somebody has looked.
+class WrongSetup : public Error {
+ public:
+  using Error::Error;
+};
+
+struct WorkerArguments {
+  ProductionArguments production;
+  std::vector<std::string> tasks;
+  std::string list;
+  int line = 0;
+  std::string expected;  ///< key of the graph that was submitted
+};
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::vector<std::string> items_in_line(const std::string& file, int line) {
+  std::ifstream stream(file);
+  if (!stream) throw WrongSetup(file + ": cannot be read", "it is a stage's list of items");
+  std::string text;
+  int lines = 0;
+  while (lines < line && std::getline(stream, text)) ++lines;
+  if (lines < line) {
+    throw WrongSetup(fmt::format("{}: has {} lines, and line {} is wanted", file, lines, line),
+                     "was the array submitted with another list?");
+  }
+  return words_of(text);
+}
+
+std::vector<std::string> items_of(const WorkerArguments& arguments) {
+  std::vector<std::string> items;
+  for (const std::string& text : arguments.tasks) {
+    for (std::string& word : words_of(text)) items.push_back(std::move(word));
+  }
+  if (!arguments.list.empty()) {
+    for (std::string& word : items_in_line(arguments.list, arguments.line))
+      items.push_back(std::move(word));
+  }
+  if (items.empty())
+    throw WrongSetup("there is nothing to make", "name items with --tasks, or --list and --line");
+  return items;
+}
+
+void tell(const WorkResult& result, const Console& console) {
+  for (const std::string& repair : result.repairs) console.err << "note: " << repair << '\n';
+  for (const FailedWork& failed : result.failed)
+    console.err << failed.error << "\n  (" << failed.item << ")\n";
+  for (const Nondeterminism& met : result.nondeterminism) console.err << to_string(met) << '\n';
+  if (result.was_interrupted)
+    console.err << "interrupted; what is done is kept, and the same command goes on from here\n";
+}
+
+/// The command that makes an item again, without what changes from job to job.
+std::string command_for(const WorkerArguments& arguments) {
+  std::string command = "mien farm worker " + arguments.production.manifest;
+  if (arguments.production.out != "out") command += " --out " + arguments.production.out;
+  if (!arguments.production.quality.empty())
+    command += " --quality " + arguments.production.quality;
+  return command;
+}
+
+int make_items(const WorkerArguments& arguments, const Console& console) {
+  const std::vector<std::string> items = items_of(arguments);
+  const fs::path file = manifest_meant(arguments.production.manifest, console);
+  if (!fs::exists(file))
+    throw WrongSetup(file.string() + ": is not there", "does this machine see the shared folder?");
+  Production production(load_manifest(file, process_environment(), arguments.production.out),
+                        options_of(arguments.production));
+  const fs::path folder = folder_of(arguments.production, production.manifest());
+  const Hash key = key_of(production.graph());
+  if (!arguments.expected.empty() && arguments.expected != key) {
+    throw WrongSetup("this is not the study that was submitted (" + key + " instead of " +
+                         arguments.expected + ")",
+                     "the manifest, one of its files, mien's version or the processor's "
+                     "instruction set is another; mien farm resume submits it as it is now");
+  }
+  const TaskGraph graph = graph_of_items(production.graph(), items);
+  WorkResult result;
+  {
+    Progress progress(console.err, console.err_is_terminal, graph, plan(graph, folder),
+                      steady_seconds);
+    result = work(graph, items, folder, jobs_of(arguments.production), console.stop,
+                  progress.observer(), command_for(arguments));
+  }
+  tell(result, console);
+  return result.code();
+}
+
+int worker(const WorkerArguments& arguments, const Console& console) {
+  try {
+    return make_items(arguments, console);
+  } catch (const WrongSetup& error) {
+    console.err << error.what() << '\n';
+    return worker_wrong_setup;
+  } catch (const Error& error) {
+    console.err << error.what() << '\n';
+    return worker_bad_input;
+  } catch (const std::exception& error) {  // the folder is not there, or cannot be written to
+    console.err << "mien: " << error.what() << '\n';
+    return worker_transient;
+  }
+}
+
+}  // namespace
+
+void add_farm_worker_command(CLI::App& farm, Command& chosen) {
+  CLI::App* command = farm.add_subcommand(
+      "worker", "Make items of a study, as one process of many: what a job of a farm runs");
+  const auto arguments = std::make_shared<WorkerArguments>();
+  add_manifest_options(*command, arguments->production);
+  command->add_option("--tasks", arguments->tasks,
+                      "Items: tasks of mien plan (film:walk-1), or chunks of a film's frames "
+                      "(film:walk-1[3/12])");
+  CLI::Option* list =
+      command->add_option("--list", arguments->list, "File with a line of items for each job");
+  command->add_option("--line", arguments->line, "The line to make, from 1")
+      ->check(CLI::Range(1, 100000000))
+      ->needs(list);
+  list->needs(command->get_option("--line"));
+  command->add_option("--expect", arguments->expected,
+                      "Key of the study that was submitted: another one is not made");
+  command->footer(
+      "\nAny number of workers may work on a study at a time, on machines that share its folder; "
+      "what they need and is not there they make themselves.\nExit codes: 0 made, 65 bad input, 70 "
+      "failed, 75 stopped or perhaps better next time, 78 the set-up is wrong.\n\nExamples:\n"
+      "  mien farm worker my.yaml --tasks \"film:walk-1[1/2]\"\n"
+      "  mien farm worker my.yaml --list films.tasks --line 3");
+  command->callback([&chosen, arguments] {
+    chosen = [arguments](const Console& console) { return worker(*arguments, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,26 @@
+#include "pipeline/farm/work_item.h"
+
+#include <regex>
+
+#include "motion/error.h"
+
+namespace mien::pipeline {
+
+std::string chunk_item(const std::string& task, int chunk, int chunks) {
+  return task + "[" + std::to_string(chunk) + "/" + std::to_string(chunks) + "]";
+}
+
+WorkItem work_item(const std::string& text) {
+  static const std::regex form(R"(([^\s\[\]]+)(\[([1-9]\d{0,6})/([1-9]\d{0,6})\])?)");
+  std::smatch parts;
+  if (std::regex_match(text, parts, form)) {
+    if (!parts[2].matched) return {parts[1], 0, 0};
+    WorkItem item{parts[1], std::stoi(parts[3]), std::stoi(parts[4])};
+    if (item.chunk <= item.chunks) return item;
+  }
+  throw Error("\"" + text + "\" is no work item",
+              "write a task of mien plan, like film:walk, or a part of a film's frames, like "
+              "film:walk[3/12]");
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,175 @@
+#include "pipeline/farm/worker.h"
+
+#include <algorithm>
+#include <ctime>
+#include <map>
+#include <set>
+
+#include <fmt/chrono.h>
+#include <nlohmann/json.hpp>
+
+#include "motion/error.h"
+#include "motion/text/file_contents.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/farm/work_item.h"
+#include "pipeline/farm/worker_codes.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+const Task& task_meant(const TaskGraph& graph, const WorkItem& item) {
+  if (!graph.has(item.task)) {
+    std::vector<std::string> ids;
+    for (const Task& task : graph.tasks) ids.push_back(task.id);
+    throw Error("there is no task \"" + item.task + "\"", motion::did_you_mean(item.task, ids));
+  }
+  const Task& task = graph.task(item.task);
+  if (item.chunks > 0 && !task.make_part)
+    throw Error("\"" + item.task + "\" is not made in chunks", "only films are: leave [ ] out");
+  return task;
+}
+
+void add_inputs(const TaskGraph& graph, const Task& task, std::set<std::size_t>& needed) {
+  for (const std::string& input : task.inputs) {
+    const std::size_t index = graph.index_of(input);
+    if (needed.insert(index).second) add_inputs(graph, graph.tasks[index], needed);
+  }
+}
+
+/// Adds what has been asked for and what it needs, chunks of a film before the film.
+class ItemGraph {
+ public:
+  explicit ItemGraph(const TaskGraph& graph) : graph_(graph) {}
+
+  void add(const WorkItem& item) {
+    const Task& task = task_meant(graph_, item);
+    add_inputs(graph_, task, needed_);
+    if (item.chunks == 0) {
+      needed_.insert(graph_.index_of(task.id));
+    } else {
+      parts_[graph_.index_of(task.id)].insert({item.chunk, item.chunks});
+    }
+  }
+
+  TaskGraph build() const {
+    std::set<std::size_t> all = needed_;
+    for (const auto& [film, parts] : parts_) all.insert(film);
+    TaskGraph built;
+    for (const std::size_t index : all) {
+      Task task = graph_.tasks[index];
+      if (const auto parts = parts_.find(index); parts != parts_.end()) {
+        for (const auto& [number, of] : parts->second) {
+          Task part = part_of(graph_.tasks[index], {number, of});
+          task.inputs.push_back(part.id);  // without products it has no part in the film's key
+          built.add(std::move(part));
+        }
+      }
+      if (needed_.contains(index)) built.add(std::move(task));
+    }
+    return built;
+  }
+
+ private:
+  const TaskGraph& graph_;
+  std::set<std::size_t> needed_;
+  std::map<std::size_t, std::set<std::pair<int, int>>> parts_;
+};
+
+int code_of(const TaskOutcome& outcome) {
+  if (outcome.is_bad_input) return worker_bad_input;
+  return outcome.is_transient ? worker_transient : worker_gave_up;
+}
+
+/// Why an item was not made: its own failure, or the first of what it needs.
+const TaskOutcome* cause_of(const TaskGraph& graph, const std::vector<TaskOutcome>& outcomes,
+                            std::size_t index) {
+  if (outcomes[index].state == TaskState::failed) return &outcomes[index];
+  for (const std::string& input : graph.tasks[index].inputs) {
+    if (const TaskOutcome* cause = cause_of(graph, outcomes, graph.index_of(input))) return cause;
+  }
+  return nullptr;
+}
+
+int attempts_before(const fs::path& file) {
+  const auto text = motion::bytes_of_file(file);
+  const ordered_json told =
+      text ? ordered_json::parse(*text, nullptr, false) : ordered_json::object();
+  return told.is_object() ? told.value("attempts", 0) : 0;
+}
+
+void tell_failure(const fs::path& folder, const FailedWork& failed, const std::string& command,
+                  const std::string& host) {
+  const fs::path file = failure_path(folder, failed.item);
+  const ordered_json told = {{"item", failed.item},
+                             {"error", failed.error},
+                             {"code", failed.code},
+                             {"host", host},
+                             {"when", fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)))},
+                             {"attempts", attempts_before(file) + 1},
+                             {"command", command + " --tasks " + failed.item}};
+  make_folder(file.parent_path());
+  fs::path next = file;
+  next += "." + host + ".new";
+  write_file(next, told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  fs::rename(next, file);
+}
+
+}  // namespace
+
+TaskGraph graph_of_items(const TaskGraph& graph, const std::vector<std::string>& items) {
+  ItemGraph wanted(graph);
+  for (const std::string& item : items) wanted.add(work_item(item));
+  return wanted.build();
+}
+
+int WorkResult::code() const {
+  if (was_interrupted) return worker_transient;
+  int code = nondeterminism.empty() ? 0 : worker_gave_up;
+  for (const FailedWork& item : failed) {  // what may go better next time counts first
+    const bool counts = code == 0 || item.code == worker_transient ||
+                        (item.code == worker_gave_up && code == worker_bad_input);
+    if (counts) code = item.code;
+    if (code == worker_transient) break;
+  }
+  return code;
+}
+
+fs::path failure_path(const fs::path& folder, const std::string& item) {
+  std::string name = item;
+  for (char& letter : name) {
+    if (std::string("/[]:").find(letter) != std::string::npos) letter = '_';
+  }
+  return folder / "farm" / "failures" / (name + ".json");
+}
+
+WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
+                const fs::path& folder, int jobs, const std::stop_token& stop,
+                const RunObserver& observer, const std::string& command) {
+  Store store(folder);
+  const std::vector<TaskOutcome> outcomes = run(items, store, jobs, stop, observer);
+  WorkResult result;
+  for (const std::string& name : names) {
+    const std::size_t index = items.index_of(name);
+    const TaskOutcome* cause = cause_of(items, outcomes, index);
+    if (cause != nullptr) {
+      result.failed.push_back({name, cause->error, code_of(*cause)});
+      tell_failure(folder, result.failed.back(), command, store.presence().self().host);
+    } else if (outcomes[index].state == TaskState::interrupted ||
+               outcomes[index].state == TaskState::skipped) {
+      result.was_interrupted = true;
+    } else {
+      std::error_code none;
+      fs::remove(failure_path(folder, name), none);
+    }
+  }
+  result.repairs = store.repairs();
+  result.nondeterminism = store.nondeterminism();
+  return result;
+}
+
+}  // namespace mien::pipeline

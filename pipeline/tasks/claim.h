@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "pipeline/tasks/worker_presence.h"
+
+namespace mien::pipeline {
+
+/// Word to the other processes in a study's folder that something is being made here, so that they
+/// make something else in the meantime. Nothing but time depends on it: what is made twice is
+/// published once. Given back when the object ends.
+class Claim {
+ public:
+  /// Nothing while another process that seems to live has it; of one that does not, it is taken
+  /// over.
+  static std::unique_ptr<Claim> take(const std::filesystem::path& folder, const std::string& what,
+                                     const std::string& worker, WorkerWatch& watch);
+  ~Claim();
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+
+ private:
+  Claim(std::filesystem::path file, std::string worker);
+
+  std::filesystem::path file_;
+  std::string worker_;
+};
+
+}  // namespace mien::pipeline

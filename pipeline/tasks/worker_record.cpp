@@ -1,0 +1,181 @@
+#include "pipeline/tasks/worker_record.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <system_error>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "pipeline/documents/files.h"
+#include "render/tracer/tracer.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string first_line_of(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  return line;
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0 || name[0] == '\0') return "unknown";
+  return name.data();
+}
+
+std::string process_space() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/ns/pid", error).string();
+}
+
+/// When a process began, in ticks after the boot: the 22nd word of its status, of which the second
+/// is its program's name in brackets and may hold anything. Empty when there is no such process.
+std::string start_of(std::int64_t process) {
+  const std::string status = first_line_of(fmt::format("/proc/{}/stat", process));
+  const std::size_t name_end = status.rfind(')');
+  if (name_end == std::string::npos) return "";
+  std::size_t at = name_end + 1;
+  for (int word = 3; word < 22 && at != std::string::npos; ++word) at = status.find(' ', at + 1);
+  if (at == std::string::npos) return "";
+  return status.substr(at + 1, status.find(' ', at + 1) - at - 1);
+}
+
+/// A process that has ended but was not waited for does nothing more.
+bool is_zombie(std::int64_t process) {
+  const std::string status = first_line_of(fmt::format("/proc/{}/stat", process));
+  const std::size_t name_end = status.rfind(')');
+  return name_end != std::string::npos && status.compare(name_end, 3, ") Z") == 0;
+}
+
+std::string random_word() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
+}
+
+/// What follows the last comma: "Embree 4.3.3, avx2".
+std::string instruction_set() {
+  const std::string description = render::Tracer().description();
+  const std::size_t comma = description.rfind(", ");
+  return comma == std::string::npos ? description : description.substr(comma + 2);
+}
+
+/// A file's last change, in seconds.
+std::optional<double> time_of(const fs::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return std::nullopt;
+  return static_cast<double>(status.st_mtim.tv_sec) +
+         1e-9 * static_cast<double>(status.st_mtim.tv_nsec);
+}
+
+}  // namespace
+
+WorkerRecord record_of_this_process() {
+  static const std::string instructions = instruction_set();
+  WorkerRecord record;
+  record.host = host_name();
+  record.boot = first_line_of("/proc/sys/kernel/random/boot_id");
+  record.process_space = process_space();
+  record.process = ::getpid();
+  record.process_start = start_of(record.process);
+  record.instruction_set = instructions;
+  record.started = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
+  record.name = fmt::format("{}-{}-{}", record.host, record.process, random_word());
+  return record;
+}
+
+std::string to_json(const WorkerRecord& record) {
+  json tasks = json::array();
+  for (const auto& [id, share] : record.tasks) tasks.push_back({{"id", id}, {"share", share}});
+  const json object = {{"name", record.name},
+                       {"host", record.host},
+                       {"boot", record.boot},
+                       {"process_space", record.process_space},
+                       {"pid", record.process},
+                       {"process_start", record.process_start},
+                       {"instruction_set", record.instruction_set},
+                       {"started", record.started},
+                       {"beats", record.beats},
+                       {"exclusive", record.exclusive},
+                       {"ended", record.ended},
+                       {"tasks", tasks},
+                       {"frames", record.frames},
+                       {"frame_seconds", record.frame_seconds}};
+  return object.dump(1) + "\n";
+}
+
+std::optional<WorkerRecord> worker_record_from_json(const std::string& text) {
+  try {
+    const json object = json::parse(text);
+    WorkerRecord record;
+    record.name = object.at("name");
+    record.host = object.at("host");
+    record.boot = object.at("boot");
+    record.process_space = object.at("process_space");
+    record.process = object.at("pid");
+    record.process_start = object.at("process_start");
+    record.instruction_set = object.at("instruction_set");
+    record.started = object.at("started");
+    record.beats = object.at("beats");
+    record.exclusive = object.at("exclusive");
+    record.ended = object.at("ended");
+    for (const json& task : object.at("tasks")) record.tasks[task.at("id")] = task.at("share");
+    record.frames = object.at("frames");
+    record.frame_seconds = object.at("frame_seconds");
+    return record;
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+}
+
+fs::path worker_record_path(const fs::path& folder, const std::string& name) {
+  return folder / ".mien" / "workers" / (name + ".json");
+}
+
+std::optional<WorkerRecord> read_worker_record(const fs::path& folder, const std::string& name) {
+  std::ifstream stream(worker_record_path(folder, name), std::ios::binary);
+  if (!stream) return std::nullopt;
+  return worker_record_from_json({std::istreambuf_iterator<char>(stream), {}});
+}
+
+std::vector<WorkerRecord> read_worker_records(const fs::path& folder) {
+  std::vector<WorkerRecord> records;
+  std::error_code error;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(folder / ".mien" / "workers", error)) {
+    if (entry.path().extension() != ".json") continue;
+    if (auto record = read_worker_record(folder, entry.path().stem().string()))
+      records.push_back(std::move(*record));
+  }
+  std::ranges::sort(records, {}, &WorkerRecord::name);
+  return records;
+}
+
+bool is_gone(const WorkerRecord& record) {
+  if (record.ended) return true;
+  static const std::string boot = first_line_of("/proc/sys/kernel/random/boot_id");
+  if (boot.empty() || record.boot != boot || record.process_space != process_space()) return false;
+  return start_of(record.process) != record.process_start || is_zombie(record.process);
+}
+
+double seconds_silent(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {
+  const auto last = time_of(worker_record_path(folder, record.name));
+  const auto present = time_of(now);
+  return last && present ? *present - *last : 0.0;
+}
+
+}  // namespace mien::pipeline
