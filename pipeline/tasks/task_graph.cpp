@@ -22,6 +22,8 @@ void TaskGraph::add(Task task) {
   assert(!task.products.empty());
   assert(std::all_of(task.inputs.begin(), task.inputs.end(),
                      [&](const std::string& input) { return indices_.contains(input); }));
+  assert(std::all_of(task.after.begin(), task.after.end(),
+                     [&](const std::string& earlier) { return indices_.contains(earlier); }));
   assert(!indices_.contains(task.id));
   indices_.emplace(task.id, tasks.size());
   tasks.push_back(std::move(task));

@@ -63,7 +63,7 @@ class Runner {
   }
 
  private:
-  enum class Readiness { ready, not_yet, never };
+  enum class Readiness { never, not_yet, ready };
 
   void work() {
     std::unique_lock lock(mutex_);
@@ -80,10 +80,10 @@ class Runner {
     return outcome.state == TaskState::cached || outcome.state == TaskState::made;
   }
 
-  Readiness readiness(const Task& task) const {
+  Readiness readiness_after(const std::vector<std::string>& tasks) const {
     Readiness result = Readiness::ready;
-    for (const std::string& input : task.inputs) {
-      const TaskOutcome& outcome = outcomes_[graph_.index_of(input)];
+    for (const std::string& id : tasks) {
+      const TaskOutcome& outcome = outcomes_[graph_.index_of(id)];
       if (outcome.state == TaskState::waiting) {
         result = Readiness::not_yet;
       } else if (!has_products(outcome)) {
@@ -91,6 +91,10 @@ class Runner {
       }
     }
     return result;
+  }
+
+  Readiness readiness(const Task& task) const {
+    return std::min(readiness_after(task.inputs), readiness_after(task.after));
   }
 
   /// Ends what cannot be begun any more and takes the first task that can.
