@@ -16,7 +16,7 @@ namespace mien::pipeline {
 struct RunResult {
   std::vector<TaskOutcome> outcomes;  ///< one a task of the production's graph
   std::vector<Nondeterminism> nondeterminism;
-  std::vector<std::string> warnings;  ///< about the motions: "guess-1: …"
+  std::vector<std::string> warnings;  ///< about design, motions, films: "guess-1: …"
   bool was_interrupted = false;
 
   int count(TaskState state) const;

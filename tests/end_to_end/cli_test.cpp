@@ -214,6 +214,31 @@ TEST(CommandLine, CheckTellsWhatARunWouldStumbleOver) {
   EXPECT_TRUE(contains(faults_of("stimuli: [{id: a, clip: no.bvh}]\n"), ":5:11: stimuli[0]: "));
 }
 
+TEST(CommandLine, TellsStimuliThatARaterCannotTellApart) {
+  const Scratch scratch;
+  std::string twice = small_manifest;
+  twice.replace(twice.find("sad"), 3, "normal");
+  const std::string file = scratch.write("m.yaml", twice).string();
+  const std::string out = (scratch.path() / "out").string();
+  const std::string remedy =
+      "; give one of them another motion or look; leave both if they are shown twice on purpose\n";
+  const Ended check = run_mien({"check", file});
+  EXPECT_EQ(check.code, 0);
+  EXPECT_EQ(
+      check.errors,
+      "warning: " + file + ":7:5: stimuli[1]: a rater sees the same of \"b\" as of \"a\"" + remedy);
+  EXPECT_EQ(json::parse(run_mien({"check", file, "--json"}).output)["warnings"].size(), 1u);
+  const std::string told = "warning: b: a rater sees the same as of \"a\"" + remedy;
+  EXPECT_TRUE(contains(run_mien({"plan", file, "--out", out}).errors, told));
+  const Ended run = run_mien({"run", file, "--out", out});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(run.errors, told)) << run.errors;
+  EXPECT_TRUE(contains(text_of(scratch.path() / "out/small/metrics/warnings.csv"),
+                       "b,design,\"a rater sees the same as of \"\"a\"\";"));
+  EXPECT_TRUE(contains(text_of(scratch.path() / "out/small/report.html"),
+                       "<li>b: a rater sees the same as of &quot;a&quot;;"));
+}
+
 TEST(CommandLine, CleanRemovesWhatTheManifestNoLongerMakes) {
   const Scratch scratch;
   const std::string manifest = scratch.write("m.yaml", small_manifest).string();
