@@ -165,6 +165,49 @@ TEST(CommandLine, CheckGoesByWhatAFileHolds) {
             recipes.string() + ":1:17: recipes.sad.pathes: unknown key; did you mean \"paths\"?\n");
 }
 
+TEST(CommandLine, RunTellsWhatAFileHoldsThatIsNoManifest) {
+  const Scratch scratch;
+  const std::string scales =
+      scratch.write("mine.yaml", "scales: {haste: {low: calm, high: hasty}}\n").string();
+  for (const char* command : {"run", "plan"}) {
+    const Ended ended = run_mien({command, scales});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_EQ(ended.errors, scales +
+                                ":1:1: holds scales, and is no manifest; name it in one, as "
+                                "examples: {scales: mine.yaml}; mien check alone takes it as it "
+                                "is\n");
+  }
+}
+
+TEST(CommandLine, TellsAtWhichLineAFolderOrFileHoldsNothing) {
+  const Scratch scratch;
+  fs::create_directory(scratch.path() / "captures");
+  const auto told = [&](const std::string& set) {
+    const std::string file =
+        scratch
+            .write("m.yaml", "mien: 1\nstudy: s\nexamples: {set: " + set + "}\nstimuli:\n" +
+                                 "  - {id: a, weights: {normal: 1}}\n")
+            .string();
+    const std::string errors = run_mien({"check", file}).errors;
+    return errors.starts_with(file) ? errors.substr(file.size()) : errors;
+  };
+  const std::string none = told("{folder: captures}");
+  EXPECT_TRUE(none.starts_with(":3:17: examples.set: ")) << none;
+  EXPECT_TRUE(contains(none, "captures: holds no motion file that matches")) << none;
+  EXPECT_EQ(
+      told("./captures"),
+      ":3:17: examples.set: \"./captures\" is not one of the choices; use one of "
+      "builtin:walks-10, builtin:walks-27, builtin:actors; for a folder of motion files write "
+      "{folder: ./captures}\n");
+  const std::string csv = scratch.write("a.csv", "").string();
+  EXPECT_EQ(told("builtin:walks-10, ratings: a.csv"), csv +
+                                                          ":1:1: the table is empty; begin with a "
+                                                          "line of column names\n");
+  const std::string empty = scratch.write("empty.yaml", "").string();
+  EXPECT_EQ(run_mien({"run", empty}).errors,
+            empty + ":1:1: the file is empty; write a document into it\n");
+}
+
 TEST(CommandLine, CheckTellsAnswersAboutNoExampleAndExamplesWithoutAnswer) {
   const Scratch scratch;
   const std::string text =

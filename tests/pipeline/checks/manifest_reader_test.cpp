@@ -436,7 +436,7 @@ TEST_F(ManifestReaderTest, ListsManyFaultsAtOnceInReadingOrder) {
 }
 
 TEST_F(ManifestReaderTest, TellsTextThatIsNoManifestAtAll) {
-  EXPECT_EQ(faults_in(""), "m.yaml: the file is empty; write a document into it\n");
+  EXPECT_EQ(faults_in(""), "m.yaml:1:1: the file is empty; write a document into it\n");
   EXPECT_EQ(faults_in("hello"),
             "m.yaml:1:1: must be a map of keys and values but is the text \"hello\"\n");
   EXPECT_EQ(faults_in("[1, 2]"), "m.yaml:1:1: must be a map of keys and values but is a list\n");
