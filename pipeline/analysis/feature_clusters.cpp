@@ -128,7 +128,7 @@ std::string feature_linkage_csv(const FeatureClusters& clusters) {
   for (const Merge& merge : clusters.linkage.merges) {
     csv.row({std::to_string(++step), node_name(clusters, merge.first),
              node_name(clusters, merge.second), std::to_string(merge.members.size()),
-             shortest(merge.increase), shortest(merge.height)});
+             shortest_measured(merge.increase), shortest_measured(merge.height)});
   }
   return csv.text();
 }

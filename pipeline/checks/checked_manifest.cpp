@@ -18,16 +18,18 @@ namespace mien::pipeline {
 namespace {
 
 /// Faults of the examples' files, unless the manifest's own part about them is at fault already:
-/// one mistake is told once.
-void add_faults_of_examples(std::vector<Fault>& faults, const Error& error) {
+/// one mistake is told once. What has no line of its own, as a folder, is told where it is named.
+void add_faults_of_examples(std::vector<Fault>& faults, const Error& error, const Places& places) {
   const auto is_about_examples = [](const Fault& fault) {
     return fault.path.starts_with("examples");
   };
   if (std::any_of(faults.begin(), faults.end(), is_about_examples)) return;
   if (const auto* several = dynamic_cast<const Faults*>(&error)) {
     faults.insert(faults.end(), several->list().begin(), several->list().end());
-  } else {
+  } else if (error.place().line > 0) {
     faults.push_back({{}, "", error.what(), ""});
+  } else {
+    faults.push_back({place_of(places, "examples.set"), "examples.set", error.what(), ""});
   }
 }
 
@@ -68,7 +70,7 @@ ManifestReading check_manifest(const std::filesystem::path& file, const Environm
     append(reading.faults, check_names(reading.manifest, vocabulary));
     append(reading.faults, check_modification_names(reading.manifest, vocabulary));
   } catch (const Error& error) {
-    add_faults_of_examples(reading.faults, error);
+    add_faults_of_examples(reading.faults, error, reading.manifest.places);
   }
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;

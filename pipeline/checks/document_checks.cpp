@@ -1,5 +1,6 @@
 #include "pipeline/checks/document_checks.h"
 
+#include <cassert>
 #include <string>
 #include <utility>
 
@@ -31,6 +32,19 @@ DocumentKind kind_by_name(const std::filesystem::path& name) {
   return DocumentKind::manifest;
 }
 
+/// What a document that a manifest may name holds, and how it is named there.
+struct NamedDocument {
+  std::string holds;
+  std::string as_named;
+};
+
+NamedDocument named_document(DocumentKind kind, const std::string& file) {
+  if (kind == DocumentKind::scales) return {"scales", "examples: {scales: " + file + "}"};
+  if (kind == DocumentKind::set) return {"a set", "look: {scene: " + file + "}"};
+  assert(kind == DocumentKind::recipes);
+  return {"recipes", "recipes: " + file};
+}
+
 }  // namespace
 
 DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name) {
@@ -46,6 +60,14 @@ DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path
   consider(DocumentKind::set, set_schema());
   consider(DocumentKind::recipes, recipes_schema());
   return best.second;
+}
+
+Fault told_as_no_manifest(DocumentKind kind, const std::filesystem::path& file) {
+  const NamedDocument document = named_document(kind, file.filename().string());
+  return {{file.string(), 1, 1},
+          "",
+          "holds " + document.holds + ", and is no manifest",
+          "name it in one, as " + document.as_named + "; mien check alone takes it as it is"};
 }
 
 std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file) {

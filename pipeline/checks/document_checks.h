@@ -15,6 +15,9 @@ enum class DocumentKind { manifest, scales, set, recipes };
 /// it (my.scales.yaml, my.set.yaml, my.recipes.yaml); others are manifests.
 DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name);
 
+/// The fault of a file of another kind in the place of a manifest.
+Fault told_as_no_manifest(DocumentKind kind, const std::filesystem::path& file);
+
 /// Faults of a file that is no manifest. Never throws for what its text says.
 std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "motion/skeleton/body.h"
+#include "pipeline/checks/document_checks.h"
 #include "pipeline/checks/manifest_checks.h"
 #include "pipeline/look/look_checks.h"
 #include "pipeline/manifest/manifest_builder.h"
@@ -102,7 +103,12 @@ ManifestReading read_manifest(const std::filesystem::path& file, const Environme
     return reading;
   }
   const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  return parse_manifest(text, file, environment);
+  const DocumentKind kind = kind_of_document(text, file);
+  if (kind == DocumentKind::manifest) return parse_manifest(text, file, environment);
+  ManifestReading reading;
+  reading.manifest.file = file;
+  reading.faults.push_back(told_as_no_manifest(kind, file));
+  return reading;
 }
 
 }  // namespace mien::pipeline

@@ -134,16 +134,29 @@ void check_pictured(const std::string& path, const std::string& name, const Name
   list.add(path, "\"" + name + "\" is no stimulus", motion::did_you_mean(name, stimuli));
 }
 
+/// Nothing is rated higher than itself, be it named twice in a row or further on.
+void check_order(const std::string& path, const Names& order, const Names& examples,
+                 FaultList& list) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::string at = element_path(path, i);
+    list.check_word(at, order[i], "example", examples);
+    const auto first = std::ranges::find(order, order[i]) - order.begin();
+    if (static_cast<std::size_t>(first) == i) continue;
+    list.add(at,
+             fmt::format("\"{}\" stands in this order already, as number {}, and cannot be rated "
+                         "higher than itself",
+                         order[i], first + 1),
+             "name each example once");
+  }
+}
+
 void check_expectations(const Manifest& manifest, const Vocabulary& vocabulary, FaultList& list) {
   const std::vector<Expectation>& expected = manifest.ratings.expected;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const std::string path = element_path("examples.expect", i);
     list.check_word(member_path(path, "parameter"), expected[i].parameter, "parameter",
                     vocabulary.parameters);
-    for (std::size_t k = 0; k < expected[i].order.size(); ++k) {
-      list.check_word(element_path(member_path(path, "order"), k), expected[i].order[k], "example",
-                      vocabulary.examples);
-    }
+    check_order(member_path(path, "order"), expected[i].order, vocabulary.examples, list);
   }
 }
 

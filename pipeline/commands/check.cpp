@@ -11,6 +11,7 @@
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/rehearsal.h"
 #include "pipeline/synthesis/wish.h"
 
@@ -33,6 +34,7 @@ nlohmann::ordered_json as_json(const Fault& fault) {
 /// A manifest's faults, or those of a file of scales, recipes or a set.
 struct Findings {
   std::vector<Fault> faults;
+  std::vector<Fault> warnings;        ///< of a manifest without faults
   std::vector<std::string> possible;  ///< what adjectives can be, of a manifest without faults
 };
 
@@ -41,36 +43,41 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
   const bool is_there = std::filesystem::is_regular_file(file, unknown);
   const DocumentKind kind =
       is_there ? kind_of_document(read_file(file), file) : DocumentKind::manifest;
-  if (kind != DocumentKind::manifest) return {check_other_document(kind, file), {}};
+  if (kind != DocumentKind::manifest) return {check_other_document(kind, file), {}, {}};
   const ManifestReading reading = check_manifest(file, process_environment(), options.out);
-  if (!reading.faults.empty() || options.quick) return {reading.faults, {}};
-  Findings findings{rehearse(reading.manifest), {}};
+  Findings findings{.faults = reading.faults};
+  if (!findings.faults.empty()) return findings;
+  for (const Repetition& repetition : repetitions_in(reading.manifest))
+    findings.warnings.push_back(told_at_its_place(repetition, reading.manifest.places));
+  if (options.quick) return findings;
+  findings.faults = rehearse(reading.manifest);
   if (findings.faults.empty()) findings.possible = feasible_ranges(reading.manifest);
   return findings;
 }
 
+void tell(const Findings& findings, const std::string& file, const Console& console) {
+  for (const Fault& fault : findings.faults) console.err << to_string(fault) << '\n';
+  for (const Fault& warning : findings.warnings)
+    console.err << "warning: " << to_string(warning) << '\n';
+  if (findings.faults.empty()) console.out << file << ": no faults\n";
+  for (const std::string& line : findings.possible) console.out << line << '\n';
+}
+
 int check(const CheckOptions& options, const Console& console) {
-  nlohmann::ordered_json listed = nlohmann::ordered_json::array();
+  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+  nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
   bool is_good = true;
   for (const std::string& name : options.manifests) {
     const std::string file = given_or_installed(name, console);
     const Findings findings = findings_in(file, options);
-    const std::vector<Fault>& faults = findings.faults;
-    for (const Fault& fault : faults) {
-      if (options.json) {
-        listed.push_back(as_json(fault));
-      } else {
-        console.err << to_string(fault) << '\n';
-      }
-    }
-    is_good = is_good && faults.empty();
-    if (!options.json && faults.empty()) console.out << file << ": no faults\n";
-    if (options.json) continue;
-    for (const std::string& line : findings.possible) console.out << line << '\n';
+    for (const Fault& fault : findings.faults) faults.push_back(as_json(fault));
+    for (const Fault& warning : findings.warnings) warnings.push_back(as_json(warning));
+    is_good = is_good && findings.faults.empty();
+    if (!options.json) tell(findings, file, console);
   }
-  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   if (options.json) {
-    const nlohmann::ordered_json result = {{"faults", listed}};
+    const nlohmann::ordered_json result = {{"faults", faults}, {"warnings", warnings}};
+    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
     console.out << result.dump(2, ' ', false, replace) << '\n';
   }
   return is_good ? exit_done : exit_bad_input;
@@ -89,7 +96,7 @@ void add_check_command(CLI::App& app, Command& chosen) {
   command->add_option("--out,-o", options->out, "As of run: where results would go")
       ->capture_default_str();
   command->add_flag("--quick", options->quick, "Make no motion: look at the files alone");
-  command->add_flag("--json", options->json, "Faults as JSON on standard output");
+  command->add_flag("--json", options->json, "Faults and warnings as JSON on standard output");
   command->footer(
       "\nMakes and stages the motions of a manifest without faults; draws nothing and writes no "
       "file. Faults are told as file:line:column: path.to.key: what is wrong; how to "

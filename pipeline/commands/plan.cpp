@@ -9,6 +9,7 @@
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
+#include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/run.h"
 #include "pipeline/synthesis/wish.h"
 #include "pipeline/tasks/progress.h"
@@ -50,6 +51,7 @@ void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                                {"cost_s", cost_of(graph, planned)},
                                {"tasks", tasks},
                                {"adjectives", feasible_ranges(manifest)},
+                               {"warnings", told_repetitions(manifest)},
                                {"stale", stale}};
   console.out << result.dump(2) << '\n';
 }
@@ -76,6 +78,8 @@ int show_plan(const ProductionArguments& arguments, const Console& console) {
     show_json(production.graph(), planned, production.manifest(), folder.string(), stale, console);
   } else {
     show_table(production.graph(), planned, production.manifest(), console);
+    for (const std::string& warning : told_repetitions(production.manifest()))
+      console.err << "warning: " << warning << '\n';
     tell_stale(stale, arguments, console);
   }
   return exit_done;

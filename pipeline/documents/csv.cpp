@@ -164,7 +164,7 @@ CsvTable parse_csv(std::string_view text, const std::string& file) {
     }
   }
   if (table.header.empty()) {
-    throw Error({file, 0, 0}, "the table is empty", "begin with a line of column names");
+    throw Error({file, 1, 1}, "the table is empty", "begin with a line of column names");
   }
   return table;
 }
@@ -221,6 +221,11 @@ std::string shortest(double value) {
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
   assert(error == std::errc{});
   return {text.data(), end};
+}
+
+std::string shortest_measured(double value) {
+  constexpr double roundings = 1e-12;
+  return shortest(std::abs(value) < roundings ? 0.0 : value);
 }
 
 CsvWriter::CsvWriter(std::vector<std::string> header) : width_(header.size()) { row(header); }

@@ -50,6 +50,10 @@ double number_of(const std::filesystem::path& file, std::string_view column,
 /// −0 too.
 std::string shortest(double value);
 
+/// The same of what was measured or solved for, in metres or shares of a scale: below 1e-12 nothing
+/// but roundings is left, and "0" is written.
+std::string shortest_measured(double value);
+
 /// Collects rows and writes them with LF line ends, quoting where necessary.
 class CsvWriter {
  public:

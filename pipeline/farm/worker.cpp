@@ -35,9 +35,11 @@ const Task& task_meant(const TaskGraph& graph, const WorkItem& item) {
 }
 
 void add_inputs(const TaskGraph& graph, const Task& task, std::set<std::size_t>& needed) {
-  for (const std::string& input : task.inputs) {
-    const std::size_t index = graph.index_of(input);
-    if (needed.insert(index).second) add_inputs(graph, graph.tasks[index], needed);
+  for (const auto* earlier : {&task.inputs, &task.after}) {
+    for (const std::string& id : *earlier) {
+      const std::size_t index = graph.index_of(id);
+      if (needed.insert(index).second) add_inputs(graph, graph.tasks[index], needed);
+    }
   }
 }
 

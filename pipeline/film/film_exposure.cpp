@@ -4,8 +4,12 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "pipeline/documents/csv.h"
+#include "pipeline/documents/fault_list.h"
 #include "pipeline/film/film_framing.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/film/film_table_forms.h"
@@ -112,6 +116,26 @@ AdjustmentsById adjustments_of(const Manifest& manifest, const SamplesById& samp
   return adjustments;
 }
 
+std::vector<Fault> faults_of(const Manifest& manifest, const AdjustmentsById& adjustments,
+                             const Sampling& sampling) {
+  FaultList list(manifest.places);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Adjustment& found = adjustments.at(stimulus.id);
+    if (found.is_there(sampling)) continue;
+    list.add("equalize",
+             fmt::format("no exposure makes \"{}\" as light as the others: its mean luminance "
+                         "becomes {:.3f} at the nearest, and should be {:.3f}",
+                         stimulus.id, found.reached, found.wanted),
+             "give it another background, equalize luminance: {by: figure}, or leave luminance "
+             "out");
+  }
+  return list.take();
+}
+
+void refuse(std::vector<Fault> faults) {
+  if (!faults.empty()) throw Faults(std::move(faults));
+}
+
 }  // namespace
 
 float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted) {
@@ -126,6 +150,7 @@ float stops_for(const std::vector<render::Film>& films, const render::Tone& tone
 
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
                          TaskRun& run) {
+  refuse(faults_in_light(manifest, motions));
   constexpr Sampling sampling;
   SamplesById samples;
   for (const Stimulus& stimulus : manifest.stimuli) {
@@ -135,32 +160,22 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
                  static_cast<double>(manifest.stimuli.size()));
   }
   const AdjustmentsById adjustments = adjustments_of(manifest, samples);
+  refuse(faults_of(manifest, adjustments, sampling));
   CsvWriter table = table_of(exposure_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Adjustment& found = adjustments.at(stimulus.id);
-    if (!found.is_there(sampling)) {
-      throw Error("equalize: \"" + stimulus.id + "\" has a mean luminance of " +
-                      shortest(std::round(1e3 * found.reached) / 1e3) +
-                      " at most, where the others need " +
-                      shortest(std::round(1e3 * found.wanted) / 1e3),
-                  light_remedy);
-    }
     table.row({stimulus.id, shortest(std::round(1e6 * found.mean) / 1e6),
                shortest(std::round(1e6 * found.wanted) / 1e6), shortest(found.stops)});
   }
   return table.text();
 }
 
-std::vector<std::string> too_far_in_light(const Manifest& manifest, Motions& motions) {
+std::vector<Fault> faults_in_light(const Manifest& manifest, Motions& motions) {
   const FilmSettings settings{.seed = manifest.seed};
   SamplesById samples;
   for (const Stimulus& stimulus : manifest.stimuli)
     samples[stimulus.id] = samples_of(stimulus, quick_sampling, settings, motions, {}, {});
-  std::vector<std::string> far;
-  for (const auto& [id, found] : adjustments_of(manifest, samples)) {
-    if (!found.is_there(quick_sampling)) far.push_back(id);
-  }
-  return far;
+  return faults_of(manifest, adjustments_of(manifest, samples), quick_sampling);
 }
 
 float exposure_stops_of(const fs::path& folder, const std::string& stimulus) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/documents/fault.h"
 #include "pipeline/film/film.h"
 #include "pipeline/synthesis/motions.h"
 #include "pipeline/tasks/task_graph.h"
@@ -18,23 +19,20 @@ namespace mien::pipeline {
 /// shows it, tone curve and all, rises with the exposure, so for each film there is one exposure at
 /// which it is the geometric mean of the means of all films, or of all with such a figure.
 
-/// What to do where no exposure does it.
-inline constexpr char light_remedy[] =
-    "give it another background, equalize luminance: {by: figure}, or leave luminance out";
-
 /// The stops, −8 … 8, that added to the tone's bring the mean over films of `mean_luminance` to
 /// `wanted`; the nearest end where none does.
 float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted);
 
 /// metrics/exposure.csv (film_table_forms.h). Figures are as tall and stand
-/// where film_framing.h found it if size or place is equalized too. Throws Error when an exposure
-/// does not bring a film within 1 %.
+/// where film_framing.h found it if size or place is equalized too. Throws Faults when no exposure
+/// brings a film within 1 %; where it is far from there, after a quick look.
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
                          TaskRun& run);
 
-/// Stimuli that no exposure brings near the others' light, as a quick look at small pictures shows;
-/// what is out of reach by less than 5 % is left to exposure_csv. Throws Error.
-std::vector<std::string> too_far_in_light(const Manifest& manifest, Motions& motions);
+/// A fault for each stimulus that no exposure brings near the others' light, as a quick look at
+/// small pictures shows; what is out of reach by less than 5 % is left to exposure_csv. Throws
+/// Error.
+std::vector<Fault> faults_in_light(const Manifest& manifest, Motions& motions);
 
 /// What the table has for a stimulus, in the store's folder. Throws Error.
 float exposure_stops_of(const std::filesystem::path& folder, const std::string& stimulus);

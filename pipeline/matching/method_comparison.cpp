@@ -124,9 +124,9 @@ std::string method_trials_csv(const std::vector<MethodTrial>& trials, bool simul
                    "mean_d_m", "ratings"});
   for (const MethodTrial& trial : trials) {
     table.row({std::string(motion::name_of(trial.method)), std::to_string(trial.wishes),
-               shortest(trial.mean_error), shortest(trial.worst_error), shortest(trial.jump),
-               shortest(trial.mean_examples), shortest(trial.mean_distance),
-               simulated_ratings ? "simulated" : "given"});
+               shortest_measured(trial.mean_error), shortest_measured(trial.worst_error),
+               shortest_measured(trial.jump), shortest(trial.mean_examples),
+               shortest(trial.mean_distance), simulated_ratings ? "simulated" : "given"});
   }
   return table.text();
 }

@@ -124,8 +124,11 @@ void Production::add_film(const FilmSubject& subject, const SharedDeterminants& 
   add(film_task(subject, settings, shared, manifest_, motions_), subject.equalize);
 }
 
-/// A task that shows one motion, and all the others' lengths where these are made alike.
+/// A task that shows one motion, and all the others' lengths where these are made alike. It waits
+/// until is known that all can be made alike: else the clips of a study would be made whose films
+/// cannot be.
 void Production::add(Task task, const Equalize& equalize) {
+  task.after = equalizing_task_ids(equalize);
   if (equalize.duration) depend_on_motions(task);
   graph_.add(std::move(task));
 }

@@ -64,10 +64,8 @@ class Rehearsal : public FaultList {
 
   void check_luminance() {
     goes("equalize", [&] {
-      for (const std::string& stimulus : too_far_in_light(manifest_, motions_)) {
-        add("equalize", "no exposure makes \"" + stimulus + "\" as light as the others",
-            light_remedy);
-      }
+      for (const Fault& fault : faults_in_light(manifest_, motions_))
+        add(fault.path, fault.wrong, fault.remedy);
     });
   }
 

@@ -6,6 +6,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_record.h"
 #include "pipeline/film/film_tables.h"
+#include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/provenance.h"
 #include "pipeline/production/study_inputs.h"
 #include "pipeline/synthesis/motion_record.h"
@@ -25,10 +26,11 @@ void put_provenance(const Production& production, const RunResult& result, Store
       [](const std::filesystem::path&) {});
 }
 
-/// From the records of motions and films, so that a run that finds everything made tells them too.
+/// Of motions and films from their records, so that a run that finds everything made tells them
+/// too.
 std::vector<std::string> warnings_in(const Production& production, const RunResult& result,
                                      const Store& store) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = told_repetitions(production.manifest());
   for (const Stimulus& stimulus : production.manifest().stimuli) {
     const std::size_t task = production.graph().index_of("motion:" + stimulus.id);
     if (result.outcomes[task].products.empty()) continue;

@@ -17,7 +17,7 @@ struct RunResult {
   std::vector<TaskOutcome> outcomes;  ///< one a task of the production's graph
   std::vector<Nondeterminism> nondeterminism;
   std::vector<std::string> repairs;   ///< what was found damaged or in the way, and made good
-  std::vector<std::string> warnings;  ///< about the motions: "guess-1: …"
+  std::vector<std::string> warnings;  ///< about design, motions, films: "guess-1: …"
   bool was_interrupted = false;
 
   int count(TaskState state) const;

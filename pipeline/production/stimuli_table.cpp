@@ -10,6 +10,7 @@
 #include "pipeline/film/film_tables.h"
 #include "pipeline/look/look_fields.h"
 #include "pipeline/look/point_form.h"
+#include "pipeline/manifest/repetitions.h"
 #include "pipeline/reading/field_writer.h"
 #include "pipeline/report/study_facts.h"
 #include "pipeline/tasks/receipt.h"
@@ -153,6 +154,8 @@ std::string warnings_csv(const Manifest& manifest, Motions& motions, const fs::p
     for (const std::string& warning : motions.repertoire().warnings)
       table.row({"", "examples", warning});
   }
+  for (const Repetition& repetition : repetitions_in(manifest))
+    table.row({repetition.id, "design", to_sentence(repetition)});
   for (const Stimulus& stimulus : manifest.stimuli) {
     for (const std::string& warning : motions.of(stimulus.id).warnings)
       table.row({stimulus.id, "motion", warning});

@@ -58,7 +58,7 @@ inline constexpr TableForm stimuli_form = {"metrics/stimuli.csv", "a stimulus, t
 
 inline constexpr std::array warnings_columns = std::to_array<Column>({
     {"stimulus", "", "id of the stimulus or overlay; empty for what concerns the examples"},
-    {"about", "", "examples, motion or film"},
+    {"about", "", "examples, design (stimuli among each other), motion or film"},
     {"warning", "", "a sentence"},
 });
 
@@ -69,8 +69,8 @@ inline constexpr TableForm warnings_form = {"metrics/warnings.csv", "a warning",
 std::string stimuli_csv(const Manifest& manifest, Motions& motions,
                         const std::filesystem::path& folder);
 
-/// What a run has to say about examples, motions and films; of these the records in the study's
-/// folder tell.
+/// What a run has to say about examples, design, motions and films; of these the records in the
+/// study's folder tell.
 std::string warnings_csv(const Manifest& manifest, Motions& motions,
                          const std::filesystem::path& folder);
 

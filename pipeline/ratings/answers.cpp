@@ -33,7 +33,7 @@ CsvTable rows_about(CsvTable table, const AnswerSubjects& about, const AnswerRul
     if (!example.file_stem.empty()) known.insert(example.file_stem);
     names.push_back(example.name);
   }
-  UnknownNames unknown("stimulus");
+  UnknownNames unknown("stimulus", "stimuli");
   std::erase_if(table.rows, [&](const std::vector<CsvField>& row) {
     const CsvField& stimulus = row[static_cast<std::size_t>(column)];
     if (known.contains(stimulus.text)) return false;
@@ -48,7 +48,7 @@ CsvTable rows_about(CsvTable table, const AnswerSubjects& about, const AnswerRul
 
 Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSubjects& about) {
   if (table.rows.empty()) {
-    throw Error(Place{table.file}, "holds no answers", "add rows below the header");
+    throw Error(Place{table.file, 1, 1}, "holds no answers", "add rows below the header");
   }
   using Unknown = AnswerRules::Unknown;
   const AnswerRules rules{.unknown = about.ignore_unknown ? Unknown::ignore : Unknown::refuse,

@@ -137,8 +137,8 @@ class RowReader {
   int rt_ms_ = -1;
   int order_ = -1;
   int comment_ = -1;
-  UnknownNames unknown_stimuli_{"stimulus"};
-  UnknownNames unknown_scales_{"scale"};
+  UnknownNames unknown_stimuli_{"stimulus", "stimuli"};
+  UnknownNames unknown_scales_{"scale", "scales"};
 };
 
 }  // namespace

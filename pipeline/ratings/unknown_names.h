@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/documents/csv.h"
@@ -9,11 +11,13 @@
 
 namespace mien::pipeline {
 
-/// Names in a table that mean nothing, each told once, with the number of rows that use it.
+/// Names in a table that mean nothing, each told once, with the number of rows that use it; of many
+/// the first five, and how many more there are.
 class UnknownNames {
  public:
-  /// `what` they should be: "stimulus".
-  explicit UnknownNames(std::string what) : what_(std::move(what)) {}
+  /// What they should be: "stimulus", "stimuli".
+  UnknownNames(std::string what, std::string what_many)
+      : what_(std::move(what)), what_many_(std::move(what_many)) {}
 
   void note(const CsvField& field);
 
@@ -29,7 +33,9 @@ class UnknownNames {
   };
 
   std::string what_;
-  std::map<std::string, Met> names_;
+  std::string what_many_;
+  std::vector<Met> names_;  ///< in the order of the file
+  std::map<std::string, std::size_t> index_;
 };
 
 }  // namespace mien::pipeline

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <regex>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -136,8 +137,18 @@ class Explainer {
     if (is_near) {
       add(shown(value_) + " is not one of " + choices_listed, motion::did_you_mean(word, words));
     } else {
-      add(shown(value_) + " is not one of the choices", "use one of " + choices_listed);
+      add(shown(value_) + " is not one of the choices",
+          "use one of " + choices_listed + otherwise(word));
     }
+  }
+
+  /// What a text that is no choice may have been meant for.
+  std::string otherwise(const std::string& word) const {
+    if (!node_.contains("x-otherwise")) return "";
+    std::string hint = "; " + node_["x-otherwise"].get<std::string>();
+    constexpr std::string_view blank = "…";
+    const std::size_t at = hint.find(blank);
+    return at == std::string::npos ? hint : hint.replace(at, blank.size(), word);
   }
 
   void explain_range() {

@@ -275,8 +275,7 @@ YamlNode parse(std::string_view text, const YamlPlaces& places, const std::strin
   YAML::Parser parser(stream);
   TreeBuilder builder(places, faults);
   if (!parser.HandleNextDocument(builder)) {
-    const Place whole{file, 0, 0};
-    faults.push_back({whole, "", "the file is empty", "write a document into it"});
+    faults.push_back({{file, 1, 1}, "", "the file is empty", "write a document into it"});
     return {};
   }
   YamlNode root = builder.take_root();

@@ -292,8 +292,10 @@ class MethodsWriter {
     say(count_of(modified, "stimulus was", "stimuli were") + " modified afterwards" +
         modification_sources());
     if (!emotions.empty()) {
-      say(fmt::format("The recipes used ({}) were {}, at a strength of {}", recipe_book(),
-                      listed(emotions), told(strengths, 2, "")));
+      say(fmt::format("The {} ({}) {} {}, at a strength of {}",
+                      emotions.size() == 1 ? "recipe used" : "recipes used", recipe_book(),
+                      emotions.size() == 1 ? "was" : "were", listed(emotions),
+                      told(strengths, 2, "")));
     }
     if (!parts.empty()) say("Set by hand: " + listed(parts));
     if (!styles.empty()) {

@@ -1,10 +1,12 @@
 #include "pipeline/report/report.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "pipeline/documents/html.h"
+#include "pipeline/manifest/repetitions.h"
 #include "pipeline/report/report_cards.h"
 #include "pipeline/report/report_ratings.h"
 #include "pipeline/report/report_style.h"
@@ -112,11 +114,19 @@ std::string page_footer(const Manifest& manifest) {
                                : "made by <code>" + html_escaped(manifest.command) + "</code> · ");
 }
 
+/// Of examples and of stimuli among each other; cards tell those of one stimulus.
+std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& motions) {
+  std::vector<std::string> warnings;
+  if (blends_examples(manifest)) warnings = motions.repertoire().warnings;
+  for (std::string& told : told_repetitions(manifest)) warnings.push_back(std::move(told));
+  return warnings;
+}
+
 }  // namespace
 
 std::string report(const Manifest& manifest, Motions& motions, const Methods& methods) {
   std::string body = page_header(manifest, motions) + "<main>\n";
-  if (blends_examples(manifest)) body += html_list("warnings", motions.repertoire().warnings);
+  body += html_list("warnings", warnings_of_all(manifest, motions));
   body += stimuli_section(manifest, motions) + foils_section(manifest, motions) +
           overlays_section(manifest) + sheets_sections(manifest, motions);
   if (blends_examples(manifest)) body += ratings_section(manifest, motions.repertoire());

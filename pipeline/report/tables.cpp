@@ -149,7 +149,7 @@ std::string clips_csv(const Manifest& manifest, Motions& motions) {
                shortest(frames / clip.frames_per_second), shortest(clip.frames_per_second),
                clip.loops ? shortest(duration) : "", clip.loops ? shortest(way_of(clip)) : "",
                duration > 0.0 ? shortest(way_of(clip) / duration) : "",
-               shortest(made.planted_drift_m), method_of(stimulus),
+               shortest_measured(made.planted_drift_m), method_of(stimulus),
                made.expected_error_m ? shortest(*made.expected_error_m) : "", made.modified,
                made.modified.empty() ? "" : shortest(made.modified_share)});
   }
@@ -169,8 +169,8 @@ std::string parameters_csv(const Manifest& manifest, Motions& motions) {
       const std::string ratings = is_wish                           ? ratings_of(&stimulus, motions)
                                   : repertoire.parameters.simulated ? "simulated"
                                                                     : "given";
-      table.row({stimulus.id, ratings, row.name, row.asked, row.held, shortest(row.reached),
-                 row.possible ? shortest(row.possible->least) : "",
+      table.row({stimulus.id, ratings, row.name, row.asked, row.held,
+                 shortest_measured(row.reached), row.possible ? shortest(row.possible->least) : "",
                  row.possible ? shortest(row.possible->most) : "", english_text(label),
                  japanese_text(label)});
     }

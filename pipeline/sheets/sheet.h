@@ -19,10 +19,11 @@ struct SheetMotion {
   std::vector<std::pair<std::string, double>> weights;  ///< example → share; empty for no blend
 };
 
-/// What a motion was asked to have of a parameter, and what it has: shares of its range, 0 low,
-/// 1 high. Empty: not asked for, or not known.
+/// What a motion was asked to have of a parameter, or was to keep, and what it has: shares of its
+/// range, 0 low, 1 high. Empty: not asked for, not held, or not known.
 struct SheetValue {
   std::optional<double> asked;
+  std::optional<double> held;
   std::optional<double> reached;
 };
 
@@ -38,6 +39,7 @@ struct SheetParameter {
   SheetValue created;
 
   bool is_asked() const { return target.asked || created.asked; }
+  bool is_held() const { return target.held || created.held; }
 };
 
 /// Everything that a comparison sheet shows.
@@ -47,7 +49,7 @@ struct SheetContent {
   SheetMotion created;
   std::optional<SheetMotion> reference;    ///< shown, not measured
   motion::Distance distance;               ///< between target and created
-  std::vector<SheetParameter> parameters;  ///< those asked for first
+  std::vector<SheetParameter> parameters;  ///< those asked for first, then those held
   bool simulated_ratings = false;
   std::vector<std::pair<std::string, std::string>> provenance;  ///< ("seed", "7"), …
 };

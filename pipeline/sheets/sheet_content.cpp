@@ -42,9 +42,10 @@ std::optional<double> value_of(const NamedValues& values, const std::string& nam
   return std::nullopt;
 }
 
-/// What a motion was asked to have, and what it has.
+/// What a motion was asked to have or to keep, and what it has.
 struct Values {
   NamedValues asked;
+  NamedValues held;
   NamedValues reached;  ///< of what was asked for
   NamedValues rated;    ///< every rated parameter, of a blend of rated examples
   bool are_features = false;
@@ -56,7 +57,7 @@ struct Values {
   }
   SheetValue of(const std::string& id, bool is_feature) const {
     return {is_feature == are_features ? value_of(asked, id) : std::nullopt,
-            reached_of(id, is_feature)};
+            is_feature ? std::nullopt : value_of(held, id), reached_of(id, is_feature)};
   }
 };
 
@@ -65,7 +66,7 @@ Values values_of(const std::string& name, const Manifest& manifest, Motions& mot
   const Synthesis& made = motions.of(name);
   const Stimulus* stimulus = find_stimulus(manifest, name);
   const bool is_blend = made.weights.size() > 0;
-  return {made.asked, made.modified.empty() ? made.reached : NamedValues(),
+  return {made.asked, made.held, made.modified.empty() ? made.reached : NamedValues(),
           is_blend ? rated_values(made, motions.repertoire()) : NamedValues(),
           stimulus != nullptr && !stimulus->features.empty()};
 }
@@ -82,13 +83,16 @@ SheetParameter sheet_parameter(const std::string& id, bool is_feature, const Sca
           {}};
 }
 
-/// Parameters that either motion was asked for, the target's first, then all others with a value.
+/// Parameters that either motion was asked for, the target's first, then those held, then all
+/// others with a value.
 class ParameterList {
  public:
   ParameterList(const Values& target, const Values& created, const ScaleSet& scales)
       : target_(target), created_(created), scales_(scales) {
     add(target.asked, target.are_features);
     add(created.asked, created.are_features);
+    add(target.held, false);
+    add(created.held, false);
     add(target.rated, false);
     add(created.rated, false);
   }

@@ -20,15 +20,21 @@ TextStyle number_style(Colour colour, bool is_bold) {
   return {.size = 8.0, .colour = colour, .bold = is_bold, .align = Align::right};
 }
 
-/// Right edges of the numbers at the right end of a block: of parameters, what was asked for and
-/// what was reached.
+/// Right edges of what stands in a row of parameters: names and sliders, then what was asked for
+/// and what was reached.
 struct ParameterColumns {
-  double target_asked, target, created_asked, created;
+  double sliders, target_asked, target, created_asked, created;
 };
 
-ParameterColumns parameter_columns(const Box& box) {
-  const double right = box.right();
-  return {right - 88.0, right - 60.0, right - 28.0, right};
+/// "held" before a number takes some room.
+ParameterColumns parameter_columns(const Box& box, const std::vector<SheetParameter>& parameters) {
+  const bool holds = std::ranges::any_of(parameters, &SheetParameter::is_held);
+  const double before_asked = holds ? 42.0 : 24.0;
+  const double created = box.right();
+  const double created_asked = created - 28.0;
+  const double target = created_asked - (holds ? 42.0 : 32.0);
+  const double target_asked = target - 28.0;
+  return {target_asked - before_asked, target_asked, target, created_asked, created};
 }
 
 void draw_values(Canvas& canvas, const Box& box, double baseline,
@@ -45,8 +51,7 @@ void draw_value_titles(Canvas& canvas, const Box& box) {
   canvas.text({columns.created, box.y + 10.0}, "created", number_style(created_colours.line, true));
 }
 
-void draw_parameter_titles(Canvas& canvas, const Box& box) {
-  const ParameterColumns columns = parameter_columns(box);
+void draw_parameter_titles(Canvas& canvas, const Box& box, const ParameterColumns& columns) {
   canvas.text({columns.target, box.y + 4.0}, "target", number_style(target_colours.line, true));
   canvas.text({columns.created, box.y + 4.0}, "created", number_style(created_colours.line, true));
   const TextStyle small = {.size = 6.5, .colour = quiet_ink, .align = Align::right};
@@ -56,15 +61,22 @@ void draw_parameter_titles(Canvas& canvas, const Box& box) {
     canvas.text({x, box.y + 12.0}, "reached", small);
 }
 
-/// What was asked for in grey, what came out in the motion's colour.
-void draw_asked_and_reached(Canvas& canvas, const Box& box, double baseline,
+/// "0.70" of what was asked for, "held 0.50" of what was not and was to stay there.
+std::string wish_text(const SheetValue& value) {
+  if (value.asked) return number(value.asked);
+  return value.held ? "held " + number(value.held) : "";
+}
+
+/// What was wished for in grey, what came out in the motion's colour.
+void draw_asked_and_reached(Canvas& canvas, const ParameterColumns& columns, double baseline,
                             const SheetParameter& parameter) {
-  const ParameterColumns columns = parameter_columns(box);
   const TextStyle quiet = number_style(quiet_ink, false);
-  if (parameter.target.asked)
-    canvas.text({columns.target_asked, baseline}, number(parameter.target.asked), quiet);
-  if (parameter.created.asked)
-    canvas.text({columns.created_asked, baseline}, number(parameter.created.asked), quiet);
+  const auto write_wish = [&](double right, const SheetValue& value) {
+    const std::string text = wish_text(value);
+    if (!text.empty()) canvas.text({right, baseline}, text, quiet);
+  };
+  write_wish(columns.target_asked, parameter.target);
+  write_wish(columns.created_asked, parameter.created);
   canvas.text({columns.target, baseline}, number(parameter.target.reached),
               number_style(target_colours.line, parameter.target.asked.has_value()));
   canvas.text({columns.created, baseline}, number(parameter.created.reached),
@@ -72,8 +84,6 @@ void draw_asked_and_reached(Canvas& canvas, const Box& box, double baseline,
 }
 
 double bars_right(const Box& box) { return value_columns(box).target - 34.0; }
-
-double sliders_right(const Box& box) { return parameter_columns(box).target_asked - 24.0; }
 
 /// A name in English with the Japanese behind it, or before `x` when aligned right.
 void draw_both_names(Canvas& canvas, Point baseline, const std::string& english,
@@ -97,7 +107,9 @@ void draw_names(Canvas& canvas, const SheetParameter& parameter, double left, do
 }
 
 /// Discs where the motions are, short strokes across the track where they were asked to be.
-void draw_slider(Canvas& canvas, const SheetParameter& parameter, const Box& row, double right) {
+void draw_slider(Canvas& canvas, const SheetParameter& parameter, const Box& row,
+                 const ParameterColumns& columns) {
+  const double right = columns.sliders;
   const double track = std::min(row.bottom() - 6.0, row.y + 13.0);
   draw_names(canvas, parameter, row.x, right, row.y + 8.0);
   canvas.line({row.x, track}, {right, track}, {.width = 1.2, .colour = hairline});
@@ -120,13 +132,14 @@ void draw_slider(Canvas& canvas, const SheetParameter& parameter, const Box& row
   if (parameter.target.reached)
     canvas.disc(at(*parameter.target.reached), 2.6, target_colours.line);
   if (created) canvas.ring(at(*created), 4.0, {.width = 1.4, .colour = created_colours.line});
-  draw_asked_and_reached(canvas, row, track + 2.8, parameter);
+  draw_asked_and_reached(canvas, columns, track + 2.8, parameter);
 }
 
 /// What nobody asked for, in one line.
-void draw_plain_parameter(Canvas& canvas, const SheetParameter& parameter, const Box& row) {
-  draw_names(canvas, parameter, row.x, sliders_right(row), row.y + 8.0);
-  draw_asked_and_reached(canvas, row, row.y + 8.0, parameter);
+void draw_plain_parameter(Canvas& canvas, const SheetParameter& parameter, const Box& row,
+                          const ParameterColumns& columns) {
+  draw_names(canvas, parameter, row.x, columns.sliders, row.y + 8.0);
+  draw_asked_and_reached(canvas, columns, row.y + 8.0, parameter);
 }
 
 /// The weights of one example in both blends.
@@ -203,7 +216,8 @@ void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box
     draw_remark(canvas, box, box.y + heading_height + 6.0, "Neither motion was asked for by name.");
     return;
   }
-  draw_parameter_titles(canvas, box);
+  const ParameterColumns columns = parameter_columns(box, content.parameters);
+  draw_parameter_titles(canvas, box, columns);
   Box row = {box.x, box.y + heading_height - 6.0, box.width, 0.0};
   for (std::size_t i = 0; i < content.parameters.size(); ++i, row.y += row.height) {
     const SheetParameter& parameter = content.parameters[i];
@@ -216,9 +230,9 @@ void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box
       return;
     }
     if (parameter.is_asked()) {
-      draw_slider(canvas, parameter, row, sliders_right(row));
+      draw_slider(canvas, parameter, row, columns);
     } else {
-      draw_plain_parameter(canvas, parameter, row);
+      draw_plain_parameter(canvas, parameter, row, columns);
     }
   }
 }

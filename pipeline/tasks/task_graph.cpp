@@ -21,6 +21,8 @@ std::vector<const TaskOutcome*> inputs_of(const TaskGraph& graph, const Task& ta
 void TaskGraph::add(Task task) {
   assert(std::all_of(task.inputs.begin(), task.inputs.end(),
                      [&](const std::string& input) { return indices_.contains(input); }));
+  assert(std::all_of(task.after.begin(), task.after.end(),
+                     [&](const std::string& earlier) { return indices_.contains(earlier); }));
   assert(!indices_.contains(task.id));
   indices_.emplace(task.id, tasks.size());
   tasks.push_back(std::move(task));
@@ -78,6 +80,7 @@ Task part_of(const Task& whole, const Part& part) {
   task.id = whole.id + "[" + std::to_string(part.number) + "/" + std::to_string(part.of) + "]";
   task.kind = whole.kind;
   task.inputs = whole.inputs;
+  task.after = whole.after;
   task.determinants = whole.determinants;
   task.cost_seconds = whole.cost_seconds / part.of;
   task.make = [&whole, part](TaskRun& run) {

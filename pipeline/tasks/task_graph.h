@@ -49,6 +49,7 @@ struct Task {
   std::string id;                   ///< "film:target-1"
   std::string kind;                 ///< "film"
   std::vector<std::string> inputs;  ///< ids of tasks whose products it reads
+  std::vector<std::string> after;   ///< likewise tasks that must not have failed, and no more
   KeyBuilder determinants;          ///< all that determines the products beside the inputs' bytes
   std::vector<Product> products;    ///< none of a part: it is begun, and finds out what is missing
   double cost_seconds = 0.0;        ///< estimate on one core
@@ -62,7 +63,7 @@ struct Task {
 struct TaskGraph {
   std::vector<Task> tasks;
 
-  /// Adds a task. Its inputs must have been added before.
+  /// Adds a task. Its inputs, and what it comes after, must have been added before.
   void add(Task task);
   const Task& task(const std::string& id) const;
   bool has(const std::string& id) const { return indices_.contains(id); }

@@ -87,9 +87,12 @@ class Runner {
         dependents_(graph.tasks.size()),
         awaited_(graph.tasks.size(), 0) {
     for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
-      for (const std::string& input : graph.tasks[i].inputs) {
-        dependents_[graph.index_of(input)].push_back(i);
-        ++awaited_[i];
+      const Task& task = graph.tasks[i];
+      for (const auto* earlier : {&task.inputs, &task.after}) {
+        for (const std::string& id : *earlier) {
+          dependents_[graph.index_of(id)].push_back(i);
+          ++awaited_[i];
+        }
       }
       if (awaited_[i] == 0) ready_.insert(i);
     }
@@ -122,10 +125,19 @@ class Runner {
     return outcome.state == TaskState::cached || outcome.state == TaskState::made;
   }
 
+  bool all_made(const std::vector<std::string>& tasks) const {
+    return std::ranges::all_of(
+        tasks, [&](const std::string& id) { return has_products(outcomes_[graph_.index_of(id)]); });
+  }
+
   std::vector<const TaskOutcome*> inputs_of(const Task& task) const {
     std::vector<const TaskOutcome*> inputs;
     for (const std::string& id : task.inputs) inputs.push_back(&outcomes_[graph_.index_of(id)]);
     return inputs;
+  }
+
+  Readiness readiness(const Task& task) const {
+    return std::min(readiness_after(task.inputs), readiness_after(task.after));
   }
 
   /// Ends what cannot be begun any more and takes the first task that can.
@@ -133,9 +145,8 @@ class Runner {
     while (!ready_.empty()) {
       const std::size_t next = *ready_.begin();
       ready_.erase(ready_.begin());
-      const auto inputs = inputs_of(graph_.tasks[next]);
       const bool is_blocked =
-          !std::ranges::all_of(inputs, [](const auto* input) { return has_products(*input); });
+          !all_made(graph_.tasks[next].inputs) || !all_made(graph_.tasks[next].after);
       if (!is_blocked && !stop_.stop_requested()) return next;
       end(next, without_products(is_blocked ? TaskState::skipped : TaskState::interrupted));
     }

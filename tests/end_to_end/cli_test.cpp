@@ -165,6 +165,49 @@ TEST(CommandLine, CheckGoesByWhatAFileHolds) {
             recipes.string() + ":1:17: recipes.sad.pathes: unknown key; did you mean \"paths\"?\n");
 }
 
+TEST(CommandLine, RunTellsWhatAFileHoldsThatIsNoManifest) {
+  const Scratch scratch;
+  const std::string scales =
+      scratch.write("mine.yaml", "scales: {haste: {low: calm, high: hasty}}\n").string();
+  for (const char* command : {"run", "plan"}) {
+    const Ended ended = run_mien({command, scales});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_EQ(ended.errors, scales +
+                                ":1:1: holds scales, and is no manifest; name it in one, as "
+                                "examples: {scales: mine.yaml}; mien check alone takes it as it "
+                                "is\n");
+  }
+}
+
+TEST(CommandLine, TellsAtWhichLineAFolderOrFileHoldsNothing) {
+  const Scratch scratch;
+  fs::create_directory(scratch.path() / "captures");
+  const auto told = [&](const std::string& set) {
+    const std::string file =
+        scratch
+            .write("m.yaml", "mien: 1\nstudy: s\nexamples: {set: " + set + "}\nstimuli:\n" +
+                                 "  - {id: a, weights: {normal: 1}}\n")
+            .string();
+    const std::string errors = run_mien({"check", file}).errors;
+    return errors.starts_with(file) ? errors.substr(file.size()) : errors;
+  };
+  const std::string none = told("{folder: captures}");
+  EXPECT_TRUE(none.starts_with(":3:17: examples.set: ")) << none;
+  EXPECT_TRUE(contains(none, "captures: holds no motion file that matches")) << none;
+  EXPECT_EQ(
+      told("./captures"),
+      ":3:17: examples.set: \"./captures\" is not one of the choices; use one of "
+      "builtin:walks-10, builtin:walks-27, builtin:actors; for a folder of motion files write "
+      "{folder: ./captures}\n");
+  const std::string csv = scratch.write("a.csv", "").string();
+  EXPECT_EQ(told("builtin:walks-10, ratings: a.csv"), csv +
+                                                          ":1:1: the table is empty; begin with a "
+                                                          "line of column names\n");
+  const std::string empty = scratch.write("empty.yaml", "").string();
+  EXPECT_EQ(run_mien({"run", empty}).errors,
+            empty + ":1:1: the file is empty; write a document into it\n");
+}
+
 TEST(CommandLine, CheckTellsAnswersAboutNoExampleAndExamplesWithoutAnswer) {
   const Scratch scratch;
   const std::string text =
@@ -212,6 +255,31 @@ TEST(CommandLine, CheckTellsWhatARunWouldStumbleOver) {
             "");
   scratch.write("no.bvh", "HIERARCHY\nROOT a\n");
   EXPECT_TRUE(contains(faults_of("stimuli: [{id: a, clip: no.bvh}]\n"), ":5:11: stimuli[0]: "));
+}
+
+TEST(CommandLine, TellsStimuliThatARaterCannotTellApart) {
+  const Scratch scratch;
+  std::string twice = small_manifest;
+  twice.replace(twice.find("sad"), 3, "normal");
+  const std::string file = scratch.write("m.yaml", twice).string();
+  const std::string out = (scratch.path() / "out").string();
+  const std::string remedy =
+      "; give one of them another motion or look; leave both if they are shown twice on purpose\n";
+  const Ended check = run_mien({"check", file});
+  EXPECT_EQ(check.code, 0);
+  EXPECT_EQ(
+      check.errors,
+      "warning: " + file + ":7:5: stimuli[1]: a rater sees the same of \"b\" as of \"a\"" + remedy);
+  EXPECT_EQ(json::parse(run_mien({"check", file, "--json"}).output)["warnings"].size(), 1u);
+  const std::string told = "warning: b: a rater sees the same as of \"a\"" + remedy;
+  EXPECT_TRUE(contains(run_mien({"plan", file, "--out", out}).errors, told));
+  const Ended run = run_mien({"run", file, "--out", out});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(run.errors, told)) << run.errors;
+  EXPECT_TRUE(contains(text_of(scratch.path() / "out/small/metrics/warnings.csv"),
+                       "b,design,\"a rater sees the same as of \"\"a\"\";"));
+  EXPECT_TRUE(contains(text_of(scratch.path() / "out/small/report.html"),
+                       "<li>b: a rater sees the same as of &quot;a&quot;;"));
 }
 
 TEST(CommandLine, CleanRemovesWhatTheManifestNoLongerMakes) {

@@ -75,6 +75,34 @@ TEST(StudyCommands, AnalyzeRefusesBadOptionsAndAnswers) {
   }
 }
 
+TEST(StudyCommands, AnalyzeTakesTheScalesThatTheStudyKeeps) {
+  const Scratch scratch;
+  const fs::path scales = scratch.write(
+      "own.scales.yaml",
+      "range: [1, 7]\nscales: {haste: {low: calm, high: hasty, loadings: {quickness: 1}}}\n");
+  const fs::path manifest = scratch.write(
+      "m.yaml",
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10, ratings: simulated, scales: "
+      "own.scales.yaml}\noutput: {size: [32, 24], fps: 6, cycles: 1, quality: draft, video: []}\n"
+      "stimuli:\n  - {id: a, adjectives: {haste: 0.4}}\n  - {id: b, adjectives: {haste: 0.6}}\n");
+  const Ended run =
+      run_mien({"run", manifest.string(), "--out", (scratch.path() / "out").string()});
+  ASSERT_EQ(run.code, 0) << run.errors;
+  fs::remove(scales);
+  const std::string answers =
+      scratch.write("answers.csv", "participant,stimulus,scale,value\np,a,haste,2\np,b,haste,6\n")
+          .string();
+  for (const char* study : {"out/s", "out/s/metrics/parameters.csv"}) {
+    const Ended ended =
+        run_mien({"study", "analyze", answers, "--stimuli", (scratch.path() / study).string(), "-o",
+                  (scratch.path() / "results").string()});
+    ASSERT_EQ(ended.code, 0) << ended.errors;
+    EXPECT_EQ(ended.output.substr(0, ended.output.find('\n')),
+              "scales of the study: " + (scratch.path() / "out/s/inputs/own.scales.yaml").string());
+    EXPECT_NE(ended.output.find("haste: seen = "), std::string::npos) << ended.output;
+  }
+}
+
 TEST(StudyCommands, EvaluateComparesInterfaces) {
   const Scratch scratch;
   std::string csv = "participant,target,interface,first_guess_d,time_s,success\n";

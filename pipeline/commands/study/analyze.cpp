@@ -13,6 +13,7 @@
 #include "pipeline/analysis/analysis_tables.h"
 #include "pipeline/analysis/calibration_chart.h"
 #include "pipeline/analysis/cluster_names.h"
+#include "pipeline/commands/study/kept_scales.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/commands/word_choice.h"
@@ -142,9 +143,18 @@ void show_corrections(const Calibration& calibration, const fs::path& folder,
   console.out << folder.string() << '\n';
 }
 
+/// Those that are given, or those of the study, which is told.
+ScaleSet scales_of_answers(const AnalyzeOptions& options, const Console& console) {
+  if (!options.scales.empty()) return read_scales(options.scales);
+  const std::optional<fs::path> kept = kept_scales(options.stimuli);
+  if (!kept) return builtin_scales();
+  console.out << "scales of the study: " << kept->string() << '\n';
+  return read_scales(*kept);
+}
+
 /// Answers about stimuli that were made for a study.
 int calibrate_stimuli(const AnalyzeOptions& options, const Console& console) {
-  const ScaleSet scales = options.scales.empty() ? builtin_scales() : read_scales(options.scales);
+  const ScaleSet scales = scales_of_answers(options, console);
   const std::vector<MadeParameter> made = read_made_parameters(options.stimuli);
   AnswerRules rules = options.rules;
   rules.left_out = other_stimuli(options.stimuli, made);
@@ -233,8 +243,8 @@ void add_study_analyze_command(CLI::App& study, Command& chosen) {
                    "was asked, reached and seen, and what to ask for in the next round")
       ->excludes(examples);
   command->add_option("--scales", options->scales,
-                      "Scales file (YAML); the manifest's, or the 41 built-in adjective pairs, "
-                      "without one");
+                      "Scales file (YAML); the manifest's or the study's, or the 41 built-in "
+                      "adjective pairs, without one");
   command->add_option("-o,--output", options->out,
                       "Folder for the results; out/<name of the answers> without it");
   command

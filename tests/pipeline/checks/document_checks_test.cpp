@@ -23,6 +23,17 @@ TEST(KindOfDocument, IsWhatTheKeysSay) {
   EXPECT_EQ(kind_of_document("background: '#808080'\nlights: []\n", "m.yaml"), Kind::set);
 }
 
+TEST(OtherDocuments, AreToldFromManifestsByWhatTheyHold) {
+  EXPECT_EQ(to_string(told_as_no_manifest(DocumentKind::scales, "in/mine.yaml")),
+            "in/mine.yaml:1:1: holds scales, and is no manifest; name it in one, as examples: "
+            "{scales: mine.yaml}; mien check alone takes it as it is");
+  EXPECT_NE(to_string(told_as_no_manifest(DocumentKind::set, "a.yaml")).find("{scene: a.yaml}"),
+            std::string::npos);
+  EXPECT_NE(
+      to_string(told_as_no_manifest(DocumentKind::recipes, "a.yaml")).find("as recipes: a.yaml;"),
+      std::string::npos);
+}
+
 TEST(KindOfDocument, GoesByTheNameWhereTheKeysSayNothing) {
   using Kind = DocumentKind;
   for (const char* text : {"", "[1, 2]", "a: [1, 2", "zeal: {low: idle}\n"}) {

@@ -436,7 +436,7 @@ TEST_F(ManifestReaderTest, ListsManyFaultsAtOnceInReadingOrder) {
 }
 
 TEST_F(ManifestReaderTest, TellsTextThatIsNoManifestAtAll) {
-  EXPECT_EQ(faults_in(""), "m.yaml: the file is empty; write a document into it\n");
+  EXPECT_EQ(faults_in(""), "m.yaml:1:1: the file is empty; write a document into it\n");
   EXPECT_EQ(faults_in("hello"),
             "m.yaml:1:1: must be a map of keys and values but is the text \"hello\"\n");
   EXPECT_EQ(faults_in("[1, 2]"), "m.yaml:1:1: must be a map of keys and values but is a list\n");
@@ -517,6 +517,20 @@ TEST_F(ManifestReaderTest, ChecksTheNamesInExpectations) {
             "mean \"quickness\"?\n"
             "m.yaml:5:48: examples.expect[0].order[1]: unknown example \"briks\"; did you mean "
             "\"brisk\"?\n");
+}
+
+TEST_F(ManifestReaderTest, RefusesExpectationsThatCompareAnExampleWithItself) {
+  const ManifestReading reading = parse(
+      "mien: 1\nstudy: s\nexamples:\n  set: builtin:walks-10\n"
+      "  expect:\n"
+      "    - {parameter: quickness, order: [sad, sad]}\n"
+      "    - {parameter: quickness, order: [slow, sad, slow]}\n"
+      "stimuli: [{id: a, weights: {slow: 1}}]\n");
+  EXPECT_EQ(told(check_names(reading.manifest, {{"quickness"}, {}, {"slow", "sad"}})),
+            "m.yaml:6:43: examples.expect[0].order[1]: \"sad\" stands in this order already, as "
+            "number 1, and cannot be rated higher than itself; name each example once\n"
+            "m.yaml:7:49: examples.expect[1].order[2]: \"slow\" stands in this order already, as "
+            "number 1, and cannot be rated higher than itself; name each example once\n");
 }
 
 TEST_F(ManifestReaderTest, AFileThatCannotBeReadIsAFaultToo) {

@@ -46,7 +46,7 @@ TEST(Csv, TakesALastLineWithoutItsEnd) {
 }
 
 TEST(Csv, RefusesWithThePlaceAndTheRemedy) {
-  EXPECT_EQ(refusal(""), "t.csv: the table is empty; begin with a line of column names");
+  EXPECT_EQ(refusal(""), "t.csv:1:1: the table is empty; begin with a line of column names");
   EXPECT_EQ(
       refusal("a,b\n1,2,3\n"),
       "t.csv:2:1: 3 fields where the header has 2; give every row as many fields as the header");
@@ -128,6 +128,14 @@ TEST(Csv, WritesTheShortestNumberThatReadsBackTheSame) {
         std::ldexp(static_cast<double>(random()), static_cast<int>(random() % 200) - 100);
     EXPECT_EQ(std::stod(shortest(value)), value);
   }
+}
+
+TEST(Csv, WritesNothingForWhatRoundingsLeave) {
+  EXPECT_EQ(shortest_measured(4.6e-16), "0");
+  EXPECT_EQ(shortest_measured(-2e-13), "0");
+  EXPECT_EQ(shortest_measured(2e-12), "2e-12");
+  EXPECT_EQ(shortest_measured(-0.25), "-0.25");
+  EXPECT_EQ(shortest_measured(std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
 }  // namespace

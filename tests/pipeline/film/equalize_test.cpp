@@ -187,27 +187,36 @@ TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
     EXPECT_EQ(found(table, column, "dots"), found(table, column, "more-dots"));
     EXPECT_NE(found(table, column, "near"), found(table, column, "dots"));
   }
-  EXPECT_TRUE(too_far_in_light(manifest, production.motions()).empty());
+  EXPECT_TRUE(faults_in_light(manifest, production.motions()).empty());
   manifest.equalize = {.luminance = Among::study};
-  EXPECT_FALSE(too_far_in_light(manifest, production.motions()).empty());
+  EXPECT_FALSE(faults_in_light(manifest, production.motions()).empty());
 }
 
-TEST(Equalize, FailsWhereNoExposureReachesTheOthersLuminance) {
+// With nothing but its own table left behind: clips of a study whose films cannot be made are of no
+// use, and would look as if they were.
+TEST(Equalize, MakesNoClipWhereNoExposureReachesTheOthersLuminance) {
   const test::TemporaryFolder folder;
   Manifest manifest = study();
   manifest.equalize = {.luminance = Among::study};
   // However bright they are, a few dots on black are dark.
   manifest.stimuli[1].look.figure = scenes::PointLightOptions{.size_px = 1.0};
   manifest.stimuli[1].look.set = read_set("void", {});
+  for (Stimulus& each : manifest.stimuli) each.output.clips.bvh = true;
+  manifest.places.values["equalize"] = {"m.yaml", 5, 11};
   Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
   const RunResult result = run(production, folder.path() / "out", 1, {}, {});
   EXPECT_FALSE(result.is_complete());
   const auto outcome_of = [&](const std::string& task) {
     return result.outcomes[production.graph().index_of(task)];
   };
-  EXPECT_NE(outcome_of("exposure").error.find("equalize: \"long\" has a mean luminance of 0.0"),
-            std::string::npos)
+  EXPECT_TRUE(outcome_of("exposure")
+                  .error.starts_with("m.yaml:5:11: equalize: no exposure makes \"long\" as light "
+                                     "as the others: its mean luminance "
+                                     "becomes 0.0"))
       << outcome_of("exposure").error;
+  EXPECT_TRUE(outcome_of("exposure").is_bad_input);
+  EXPECT_EQ(outcome_of("clip:short").state, TaskState::skipped);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/clips"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/metrics/exposure.csv"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/videos/long.mp4"));
 }

@@ -95,6 +95,26 @@ TEST(StudyAnswers, FirstAndLastGoByTheOrderOfAnswering) {
   EXPECT_EQ(read(csv, {.repeated = Rules::Repeated::mean}).answers[0].value, 2.0);
 }
 
+TEST(StudyAnswers, OfManyUnknownNamesTheFirstAreTold) {
+  std::string csv = clean;
+  for (int i = 9; i > 0; --i) csv += "p,other-" + std::to_string(i) + ",open,1\n";
+  csv += "q,other-1,open,1\n";
+  const std::string told_faults = study_refusal(csv);
+  EXPECT_EQ(std::ranges::count(told_faults, '\n'), 5);
+  EXPECT_NE(told_faults.find("x.csv:14:3: unknown stimulus \"other-5\" (1 row); "),
+            std::string::npos)
+      << told_faults;
+  EXPECT_TRUE(
+      told_faults.ends_with("\nx.csv:15:3: and 4 more unknown stimuli (5 rows); see that the file "
+                            "is about these examples "
+                            "and scales (--unknown ignore leaves them out)"))
+      << told_faults;
+  // warnings.csv has room for all.
+  EXPECT_EQ(told(read(csv, {.unknown = Rules::Unknown::ignore})).size(), 9u);
+  EXPECT_EQ(told(read(csv, {.unknown = Rules::Unknown::ignore, .plain = true})).back(),
+            "unknown-stimulus x.csv:15:3 and 4 more unknown stimuli (5 rows) left out");
+}
+
 TEST(StudyAnswers, UnknownNamesAreToldOnceWithTheirRows) {
   const std::string csv = clean + "p,c,open,1\nq,c,open,1\np,a,opne,1\n";
   EXPECT_EQ(study_refusal(csv),

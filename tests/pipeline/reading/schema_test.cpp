@@ -78,6 +78,7 @@ TEST(Schema, FindsWordsForEveryRule) {
       "s": {"type": "string", "minLength": 1},
       "p": {"type": "string", "pattern": "^a$", "x-rule": "must be a"},
       "e": {"type": "string", "enum": ["red", "green"]},
+      "f": {"type": "string", "enum": ["red", "blue"], "x-otherwise": "for others write {rgb: …}"},
       "a": {"type": "array", "minItems": 1, "maxItems": 2, "items": {"type": "boolean"}},
       "u": {"oneOf": [{"type": "string"}, {"type": "object", "required": ["k"]}]},
       "o": {"type": "object", "oneOf": [{"required": ["x"]}, {"required": ["y"]}]}
@@ -98,6 +99,10 @@ TEST(Schema, FindsWordsForEveryRule) {
             "e: \"gren\" is not one of red, green; did you mean \"green\"?");
   EXPECT_EQ(told({{"n", 1}, {"e", "blue!"}}),
             "e: \"blue!\" is not one of the choices; use one of red, green");
+  EXPECT_EQ(
+      told({{"n", 1}, {"f", "#00ff00"}}),
+      "f: \"#00ff00\" is not one of the choices; use one of red, blue; for others write {rgb: "
+      "#00ff00}");
   EXPECT_EQ(told({{"n", 1}, {"a", json::array()}}), "a: has 0 elements but must have at least 1; ");
   EXPECT_EQ(told({{"n", 1}, {"a", {true, 1}}}),
             "a[1]: must be true or false but is 1; write true or false");

@@ -72,8 +72,8 @@ TEST(YamlTree, TellsTabs) {
 }
 
 TEST(YamlTree, TellsWhatIsNoSingleUtf8Document) {
-  EXPECT_EQ(faults_in(""), "m.yaml: the file is empty; write a document into it\n");
-  EXPECT_EQ(faults_in("# nothing\n"), "m.yaml: the file is empty; write a document into it\n");
+  EXPECT_EQ(faults_in(""), "m.yaml:1:1: the file is empty; write a document into it\n");
+  EXPECT_EQ(faults_in("# nothing\n"), "m.yaml:1:1: the file is empty; write a document into it\n");
   EXPECT_EQ(faults_in("a: \xFF\n"), "m.yaml:1:4: not UTF-8 text; save it as UTF-8\n");
   EXPECT_EQ(faults_in(std::string("\xFF\xFE"
                                   "a\0:\0",

@@ -49,7 +49,8 @@ TEST(Methods, TellTheNumbersOfTheStudy) {
   expect_in(methods, "speed (fast, slow), emotion (tired), strength (0.5) and example (sad)");
   expect_in(methods, "The examples were 10 synthetic motions (mien's built-in set walks-10)");
   expect_in(methods, "No person rated them: 14 simulated raters answered on 41 scales");
-  expect_in(methods, "tired, at a strength of 0.50.");
+  expect_in(methods,
+            "The recipe used (mien's own, after the thesis) was tired, at a strength of 0.50.");
   expect_in(methods, "of 960 × 540 pixels with 128 samples a pixel, 25 a second");
   expect_in(methods, "written as mp4 and webm");
   expect_in(methods, "Of 1 pair compared, D is 0.");
@@ -73,6 +74,13 @@ TEST(Methods, TellHoldsFoilsAndAmongWhichFilmsAreAlike) {
             "speed");
   expect_in(methods, "Set by hand: ");
   EXPECT_EQ(methods.markdown.find("motions count as the same"), std::string::npos);
+}
+
+TEST(Methods, NameSeveralRecipesAsSeveral) {
+  expect_in(methods_for("stimuli:\n"
+                        "  - {id: a, weights: {sad: 1}, modify: {emotion: tired}}\n"
+                        "  - {id: b, weights: {sad: 1}, modify: {emotion: happy}}\n"),
+            "The recipes used (mien's own, after the thesis) were tired and happy,");
 }
 
 TEST(Methods, LeaveOutWhatTheStudyDoesNotDo) {

@@ -69,6 +69,23 @@ TaskGraph diamond(const std::string& word_of_a, const std::string& word_of_b = "
   return graph;
 }
 
+TEST_F(TaskGraphTest, WaitsForWhatIsNoInputAndDoesNotDependOnItsBytes) {
+  const auto graph_with = [](const std::string& word) {
+    TaskGraph graph;
+    graph.add(writing_task("gate", {}, word));
+    graph.add(writing_task("behind", {}, "behind"));
+    graph.tasks.back().after = {"gate"};
+    return graph;
+  };
+  run_all(graph_with("open"), 7);
+  EXPECT_EQ(made, (std::vector<std::string>{"gate", "behind"}));
+  run_all(graph_with("still open"), 7);
+  EXPECT_EQ(made, std::vector<std::string>{"gate"});
+  TaskGraph closed = graph_with("closed");
+  closed.tasks[0].make = [](TaskRun&) { throw Error("closed", "open it"); };
+  EXPECT_EQ(run_all(closed, 7)[1].state, TaskState::skipped);
+}
+
 TEST_F(TaskGraphTest, MakesInputsFirst) {
   for (const int jobs : {1, 2, 7}) {
     const TaskGraph graph = diamond("a" + std::to_string(jobs));

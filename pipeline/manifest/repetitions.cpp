@@ -1,0 +1,70 @@
+#include "pipeline/manifest/repetitions.h"
+
+#include <map>
+#include <variant>
+
+#include "pipeline/manifest/artifact_keys.h"
+#include "scenes/figures/figure.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr char repetition_remedy[] =
+    "give one of them another motion or look; leave both if they are shown twice on purpose";
+
+/// Whether its pictures depend on the stimulus's id.
+bool is_own_by_chance(const scenes::PointLightOptions& dots) {
+  const bool is_random = dots.scrambled || dots.phase_scrambled || dots.lifetime > 0 ||
+                         dots.noise > 0 || dots.mask > 0;
+  return is_random && !dots.seed;
+}
+
+/// The stimulus without what a rater cannot see of it.
+Stimulus as_seen(Stimulus stimulus) {
+  const auto* dots = std::get_if<scenes::PointLightOptions>(&stimulus.look.figure);
+  if (dots == nullptr || !is_own_by_chance(*dots)) stimulus.id.clear();
+  // Dots have the colour that they are given; bodies have that of their role.
+  if (dots != nullptr) stimulus.role = Role::created;
+  return stimulus;
+}
+
+Hash key_of_what_is_seen(const Stimulus& stimulus) {
+  const Stimulus seen = as_seen(stimulus);
+  KeyBuilder key;
+  add_motion(key, seen);
+  add_film(key, seen);
+  add_presentation(key, seen.output.presentation);
+  return key.key();
+}
+
+}  // namespace
+
+std::vector<Repetition> repetitions_in(const Manifest& manifest) {
+  std::map<Hash, std::string> first_ids;
+  std::vector<Repetition> repetitions;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const auto [first, is_new] = first_ids.emplace(key_of_what_is_seen(stimulus), stimulus.id);
+    if (!is_new) repetitions.push_back({stimulus.path, stimulus.id, first->second});
+  }
+  return repetitions;
+}
+
+std::string to_sentence(const Repetition& repetition) {
+  return "a rater sees the same as of \"" + repetition.first + "\"; " + repetition_remedy;
+}
+
+std::vector<std::string> told_repetitions(const Manifest& manifest) {
+  std::vector<std::string> told;
+  for (const Repetition& repetition : repetitions_in(manifest))
+    told.push_back(repetition.id + ": " + to_sentence(repetition));
+  return told;
+}
+
+Fault told_at_its_place(const Repetition& repetition, const Places& places) {
+  return {place_of(places, repetition.path), repetition.path,
+          "a rater sees the same of \"" + repetition.id + "\" as of \"" + repetition.first + "\"",
+          repetition_remedy};
+}
+
+}  // namespace mien::pipeline
