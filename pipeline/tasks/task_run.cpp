@@ -136,10 +136,6 @@ class Runner {
     return inputs;
   }
 
-  Readiness readiness(const Task& task) const {
-    return std::min(readiness_after(task.inputs), readiness_after(task.after));
-  }
-
   /// Ends what cannot be begun any more and takes the first task that can.
   std::optional<std::size_t> take_next() {
     while (!ready_.empty()) {
