@@ -67,16 +67,6 @@ void add(const NamedValues& values, Wish& wish) {
   }
 }
 
-/// What the examples have of the first `count` wishes: N × count.
-Eigen::MatrixXd places_of(const Wish& wish, const ParameterTable& table, Eigen::Index count) {
-  Eigen::MatrixXd places(table.values.cols(), count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const std::string& name = wish.sliders.sliders[static_cast<std::size_t>(i)];
-    places.col(i) = table.values.row(parameter_row(name, table)).transpose();
-  }
-  return places;
-}
-
 /// Of wish `which` while the other wishes among the first `count` are met as far as they can be.
 FeasibleParameter feasible_among(const Wish& wish, const Eigen::MatrixXd& places,
                                  Eigen::Index which) {
@@ -130,7 +120,7 @@ bool FeasibleParameter::holds() const {
 
 std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const ParameterTable& table) {
   const Eigen::Index asked = wish.settings.size() - wish.held;
-  const Eigen::MatrixXd all = places_of(wish, table, wish.settings.size());
+  const Eigen::MatrixXd all = places_of_examples(wish.sliders.sliders, table);
   std::vector<FeasibleParameter> parameters;
   for (Eigen::Index i = 0; i < asked; ++i) {
     FeasibleParameter parameter = feasible_among(wish, all, i);
