@@ -124,8 +124,8 @@ class BlendsWriter {
       const Hold& hold = stimulus.hold;
       if (!hold.values.empty()) add_once(places, "the manifest");
       if (!hold.others && hold.names.empty()) continue;
-      add_once(places, !hold.reference ? "the mean of the examples"
-                                              : "the stimulus " + hold.reference->id);
+      add_once(places, hold.reference.empty() ? "the mean of the examples"
+                                              : "the stimulus " + hold.reference[0].id);
     }
     return listed(places);
   }

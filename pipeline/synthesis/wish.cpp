@@ -41,7 +41,7 @@ std::vector<std::string> others_of(const Stimulus& stimulus, const Repertoire& r
 
 /// The shares of the examples in the motion that held parameters are those of.
 Eigen::VectorXd reference_weights(const Hold& hold, const Repertoire& repertoire) {
-  if (hold.reference) return weights_of(*hold.reference, repertoire);
+  if (!hold.reference.empty()) return weights_of(hold.reference[0], repertoire);
   const auto count = static_cast<Eigen::Index>(repertoire.names.size());
   return Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(count));
 }
