@@ -93,7 +93,9 @@ void add_motion(KeyBuilder& key, const Stimulus& stimulus) {
   add_fields(key, "", without, concerns::motion);
   add_steps(key, stimulus);
   const Hold& hold = stimulus.hold;
-  if (hold.reference && (hold.others || !hold.names.empty())) add_motion(key, *hold.reference);
+  if (hold.others || !hold.names.empty()) {
+    for (const Stimulus& reference : hold.reference) add_motion(key, reference);
+  }
   key.add("blends seed", static_cast<std::int64_t>(stimulus.interpolation.weights.nearest.seed));
 }
 

@@ -27,9 +27,8 @@ void resolve_holds(Manifest& manifest) {
   };
   const auto found = std::ranges::find_if(manifest.stimuli, is_reference);
   if (found == manifest.stimuli.end()) return;
-  const auto reference = std::make_shared<const Stimulus>(*found);
   for (Stimulus& stimulus : manifest.stimuli) {
-    if (&stimulus != &*found) stimulus.hold.reference = reference;
+    if (&stimulus != &*found) stimulus.hold.reference = {*found};
   }
 }
 

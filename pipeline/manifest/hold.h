@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,8 +20,9 @@ struct Hold {
   std::vector<std::string> names;  ///< or these
   std::vector<std::pair<std::string, double>> values;  ///< or these, at 0…1
   /// Where `others` and `names` stay: at what this stimulus has, the first with the role of a
-  /// reference; without one at the mean of the examples.
-  std::shared_ptr<const Stimulus> reference;
+  /// reference; without one at the mean of the examples. (A list of one or none, because a stimulus
+  /// has a hold itself.)
+  std::vector<Stimulus> reference;
 
   bool anything() const { return others || !names.empty() || !values.empty(); }
 };

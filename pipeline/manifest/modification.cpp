@@ -2,11 +2,6 @@
 
 namespace mien::pipeline {
 
-std::string_view name_of(OnFault choice) {
-  for (const auto& [word, meaning] : fault_words) {
-    if (meaning == choice) return word;
-  }
-  return "warn";
-}
+std::string_view name_of(OnFault choice) { return word_of(fault_words, choice); }
 
 }  // namespace mien::pipeline

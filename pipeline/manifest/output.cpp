@@ -4,12 +4,7 @@
 
 namespace mien::pipeline {
 
-std::string_view name_of(Quality quality) {
-  for (const auto& [word, meaning] : quality_words) {
-    if (meaning == quality) return word;
-  }
-  return "standard";
-}
+std::string_view name_of(Quality quality) { return word_of(quality_words, quality); }
 
 std::array<int, 2> Output::whole_size() const {
   return {static_cast<int>(std::lround(scale * size[0])),

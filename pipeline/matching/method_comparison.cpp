@@ -35,15 +35,6 @@ Eigen::VectorXd drawn_blend(std::uint64_t seed, int draw, Eigen::Index count) {
   return weights / weights.sum();
 }
 
-/// The examples on the sliders' parameters: N × sliders.
-Eigen::MatrixXd places_of(const std::vector<std::string>& parameters, const ParameterTable& table) {
-  Eigen::MatrixXd places(table.values.cols(), static_cast<Eigen::Index>(parameters.size()));
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    places.col(static_cast<Eigen::Index>(i)) =
-        table.values.row(parameter_row(parameters[i], table)).transpose();
-  return places;
-}
-
 /// One method on the sliders, and where its examples lie.
 struct Trial {
   const FittedInterface& sliders;
@@ -91,7 +82,7 @@ std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
                                          const std::vector<motion::InterpolationMethod>& methods,
                                          const Interpolation& interpolation,
                                          const MethodTrialOptions& options) {
-  const Eigen::MatrixXd places = places_of(parameters, repertoire.parameters);
+  const Eigen::MatrixXd places = places_of_examples(parameters, repertoire.parameters);
   const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
   const motion::BlendOptions as_blends{.rotations = interpolation.rotations,
                                        .warp = interpolation.time_warp};

@@ -20,20 +20,6 @@ constexpr std::size_t pool_size = 400;
 /// A place that a blend misses by less than this, on one parameter, counts as reached.
 constexpr double reached_within = 1e-3;
 
-Eigen::MatrixXd places_of_examples(const ParameterTable& table,
-                                   const std::vector<std::string>& parameters) {
-  Eigen::MatrixXd places(table.values.cols(), static_cast<Eigen::Index>(parameters.size()));
-  for (std::size_t d = 0; d < parameters.size(); ++d) {
-    const int row = table.find(parameters[d]);
-    if (row < 0) {
-      throw Error(fmt::format("the examples have no parameter \"{}\"", parameters[d]),
-                  "name a scale that was rated, a feature, or a group of either");
-    }
-    places.col(static_cast<Eigen::Index>(d)) = table.values.row(row).transpose();
-  }
-  return places;
-}
-
 Eigen::RowVectorXd drawn(std::uint64_t seed, int draw, const std::vector<std::string>& names) {
   Eigen::RowVectorXd place(static_cast<Eigen::Index>(names.size()));
   for (std::size_t d = 0; d < names.size(); ++d) {
@@ -51,7 +37,7 @@ class TargetPool {
       : table_(table),
         names_(names),
         options_(options),
-        examples_(places_of_examples(table, names)),
+        examples_(places_of_examples(names, table)),
         reach_(motion::fit_reach(examples_, 0)) {}
 
   std::vector<SampledTarget> targets() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,13 @@ struct ParameterTable {
   /// Row of a parameter, or −1.
   int find(const std::string& name) const;
 };
+
+/// The row of a parameter. Throws Error when the examples have none of that name.
+Eigen::Index parameter_row(const std::string& name, const ParameterTable& table);
+
+/// Where the examples lie on some of the parameters: N × parameters. Throws Error when they lack
+/// one.
+Eigen::MatrixXd places_of_examples(std::span<const std::string> parameters,
+                                   const ParameterTable& table);
 
 }  // namespace mien::pipeline

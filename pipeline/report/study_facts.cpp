@@ -10,12 +10,7 @@
 
 namespace mien::pipeline {
 
-std::string_view name_of(Role role) {
-  for (const auto& [word, meaning] : role_words) {
-    if (meaning == role) return word;
-  }
-  return "created";
-}
+std::string_view name_of(Role role) { return word_of(role_words, role); }
 
 std::string ratings_of(const Stimulus* stimulus, Motions& motions) {
   if (stimulus == nullptr || stimulus->adjectives.empty()) return "none";
@@ -26,6 +21,14 @@ std::string_view source_of(const Stimulus& stimulus) {
   if (stimulus.clip) return "clip";
   if (!stimulus.features.empty()) return "features";
   return stimulus.adjectives.empty() ? "weights" : "adjectives";
+}
+
+std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_view source) {
+  std::vector<const Stimulus*> found;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (source_of(stimulus) == source) found.push_back(&stimulus);
+  }
+  return found;
 }
 
 std::string method_of(const Stimulus& stimulus) {

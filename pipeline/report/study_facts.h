@@ -22,6 +22,9 @@ std::string ratings_of(const Stimulus* stimulus, Motions& motions);
 /// What a motion is made from: "adjectives", "features", "weights" or "clip".
 std::string_view source_of(const Stimulus& stimulus);
 
+/// Those that are made from it.
+std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_view source);
+
 /// How the weights were found; empty for a file shown as it is.
 std::string method_of(const Stimulus& stimulus);
 

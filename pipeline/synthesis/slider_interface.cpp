@@ -2,26 +2,9 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
-#include "motion/error.h"
 #include "motion/interpolation/blend.h"
 
 namespace mien::pipeline {
-
-namespace {
-
-/// What the examples have of each slider's parameter: N × sliders.
-Eigen::MatrixXd places_of_examples(const SliderInterface& interface, const ParameterTable& table) {
-  Eigen::MatrixXd places(table.values.cols(), static_cast<Eigen::Index>(interface.sliders.size()));
-  for (std::size_t i = 0; i < interface.sliders.size(); ++i) {
-    places.col(static_cast<Eigen::Index>(i)) =
-        table.values.row(parameter_row(interface.sliders[i], table)).transpose();
-  }
-  return places;
-}
-
-}  // namespace
 
 const char* name_of(InterfaceKind kind) {
   switch (kind) {
@@ -40,13 +23,6 @@ const motion::ExampleSet& examples_for(const Interpolation& interpolation,
   return interpolation.foot_lock ? repertoire.settled : repertoire.examples;
 }
 
-Eigen::Index parameter_row(const std::string& name, const ParameterTable& table) {
-  const int row = table.find(name);
-  if (row >= 0) return row;
-  throw Error(fmt::format("the examples have no parameter \"{}\"", name),
-              "name a scale that was rated, or a feature that all examples have");
-}
-
 FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
                               const Repertoire& repertoire, Eigen::Index held) {
   const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
@@ -57,8 +33,9 @@ FittedInterface fit_interface(const SliderInterface& interface, const Interpolat
   }
   const ParameterTable& table =
       interface.kind == InterfaceKind::features ? repertoire.features.table : repertoire.parameters;
-  return {interface, motion::fit_interpolator(examples, places_of_examples(interface, table),
-                                              interpolation.weights, interface.sliders, held)};
+  return {interface,
+          motion::fit_interpolator(examples, places_of_examples(interface.sliders, table),
+                                   interpolation.weights, interface.sliders, held)};
 }
 
 motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,

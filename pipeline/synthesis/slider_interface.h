@@ -34,9 +34,6 @@ struct FittedInterface {
 const motion::ExampleSet& examples_for(const Interpolation& interpolation,
                                        const Repertoire& repertoire);
 
-/// The row of a parameter. Throws Error when the examples have none of that name.
-Eigen::Index parameter_row(const std::string& name, const ParameterTable& table);
-
 /// The last `held` sliders are not asked for, but to be kept where they are set (interpolation.h).
 /// Throws Error when the examples lack a slider's parameter, or the method cannot take so many.
 FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,

@@ -41,7 +41,7 @@ std::vector<std::string> others_of(const Stimulus& stimulus, const Repertoire& r
 
 /// The shares of the examples in the motion that held parameters are those of.
 Eigen::VectorXd reference_weights(const Hold& hold, const Repertoire& repertoire) {
-  if (hold.reference) return weights_of(*hold.reference, repertoire);
+  if (!hold.reference.empty()) return weights_of(hold.reference[0], repertoire);
   const auto count = static_cast<Eigen::Index>(repertoire.names.size());
   return Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(count));
 }
@@ -65,16 +65,6 @@ void add(const NamedValues& values, Wish& wish) {
     wish.settings.conservativeResize(wish.settings.size() + 1);
     wish.settings[wish.settings.size() - 1] = value;
   }
-}
-
-/// What the examples have of the first `count` wishes: N × count.
-Eigen::MatrixXd places_of(const Wish& wish, const ParameterTable& table, Eigen::Index count) {
-  Eigen::MatrixXd places(table.values.cols(), count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const std::string& name = wish.sliders.sliders[static_cast<std::size_t>(i)];
-    places.col(i) = table.values.row(parameter_row(name, table)).transpose();
-  }
-  return places;
 }
 
 /// Of wish `which` while the other wishes among the first `count` are met as far as they can be.
@@ -130,7 +120,7 @@ bool FeasibleParameter::holds() const {
 
 std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const ParameterTable& table) {
   const Eigen::Index asked = wish.settings.size() - wish.held;
-  const Eigen::MatrixXd all = places_of(wish, table, wish.settings.size());
+  const Eigen::MatrixXd all = places_of_examples(wish.sliders.sliders, table);
   std::vector<FeasibleParameter> parameters;
   for (Eigen::Index i = 0; i < asked; ++i) {
     FeasibleParameter parameter = feasible_among(wish, all, i);

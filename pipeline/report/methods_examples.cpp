@@ -1,0 +1,106 @@
+#include "pipeline/report/methods_examples.h"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "pipeline/report/prose.h"
+#include "pipeline/report/study_facts.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+class ExamplesWriter {
+ public:
+  ExamplesWriter(const Manifest& manifest, Motions& motions, MethodsText& out)
+      : manifest_(manifest), motions_(motions), out_(out) {}
+
+  void write() {
+    tell_examples();
+    tell_ratings();
+  }
+
+ private:
+  void say(const std::string& sentence) { out_.say(sentence); }
+  std::string cite(const Names& keys) { return out_.cite(keys); }
+
+  void tell_examples() {
+    const Repertoire& repertoire = motions_.repertoire();
+    const std::size_t count = repertoire.names.size();
+    if (repertoire.origins.empty()) {
+      say(fmt::format("The examples were {} synthetic motions (mien's built-in set {})", count,
+                      manifest_.examples.builtin));
+    } else {
+      say(fmt::format("The examples were {}",
+                      count_of(count, "recorded motion", "recorded motions")));
+    }
+    Range seconds;
+    int loops = 0;
+    for (const motion::Example& example : repertoire.examples.examples) {
+      seconds.add(example.clip.duration_seconds());
+      loops += example.clip.loops ? 1 : 0;
+    }
+    if (loops == seconds.count && !repertoire.origins.empty()) {
+      say("Of each the steadiest straight gait cycle was cut, by heel strikes and toe offs" +
+          cite({"zeni2008"}) + ", and closed to a loop");
+    }
+    const auto mirrored = std::ranges::count_if(
+        repertoire.origins, [](const motion::ExampleOrigin& origin) { return origin.is_mirrored; });
+    if (mirrored > 0) {
+      say(fmt::format(
+          "{} too short for one: a step and its mirror image stand for the cycle",
+          count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
+    }
+    say("They last " + with_mean(seconds, 2, " s"));
+  }
+
+  void tell_ratings() {
+    const Repertoire& repertoire = motions_.repertoire();
+    if (!repertoire.impressions || stimuli_from(manifest_, "adjectives").empty()) return;
+    const Impressions& impressions = *repertoire.impressions;
+    const std::string scales =
+        count_of(impressions.scales.size(), "scale", "scales") +
+        (manifest_.scales.file.empty() ? " (the pairs of adjectives of" + cite({"adjectives"}) + ")"
+                                       : "");
+    if (impressions.simulated) {
+      say(fmt::format("No person rated them: {} simulated raters answered on {}",
+                      manifest_.ratings.raters, scales));
+    } else {
+      Range answers;
+      answers.add(impressions.count.minCoeff());
+      answers.add(impressions.count.maxCoeff());
+      say(fmt::format("People rated them on {}, {} a scale and example", scales,
+                      told(answers, 0, " answers")));
+    }
+    say(std::string("An example's place on a scale is its mean answer, from 0 (the low end) to 1 "
+                    "(the high end)") +
+        (scales_of(manifest_.scales).groups.empty()
+             ? ""
+             : "; that on a group of scales is the mean of these"));
+    std::size_t held = 0, certain = 0;
+    const auto checks = expectation_checks(manifest_, repertoire);
+    for (const ExpectationCheck& check : checks) {
+      held += check.holds() ? 1 : 0;
+      certain += check.holds() && check.is_certain() ? 1 : 0;
+    }
+    if (!checks.empty())
+      say(
+          fmt::format("Of {} expected of the ratings, {} came out as expected, {} of them by more "
+                      "than the noise of the answers",
+                      count_of(checks.size(), "order", "orders"), held, certain));
+  }
+
+  const Manifest& manifest_;
+  Motions& motions_;
+  MethodsText& out_;
+};
+
+}  // namespace
+
+void tell_examples(const Manifest& manifest, Motions& motions, MethodsText& text) {
+  ExamplesWriter(manifest, motions, text).write();
+}
+
+}  // namespace mien::pipeline
