@@ -40,6 +40,7 @@ using Command = std::function<int(const Console&)>;
 void add_check_command(CLI::App& app, Command& chosen);
 void add_clean_command(CLI::App& app, Command& chosen);
 void add_completion_command(CLI::App& app, Command& chosen);
+void add_farm_command(CLI::App& app, Command& chosen);
 void add_man_command(CLI::App& app, Command& chosen);
 void add_manifests_command(CLI::App& app, Command& chosen);
 void add_plan_command(CLI::App& app, Command& chosen);

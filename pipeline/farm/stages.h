@@ -1,0 +1,59 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/tasks/task_graph.h"
+
+namespace mien::pipeline {
+
+/// A part of a stage that one job makes: items in order, each a task ("film:walk") or a chunk of a
+/// film's frames ("film:walk[3/12]": the third of twelve).
+struct Element {
+  std::vector<std::string> items;
+  double seconds = 0.0;  ///< estimate
+  int frames = 0;        ///< that are drawn or encoded
+};
+
+/// What may be made at the same time, once the stages before it are there.
+struct Stage {
+  std::string name;  ///< "frames"
+  std::vector<Element> elements;
+
+  double seconds() const;
+};
+
+/// Into how large pieces a study is cut.
+struct Cutting {
+  int chunk_frames = 0;            ///< an element draws at most so many frames; 0: see below
+  double element_seconds = 300.0;  ///< an element takes about so long, or less
+  double pace = 1.0;               ///< seconds an estimated second of a task takes
+};
+
+/// The chunk's item: "film:walk[3/12]".
+std::string chunk_item(const std::string& task, int chunk, int chunks);
+
+/// A work item taken apart.
+struct WorkItem {
+  std::string task;
+  int chunk = 0;  ///< from 1; 0: the whole task
+  int chunks = 0;
+};
+
+/// Throws Error when the text is none.
+WorkItem work_item(const std::string& text);
+
+/// First frame of a chunk and the one after its last, of a film of so many frames.
+std::pair<int, int> frames_of_chunk(int chunk, int chunks, int frames);
+
+/// The stages motions, frames, films, sheets and study of the tasks that are due (one flag a task),
+/// without those that hold nothing. A task is in exactly one element, and the chunks of a film that
+/// is drawn in several cover it. `frames`: of each film by its task.
+std::vector<Stage> stages_of(const TaskGraph& graph, const std::vector<bool>& is_due,
+                             const std::map<std::string, int>& frames, const Cutting& cutting);
+
+/// Stage of a task: "motions", "films", "sheets" or "study".
+std::string stage_of(const Task& task);
+
+}  // namespace mien::pipeline
