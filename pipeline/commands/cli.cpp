@@ -117,12 +117,12 @@ int run_command_line(int argc, const char* const* argv, const Console& console) 
   add_check_command(app, chosen);
   add_plan_command(app, chosen);
   add_clean_command(app, chosen);
-  add_farm_command(app, chosen);
   add_render_command(app, chosen);
   add_motion_command(app, chosen);
   add_manifests_command(app, chosen);
   add_sets_command(app, chosen);
   add_study_command(app, chosen);
+  add_farm_command(app, chosen);
   add_version_command(app, chosen);
   add_completion_command(app, chosen);
   add_man_command(app, chosen);

@@ -232,16 +232,6 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
   if (stop.stop_requested() && done < static_cast<double>(frames.size())) throw Interrupted{};
 }
 
-std::vector<int> frames_of_part(const Part& part, int frame_count) {
-  const auto begin = [&](int number) {
-    return static_cast<int>(std::int64_t{number} * frame_count / part.of);
-  };
-  std::vector<int> frames;
-  for (int frame = begin(part.number - 1); frame < begin(part.number); ++frame)
-    frames.push_back(frame);
-  return frames;
-}
-
 ContactSheetBuilder::ContactSheetBuilder(int frame_count)
     : frames_(render::evenly_spread(frame_count, contact_frames)) {}
 

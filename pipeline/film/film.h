@@ -9,7 +9,6 @@
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/tasks/stopwatch.h"
 #include "pipeline/tasks/store.h"
-#include "pipeline/tasks/task_graph.h"
 #include "render/image/image.h"
 #include "render/image/layers.h"
 #include "render/scene/quality.h"
@@ -55,10 +54,6 @@ using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress);
-
-/// The frames of a part of a film of so many, ascending: whole frames, all parts together each
-/// once.
-std::vector<int> frames_of_part(const Part& part, int frame_count);
 
 /// Collects evenly spread frames, at a size that fits a page, into one picture.
 class ContactSheetBuilder {

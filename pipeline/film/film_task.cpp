@@ -108,9 +108,12 @@ class FilmMaker {
   /// Draws frames that are missing, for `make` to find.
   void make(const Part& part) {
     refuse_long_fades();
+    const auto [first, end] = range_of(part, shot_.frame_count());
+    std::vector<int> frames(static_cast<std::size_t>(end - first));
+    std::iota(frames.begin(), frames.end(), first);
     draw_frames(
-        shot_, frames_of_part(part, shot_.frame_count()), kept_frames(), open_frames().get(),
-        [](int, const render::Image8&) {}, run_.stop, run_.progress);
+        shot_, frames, kept_frames(), open_frames().get(), [](int, const render::Image8&) {},
+        run_.stop, run_.progress);
   }
 
  private:

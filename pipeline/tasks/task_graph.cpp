@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -31,6 +32,13 @@ void TaskGraph::add(Task task) {
 const Task& TaskGraph::task(const std::string& id) const { return tasks[index_of(id)]; }
 
 std::size_t TaskGraph::index_of(const std::string& id) const { return indices_.at(id); }
+
+std::pair<int, int> range_of(const Part& part, int count) {
+  const auto border = [&](std::int64_t number) {
+    return static_cast<int>(number * count / part.of);
+  };
+  return {border(part.number - 1), border(part.number)};
+}
 
 Hash key_of(const TaskGraph& graph) {
   KeyBuilder key;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/tasks/artifact_key.h"
@@ -43,6 +44,10 @@ struct Part {
 
   friend bool operator==(const Part&, const Part&) = default;
 };
+
+/// Of so many things that are made in parts: the first of a part, and the one after its last. All
+/// parts together hold each once.
+std::pair<int, int> range_of(const Part& part, int count);
 
 /// A step of a production: makes all of its products.
 struct Task {

@@ -2,11 +2,85 @@
 
 #include <CLI/CLI.hpp>
 
+#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/production_options.h"
+
 namespace mien::pipeline {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path absolute_path(const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+ProductionOptions production_options(const FarmArguments& arguments) {
+  ProductionArguments all;
+  all.manifest = arguments.manifest;
+  all.out = arguments.out;
+  all.quality = arguments.quality;
+  return options_of(all);
+}
+
+}  // namespace
+
+void add_farm_arguments(CLI::App& command, FarmArguments& arguments) {
+  command
+      .add_option(
+          "manifest", arguments.manifest,
+          "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json")
+      ->required();
+  command
+      .add_option("--out,-o", arguments.out,
+                  "Folder of all studies, which all machines share; results go to <out>/<study>")
+      ->capture_default_str();
+  command.add_option("--quality", arguments.quality, "Instead of the manifest's quality")
+      ->check(CLI::IsMember({"draft", "standard", "final"}));
+}
+
+FarmStudy::FarmStudy(const FarmArguments& arguments, const Console& console)
+    : file(absolute_path(manifest_meant(arguments.manifest, console))),
+      production(load_manifest(file, process_environment(), arguments.out),
+                 production_options(arguments)),
+      folder(absolute_path(arguments.out) / production.manifest().study) {}
+
+StudyCall FarmStudy::call(const FarmArguments& arguments) const {
+  StudyCall call;
+  call.program = fs::read_symlink("/proc/self/exe");
+  call.manifest = file;
+  call.out = absolute_path(arguments.out);
+  call.started = fs::current_path();
+  call.study = production.manifest().study;
+  call.quality = arguments.quality;
+  call.key = key_of(production.graph());
+  return call;
+}
+
+std::string study_words(const FarmArguments& arguments) {
+  std::string words = arguments.manifest;
+  if (arguments.out != "out") words += " --out " + arguments.out;
+  if (!arguments.quality.empty()) words += " --quality " + arguments.quality;
+  return words;
+}
+
 void add_farm_command(CLI::App& app, Command& chosen) {
-  CLI::App* farm = app.add_subcommand("farm", "Studies on many machines");
+  CLI::App* farm =
+      app.add_subcommand("farm", "Make a study on many machines, with Slurm or without");
   farm->require_subcommand(1);
+  farm->footer(
+      "\nmien farm submit hands a study to Slurm, status shows how it goes, and resume submits "
+      "what "
+      "is missing, whatever happened. What is there is never made again. Without Slurm, start "
+      "workers.");
+  add_farm_submit_command(*farm, chosen);
+  add_farm_status_command(*farm, chosen);
+  add_farm_logs_command(*farm, chosen);
+  add_farm_resume_command(*farm, chosen);
+  add_farm_cancel_command(*farm, chosen);
+  add_farm_export_command(*farm, chosen);
   add_farm_worker_command(*farm, chosen);
 }
 

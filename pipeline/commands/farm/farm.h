@@ -1,10 +1,47 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "pipeline/commands/cli.h"
+#include "pipeline/farm/batch_script.h"
+#include "pipeline/production/production.h"
 
 namespace mien::pipeline {
 
+/// What every command of `mien farm` is about.
+struct FarmArguments {
+  std::string manifest;
+  std::string out = "out";
+  std::string quality;  ///< empty: as the manifest says
+};
+
+/// The manifest, --out and --quality.
+void add_farm_arguments(CLI::App& command, FarmArguments& arguments);
+
+/// A study as the commands of a farm see it. Paths are absolute, because jobs begin elsewhere.
+struct FarmStudy {
+  /// Throws Faults for what is wrong with the manifest.
+  FarmStudy(const FarmArguments& arguments, const Console& console);
+
+  std::filesystem::path file;  ///< the manifest
+  Production production;
+  std::filesystem::path folder;  ///< out/<study>
+
+  /// The program and all that tells it what to work on.
+  StudyCall call(const FarmArguments& arguments) const;
+};
+
+/// How the study is told in commands that are proposed: "my.yaml --out /scratch".
+std::string study_words(const FarmArguments& arguments);
+
 // Subcommands of `mien farm`, one a source file; each adds itself to `farm`.
+void add_farm_cancel_command(CLI::App& farm, Command& chosen);
+void add_farm_export_command(CLI::App& farm, Command& chosen);
+void add_farm_logs_command(CLI::App& farm, Command& chosen);
+void add_farm_resume_command(CLI::App& farm, Command& chosen);
+void add_farm_status_command(CLI::App& farm, Command& chosen);
+void add_farm_submit_command(CLI::App& farm, Command& chosen);
 void add_farm_worker_command(CLI::App& farm, Command& chosen);
 
 }  // namespace mien::pipeline

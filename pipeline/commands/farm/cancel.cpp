@@ -1,0 +1,57 @@
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/farm/farm.h"
+#include "pipeline/farm/job_fates.h"
+#include "pipeline/farm/slurm.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct CancelCommand {
+  FarmArguments study;
+  bool json = false;
+};
+
+int cancel_study(const CancelCommand& command, const Console& console) {
+  const FarmStudy study(command.study, console);
+  const SubmissionJournal journal(study.folder);
+  const Slurm slurm;
+  const std::vector<JobFate> fates = job_fates(journal.read(), slurm.queue(), study.folder);
+  const std::vector<std::string> jobs = live_jobs(fates);
+  slurm.cancel(jobs);
+  for (const JobFate& fate : fates) {
+    if (!fate.live().empty()) journal.note_cancel(fate.journal.comment, fate.journal.job);
+  }
+  if (command.json) {
+    console.out << nlohmann::ordered_json{{"study", study.production.manifest().study},
+                                          {"cancelled", jobs}}
+                       .dump(2)
+                << '\n';
+  } else if (jobs.empty()) {
+    console.out << study.folder.string() << ": no job of this study waits or runs\n";
+  } else {
+    console.out << study.folder.string() << ": " << jobs.size()
+                << (jobs.size() == 1 ? " job" : " jobs")
+                << " cancelled; what is done stays, and mien farm resume goes on from here\n";
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_farm_cancel_command(CLI::App& farm, Command& chosen) {
+  CLI::App* command = farm.add_subcommand("cancel", "Take the jobs of a study back, and no others");
+  const auto options = std::make_shared<CancelCommand>();
+  add_farm_arguments(*command, options->study);
+  command->add_flag("--json", options->json, "What was cancelled as JSON on standard output");
+  command->footer("\nExample:\n  mien farm cancel my.yaml");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return cancel_study(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

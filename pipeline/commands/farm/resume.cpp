@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "motion/error.h"
+#include "pipeline/commands/farm/submission_options.h"
+#include "pipeline/farm/resumption.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct ResumeCommand {
+  FarmArguments study;
+  SubmissionOptions options;
+  bool json = false;
+};
+
+/// What Slurm took without the client hearing of it.
+void note_adopted(const std::vector<JobFate>& fates, const SubmissionJournal& journal) {
+  for (const JobFate& fate : fates) {
+    if (fate.is_adopted) journal.note_job(fate.journal.comment, fate.journal.job);
+  }
+}
+
+std::vector<std::string> arrays_that_live(const std::vector<JobFate>& fates,
+                                          const std::vector<std::string>& obsolete) {
+  std::vector<std::string> arrays;
+  for (const JobFate& fate : fates) {
+    for (const QueueRow& row : fate.live()) {
+      const bool is_kept =
+          std::find(obsolete.begin(), obsolete.end(), name_of(row)) == obsolete.end();
+      if (is_kept && std::find(arrays.begin(), arrays.end(), row.array) == arrays.end()) {
+        arrays.push_back(row.array);
+      }
+    }
+  }
+  return arrays;
+}
+
+bool waits_for_rest(const std::vector<JobFate>& fates) {
+  return std::any_of(fates.begin(), fates.end(), [](const JobFate& fate) {
+    if (fate.journal.elements != 0) return false;
+    const std::vector<QueueRow> live = fate.live();
+    return std::any_of(live.begin(), live.end(),
+                       [](const QueueRow& row) { return !is_stuck(row); });
+  });
+}
+
+ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
+                   const SubmissionOptions& options, const Console& console) {
+  ItemNeeds needs;
+  needs.covered = covered_items(fates, study.folder);
+  if (!options.memory.empty()) return needs;  // the operator knows better
+  MemoryNeeds memory = memory_needs(fates, study.folder);
+  needs.memory = std::move(memory.more);
+  if (!memory.unknown.empty()) {
+    console.err << "note: " << memory.unknown.front()
+                << (memory.unknown.size() > 1 ? " and others" : "")
+                << " had too little memory; give --mem to ask for more\n";
+  }
+  return needs;
+}
+
+int resume_study(const ResumeCommand& command, const Console& console) {
+  FarmStudy study(command.study, console);
+  const SubmissionJournal journal(study.folder);
+  const JournalContent content = journal.read();
+  if (content.submissions.empty()) {
+    throw Error(study.folder.string() + ": nothing has been submitted yet",
+                "mien farm submit " + study_words(command.study));
+  }
+  JournalSubmission asked = asked_for(command.options, content.submissions.back());
+  asked.quality = command.study.quality;
+  const Slurm slurm;
+  const SlurmSite site = slurm.site();
+  const std::vector<JobFate> fates = job_fates(content, slurm.queue(), study.folder);
+  note_adopted(fates, journal);
+  for (const std::string& loss : told_losses(fates)) console.err << loss << '\n';
+
+  const std::vector<Stage> stages = due_stages(study, asked);
+  if (is_complete(study, stages)) {
+    console.out << study.folder.string() << ": nothing to do, all is done\n";
+    return exit_done;
+  }
+  asked.number = next_submission(study.folder);
+  const Submission submission =
+      submission_of(stages, needs_of(fates, study, command.options, console),
+                    graph_key(study.production.graph(), study.folder), asked, study.folder,
+                    study.call(command.study), site);
+  if (submission.elements() == 0 && waits_for_rest(fates)) {
+    console.out << study.folder.string()
+                << ": nothing to submit, jobs that wait or run make what is missing\n";
+    return exit_done;
+  }
+  const std::vector<std::string> obsolete = obsolete_jobs(fates);
+  slurm.cancel(obsolete);
+  write_submission(submission);
+  const auto jobs = submit(submission, slurm, journal, arrays_that_live(fates, obsolete));
+  tell_submitted(submission, jobs, command.study, command.json, console);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_farm_resume_command(CLI::App& farm, Command& chosen) {
+  CLI::App* command =
+      farm.add_subcommand("resume", "Submit what is missing and what no job in the queue makes");
+  const auto options = std::make_shared<ResumeCommand>();
+  add_farm_arguments(*command, options->study);
+  add_submission_options(*command, options->options);
+  command->add_flag("--json", options->json, "What was submitted as JSON on standard output");
+  command->footer(
+      "\nAsks for what the last submission asked for, unless told otherwise; twice the memory "
+      "where a "
+      "job\nran out of it. Jobs that Slurm holds are taken back and submitted anew.\n\nExample:\n"
+      "  mien farm resume my.yaml --out /shared/studies");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return resume_study(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

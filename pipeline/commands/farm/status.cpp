@@ -1,0 +1,97 @@
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/farm/farm.h"
+#include "pipeline/farm/farm_status.h"
+#include "pipeline/farm/slurm.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct StatusCommand {
+  FarmArguments study;
+  std::optional<double> watch;  ///< seconds between looks
+  bool json = false;
+};
+
+FarmStatus status_of(const FarmStudy& study) {
+  std::string fault;
+  const auto queue = Slurm().queue_if_any(fault);
+  return farm_status(study.production, study.folder, queue, fault);
+}
+
+void show(const FarmStatus& status, const StatusCommand& command, const Console& console) {
+  if (command.json) {
+    console.out << status_json(status).dump(command.watch ? -1 : 2, ' ', false,
+                                            nlohmann::ordered_json::error_handler_t::replace)
+                << '\n';
+  } else {
+    console.out << status_text(status);
+  }
+  console.out.flush();
+}
+
+/// False when the user wants to stop.
+bool wait_for(double seconds, const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock(mutex);
+  never.wait_for(lock, stop, std::chrono::duration<double>(seconds), [] { return false; });
+  return !stop.stop_requested();
+}
+
+int watch_study(const FarmStudy& study, const StatusCommand& command, const Console& console) {
+  constexpr const char* clear_screen = "\x1b[H\x1b[J";
+  const bool redraws = console.err_is_terminal && !command.json;
+  while (true) {
+    const FarmStatus status = status_of(study);
+    if (redraws) console.out << clear_screen;
+    show(status, command, console);
+    if (status.is_complete) return exit_done;
+    if (!status.is_active() && status.without_slurm.empty()) {
+      console.err << "nobody works on it; mien farm resume " << study_words(command.study)
+                  << " submits what is missing\n";
+      return exit_failed;
+    }
+    if (!wait_for(*command.watch, console.stop)) return exit_interrupted;
+  }
+}
+
+int show_status(const StatusCommand& command, const Console& console) {
+  const FarmStudy study(command.study, console);
+  if (command.watch) return watch_study(study, command, console);
+  show(status_of(study), command, console);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_farm_status_command(CLI::App& farm, Command& chosen) {
+  CLI::App* command =
+      farm.add_subcommand("status", "What is done, what runs where, what failed and why");
+  const auto options = std::make_shared<StatusCommand>();
+  add_farm_arguments(*command, options->study);
+  command
+      ->add_option("--watch", options->watch,
+                   "Look again every so many seconds until all is done, or every 5")
+      ->expected(0, 1)
+      ->default_str("5")
+      ->check(CLI::Range(0.5, 86400.0));
+  command->add_flag("--json", options->json,
+                    "As JSON on standard output; a line a look with --watch");
+  command->footer(
+      "\nFrom the study's folder, from what workers write into it, and from squeue where there is "
+      "Slurm.\n\nExample:\n  mien farm status my.yaml --watch");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return show_status(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,167 @@
+#include "pipeline/commands/farm/submission_options.h"
+
+#include <charconv>
+#include <regex>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "motion/error.h"
+#include "pipeline/farm/film_lengths.h"
+#include "pipeline/farm/worker_reports.h"
+#include "pipeline/tasks/progress.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+int chunk_frames(const std::string& chunk) {
+  if (chunk == "auto") return 0;
+  int frames = 0;
+  const char* end = chunk.data() + chunk.size();
+  const auto [stop, error] = std::from_chars(chunk.data(), end, frames);
+  if (error == std::errc{} && stop == end && frames > 0) return frames;
+  throw Error("--chunk: \"" + chunk + "\" is no number of frames", "write auto, or 1 or more");
+}
+
+void refuse_unlike(const std::string& value, const char* form, const std::string& option,
+                   const std::string& remedy) {
+  if (value.empty() || std::regex_match(value, std::regex(form))) return;
+  throw Error(option + ": \"" + value + "\" is none", remedy);
+}
+
+/// Seconds that an estimated second of drawing really takes, as far as this study's workers know.
+double measured_pace(const FarmStudy& study, const std::map<std::string, int>& frames) {
+  const double measured = seconds_a_frame(worker_reports(study.folder));
+  double seconds = 0.0;
+  double count = 0.0;
+  for (const Task& task : study.production.graph().tasks) {
+    const auto length = frames.find(task.id);
+    if (length == frames.end()) continue;
+    seconds += task.cost_seconds;
+    count += length->second;
+  }
+  return measured > 0.0 && seconds > 0.0 ? measured / (seconds / count) : 1.0;
+}
+
+std::vector<Stage> stages_that(FarmStudy& study, const JournalSubmission& asked,
+                               const std::vector<bool>& is_due) {
+  const std::map<std::string, int> frames = measured_film_lengths(study.production, study.folder);
+  Cutting cutting;
+  cutting.chunk_frames = asked.chunk_frames;
+  cutting.pace = measured_pace(study, frames) / asked.request.processors;
+  return stages_of(study.production.graph(), is_due, frames, cutting);
+}
+
+std::string element_words(int elements) {
+  return elements == 0 ? "what is left"
+                       : fmt::format("{} element{}", elements, elements == 1 ? "" : "s");
+}
+
+double longest(const SubmissionJob& job) {
+  double seconds = 0.0;
+  for (const Element& element : job.elements) seconds = std::max(seconds, element.seconds);
+  return seconds;
+}
+
+}  // namespace
+
+void add_submission_options(CLI::App& command, SubmissionOptions& options) {
+  command.add_option("--chunk", options.chunk,
+                     "Frames that an element of a job array draws at most: auto, so that it takes "
+                     "about five minutes, or a number");
+  command.add_option("--partition", options.partition, "Slurm's partition");
+  command.add_option("--time", options.time,
+                     "Time limit of an element: minutes, HH:MM:SS or D-HH:MM:SS");
+  command.add_option("--mem", options.memory, "Memory of an element: 2G");
+  command.add_option("--account", options.account, "Slurm's account");
+  command.add_option("--array-limit", options.array_limit, "Elements of an array that run at once")
+      ->check(CLI::Range(1, 1'000'000));
+  command.add_option("--jobs,-j", options.jobs, "Processors of an element (1)")
+      ->check(CLI::Range(1, 1024));
+}
+
+JournalSubmission asked_for(const SubmissionOptions& options, JournalSubmission earlier) {
+  refuse_unlike(options.time, R"((\d+|(\d+-)?\d+(:\d+){0,2}))", "--time",
+                "write minutes, HH:MM:SS or D-HH:MM:SS");
+  refuse_unlike(options.memory, R"(\d+[KMGT]?)", "--mem", "write an amount like 500M or 2G");
+  refuse_unlike(options.partition, R"([\w.,+-]+)", "--partition", "sinfo lists the partitions");
+  refuse_unlike(options.account, R"([\w.,+-]+)", "--account", "write a name of letters and digits");
+  const auto take = [](const std::string& given, std::string& to) {
+    if (!given.empty()) to = given;
+  };
+  JobRequest& request = earlier.request;
+  take(options.partition, request.partition);
+  take(options.time, request.time);
+  take(options.memory, request.memory);
+  take(options.account, request.account);
+  request.array_limit = options.array_limit.value_or(request.array_limit);
+  request.processors = options.jobs.value_or(request.processors);
+  if (!options.chunk.empty()) earlier.chunk_frames = chunk_frames(options.chunk);
+  earlier.when = utc_now();
+  return earlier;
+}
+
+std::vector<Stage> due_stages(FarmStudy& study, const JournalSubmission& asked) {
+  std::vector<bool> is_due;
+  for (const TaskOutcome& outcome : plan(study.production.graph(), study.folder)) {
+    is_due.push_back(outcome.state != TaskState::cached);
+  }
+  return stages_that(study, asked, is_due);
+}
+
+std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked) {
+  return stages_that(study, asked, std::vector<bool>(study.production.graph().tasks.size(), true));
+}
+
+bool is_complete(const FarmStudy& study, const std::vector<Stage>& due) {
+  std::error_code error;
+  return due.empty() && std::filesystem::exists(study.folder / "provenance.json", error);
+}
+
+void tell_submitted(const Submission& submission, const std::vector<SubmittedJob>& jobs,
+                    const FarmArguments& arguments, bool json, const Console& console) {
+  if (json) {
+    ordered_json rows = ordered_json::array();
+    for (const SubmittedJob& job : jobs) {
+      rows.push_back({{"name", job.name}, {"job", job.job}, {"elements", job.elements}});
+    }
+    const ordered_json told = {{"study", submission.call.study},
+                               {"submission", submission.asked.number},
+                               {"folder", submission.folder.string()},
+                               {"elements", submission.elements()},
+                               {"jobs", rows}};
+    console.out << told.dump(2) << '\n';
+    return;
+  }
+  console.out << submission.folder.string() << ":\n";
+  for (const SubmittedJob& job : jobs) {
+    console.out << fmt::format("  job {:<8} {:<12} {}\n", job.job, job.name,
+                               element_words(job.elements));
+  }
+  console.out << "mien farm status " << study_words(arguments) << " shows how it goes\n";
+}
+
+void tell_dry_run(const Submission& submission, const Console& console) {
+  for (const SubmissionStage& stage : submission.stages) {
+    for (const SubmissionJob& job : stage.jobs) {
+      console.out << fmt::format("{:<12} {}", job.job.name, element_words(job.job.elements));
+      if (!job.elements.empty()) {
+        console.out << fmt::format(", up to {} each (estimated)", as_duration(longest(job)));
+      }
+      console.out << '\n';
+    }
+  }
+  for (const SubmissionStage& stage : submission.stages) {
+    for (const SubmissionJob& job : stage.jobs) {
+      const std::string stem = (submission.folder / job.job.name).string();
+      console.out << "\n==> " << stem << ".sbatch\n" << script_text(submission, job);
+      if (!job.elements.empty()) console.out << "\n==> " << stem << ".tasks\n" << list_text(job);
+    }
+  }
+}
+
+}  // namespace mien::pipeline

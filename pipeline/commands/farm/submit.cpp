@@ -1,0 +1,92 @@
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "motion/error.h"
+#include "pipeline/commands/farm/submission_options.h"
+#include "pipeline/farm/job_fates.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct SubmitCommand {
+  FarmArguments study;
+  SubmissionOptions options;
+  bool dry_run = false;
+  bool json = false;
+};
+
+void refuse_second(const std::vector<std::string>& live, const FarmArguments& arguments) {
+  if (live.empty()) return;
+  const std::string words = study_words(arguments);
+  throw Error("the study is with Slurm already: " + std::to_string(live.size()) +
+                  (live.size() == 1 ? " job of it waits or runs" : " jobs of it wait or run"),
+              "mien farm status " + words + " shows them, mien farm resume " + words +
+                  " submits what they leave out, mien farm cancel " + words + " ends them");
+}
+
+Submission planned(FarmStudy& study, const SubmitCommand& command, const SlurmSite& site,
+                   const std::vector<Stage>& stages, JournalSubmission asked) {
+  asked.number = next_submission(study.folder);
+  return submission_of(stages, {}, graph_key(study.production.graph(), study.folder),
+                       std::move(asked), study.folder, study.call(command.study), site);
+}
+
+/// What the site allows, or what most allow where there is no Slurm to ask.
+SlurmSite site_for_dry_run(const Slurm& slurm, const Console& console) {
+  try {
+    return slurm.site();
+  } catch (const SlurmFault& fault) {
+    console.err << "note: " << fault.what() << '\n';
+    return {};
+  }
+}
+
+int submit_study(const SubmitCommand& command, const Console& console) {
+  JournalSubmission asked = asked_for(command.options, {});
+  asked.quality = command.study.quality;
+  FarmStudy study(command.study, console);
+  const Slurm slurm;
+  if (command.dry_run) {
+    const SlurmSite site = site_for_dry_run(slurm, console);
+    tell_dry_run(planned(study, command, site, due_stages(study, asked), asked), console);
+    return exit_done;
+  }
+  const SlurmSite site = slurm.site();
+  const SubmissionJournal journal(study.folder);
+  refuse_second(live_jobs(job_fates(journal.read(), slurm.queue(), study.folder)), command.study);
+  const std::vector<Stage> stages = due_stages(study, asked);
+  if (is_complete(study, stages)) {
+    console.out << study.folder.string() << ": nothing to do, all is done\n";
+    return exit_done;
+  }
+  const Submission submission = planned(study, command, site, stages, asked);
+  write_submission(submission);
+  tell_submitted(submission, submit(submission, slurm, journal, {}), command.study, command.json,
+                 console);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_farm_submit_command(CLI::App& farm, Command& chosen) {
+  CLI::App* command = farm.add_subcommand("submit", "Hand a study to Slurm as job arrays");
+  const auto options = std::make_shared<SubmitCommand>();
+  add_farm_arguments(*command, options->study);
+  add_submission_options(*command, options->options);
+  command->add_flag("--dry-run", options->dry_run,
+                    "Print the jobs and their batch files; write and submit nothing");
+  command->add_flag("--json", options->json, "What was submitted as JSON on standard output");
+  command->footer(
+      "\nThe batch files are in <out>/<study>/farm/0001, 0002, …: read them, change them, submit "
+      "them "
+      "again.\n\nExamples:\n"
+      "  mien farm submit my.yaml --out /shared/studies --time 1:00:00 --mem 2G\n"
+      "  mien farm submit my.yaml --dry-run");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return submit_study(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

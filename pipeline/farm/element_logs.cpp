@@ -1,0 +1,126 @@
+#include "pipeline/farm/element_logs.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files and folders of a folder by name, the last first.
+std::vector<fs::path> entries_of(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    entries.push_back(at->path());
+  }
+  std::sort(entries.rbegin(), entries.rend());
+  return entries;
+}
+
+bool is_number(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// Folders of submissions, the newest first.
+std::vector<fs::path> submissions_in(const fs::path& folder) {
+  std::vector<fs::path> submissions = entries_of(folder / "farm");
+  std::erase_if(submissions,
+                [](const fs::path& path) { return !is_number(path.filename().string()); });
+  return submissions;
+}
+
+/// Logs are called <study>-<name>-<job>_<element>.log; the newest of each element by
+/// "<name>.<element>".
+std::map<std::string, fs::path> logs_by_element(const fs::path& submission) {
+  std::map<std::string, fs::path> logs;
+  std::vector<std::string> names;
+  for (const fs::path& file : entries_of(submission)) {
+    if (file.extension() == ".sbatch") names.push_back(file.stem().string());
+  }
+  std::error_code error;
+  for (const fs::path& log : entries_of(submission / "log")) {
+    const std::string stem = log.stem().string();
+    const std::size_t dash = stem.rfind('-');
+    if (dash == std::string::npos) continue;
+    const std::size_t line = std::min(stem.find('_', dash), stem.size());
+    const std::string element = line < stem.size() ? stem.substr(line + 1) : "1";
+    // The longest name: "2-frames-2" ends with no other's.
+    std::string owner;
+    for (const std::string& name : names) {
+      if (stem.substr(0, dash).ends_with("-" + name) && name.size() > owner.size()) owner = name;
+    }
+    if (owner.empty()) continue;
+    fs::path& newest = logs[owner + "." + element];
+    if (newest.empty() || fs::last_write_time(newest, error) < fs::last_write_time(log, error)) {
+      newest = log;
+    }
+  }
+  return logs;
+}
+
+bool makes(const std::string& line, const std::string& item) {
+  std::istringstream items(line);
+  for (std::string one; items >> one;) {
+    if (one == item || one.starts_with(item + "[")) return true;
+  }
+  return false;
+}
+
+std::vector<ElementLog> logs_in(const fs::path& submission, const std::string& item) {
+  std::vector<ElementLog> found;
+  const std::map<std::string, fs::path> logs = logs_by_element(submission);
+  for (const auto& [element, log] : logs) {
+    const std::size_t dot = element.rfind('.');
+    std::ifstream list(submission / (element.substr(0, dot) + ".tasks"));
+    const std::string number = element.substr(dot + 1);
+    int line = 1;
+    for (std::string text; std::getline(list, text); ++line) {
+      if (std::to_string(line) == number && makes(text, item)) found.push_back({item, log});
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<ElementLog> logs_of(const std::string& item, const fs::path& folder) {
+  for (const fs::path& submission : submissions_in(folder)) {
+    if (auto logs = logs_in(submission, item); !logs.empty()) return logs;
+  }
+  return {};
+}
+
+std::vector<ElementLog> logs_of_ended(const fs::path& folder) {
+  std::vector<ElementLog> found;
+  const std::vector<fs::path> submissions = submissions_in(folder);
+  if (submissions.empty()) return found;
+  const std::map<std::string, fs::path> logs = logs_by_element(submissions.front());
+  for (const fs::path& end : entries_of(submissions.front() / "ends")) {
+    const auto log = logs.find(end.filename().string());
+    if (log != logs.end()) found.push_back({end.filename().string(), log->second});
+  }
+  std::reverse(found.begin(), found.end());
+  return found;
+}
+
+std::string tail_of(const fs::path& file, int lines) {
+  constexpr std::streamoff most = 65536;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) return "";
+  stream.seekg(std::max<std::streamoff>(0, stream.tellg() - std::streampos(most)));
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  while (text.ends_with('\n')) text.pop_back();
+  std::size_t begin = text.size();
+  for (int i = 0; i < lines && begin != std::string::npos; ++i) {
+    begin = begin == 0 ? std::string::npos : text.rfind('\n', begin - 1);
+  }
+  if (begin != std::string::npos) text.erase(0, begin + 1);
+  return text.empty() ? "" : text + "\n";
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,150 @@
+#include "pipeline/farm/farm_status.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "pipeline/farm/film_lengths.h"
+#include "pipeline/farm/glance.h"
+#include "pipeline/farm/stages.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Share> stage_shares(const TaskGraph& graph, const std::vector<TaskOutcome>& outcomes) {
+  std::vector<Share> shares;
+  for (const char* name : {"motions", "films", "sheets", "study"}) shares.push_back({name, 0, 0});
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const std::string stage = stage_of(graph.tasks[i]);
+    const auto share = std::find_if(shares.begin(), shares.end(),
+                                    [&](const Share& one) { return one.name == stage; });
+    ++share->total;
+    share->done += outcomes[i].state == TaskState::cached ? 1 : 0;
+  }
+  std::erase_if(shares, [](const Share& share) { return share.total == 0; });
+  return shares;
+}
+
+Share frames_share(const Production& production, const std::vector<TaskOutcome>& outcomes,
+                   const fs::path& folder) {
+  Share frames{"frames", 0, 0};
+  const std::map<std::string, int> lengths = film_lengths(production, folder);
+  const TaskGraph& graph = production.graph();
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Task& task = graph.tasks[i];
+    const auto length = lengths.find(task.id);
+    if (task.kind != "film" || length == lengths.end()) continue;
+    frames.total += length->second;
+    frames.done +=
+        outcomes[i].state == TaskState::cached
+            ? length->second
+            : std::min(length->second,
+                       frames_in_the_making(folder, task.id.substr(task.id.find(':') + 1)));
+  }
+  return frames;
+}
+
+NodeStatus& node_called(const std::string& name, std::vector<NodeStatus>& nodes) {
+  const auto found = std::find_if(nodes.begin(), nodes.end(),
+                                  [&](const NodeStatus& node) { return node.name == name; });
+  if (found != nodes.end()) return *found;
+  nodes.push_back({name, 0, 0, {}, 0.0});
+  return nodes.back();
+}
+
+void add_workers(const std::vector<WorkerReport>& reports, FarmStatus& status) {
+  for (const WorkerReport& report : reports) {
+    if (!report.is_alive()) continue;
+    NodeStatus& node = node_called(report.host, status.nodes);
+    ++node.workers;
+    node.tasks.insert(node.tasks.end(), report.tasks.begin(), report.tasks.end());
+    node.frames_per_second += report.frames_per_second();
+  }
+}
+
+void add_jobs(const std::vector<JobFate>& fates, FarmStatus& status) {
+  for (const JobFate& fate : fates) {
+    for (const QueueRow& row : fate.live()) {
+      if (is_stuck(row)) {
+        status.stuck.push_back({name_of(row), row.reason});
+      } else if (row.node.empty() || row.state == "PENDING") {
+        ++status.waiting[row.reason];
+      } else {
+        ++node_called(row.node, status.nodes).elements;
+      }
+    }
+  }
+}
+
+std::optional<double> seconds_left(const FarmStatus& status) {
+  double pace = 0.0;
+  for (const NodeStatus& node : status.nodes) pace += node.frames_per_second;
+  if (pace <= 0.0 || status.is_complete) return std::nullopt;
+  return (status.frames.total - status.frames.done) / pace;
+}
+
+bool is_frame(const fs::path& file) {
+  const std::string name = file.stem().string();
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char letter) {
+    return std::isdigit(letter) != 0;
+  });
+}
+
+}  // namespace
+
+int FarmStatus::running() const {
+  int count = 0;
+  for (const NodeStatus& node : nodes) count += node.elements;
+  return count;
+}
+
+bool FarmStatus::is_active() const {
+  return running() > 0 || !waiting.empty() ||
+         std::any_of(nodes.begin(), nodes.end(),
+                     [](const NodeStatus& node) { return node.workers > 0; });
+}
+
+int frames_in_the_making(const fs::path& folder, const std::string& film) {
+  int count = 0;
+  std::error_code error;
+  const fs::path frames = folder / ".mien" / "partial" / "frames" / film;
+  for (fs::recursive_directory_iterator at(frames, error), end; !error && at != end;
+       at.increment(error)) {
+    if (is_frame(at->path())) ++count;
+  }
+  return count;
+}
+
+FarmStatus farm_status(const Production& production, const fs::path& folder,
+                       const std::optional<std::vector<QueueRow>>& queue,
+                       const std::string& fault) {
+  FarmStatus status;
+  status.study = production.manifest().study;
+  status.folder = folder.string();
+  const std::vector<TaskOutcome> outcomes = glance(production.graph(), folder);
+  status.stages = stage_shares(production.graph(), outcomes);
+  status.frames = frames_share(production, outcomes, folder);
+  const bool is_made = std::all_of(status.stages.begin(), status.stages.end(),
+                                   [](const Share& share) { return share.done == share.total; });
+  std::error_code error;
+  status.is_complete = is_made && fs::exists(folder / "provenance.json", error);
+  status.failed = failed_items(folder);
+  add_workers(worker_reports(folder), status);
+  if (queue) {
+    const JournalContent journal = SubmissionJournal(folder).read();
+    const std::vector<JobFate> fates = job_fates(journal, *queue, folder);
+    add_jobs(fates, status);
+    if (!status.is_complete) status.losses = told_losses(fates);
+  } else {
+    status.without_slurm = fault;
+  }
+  std::sort(status.nodes.begin(), status.nodes.end(),
+            [](const auto& left, const auto& right) { return left.name < right.name; });
+  status.seconds_left = seconds_left(status);
+  return status;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,125 @@
+#include "pipeline/farm/resumption.h"
+
+#include <charconv>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "pipeline/farm/stages.h"
+#include "pipeline/farm/worker_codes.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Lines = std::vector<std::vector<std::string>>;
+
+/// All lines of a list; none where it has been removed.
+Lines lines_in(const fs::path& list) {
+  Lines lines;
+  std::ifstream file(list);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::vector<std::string>& items = lines.emplace_back();
+    for (std::string item; words >> item;) items.push_back(item);
+  }
+  return lines;
+}
+
+fs::path list_of(const JournalJob& job, const fs::path& folder) {
+  return folder / "farm" / job.submission / (job.name + ".tasks");
+}
+
+/// The code of ends/<name>.<element>.
+std::optional<int> end_of(const JournalJob& job, std::size_t element, const fs::path& folder) {
+  std::ifstream file(folder / "farm" / job.submission / "ends" /
+                     (job.name + "." + std::to_string(element)));
+  int code = 0;
+  if (!(file >> code)) return std::nullopt;
+  return code;
+}
+
+/// Elements, from 1, whose last attempt was short of memory.
+std::set<std::size_t> short_of_memory(const JobFate& fate, const fs::path& folder) {
+  std::set<std::size_t> elements;
+  for (const QueueRow& row : fate.rows) {
+    if (row.state == "OUT_OF_MEMORY" && row.index) {
+      elements.insert(static_cast<std::size_t>(*row.index));
+    }
+  }
+  for (int i = 1; i <= fate.journal.elements; ++i) {
+    const auto element = static_cast<std::size_t>(i);
+    if (end_of(fate.journal, element, folder) == worker_killed) elements.insert(element);
+  }
+  return elements;
+}
+
+}  // namespace
+
+std::vector<std::string> items_on_line(const fs::path& list, int line) {
+  const Lines lines = lines_in(list);
+  if (line < 1 || static_cast<std::size_t>(line) > lines.size()) return {};
+  return lines[static_cast<std::size_t>(line) - 1];
+}
+
+std::set<std::string> covered_items(const std::vector<JobFate>& fates, const fs::path& folder) {
+  std::set<std::string> covered;
+  for (const JobFate& fate : fates) {
+    if (fate.kind != JobFate::Kind::live || fate.journal.elements == 0) continue;
+    const Lines lines = lines_in(list_of(fate.journal, folder));
+    for (const QueueRow& row : fate.live()) {
+      const auto line = static_cast<std::size_t>(row.index.value_or(0));
+      if (is_stuck(row) || line < 1 || line > lines.size()) continue;
+      covered.insert(lines[line - 1].begin(), lines[line - 1].end());
+    }
+  }
+  return covered;
+}
+
+std::vector<std::string> obsolete_jobs(const std::vector<JobFate>& fates) {
+  std::vector<std::string> jobs;
+  for (const JobFate& fate : fates) {
+    for (const QueueRow& row : fate.live()) {
+      const bool is_waiting_rest = fate.journal.elements == 0 && row.state == "PENDING";
+      if (is_waiting_rest || is_stuck(row)) jobs.push_back(name_of(row));
+    }
+  }
+  return jobs;
+}
+
+MemoryNeeds memory_needs(const std::vector<JobFate>& fates, const fs::path& folder) {
+  MemoryNeeds needs;
+  for (const JobFate& fate : fates) {
+    const std::set<std::size_t> elements = short_of_memory(fate, folder);
+    if (elements.empty()) continue;
+    const Lines lines = lines_in(list_of(fate.journal, folder));
+    const std::string twice = twice_the_memory(fate.journal.memory);
+    for (const std::size_t element : elements) {
+      if (element < 1 || element > lines.size()) continue;
+      for (const std::string& item : lines[element - 1]) {
+        if (twice.empty()) {
+          needs.unknown.push_back(item);
+        } else {
+          needs.more[work_item(item).task] = twice;
+        }
+      }
+    }
+  }
+  return needs;
+}
+
+std::string twice_the_memory(const std::string& memory) {
+  long long amount = 0;
+  const char* end = memory.data() + memory.size();
+  const auto [unit, error] = std::from_chars(memory.data(), end, amount);
+  constexpr long long most = 1'000'000'000'000;
+  if (error != std::errc{} || amount <= 0 || amount > most) return "";
+  const std::string letters(unit, end);
+  if (letters.empty()) return std::to_string(2 * amount) + "M";  // Slurm's own unit
+  if (letters.size() != 1 || std::string("KMGTkmgt").find(letters) == std::string::npos) return "";
+  return std::to_string(2 * amount) + letters;
+}
+
+}  // namespace mien::pipeline

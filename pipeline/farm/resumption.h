@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pipeline/farm/job_fates.h"
+
+namespace mien::pipeline {
+
+/// Items of a list's line, counted from 1; none when there is no such line.
+std::vector<std::string> items_on_line(const std::filesystem::path& list, int line);
+
+/// Items that jobs make which wait or run, stuck ones left out. `folder`: the study's.
+std::set<std::string> covered_items(const std::vector<JobFate>& fates,
+                                    const std::filesystem::path& folder);
+
+/// Live jobs in the way of a new submission: those that are stuck, and those that were to make what
+/// is left of an earlier one.
+std::vector<std::string> obsolete_jobs(const std::vector<JobFate>& fates);
+
+/// Tasks for which a job had too little memory, and what to ask for next.
+struct MemoryNeeds {
+  std::map<std::string, std::string> more;  ///< twice as much, by task
+  std::vector<std::string> unknown;         ///< items of jobs that asked for nothing in particular
+};
+
+/// From what Slurm still knows, and from what the jobs left in ends/: one whose worker was killed
+/// by SIGKILL while the job itself went on had too little memory.
+MemoryNeeds memory_needs(const std::vector<JobFate>& fates, const std::filesystem::path& folder);
+
+/// "4G" of "2G", "3000M" of "1500"; empty when the text is no amount of memory.
+std::string twice_the_memory(const std::string& memory);
+
+}  // namespace mien::pipeline

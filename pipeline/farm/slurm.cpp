@@ -1,0 +1,148 @@
+#include "pipeline/farm/slurm.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <string_view>
+
+namespace mien::pipeline {
+
+namespace {
+
+struct Remedy {
+  std::string_view words;  ///< in what Slurm says
+  std::string_view remedy;
+};
+
+// Slurm's words and what mends it; the first that is found counts.
+constexpr std::array remedies = {
+    Remedy{"Unable to contact slurm controller",
+           "Slurm's controller does not answer: try again later, or ask who runs the cluster "
+           "(scontrol ping)"},
+    Remedy{"Connection refused", "Slurm's controller does not answer: scontrol ping"},
+    Remedy{"Socket timed out", "Slurm's controller is slow: try again, nothing is submitted twice"},
+    Remedy{"could not establish a configuration source",
+           "this machine is no part of a cluster: log in to one that is, or set SLURM_CONF"},
+    Remedy{"unable to determine hostname", "this machine is no part of a cluster"},
+    Remedy{"munge", "the authentication service munge does not run here: ask who runs the cluster"},
+    Remedy{"Invalid job array specification",
+           "the site allows smaller arrays: scontrol show config | grep MaxArraySize"},
+    Remedy{"invalid partition", "sinfo lists the partitions"},
+    Remedy{"Invalid account", "sacctmgr show associations user=$USER lists your accounts"},
+    Remedy{"Invalid qos", "sacctmgr show qos lists what there is"},
+    Remedy{"emory specification can not be satisfied",
+           "no node has so much memory: a smaller --mem"},
+    Remedy{"equested node configuration is not available",
+           "no node has so many processors or so much memory: a smaller --jobs or --mem (sinfo -N "
+           "-l)"},
+    Remedy{"equested time limit is invalid",
+           "a shorter --time: sinfo lists the partitions' limits"},
+    Remedy{"nvalid time limit", "--time takes minutes, HH:MM:SS or D-HH:MM:SS"},
+    Remedy{"QOSMaxSubmitJobPerUserLimit",
+           "the site allows you fewer jobs at a time: a larger --chunk makes fewer"},
+    Remedy{"ob violates accounting",
+           "the site's limits are reached: a larger --chunk makes fewer jobs"},
+    Remedy{"ccess denied", "the partition or account is not open to you: sinfo, sacctmgr"},
+};
+
+std::string without_end(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+/// Whether a submission may have been accepted although the command failed.
+bool is_silent(const CommandEnd& end) {
+  return end.timed_out || end.errors.find("Socket timed out") != std::string::npos ||
+         end.errors.find("Zero Bytes were transmitted") != std::string::npos;
+}
+
+/// Whether scancel has nothing to complain of but that jobs were over.
+bool had_ended(const CommandEnd& end) {
+  if (end.is_missing || end.timed_out) return false;
+  std::istringstream lines(end.errors);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("Invalid job id") == std::string::npos &&
+        line.find("already completing or completed") == std::string::npos) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+}  // namespace
+
+std::string slurm_fault(const std::string& program, const CommandEnd& end) {
+  if (end.is_missing) {
+    return program +
+           " is not there: Slurm is not installed on this machine; log in to one of the "
+           "cluster's, or use mien run, which needs none";
+  }
+  if (end.timed_out)
+    return program + " did not answer in time; scontrol ping tells whether Slurm is up";
+  std::string text =
+      program + " failed: " + without_end(end.errors.empty() ? end.output : end.errors);
+  for (const Remedy& one : remedies) {
+    if (end.errors.find(one.words) == std::string::npos) continue;
+    return text + "\n  " + std::string(one.remedy);
+  }
+  return text;
+}
+
+CommandEnd Slurm::run(const std::vector<std::string>& words) const {
+  CommandEnd end = run_command(words, limit_);
+  if (!end.is_done()) throw SlurmFault(slurm_fault(words.front(), end));
+  return end;
+}
+
+SlurmSite Slurm::site() const { return site_told(run({"scontrol", "show", "config"}).output); }
+
+std::vector<QueueRow> Slurm::queue() const {
+  return queue_rows(run({"squeue", "-h", "-r", "-a", "-t", "all", "-o", queue_format}).output);
+}
+
+std::optional<std::vector<QueueRow>> Slurm::queue_if_any(std::string& why) const {
+  try {
+    return queue();
+  } catch (const SlurmFault& fault) {
+    why = fault.what();
+    return std::nullopt;
+  }
+}
+
+std::string Slurm::submit(const std::filesystem::path& script,
+                          const std::vector<std::string>& after,
+                          const std::vector<std::string>& more) const {
+  std::vector<std::string> words = {"sbatch", "--parsable"};
+  if (!after.empty()) words.push_back("--dependency=afterany:" + joined(after, ":"));
+  words.insert(words.end(), more.begin(), more.end());
+  words.push_back(script.string());
+  const CommandEnd end = run_command(words, limit_);
+  if (is_silent(end)) throw SlurmSilence(slurm_fault("sbatch", end));
+  if (!end.is_done()) throw SlurmFault(slurm_fault("sbatch", end));
+  // "17", or "17;cluster" where there are several.
+  const std::string job = end.output.substr(0, end.output.find_first_of(";\n"));
+  if (job.empty() || job.find_first_not_of("0123456789") != std::string::npos) {
+    throw SlurmSilence("sbatch gave no job: " + without_end(end.output));
+  }
+  return job;
+}
+
+void Slurm::cancel(const std::vector<std::string>& jobs) const {
+  constexpr std::size_t at_once = 500;
+  for (std::size_t first = 0; first < jobs.size(); first += at_once) {
+    std::vector<std::string> words = {"scancel"};
+    const std::size_t last = std::min(jobs.size(), first + at_once);
+    words.insert(words.end(), jobs.begin() + static_cast<std::ptrdiff_t>(first),
+                 jobs.begin() + static_cast<std::ptrdiff_t>(last));
+    const CommandEnd end = run_command(words, limit_);
+    if (!end.is_done() && !had_ended(end)) throw SlurmFault(slurm_fault("scancel", end));
+  }
+}
+
+}  // namespace mien::pipeline

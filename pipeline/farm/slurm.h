@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "pipeline/farm/command_run.h"
+#include "pipeline/farm/slurm_text.h"
+
+namespace mien::pipeline {
+
+/// Slurm is not installed, its controller does not answer, or it refused something. `what()` has
+/// Slurm's own words and what to do.
+class SlurmFault : public std::runtime_error {
+ public:
+  using runtime_error::runtime_error;
+};
+
+/// Nothing is known of what became of a request: the answer did not come.
+class SlurmSilence : public SlurmFault {
+ public:
+  using SlurmFault::SlurmFault;
+};
+
+/// Slurm's commands. Each waits for a limited time and throws SlurmFault when it fails.
+class Slurm {
+ public:
+  explicit Slurm(std::chrono::milliseconds limit = std::chrono::seconds(60)) : limit_(limit) {}
+
+  /// What the site allows.
+  SlurmSite site() const;
+
+  /// Jobs of everybody, those that ended a short time ago too; an element of an array a row.
+  std::vector<QueueRow> queue() const;
+
+  /// The same, or nothing where Slurm is not installed or does not answer; `why` says it then.
+  std::optional<std::vector<QueueRow>> queue_if_any(std::string& why) const;
+
+  /// Submits a batch file to run after all of these jobs have ended, however they did, and gives
+  /// its job. Throws SlurmSilence when it may have been submitted or not.
+  std::string submit(const std::filesystem::path& script, const std::vector<std::string>& after,
+                     const std::vector<std::string>& more = {}) const;
+
+  void cancel(const std::vector<std::string>& jobs) const;
+
+ private:
+  CommandEnd run(const std::vector<std::string>& words) const;
+
+  std::chrono::milliseconds limit_;
+};
+
+/// Why a command of Slurm failed, and what to do about it.
+std::string slurm_fault(const std::string& program, const CommandEnd& end);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,107 @@
+#include "pipeline/farm/slurm_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "pipeline/farm/worker_codes.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+std::optional<int> whole_number(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::optional<QueueRow> row_of(std::string_view line) {
+  constexpr std::size_t before_comment = 7;
+  std::array<std::string, before_comment> fields;
+  for (std::string& field : fields) {
+    const std::size_t bar = line.find('|');
+    if (bar == std::string_view::npos) return std::nullopt;
+    field = line.substr(0, bar);
+    line.remove_prefix(bar + 1);
+  }
+  if (!whole_number(fields[0]) || !whole_number(fields[1])) return std::nullopt;
+  QueueRow row{fields[0], fields[1], whole_number(fields[2]), fields[3], fields[4],
+               fields[5], fields[6], std::string(line)};
+  if (row.node == "(null)") row.node.clear();
+  return row;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// Whether "70-75,80" has the code.
+bool has_code(std::string_view list, int code) {
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    const std::string_view part = trimmed(list.substr(0, comma));
+    const std::size_t dash = part.find('-');
+    const auto first = whole_number(part.substr(0, dash));
+    const auto last = dash == std::string_view::npos ? first : whole_number(part.substr(dash + 1));
+    if (first && last && *first <= code && code <= *last) return true;
+    list.remove_prefix(std::min(comma + 1, list.size()));
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<QueueRow> queue_rows(std::string_view text) {
+  std::vector<QueueRow> rows;
+  for (const std::string_view line : lines_of(text)) {
+    if (auto row = row_of(line)) rows.push_back(std::move(*row));
+  }
+  return rows;
+}
+
+bool is_live(const QueueRow& row) {
+  constexpr std::array<std::string_view, 13> live = {
+      "PENDING",      "RUNNING",     "CONFIGURING", "COMPLETING", "SUSPENDED",
+      "STOPPED",      "REQUEUED",    "SIGNALING",   "RESIZING",   "STAGE_OUT",
+      "REQUEUE_HOLD", "REQUEUE_FED", "SPECIAL_EXIT"};
+  return std::find(live.begin(), live.end(), row.state) != live.end();
+}
+
+bool is_stuck(const QueueRow& row) {
+  if (row.state == "SPECIAL_EXIT" || row.state == "REQUEUE_HOLD") return true;
+  return row.state == "PENDING" &&
+         (row.reason == "DependencyNeverSatisfied" || row.reason == "BadConstraints" ||
+          row.reason.starts_with("JobHeld") ||
+          row.reason.starts_with("launch_failed_requeued_held") ||
+          row.reason.starts_with("launch failed requeued held"));
+}
+
+SlurmSite site_told(std::string_view text) {
+  SlurmSite site;
+  for (const std::string_view line : lines_of(text)) {
+    const std::size_t equals = line.find('=');
+    if (equals == std::string_view::npos) continue;
+    const std::string_view name = trimmed(line.substr(0, equals));
+    const std::string_view value = trimmed(line.substr(equals + 1));
+    if (name == "MaxArraySize") site.max_array_size = whole_number(value).value_or(1001);
+    if (name == "RequeueExit") site.requeues_transient = has_code(value, worker_transient);
+    if (name == "RequeueExitHold") site.holds_wrong_setup = has_code(value, worker_wrong_setup);
+  }
+  return site;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien::pipeline {
+
+/// One job, or one element of a job array, as squeue tells it.
+struct QueueRow {
+  std::string job;           ///< "17": what scancel takes
+  std::string array;         ///< "12": the array's job, or the job itself
+  std::optional<int> index;  ///< in its array
+  std::string state;         ///< "RUNNING"
+  std::string reason;        ///< "Priority"; why it waits or how it failed
+  std::string node;          ///< empty while it waits
+  std::string elapsed;       ///< "1:05"
+  std::string comment;       ///< what it was submitted with
+
+  friend bool operator==(const QueueRow&, const QueueRow&) = default;
+};
+
+/// The format of squeue (-o) that `queue_rows` reads. The comment, in which people may write
+/// anything, stands last.
+inline constexpr const char* queue_format = "%A|%F|%K|%T|%r|%N|%M|%k";
+
+/// The rows of `squeue -h -r -o <queue_format>`; lines that are none are left out.
+std::vector<QueueRow> queue_rows(std::string_view text);
+
+/// Whether a job waits, runs or is about to do so again.
+bool is_live(const QueueRow& row);
+
+/// Whether a job that waits will never run by itself: somebody has to look at it.
+bool is_stuck(const QueueRow& row);
+
+/// What counts about a site's configuration.
+struct SlurmSite {
+  int max_array_size = 1001;        ///< indices of an array are below it
+  bool requeues_transient = false;  ///< exit code 75 puts a job back into the queue
+  bool holds_wrong_setup = false;   ///< exit code 78 does too, and holds it there
+};
+
+/// From `scontrol show config`.
+SlurmSite site_told(std::string_view text);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/farm/farm_status.h"
+#include "pipeline/tasks/progress.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string share_text(const Share& share) {
+  return fmt::format("  {:<8} {:>7} of {}\n", share.name, share.done, share.total);
+}
+
+std::string joined_tasks(const NodeStatus& node) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < node.tasks.size() && i < most; ++i) {
+    text += (i == 0 ? "" : ", ") + node.tasks[i];
+  }
+  if (node.tasks.size() > most) text += fmt::format(" and {} more", node.tasks.size() - most);
+  return text;
+}
+
+std::string node_text(const NodeStatus& node) {
+  std::string text = "  " + node.name + ":";
+  if (node.elements > 0) {
+    text += fmt::format(" {} job{}", node.elements, node.elements == 1 ? "" : "s");
+  }
+  if (node.workers > 0) {
+    text += fmt::format("{} {} worker{}", node.elements > 0 ? "," : "", node.workers,
+                        node.workers == 1 ? "" : "s");
+  }
+  if (node.frames_per_second > 0.0)
+    text += fmt::format(", {:.2f} frames/s", node.frames_per_second);
+  if (!node.tasks.empty()) text += ": " + joined_tasks(node);
+  return text + "\n";
+}
+
+std::string waiting_text(const FarmStatus& status) {
+  int count = 0;
+  std::string reasons;
+  for (const auto& [reason, elements] : status.waiting) {
+    count += elements;
+    reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", elements, reason);
+  }
+  return count == 0 ? "" : fmt::format("waiting: {} ({})\n", count, reasons);
+}
+
+std::string failed_text(const FailedItem& failed) {
+  std::string text = fmt::format("  {}: {}", failed.item, failed.error);
+  while (text.ends_with('\n')) text.pop_back();
+  text += fmt::format("\n    on {}, {}, tried {} time{}\n", failed.host, failed.when,
+                      failed.attempts, failed.attempts == 1 ? "" : "s");
+  if (!failed.command.empty()) text += "    again: " + failed.command + "\n";
+  return text;
+}
+
+ordered_json node_json(const NodeStatus& node) {
+  return {{"node", node.name},
+          {"jobs", node.elements},
+          {"workers", node.workers},
+          {"tasks", node.tasks},
+          {"frames_per_s", node.frames_per_second}};
+}
+
+}  // namespace
+
+std::string status_text(const FarmStatus& status) {
+  std::string text = status.folder + ":";
+  text += status.is_complete   ? " all is done\n"
+          : status.is_active() ? "\n"
+                               : " nobody works on it\n";
+  for (const Share& share : status.stages) {
+    text += share_text(share);
+    if (share.name == "motions") text += share_text(status.frames);
+  }
+  if (!status.nodes.empty()) text += "working:\n";
+  for (const NodeStatus& node : status.nodes) text += node_text(node);
+  text += waiting_text(status);
+  if (!status.stuck.empty()) text += "held by Slurm (mien farm resume submits them anew):\n";
+  for (const StuckJob& stuck : status.stuck) {
+    text += fmt::format("  {}: {}\n", stuck.job, stuck.reason);
+  }
+  if (!status.failed.empty()) text += "failed (mien farm logs shows more):\n";
+  for (const FailedItem& failed : status.failed) text += failed_text(failed);
+  for (const std::string& loss : status.losses) text += loss + "\n";
+  if (status.seconds_left) {
+    text += "about " + as_duration(*status.seconds_left) + " left at this pace\n";
+  }
+  if (!status.without_slurm.empty())
+    text += "nothing is known of jobs: " + status.without_slurm + "\n";
+  return text;
+}
+
+ordered_json status_json(const FarmStatus& status) {
+  const auto share_json = [](const Share& share) {
+    return ordered_json{{"done", share.done}, {"total", share.total}};
+  };
+  ordered_json stages = ordered_json::object();
+  for (const Share& share : status.stages) stages[share.name] = share_json(share);
+  ordered_json nodes = ordered_json::array();
+  for (const NodeStatus& node : status.nodes) nodes.push_back(node_json(node));
+  ordered_json stuck = ordered_json::array();
+  for (const StuckJob& one : status.stuck)
+    stuck.push_back({{"job", one.job}, {"reason", one.reason}});
+  ordered_json failed = ordered_json::array();
+  for (const FailedItem& one : status.failed) {
+    failed.push_back({{"item", one.item},
+                      {"error", one.error},
+                      {"code", one.code},
+                      {"host", one.host},
+                      {"when", one.when},
+                      {"attempts", one.attempts},
+                      {"command", one.command}});
+  }
+  ordered_json told = {{"study", status.study},
+                       {"folder", status.folder},
+                       {"complete", status.is_complete},
+                       {"active", status.is_active()},
+                       {"stages", stages},
+                       {"frames", share_json(status.frames)},
+                       {"running", status.running()},
+                       {"nodes", nodes},
+                       {"waiting", status.waiting},
+                       {"held", stuck},
+                       {"failed", failed},
+                       {"lost", status.losses},
+                       {"left_s", nullptr},
+                       {"slurm", status.without_slurm.empty() ? "present" : status.without_slurm}};
+  if (status.seconds_left) told["left_s"] = *status.seconds_left;
+  return told;
+}
+
+}  // namespace mien::pipeline

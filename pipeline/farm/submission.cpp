@@ -1,0 +1,254 @@
+#include "pipeline/farm/submission.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "pipeline/documents/files.h"
+#include "pipeline/tasks/artifact_key.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int place_of(const std::string& stage) {
+  constexpr std::array names = {"motions", "frames", "films", "sheets", "study"};
+  return static_cast<int>(std::find(names.begin(), names.end(), stage) - names.begin()) + 1;
+}
+
+constexpr int films_place = 3;
+constexpr int rest_place = 6;
+
+/// Without the items that live jobs make.
+Stage without(Stage stage, const std::set<std::string>& covered) {
+  for (Element& element : stage.elements) {
+    std::erase_if(element.items, [&](const std::string& item) { return covered.contains(item); });
+  }
+  std::erase_if(stage.elements, [](const Element& element) { return element.items.empty(); });
+  return stage;
+}
+
+/// The most that one of its items was found to need; empty when no job of it ran out.
+std::string memory_of(const Element& element, const ItemNeeds& needs) {
+  for (const std::string& item : element.items) {
+    const auto found = needs.memory.find(work_item(item).task);
+    if (found != needs.memory.end()) return found->second;
+  }
+  return "";
+}
+
+std::string comment_of(const std::string& key, const std::string& number, const std::string& name) {
+  return "mien:" + key + ":" + number + ":" + name;
+}
+
+/// Elements of a stage in arrays: those of one memory together, and no more than fit.
+class Arrays {
+ public:
+  Arrays(std::string name, const std::string& key, const JournalSubmission& asked, std::size_t most)
+      : name_(std::move(name)), key_(key), asked_(asked), most_(most) {}
+
+  void add(const Element& element, const std::string& memory) {
+    const std::string asked = memory.empty() ? asked_.request.memory : memory;
+    auto open = std::find_if(jobs_.begin(), jobs_.end(), [&](const SubmissionJob& job) {
+      return job.request.memory == asked && job.elements.size() < most_;
+    });
+    if (open == jobs_.end()) open = jobs_.insert(jobs_.end(), new_job(asked));
+    open->elements.push_back(element);
+    open->job.elements = static_cast<int>(open->elements.size());
+  }
+
+  std::vector<SubmissionJob> done() && { return std::move(jobs_); }
+
+ private:
+  SubmissionJob new_job(const std::string& memory) const {
+    SubmissionJob job;
+    job.job.submission = asked_.number;
+    job.job.name = jobs_.empty() ? name_ : fmt::format("{}-{}", name_, jobs_.size() + 1);
+    job.job.comment = comment_of(key_, asked_.number, job.job.name);
+    job.request = asked_.request;
+    job.request.memory = memory;
+    return job;
+  }
+
+  std::string name_;
+  const std::string& key_;
+  const JournalSubmission& asked_;
+  std::size_t most_;
+  std::vector<SubmissionJob> jobs_;
+};
+
+SubmissionJob rest_job(const std::string& key, const JournalSubmission& asked) {
+  SubmissionJob rest;
+  rest.job.submission = asked.number;
+  rest.job.name = fmt::format("{}-rest", rest_place);
+  rest.job.comment = comment_of(key, asked.number, rest.job.name);
+  rest.request = asked.request;
+  return rest;
+}
+
+/// The job, found by its comment where Slurm took it without saying so.
+std::string job_after_silence(const Slurm& slurm, const BatchJob& job) {
+  for (const QueueRow& row : slurm.queue()) {
+    if (row.comment == job.comment && is_live(row)) return row.array;
+  }
+  return "";
+}
+
+std::string submitted(const fs::path& script, const BatchJob& job, const Slurm& slurm,
+                      const std::vector<std::string>& after) {
+  try {
+    return slurm.submit(script, after);
+  } catch (const SlurmSilence&) {
+    const std::string found = job_after_silence(slurm, job);
+    if (found.empty()) throw;
+    return found;
+  }
+}
+
+JournalJob intent_of(const SubmissionJob& job) {
+  JournalJob intent;
+  intent.submission = job.job.submission;
+  intent.name = job.job.name;
+  intent.comment = job.job.comment;
+  intent.elements = job.job.elements;
+  intent.memory = job.request.memory;
+  intent.when = utc_now();
+  return intent;
+}
+
+std::vector<std::string> numbers_of(const std::vector<SubmittedJob>& jobs) {
+  std::vector<std::string> numbers;
+  for (const SubmittedJob& job : jobs) numbers.push_back(job.job);
+  return numbers;
+}
+
+/// Adds it to `done` and gives its number.
+std::string submit_one(const Submission& submission, const SubmissionJob& one,
+                       const std::vector<std::string>& before, const Slurm& slurm,
+                       const SubmissionJournal& journal, std::vector<SubmittedJob>& done) {
+  journal.note_intent(intent_of(one));
+  const fs::path script = submission.folder / (one.job.name + ".sbatch");
+  try {
+    done.push_back({one.job.name, submitted(script, one.job, slurm, before), one.job.elements});
+  } catch (const SlurmSilence&) {
+    throw;  // it may be there; the journal tells `resume` to look for it
+  } catch (const SlurmFault& fault) {
+    journal.note_refusal(one.job.comment, fault.what());
+    slurm.cancel(numbers_of(done));
+    throw;
+  }
+  journal.note_job(one.job.comment, done.back().job);
+  return done.back().job;
+}
+
+}  // namespace
+
+std::string next_submission(const fs::path& study_folder) {
+  int number = 1;
+  while (fs::exists(study_folder / "farm" / fmt::format("{:04}", number))) ++number;
+  return fmt::format("{:04}", number);
+}
+
+std::string graph_key(const TaskGraph& graph, const fs::path& study_folder) {
+  return KeyBuilder()
+      .add("folder", study_folder.string())
+      .add("graph", key_of(graph))
+      .key()
+      .substr(0, 12);
+}
+
+Submission submission_of(const std::vector<Stage>& stages, const ItemNeeds& needs,
+                         const std::string& graph_key, JournalSubmission asked,
+                         const fs::path& study_folder, const StudyCall& call,
+                         const SlurmSite& site) {
+  Submission submission;
+  submission.asked = std::move(asked);
+  submission.folder = study_folder / "farm" / submission.asked.number;
+  submission.call = call;
+  submission.site = site;
+  // Lines are counted from 1, and an index is below the limit.
+  const auto most = static_cast<std::size_t>(std::max(1, site.max_array_size - 1));
+  for (const Stage& whole : stages) {
+    const Stage stage = without(whole, needs.covered);
+    const std::string name = fmt::format("{}-{}", place_of(stage.name), stage.name);
+    Arrays arrays(name, graph_key, submission.asked, most);
+    for (const Element& element : stage.elements) arrays.add(element, memory_of(element, needs));
+    if (auto jobs = std::move(arrays).done(); !jobs.empty()) {
+      submission.stages.push_back({place_of(stage.name), std::move(jobs)});
+    }
+  }
+  submission.stages.push_back({rest_place, {rest_job(graph_key, submission.asked)}});
+  return submission;
+}
+
+std::string script_text(const Submission& submission, const SubmissionJob& job) {
+  return batch_script(job.job, submission.folder, submission.call, job.request, submission.site);
+}
+
+std::string list_text(const SubmissionJob& job) {
+  std::string text;
+  for (const Element& element : job.elements) {
+    for (std::size_t i = 0; i < element.items.size(); ++i) {
+      text += (i == 0 ? "" : " ") + element.items[i];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+void write_submission(const Submission& submission) {
+  // All texts first: what is wrong with a path leaves no folder behind.
+  std::vector<std::pair<fs::path, std::string>> files;
+  for (const SubmissionStage& stage : submission.stages) {
+    for (const SubmissionJob& job : stage.jobs) {
+      const fs::path stem = submission.folder / job.job.name;
+      files.emplace_back(stem.string() + ".sbatch", script_text(submission, job));
+      if (!job.elements.empty()) files.emplace_back(stem.string() + ".tasks", list_text(job));
+    }
+  }
+  make_folder(submission.folder.parent_path());
+  if (!fs::create_directory(submission.folder)) {
+    throw std::runtime_error(
+        submission.folder.string() +
+        " has just been made by another submission; mien farm status shows it");
+  }
+  make_folder(submission.folder / "log");
+  make_folder(submission.folder / "ends");
+  for (const auto& [file, text] : files) {
+    write_file(file, text);
+    flush_to_disk(file);
+  }
+  flush_to_disk(submission.folder);
+}
+
+int Submission::elements() const {
+  int count = 0;
+  for (const SubmissionStage& stage : stages) {
+    for (const SubmissionJob& job : stage.jobs) count += job.job.elements;
+  }
+  return count;
+}
+
+std::vector<SubmittedJob> submit(const Submission& submission, const Slurm& slurm,
+                                 const SubmissionJournal& journal,
+                                 const std::vector<std::string>& live) {
+  journal.note_submission(submission.asked);
+  std::vector<SubmittedJob> done;
+  std::vector<std::string> last_stage;
+  for (const SubmissionStage& stage : submission.stages) {
+    std::vector<std::string> before = last_stage;
+    if (stage.place == rest_place) before = numbers_of(done);
+    if (stage.place >= films_place) before.insert(before.end(), live.begin(), live.end());
+    last_stage.clear();
+    for (const SubmissionJob& one : stage.jobs) {
+      last_stage.push_back(submit_one(submission, one, before, slurm, journal, done));
+    }
+  }
+  return done;
+}
+
+}  // namespace mien::pipeline

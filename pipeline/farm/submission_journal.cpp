@@ -1,0 +1,158 @@
+#include "pipeline/farm/submission_journal.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <ctime>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+#include <fcntl.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "pipeline/documents/files.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+JobRequest request_in(const ordered_json& told) {
+  JobRequest request;
+  request.partition = told.value("partition", "");
+  request.time = told.value("time", "");
+  request.memory = told.value("mem", "");
+  request.account = told.value("account", "");
+  request.array_limit = told.value("array_limit", 0);
+  request.processors = told.value("jobs", 1);
+  return request;
+}
+
+/// The last job of that comment, which is unlike that of any other job of the study.
+JournalJob* job_called(JournalContent& content, const std::string& comment) {
+  const auto found = std::find_if(content.jobs.rbegin(), content.jobs.rend(),
+                                  [&](const JournalJob& job) { return job.comment == comment; });
+  return found == content.jobs.rend() ? nullptr : &*found;
+}
+
+void take_line(const ordered_json& told, JournalContent& content) {
+  const std::string event = told.at("event");
+  if (event == "submission") {
+    content.submissions.push_back({told.at("submission"), told.value("when", ""),
+                                   told.value("quality", ""), told.value("chunk", 0),
+                                   request_in(told)});
+    return;
+  }
+  const std::string comment = told.at("comment");
+  if (event == "intent") {
+    JournalJob job;
+    job.submission = told.at("submission");
+    job.name = told.at("name");
+    job.comment = comment;
+    job.elements = told.at("elements");
+    job.memory = told.value("mem", "");
+    job.when = told.value("when", "");
+    content.jobs.push_back(std::move(job));
+  } else if (JournalJob* job = job_called(content, comment)) {
+    if (event == "submitted") job->job = told.at("job");
+    if (event == "refused") job->was_refused = true;
+    if (event == "cancelled") job->was_cancelled = true;
+  }
+}
+
+}  // namespace
+
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm parts = {};
+  ::gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+SubmissionJournal::SubmissionJournal(const fs::path& folder)
+    : file_(folder / "farm" / "journal.jsonl") {}
+
+JournalContent SubmissionJournal::read() const {
+  JournalContent content;
+  std::error_code error;
+  if (!fs::is_regular_file(file_, error)) return content;
+  std::istringstream lines(read_file(file_));
+  for (std::string line; std::getline(lines, line);) {
+    try {
+      take_line(ordered_json::parse(line), content);
+    } catch (const ordered_json::exception&) {
+      continue;
+    }
+  }
+  return content;
+}
+
+void SubmissionJournal::note_submission(const JournalSubmission& submission) const {
+  const JobRequest& request = submission.request;
+  append(ordered_json{{"event", "submission"},
+                      {"submission", submission.number},
+                      {"when", submission.when},
+                      {"quality", submission.quality},
+                      {"chunk", submission.chunk_frames},
+                      {"partition", request.partition},
+                      {"time", request.time},
+                      {"mem", request.memory},
+                      {"account", request.account},
+                      {"array_limit", request.array_limit},
+                      {"jobs", request.processors}}
+             .dump());
+}
+
+void SubmissionJournal::note_intent(const JournalJob& job) const {
+  append(ordered_json{{"event", "intent"},
+                      {"submission", job.submission},
+                      {"name", job.name},
+                      {"comment", job.comment},
+                      {"elements", job.elements},
+                      {"mem", job.memory},
+                      {"when", job.when}}
+             .dump());
+}
+
+void SubmissionJournal::note_job(const std::string& comment, const std::string& job) const {
+  append(ordered_json{{"event", "submitted"}, {"comment", comment}, {"job", job}}.dump());
+}
+
+void SubmissionJournal::note_refusal(const std::string& comment, const std::string& why) const {
+  append(ordered_json{{"event", "refused"}, {"comment", comment}, {"why", why}}.dump(
+      -1, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+void SubmissionJournal::note_cancel(const std::string& comment, const std::string& job) const {
+  append(ordered_json{{"event", "cancelled"}, {"comment", comment}, {"job", job}}.dump());
+}
+
+/// Begins with a line break where a crash cut the last line off. One write a line, so that lines of
+/// two processes do not mix.
+void SubmissionJournal::append(const std::string& line) const {
+  make_folder(file_.parent_path());
+  const int file = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  const auto refuse = [&](int why) {
+    if (file >= 0) ::close(file);
+    throw std::runtime_error(file_.string() + ": cannot be written (" +
+                             std::generic_category().message(why) + "); nothing was submitted");
+  };
+  if (file < 0) refuse(errno);
+  char last = '\n';
+  const off_t size = ::lseek(file, 0, SEEK_END);
+  if (size > 0 && ::pread(file, &last, 1, size - 1) != 1) refuse(errno);
+  const std::string bytes = (last == '\n' ? "" : "\n") + line + "\n";
+  const ssize_t count = ::write(file, bytes.data(), bytes.size());
+  if (count != static_cast<ssize_t>(bytes.size())) refuse(count < 0 ? errno : ENOSPC);
+  if (::fsync(file) != 0) refuse(errno);
+  ::close(file);
+  flush_to_disk(file_.parent_path());
+}
+
+}  // namespace mien::pipeline

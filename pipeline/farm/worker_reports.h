@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mien::pipeline {
+
+/// What a process that works on a study says of itself every few seconds
+/// (.mien/workers/<owner>.json).
+struct WorkerReport {
+  std::string host;
+  int process = 0;
+  bool has_ended = false;
+  double silent_s = 0.0;           ///< since it was last heard of
+  std::vector<std::string> tasks;  ///< that it is at
+  long long frames = 0;            ///< drawn so far
+  double frame_seconds = 0.0;      ///< that they took
+
+  /// Whether it works now: it has not ended and was heard of a short time ago.
+  bool is_alive() const;
+  double frames_per_second() const;
+};
+
+/// All of a study's folder that can be read, by host and process.
+std::vector<WorkerReport> worker_reports(const std::filesystem::path& folder);
+
+/// Seconds a frame took on average; 0 when none has been drawn.
+double seconds_a_frame(const std::vector<WorkerReport>& reports);
+
+/// An item that failed, and what is known of it (farm/failures/<item>.json).
+struct FailedItem {
+  std::string item;
+  std::string error;
+  int code = 0;
+  std::string host;
+  std::string when;
+  int attempts = 0;
+  std::string command;  ///< that reproduces it
+};
+
+/// By item.
+std::vector<FailedItem> failed_items(const std::filesystem::path& folder);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,209 @@
+#include "pipeline/farm/farm_status.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/farm/element_logs.h"
+#include "pipeline/farm/glance.h"
+#include "pipeline/production/run.h"
+#include "pipeline/tasks/worker_record.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* manifest_text = R"(mien: 1
+study: tiny
+examples: {set: "builtin:walks-10", ratings: builtin}
+output: {size: [64, 36], fps: 10, cycles: 1, quality: draft, frames: png, video: [mp4]}
+stimuli:
+  - {id: one, weights: {normal: 1}}
+  - {id: two, weights: {sad: 1}}
+)";
+
+class FarmStatusOfAStudy : public testing::Test {
+ protected:
+  FarmStatusOfAStudy() {
+    std::ofstream(temporary.path() / "tiny.yaml") << manifest_text;
+    ProductionOptions options;
+    options.jobs = 2;
+    production.emplace(load_manifest(temporary.path() / "tiny.yaml", process_environment()),
+                       options);
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    fs::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name) << text;
+  }
+
+  void write_record(const WorkerRecord& record) const {
+    write(".mien/workers/" + record.name + ".json", to_json(record));
+  }
+
+  FarmStatus status(const std::string& queue = "") const {
+    return farm_status(*production, folder, queue_rows(queue), "");
+  }
+
+  test::TemporaryFolder temporary;
+  fs::path folder = temporary.path() / "out" / "tiny";
+  std::optional<Production> production;
+};
+
+TEST_F(FarmStatusOfAStudy, TellsNothingOfWhatIsNotThere) {
+  const FarmStatus empty = status();
+  EXPECT_EQ(empty.stages.front().name, "motions");
+  EXPECT_EQ(empty.stages.front().done, 0);
+  EXPECT_EQ(empty.stages.front().total, 2);
+  EXPECT_GT(empty.frames.total, 10);
+  EXPECT_FALSE(empty.is_complete);
+  EXPECT_FALSE(empty.is_active());
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST_F(FarmStatusOfAStudy, TellsThatAllIsDoneAsPlanDoes) {
+  run(*production, folder, 2, {}, {});
+  const FarmStatus done = status();
+  EXPECT_TRUE(done.is_complete);
+  EXPECT_EQ(done.frames.done, done.frames.total);
+  const auto planned = plan(production->graph(), folder);
+  const auto seen = glance(production->graph(), folder);
+  for (std::size_t i = 0; i < planned.size(); ++i) EXPECT_EQ(planned[i].state, seen[i].state);
+
+  fs::remove(folder / "videos" / "one.mp4");
+  const FarmStatus one_less = status();
+  EXPECT_FALSE(one_less.is_complete);
+  for (const Share& share : one_less.stages) {
+    if (share.name == "films") {
+      EXPECT_EQ(share.done, share.total - 1);
+    } else if (share.name == "study") {
+      EXPECT_LT(share.done, share.total);
+    }
+  }
+}
+
+/// A worker of another machine that has drawn 20 frames.
+WorkerRecord worker(const std::string& name) {
+  WorkerRecord record;
+  record.name = name;
+  record.host = "n1";
+  record.boot = "of n1";
+  record.process = 1;
+  record.frames = 20;
+  record.frame_seconds = 1;
+  return record;
+}
+
+TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
+  WorkerRecord at_work = worker("n1-1-a");
+  at_work.tasks = {{"film:one[1/3]", 0.5}};
+  at_work.frame_seconds = 10;
+  write_record(at_work);
+  WorkerRecord ended = worker("n1-2-b");
+  ended.ended = true;
+  write_record(ended);
+  write(".mien/workers/n1-3-c.json", R"({"host":"n1","pid)");
+  write(".mien/partial/frames/one/key/frames/00000.png", "x");
+  write(".mien/partial/frames/one/key/frames/00001.png", "x");
+  write(".mien/partial/frames/one/key/notes/n1-1-a", "x");
+  write("farm/failures/film_two.json",
+        R"({"item":"film:two","error":"no space left","code":75,"host":"n2","when":"noon",)"
+        R"("attempts":3,"command":"mien farm worker tiny.yaml --tasks film:two"})");
+  write(
+      "farm/journal.jsonl",
+      R"({"event":"intent","submission":"0001","name":"2-frames","comment":"mien:abc:0001:2-frames","elements":9})"
+      "\n");
+  const std::string comment = "mien:abc:0001:2-frames\n";
+  const FarmStatus now =
+      status("1|1|1|RUNNING|None|n1|0:01|" + comment + "2|1|2|PENDING|Priority||0:00|" + comment +
+             "3|1|3|PENDING|Priority||0:00|" + comment + "4|1|4|SPECIAL_EXIT|JobHeldUser||0:00|" +
+             comment + "5|1|5|RUNNING|None|n1|0:01|another's\n");
+  ASSERT_EQ(now.nodes.size(), 1u);
+  EXPECT_EQ(now.nodes[0].elements, 1);
+  EXPECT_EQ(now.nodes[0].workers, 1);
+  EXPECT_DOUBLE_EQ(now.nodes[0].frames_per_second, 2.0);
+  EXPECT_EQ(now.frames.done, 2);
+  EXPECT_EQ(now.waiting.at("Priority"), 2);
+  EXPECT_EQ(now.stuck.at(0).job, "1_4");
+  EXPECT_NEAR(now.seconds_left.value(), (now.frames.total - 2) / 2.0, 1e-9);
+
+  const std::string text = status_text(now);
+  for (const char* words :
+       {"n1: 1 job, 1 worker, 2.00 frames/s: film:one[1/3]", "waiting: 2 (2 Priority)",
+        "1_4: JobHeldUser", "film:two: no space left", "on n2, noon, tried 3 times",
+        "again: mien farm worker tiny.yaml --tasks film:two", "left at this pace"}) {
+    EXPECT_NE(text.find(words), std::string::npos) << words << " in\n" << text;
+  }
+  const auto told = status_json(now);
+  EXPECT_EQ(told["waiting"]["Priority"], 2);
+  EXPECT_EQ(told["failed"][0]["item"], "film:two");
+}
+
+TEST_F(FarmStatusOfAStudy, DoesWithoutSlurm) {
+  const FarmStatus without = farm_status(*production, folder, std::nullopt, "squeue is not there");
+  EXPECT_NE(status_text(without).find("nothing is known of jobs: squeue is not there"),
+            std::string::npos);
+}
+
+TEST_F(FarmStatusOfAStudy, DoesNotTakeASilentWorkerForALivingOne) {
+  write_record(worker("n1-1-a"));
+  EXPECT_TRUE(status().is_active());
+  fs::last_write_time(folder / ".mien/workers/n1-1-a.json",
+                      fs::file_time_type::clock::now() - std::chrono::minutes(5));
+  EXPECT_FALSE(status().is_active());
+}
+
+class Logs : public testing::Test {
+ protected:
+  Logs() {
+    for (const char* submission : {"0001", "0002"}) {
+      write(std::string("farm/") + submission + "/2-frames.sbatch", "");
+      write(std::string("farm/") + submission + "/2-frames.tasks",
+            "film:a[1/2] film:b\nfilm:a[2/2]\nfilm:ab\n");
+    }
+    write("farm/0001/2-frames-2.sbatch", "");
+    write("farm/0001/2-frames-2.tasks", "film:z\n");
+    write("farm/0001/log/my-study-2-frames-7_1.log", "first\n");
+    write("farm/0001/log/my-study-2-frames-2-8_1.log", "second array\n");
+    write("farm/0002/log/my-study-2-frames-9_2.log", "1\n2\n3\n");
+    write("farm/0002/ends/2-frames.2", "1 0 n1\n");
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    fs::create_directories((temporary.path() / name).parent_path());
+    std::ofstream(temporary.path() / name) << text;
+  }
+
+  std::string log_names(const std::string& item) const {
+    std::string names;
+    for (const ElementLog& log : logs_of(item, temporary.path())) {
+      names += log.file.filename().string() + " ";
+    }
+    return names;
+  }
+
+  test::TemporaryFolder temporary;
+};
+
+TEST_F(Logs, AreFoundByItem) {
+  EXPECT_EQ(log_names("film:a[2/2]"), "my-study-2-frames-9_2.log ");
+  EXPECT_EQ(log_names("film:a"), "my-study-2-frames-9_2.log ");
+  EXPECT_EQ(log_names("film:b"), "my-study-2-frames-7_1.log ");
+  EXPECT_EQ(log_names("film:z"), "my-study-2-frames-2-8_1.log ");
+  EXPECT_EQ(log_names("film:none"), "");
+}
+
+TEST_F(Logs, OfWhatEndedBadlyAreTheNewestSubmissions) {
+  const auto ended = logs_of_ended(temporary.path());
+  ASSERT_EQ(ended.size(), 1u);
+  EXPECT_EQ(ended[0].item, "2-frames.2");
+  EXPECT_EQ(tail_of(ended[0].file, 2), "2\n3\n");
+  EXPECT_EQ(tail_of(ended[0].file, 20), "1\n2\n3\n");
+}
+
+}  // namespace
+}  // namespace mien::pipeline
