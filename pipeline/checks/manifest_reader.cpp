@@ -1,13 +1,11 @@
 #include "pipeline/checks/manifest_reader.h"
 
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "motion/skeleton/body.h"
+#include "motion/text/file_contents.h"
 #include "pipeline/checks/manifest_checks.h"
 #include "pipeline/look/look_checks.h"
 #include "pipeline/manifest/manifest_builder.h"
@@ -49,10 +47,9 @@ std::vector<Fault> complete_looks(Manifest& manifest) {
   return faults;
 }
 
-/// A file that is not there was told by the checks.
+/// A file that cannot be read was told by the checks.
 std::vector<Fault> complete_scales(ScalesSource& scales) {
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(scales.file, unknown)) return {};
+  if (!motion::hindrance_of(scales.file, motion::most_of_document).empty()) return {};
   try {
     scales = scales_in(scales.file);
   } catch (const Faults& wrong) {
@@ -89,20 +86,12 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
 }
 
 ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment) {
-  std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (std::filesystem::is_directory(file, error) || !stream) {
-    ManifestReading reading;
-    reading.manifest.file = file;
-    const bool exists = std::filesystem::exists(file, error);
-    reading.faults.push_back({{file.string(), 0, 0},
-                              "",
-                              exists ? "cannot be read" : "there is no such file",
-                              "name a manifest (YAML)"});
-    return reading;
-  }
-  const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  return parse_manifest(text, file, environment);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
+  if (text.bytes) return parse_manifest(*text.bytes, file, environment);
+  ManifestReading reading;
+  reading.manifest.file = file;
+  reading.faults.push_back({{file.string(), 0, 0}, "", text.hindrance, "name a manifest (YAML)"});
+  return reading;
 }
 
 }  // namespace mien::pipeline

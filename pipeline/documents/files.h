@@ -10,6 +10,9 @@ namespace mien::pipeline {
 /// user wrote.
 std::string read_file(const std::filesystem::path& file);
 
+/// Throws Error where something else than a regular file is: reading it might never end.
+void refuse_what_is_no_file(const std::filesystem::path& file);
+
 /// Creates or replaces a file. Throws std::runtime_error, also when the disk is full.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
