@@ -1,37 +1,117 @@
 #include "motion/text/file_contents.h"
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
 #include <fstream>
-#include <vector>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "motion/error.h"
 
 namespace mien::motion {
 
-std::optional<std::string> bytes_of_file(const std::filesystem::path& path) {
-  std::error_code failure;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path, failure)) return std::nullopt;
-  std::string bytes;
-  std::vector<char> buffer(1 << 16);
-  while (stream) {
-    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    bytes.append(buffer.data(), static_cast<size_t>(stream.gcount()));
+namespace {
+
+/// "64 MiB", "8.5 GiB"
+std::string size_text(std::uintmax_t bytes) {
+  constexpr std::array units = {"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+  auto size = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  for (; size >= 1024.0 && unit + 1 < units.size(); ++unit) size /= 1024.0;
+  std::array<char, 32> text{};
+  const bool is_whole = size == static_cast<double>(static_cast<std::uintmax_t>(size));
+  std::snprintf(text.data(), text.size(), is_whole ? "%.0f %s" : "%.1f %s", size, units[unit]);
+  return text.data();
+}
+
+std::string unreadable(int error) {
+  if (error == ENOENT || error == ENOTDIR) return "there is no such file";
+  return "cannot be read (" + std::generic_category().message(error) + ")";
+}
+
+std::string hindrance_in(const struct stat& status, std::uintmax_t most_bytes) {
+  switch (status.st_mode & S_IFMT) {
+    case S_IFREG:
+      break;
+    case S_IFDIR:
+      return "is a folder and no file";
+    case S_IFIFO:
+      return "is a pipe and no file";
+    case S_IFSOCK:
+      return "is a socket and no file";
+    default:
+      return "is a device and no file";
   }
-  if (stream.bad()) return std::nullopt;
-  return bytes;
+  const auto size = static_cast<std::uintmax_t>(status.st_size);
+  if (size <= most_bytes) return "";
+  return "has " + size_text(size) + ", more than the " + size_text(most_bytes) + " that are read";
+}
+
+/// An open file that closes itself.
+class OpenFile {
+ public:
+  explicit OpenFile(const std::filesystem::path& path)
+      : number_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) {}
+  ~OpenFile() {
+    if (number_ >= 0) ::close(number_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+FileReading hindered(std::string hindrance) { return {std::nullopt, std::move(hindrance)}; }
+
+/// A file may grow while it is read, or not know its size.
+FileReading read_to_end(int file, std::uintmax_t size, std::uintmax_t most_bytes) {
+  constexpr std::size_t step = 1 << 16;
+  std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(size) + step);
+  for (;;) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + step);
+    const ssize_t count = ::read(file, bytes.data() + before, step);
+    if (count < 0 && errno != EINTR) return hindered(unreadable(errno));
+    bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (bytes.size() > most_bytes)
+      return hindered("has more than the " + size_text(most_bytes) + " that are read");
+    if (count == 0) return {std::move(bytes), ""};
+  }
+}
+
+}  // namespace
+
+std::string hindrance_of(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return unreadable(errno);
+  return hindrance_in(status, most_bytes);
+}
+
+FileReading bytes_of_file(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+  // Looked at before it is opened, because opening a device may do something.
+  if (std::string hindrance = hindrance_of(path, most_bytes); !hindrance.empty())
+    return hindered(std::move(hindrance));
+  const OpenFile file(path);
+  struct stat status {};
+  if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return hindered(unreadable(errno));
+  if (std::string hindrance = hindrance_in(status, most_bytes); !hindrance.empty())
+    return hindered(std::move(hindrance));
+  return read_to_end(file.number(), static_cast<std::uintmax_t>(status.st_size), most_bytes);
 }
 
 std::string read_contents(const std::filesystem::path& path) {
-  std::error_code failure;
-  const std::filesystem::file_status status = std::filesystem::status(path, failure);
-  if (!std::filesystem::exists(status)) {
-    throw Error({path.string()}, "there is no such file", "check the path");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw Error({path.string()}, "is not a file", "give the path of a motion file");
-  }
-  if (std::optional<std::string> bytes = bytes_of_file(path)) return *std::move(bytes);
-  throw Error({path.string()}, "cannot be read", "check the file's permissions");
+  FileReading reading = bytes_of_file(path, most_of_recording);
+  if (reading.bytes) return *std::move(reading.bytes);
+  throw Error({path.string()}, reading.hindrance, "give the path of a motion file");
 }
 
 void write_contents(const std::filesystem::path& path, std::string_view bytes) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "motion/text/file_contents.h"
 #include "pipeline/documents/fault_list.h"
 
 namespace mien::pipeline {
@@ -38,7 +39,7 @@ void check_ratings(const Manifest& manifest, FaultList& list) {
   const Ratings& ratings = manifest.ratings;
   if (ratings.source == Ratings::Source::file) {
     list.check_file("examples.ratings", ratings.file,
-                    "'builtin', 'simulated', 'none' or a CSV file");
+                    "'builtin', 'simulated', 'none' or a CSV file", motion::most_of_table);
   }
   if (ratings.source == Ratings::Source::builtin && !manifest.examples.folder.empty()) {
     list.add("examples.ratings", "only built-in sets have built-in ratings",
@@ -52,7 +53,8 @@ void check_ratings(const Manifest& manifest, FaultList& list) {
 
 void check_scales(const Manifest& manifest, FaultList& list) {
   if (manifest.scales.file.empty()) return;
-  list.check_file("examples.scales", manifest.scales.file, "'builtin' or a YAML file");
+  list.check_file("examples.scales", manifest.scales.file, "'builtin' or a YAML file",
+                  motion::most_of_document);
   if (manifest.ratings.source != Ratings::Source::builtin) return;
   list.add("examples.scales", "built-in ratings are on the built-in scales",
            "use ratings: simulated, or leave scales out");

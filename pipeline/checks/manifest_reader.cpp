@@ -1,13 +1,11 @@
 #include "pipeline/checks/manifest_reader.h"
 
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "motion/skeleton/body.h"
+#include "motion/text/file_contents.h"
 #include "pipeline/checks/document_checks.h"
 #include "pipeline/checks/manifest_checks.h"
 #include "pipeline/look/look_checks.h"
@@ -50,10 +48,9 @@ std::vector<Fault> complete_looks(Manifest& manifest) {
   return faults;
 }
 
-/// A file that is not there was told by the checks.
+/// A file that cannot be read was told by the checks.
 std::vector<Fault> complete_scales(ScalesSource& scales) {
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(scales.file, unknown)) return {};
+  if (!motion::hindrance_of(scales.file, motion::most_of_document).empty()) return {};
   try {
     scales = scales_in(scales.file);
   } catch (const Faults& wrong) {
@@ -90,24 +87,18 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
 }
 
 ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment) {
-  std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (std::filesystem::is_directory(file, error) || !stream) {
-    ManifestReading reading;
-    reading.manifest.file = file;
-    const bool exists = std::filesystem::exists(file, error);
-    reading.faults.push_back({{file.string(), 0, 0},
-                              "",
-                              exists ? "cannot be read" : "there is no such file",
-                              "name a manifest (YAML)"});
-    return reading;
-  }
-  const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  const DocumentKind kind = kind_of_document(text, file);
-  if (kind == DocumentKind::manifest) return parse_manifest(text, file, environment);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
+  const DocumentKind kind =
+      text.bytes ? kind_of_document(*text.bytes, file) : DocumentKind::manifest;
+  if (text.bytes && kind == DocumentKind::manifest)
+    return parse_manifest(*text.bytes, file, environment);
   ManifestReading reading;
   reading.manifest.file = file;
-  reading.faults.push_back(told_as_no_manifest(kind, file));
+  if (text.bytes) {
+    reading.faults.push_back(told_as_no_manifest(kind, file));
+  } else {
+    reading.faults.push_back({{file.string(), 0, 0}, "", text.hindrance, "name a manifest (YAML)"});
+  }
   return reading;
 }
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 
+#include "motion/text/file_contents.h"
 #include "pipeline/documents/fault_list.h"
 
 namespace mien::pipeline {
@@ -87,7 +87,9 @@ class StepChecker : FaultList {
   }
 
   void check_pose(const std::string& path, const PoseSource& pose) {
-    if (!pose.file.empty()) check_file(path, pose.file, "the name of an example or a motion file");
+    if (!pose.file.empty())
+      check_file(path, pose.file, "the name of an example or a motion file",
+                 motion::most_of_recording);
     if (!pose.example.empty() && !was_given("examples")) {
       add(path, "there are no examples to take \"" + pose.example + "\" from",
           "add examples:, or name a motion file");
@@ -97,9 +99,10 @@ class StepChecker : FaultList {
   /// Its paths are taken from the folder of the recipes.
   void check_recipe_pose(const ModificationStep& step, const PoseSource& pose) {
     const std::string path = member_path(step.path, "emotion");
-    std::error_code error;
-    if (!pose.file.empty() && !std::filesystem::is_regular_file(pose.file, error)) {
-      add(path, "its recipe names a pose of " + pose.file.string() + ", which is no file",
+    const std::string hindrance =
+        pose.file.empty() ? "" : motion::hindrance_of(pose.file, motion::most_of_recording);
+    if (!hindrance.empty()) {
+      add(path, "its recipe names a pose of " + pose.file.string() + ": " + hindrance,
           "correct the recipe; paths are taken from its file's folder");
     }
     if (!pose.example.empty() && !was_given("examples")) {

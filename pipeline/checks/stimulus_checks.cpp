@@ -7,6 +7,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/interpolation/interpolation_options.h"
+#include "motion/text/file_contents.h"
 #include "pipeline/documents/fault_list.h"
 
 namespace mien::pipeline {
@@ -150,7 +151,8 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
   const std::string file = list.was_given(own) ? own : path;
   const ClipSource& clip = *stimulus.clip;
   if (!clip.file.empty()) {
-    list.check_file(file, clip.file, "a motion file (.bvh, .amc, .gltf, .glb)");
+    list.check_file(file, clip.file, "a motion file (.bvh, .amc, .gltf, .glb)",
+                    motion::most_of_recording);
     if (!motion::is_motion_file(clip.file)) {
       list.add(file, "\"" + clip.file.extension().string() + "\" is no kind of motion file",
                "use .bvh, .amc, .gltf or .glb");

@@ -1,15 +1,15 @@
 #include "pipeline/checks/study_record.h"
 
-#include <fstream>
-
 #include <nlohmann/json.hpp>
+
+#include "motion/text/file_contents.h"
 
 namespace mien::pipeline {
 
 std::optional<StudyRecord> study_record_in(const std::filesystem::path& file) {
   if (file.extension() != ".json") return std::nullopt;
-  std::ifstream stream(file, std::ios::binary);
-  const auto record = nlohmann::json::parse(stream, nullptr, false);
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_table);
+  const auto record = nlohmann::json::parse(reading.bytes.value_or(""), nullptr, false);
   const auto text = [&](const char* place) -> std::string {
     const nlohmann::json::json_pointer pointer(place);
     if (!record.is_object() || !record.contains(pointer)) return "";

@@ -6,11 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/file_contents.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/checks/document_checks.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
-#include "pipeline/documents/files.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/rehearsal.h"
 #include "pipeline/synthesis/wish.h"
@@ -39,10 +39,9 @@ struct Findings {
 };
 
 Findings findings_in(const std::string& file, const CheckOptions& options) {
-  std::error_code unknown;
-  const bool is_there = std::filesystem::is_regular_file(file, unknown);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
   const DocumentKind kind =
-      is_there ? kind_of_document(read_file(file), file) : DocumentKind::manifest;
+      text.bytes ? kind_of_document(*text.bytes, file) : DocumentKind::manifest;
   if (kind != DocumentKind::manifest) return {check_other_document(kind, file), {}, {}};
   const ManifestReading reading = check_manifest(file, process_environment(), options.out);
   Findings findings{.faults = reading.faults};

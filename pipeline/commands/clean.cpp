@@ -1,14 +1,21 @@
 #include <memory>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/archive/keep.h"
+#include "pipeline/archive/study_contents.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
+#include "pipeline/commands/verification_text.h"
+#include "pipeline/commands/word_choice.h"
 #include "pipeline/production/run.h"
 #include "pipeline/tasks/stale.h"
 
@@ -16,72 +23,131 @@ namespace mien::pipeline {
 
 namespace {
 
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
 struct CleanOptions {
-  std::string manifest;
+  std::string study;
   std::string out = "out";
   bool stale = false;
+  std::vector<ArtifactKind> keep;
+  bool dry_run = false;
   bool json = false;
 };
 
-struct Cleaned {
-  std::vector<Receipt> removed;
-  std::vector<Receipt> changed;  ///< since they were made, and so left
-};
+std::map<std::string, ArtifactKind> kind_words() {
+  std::map<std::string, ArtifactKind> words;
+  for (const ArtifactKindName& one : artifact_kinds) words[std::string(one.name)] = one.kind;
+  return words;
+}
 
-Cleaned clean_folder(const std::filesystem::path& folder, const Production& production) {
-  Cleaned cleaned;
-  if (!std::filesystem::is_directory(folder)) return cleaned;
-  const Store store(folder, Sharing::exclusive);
-  for (const Receipt& artifact : stale_in(folder, production))
-    (remove_artifact(store, artifact) ? cleaned.removed : cleaned.changed).push_back(artifact);
-  return cleaned;
+Cleaning stale_cleaned(const fs::path& folder, const Production& production, bool dry_run) {
+  Cleaning cleaning;
+  if (!fs::is_directory(folder)) return cleaning;
+  std::optional<Store> store;
+  if (!dry_run) store.emplace(folder, Sharing::exclusive);
+  for (Receipt& artifact : stale_in(folder, production)) {
+    const bool goes = dry_run ? is_removable(folder, artifact) : remove_artifact(*store, artifact);
+    if (goes) cleaning.bytes += artifact.size;
+    (goes ? cleaning.removed : cleaning.changed).push_back(std::move(artifact));
+  }
+  return cleaning;
+}
+
+/// The folder of a study that is named by itself, by its provenance.json or by its manifest.
+fs::path study_folder(const CleanOptions& options, const Console& console) {
+  std::error_code unknown;
+  const fs::path given = options.study;
+  if (fs::is_directory(given, unknown) || given.filename() == "provenance.json")
+    return study_folder_meant(given);
+  const Manifest manifest =
+      load_manifest(manifest_meant(options.study, console), process_environment(), options.out);
+  return fs::path(options.out) / manifest.study;
+}
+
+Cleaning cleaned(const CleanOptions& options, const fs::path& folder, const Console& console) {
+  if (!options.stale)
+    return options.dry_run ? all_but(folder, options.keep) : remove_all_but(folder, options.keep);
+  const Production production(
+      load_manifest(manifest_meant(options.study, console), process_environment(), options.out),
+      {});
+  return stale_cleaned(folder, production, options.dry_run);
+}
+
+void tell(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
+          const Console& console) {
+  const std::string removed = options.dry_run ? "would remove " : "removed ";
+  for (const Receipt& artifact : cleaning.removed) {
+    if (artifact.path.starts_with(".mien/")) continue;
+    console.out << removed << artifact.path;
+    if (!options.stale) console.out << ", " << size_text(artifact.size);
+    console.out << '\n';
+  }
+  for (const std::string& path : shown_paths(cleaning.changed))
+    console.out << (options.dry_run ? "would leave " : "left ") << path
+                << ", which was changed since it was made\n";
+  if (cleaning.removed.empty() && cleaning.changed.empty()) {
+    console.out << folder.string() << ": nothing to remove\n";
+  } else if (!options.stale || options.dry_run) {
+    console.out << folder.string() << ": " << removed << size_text(cleaning.bytes) << '\n';
+  }
+}
+
+ordered_json as_json(const Cleaning& cleaning, const fs::path& folder,
+                     const CleanOptions& options) {
+  return {{"folder", folder.string()},
+          {"dry_run", options.dry_run},
+          {"removed", shown_paths(cleaning.removed)},
+          {"changed", shown_paths(cleaning.changed)},
+          {"bytes", cleaning.bytes}};
 }
 
 int clean(const CleanOptions& options, const Console& console) {
-  if (!options.stale) {
-    throw Error("there is nothing else to clean than --stale",
-                "mien clean --stale removes what the manifest no longer makes");
+  if (!options.stale && options.keep.empty()) {
+    throw Error("it is not said what to remove",
+                "--stale removes what the manifest no longer makes, --keep videos,sheets all other "
+                "kinds");
   }
-  const Production production(
-      load_manifest(manifest_meant(options.manifest, console), process_environment(), options.out),
-      {});
-  const std::filesystem::path folder =
-      std::filesystem::path(options.out) / production.manifest().study;
-  const Cleaned cleaned = clean_folder(folder, production);
-  const std::vector<std::string> removed = shown_paths(cleaned.removed);
-  const std::vector<std::string> changed = shown_paths(cleaned.changed);
+  const fs::path folder = study_folder(options, console);
+  const Cleaning cleaning = cleaned(options, folder, console);
   if (options.json) {
-    const nlohmann::ordered_json result = {
-        {"folder", folder.string()}, {"removed", removed}, {"changed", changed}};
-    console.out << result.dump(2) << '\n';
-    return exit_done;
+    console.out << as_json(cleaning, folder, options).dump(2) << '\n';
+  } else {
+    tell(cleaning, folder, options, console);
   }
-  for (const std::string& path : removed) console.out << "removed " << path << '\n';
-  for (const std::string& path : changed)
-    console.out << "left " << path << ", which was changed since it was made\n";
-  if (removed.empty() && changed.empty()) console.out << folder.string() << ": nothing to remove\n";
   return exit_done;
 }
 
 }  // namespace
 
 void add_clean_command(CLI::App& app, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("clean", "Remove artifacts that a manifest no longer makes");
+  CLI::App* command = app.add_subcommand("clean", "Remove artifacts that nobody needs any more");
   const auto options = std::make_shared<CleanOptions>();
   command
-      ->add_option("manifest", options->manifest,
-                   "Manifest (YAML), or the name of one of mien manifests")
+      ->add_option("study", options->study,
+                   "Manifest (YAML), or the name of one of mien manifests; with --keep also the "
+                   "folder of a study, or its provenance.json")
       ->required();
-  command->add_flag("--stale", options->stale,
-                    "What the manifest does not make any more: mien plan lists it");
+  CLI::Option* stale = command->add_flag(
+      "--stale", options->stale, "What the manifest does not make any more: mien plan lists it");
+  command
+      ->add_option(
+          "--keep", options->keep,
+          "All but these kinds, separated by commas: videos, frames, clips, sheets, metrics")
+      ->delimiter(',')
+      ->transform(choice_of(kind_words()))
+      ->excludes(stale);
+  command->add_flag("--dry-run", options->dry_run, "Tell what would go, and remove nothing");
   command
       ->add_option("--out,-o", options->out, "Folder of all studies; results are in <out>/<study>")
       ->capture_default_str();
   command->add_flag("--json", options->json, "What was removed as JSON on standard output");
   command->footer(
-      "\nOnly what mien made and nobody has changed is removed.\n\nExample:\n"
-      "  mien clean --stale my.yaml");
+      "\nOnly what mien made and nobody has changed is removed. provenance.json, inputs/ and the "
+      "report stay. What --keep removed stands in not-kept.json: mien verify knows that it is not "
+      "missing, and mien run makes it again.\n\nExamples:\n"
+      "  mien clean --stale my.yaml\n"
+      "  mien clean out/my-study --keep videos,sheets --dry-run");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return clean(*options, console); };
   });

@@ -116,7 +116,9 @@ int run_command_line(int argc, const char* const* argv, const Console& console) 
   add_run_command(app, chosen);
   add_check_command(app, chosen);
   add_plan_command(app, chosen);
+  add_verify_command(app, chosen);
   add_clean_command(app, chosen);
+  add_pack_command(app, chosen);
   add_render_command(app, chosen);
   add_motion_command(app, chosen);
   add_manifests_command(app, chosen);

@@ -43,12 +43,14 @@ void add_completion_command(CLI::App& app, Command& chosen);
 void add_farm_command(CLI::App& app, Command& chosen);
 void add_man_command(CLI::App& app, Command& chosen);
 void add_manifests_command(CLI::App& app, Command& chosen);
+void add_pack_command(CLI::App& app, Command& chosen);
 void add_plan_command(CLI::App& app, Command& chosen);
 void add_run_command(CLI::App& app, Command& chosen);
 void add_render_command(CLI::App& app, Command& chosen);
 void add_motion_command(CLI::App& app, Command& chosen);
 void add_sets_command(CLI::App& app, Command& chosen);
 void add_study_command(CLI::App& app, Command& chosen);
+void add_verify_command(CLI::App& app, Command& chosen);
 void add_version_command(CLI::App& app, Command& chosen);
 
 /// Runs the program; never throws. Faults of the input are told on `err` with exit code 2, failures

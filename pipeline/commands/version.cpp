@@ -1,8 +1,12 @@
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/archive/tar_archive.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/tasks/code_identity.h"
 
@@ -11,15 +15,17 @@ namespace mien::pipeline {
 namespace {
 
 int show_versions(bool as_json, const Console& console) {
+  std::vector<std::pair<std::string, std::string>> versions = library_versions();
+  versions.emplace_back("libarchive",
+                        archive_library());  // of no artifact's bytes, but of archives'
   if (!as_json) {
     console.out << "mien " << program_version() << '\n';
-    for (const auto& [name, version] : library_versions()) {
+    for (const auto& [name, version] : versions)
       console.out << "  " << name << ' ' << version << '\n';
-    }
     return exit_done;
   }
   nlohmann::ordered_json libraries;
-  for (const auto& [name, version] : library_versions()) libraries[name] = version;
+  for (const auto& [name, version] : versions) libraries[name] = version;
   nlohmann::ordered_json result = {{"mien", program_version()}, {"libraries", libraries}};
   console.out << result.dump(2) << '\n';
   return exit_done;

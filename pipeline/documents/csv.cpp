@@ -132,8 +132,9 @@ std::string quoted(const std::string& field) {
 }
 
 std::string read_text(const std::filesystem::path& file) {
-  if (std::optional<std::string> bytes = motion::bytes_of_file(file)) return *std::move(bytes);
-  throw Error({file.string(), 0, 0}, "cannot be read", "name a CSV file");
+  motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_table);
+  if (reading.bytes) return *std::move(reading.bytes);
+  throw Error({file.string(), 0, 0}, reading.hindrance, "name a CSV file");
 }
 
 }  // namespace

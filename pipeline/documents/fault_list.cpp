@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 
 namespace mien::pipeline {
@@ -29,10 +30,12 @@ void FaultList::check_word(const std::string& path, const std::string& name,
 }
 
 void FaultList::check_file(const std::string& path, const std::filesystem::path& file,
-                           const std::string& expected) {
-  std::error_code error;
-  if (std::filesystem::is_regular_file(file, error)) return;
-  add(path, "there is no file " + file.string(),
+                           const std::string& expected, std::uintmax_t most_bytes) {
+  const std::string hindrance = motion::hindrance_of(file, most_bytes);
+  if (hindrance.empty()) return;
+  std::error_code unknown;
+  const bool is_there = std::filesystem::exists(file, unknown);
+  add(path, is_there ? file.string() + " " + hindrance : "there is no file " + file.string(),
       "give " + expected + "; paths are taken from the manifest's folder");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -31,9 +32,9 @@ class FaultList {
   /// fault, and has been told.
   void check_word(const std::string& path, const std::string& name, const std::string& what,
                   const std::vector<std::string>& known);
-  /// A file that must be there; `expected` says what may be named.
+  /// A file that must be there and have no more bytes than that; `expected` says what may be named.
   void check_file(const std::string& path, const std::filesystem::path& file,
-                  const std::string& expected);
+                  const std::string& expected, std::uintmax_t most_bytes);
 
  private:
   const Places& places_;

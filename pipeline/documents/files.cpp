@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "motion/error.h"
 #include "motion/text/file_contents.h"
 
 namespace mien::pipeline {
@@ -47,8 +48,16 @@ class Descriptor {
 }  // namespace
 
 std::string read_file(const std::filesystem::path& file) {
-  if (std::optional<std::string> bytes = motion::bytes_of_file(file)) return *std::move(bytes);
-  throw std::runtime_error(file.string() + ": cannot be read");
+  motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_recording);
+  if (reading.bytes) return *std::move(reading.bytes);
+  throw std::runtime_error(file.string() + ": " + reading.hindrance);
+}
+
+void refuse_what_is_no_file(const std::filesystem::path& file) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(file, unknown)) return;
+  const std::string hindrance = motion::hindrance_of(file, motion::any_size);
+  if (!hindrance.empty()) throw Error({file.string()}, hindrance, "name a file");
 }
 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {

@@ -18,6 +18,9 @@ class WriteFailure : public std::runtime_error {
 /// user wrote.
 std::string read_file(const std::filesystem::path& file);
 
+/// Throws Error where something else than a regular file is: reading it might never end.
+void refuse_what_is_no_file(const std::filesystem::path& file);
+
 /// Creates or replaces a file. Throws WriteFailure, also when the disk is full.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 

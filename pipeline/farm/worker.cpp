@@ -98,9 +98,9 @@ const TaskOutcome* cause_of(const TaskGraph& graph, const std::vector<TaskOutcom
 }
 
 int attempts_before(const fs::path& file) {
-  const auto text = motion::bytes_of_file(file);
+  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
   const ordered_json told =
-      text ? ordered_json::parse(*text, nullptr, false) : ordered_json::object();
+      text.bytes ? ordered_json::parse(*text.bytes, nullptr, false) : ordered_json::object();
   return told.is_object() ? told.value("attempts", 0) : 0;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault_list.h"
 #include "pipeline/look/set_file.h"
@@ -17,9 +18,7 @@ namespace {
 
 void read_scene(Look& look, const std::string& path, FaultList& list, std::vector<Fault>& faults) {
   std::error_code unknown;
-  const bool is_there =
-      look.scene_file.empty() || std::filesystem::is_regular_file(look.scene_file, unknown);
-  if (!is_there) {
+  if (!look.scene_file.empty() && !std::filesystem::exists(look.scene_file, unknown)) {
     const std::string names = motion::did_you_mean(look.scene, set_names());
     list.add(path, "\"" + look.scene + "\" is neither a set nor a file", names);
     return;
@@ -60,9 +59,9 @@ void check_trail(const scenes::TrailOptions& trail, const std::string& path,
 
 void check_character(const scenes::CharacterOptions& character, const std::string& path,
                      FaultList& list) {
-  list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)");
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(character.file, unknown)) return;
+  list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)",
+                  motion::most_of_recording);
+  if (!motion::hindrance_of(character.file, motion::most_of_recording).empty()) return;
   try {
     scenes::read_character(character.file);
   } catch (const Error& wrong) {

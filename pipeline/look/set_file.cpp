@@ -1,10 +1,8 @@
 #include "pipeline/look/set_file.h"
 
-#include <fstream>
-#include <iterator>
-#include <system_error>
 #include <utility>
 
+#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/look/point_form.h"
@@ -104,13 +102,10 @@ scenes::SetPlan read_set(const std::string& name, const fs::path& file) {
   if (const std::string_view text = builtin_set_text(name); !text.empty()) {
     return parse_set(text, name + ".set.yaml");
   }
-  std::ifstream stream(file, std::ios::binary);
-  std::error_code error;
-  if (!stream || fs::is_directory(file, error)) {
-    throw Error(Place{file.string(), 0, 0}, "cannot be read",
-                motion::did_you_mean(name, set_names()) + " or name a file (my.set.yaml)");
-  }
-  return parse_set(std::string((std::istreambuf_iterator<char>(stream)), {}), file);
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_document);
+  if (reading.bytes) return parse_set(*reading.bytes, file);
+  throw Error(Place{file.string(), 0, 0}, reading.hindrance,
+              motion::did_you_mean(name, set_names()) + " or name a file (my.set.yaml)");
 }
 
 scenes::SetPlan parse_set(std::string_view yaml, const fs::path& file) {

@@ -1,9 +1,8 @@
 #include "pipeline/manifest/recipes.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
+#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/manifest/own_seed.h"
@@ -97,13 +96,10 @@ RecipeBook read_recipes(const std::string& source, const fs::path& file) {
   if (const std::string_view text = builtin_recipes_text(source); !text.empty()) {
     return parse_recipes(text, source + " recipes");
   }
-  std::ifstream stream(file, std::ios::binary);
-  std::error_code error;
-  if (!stream || fs::is_directory(file, error)) {
-    throw Error(Place{file.string(), 0, 0}, "cannot be read",
-                "name a file of recipes (YAML), builtin or fig29");
-  }
-  return parse_recipes(std::string((std::istreambuf_iterator<char>(stream)), {}), file);
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_document);
+  if (reading.bytes) return parse_recipes(*reading.bytes, file);
+  throw Error(Place{file.string(), 0, 0}, reading.hindrance,
+              "name a file of recipes (YAML), builtin or fig29");
 }
 
 RecipeBook parse_recipes(std::string_view yaml, const fs::path& file) {

@@ -123,10 +123,9 @@ ScaleSet builtin_scales() {
 }
 
 ScaleSet read_scales(const std::filesystem::path& file) {
-  if (const std::optional<std::string> text = motion::bytes_of_file(file)) {
-    return parse_scales(*text, file.string());
-  }
-  throw Error({file.string(), 0, 0}, "cannot be read", "name a scales file (YAML)");
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_document);
+  if (reading.bytes) return parse_scales(*reading.bytes, file.string());
+  throw Error({file.string(), 0, 0}, reading.hindrance, "name a scales file (YAML)");
 }
 
 ScaleSet parse_scales(std::string_view yaml, const std::string& file) {

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include "pipeline/documents/files.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -32,6 +34,7 @@ struct FreeState {
 Hash hash_of(std::string_view bytes) { return as_text(XXH3_128bits(bytes.data(), bytes.size())); }
 
 Hash hash_of_file(const std::filesystem::path& file) {
+  refuse_what_is_no_file(file);
   const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(file.c_str(), "rb"));
   if (!stream) throw_errno(file);
   const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());

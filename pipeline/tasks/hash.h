@@ -11,7 +11,8 @@ using Hash = std::string;
 
 Hash hash_of(std::string_view bytes);
 
-/// Throws std::system_error when the file cannot be read.
+/// Throws Error for a pipe, a device or the like, and std::system_error when the file cannot be
+/// read.
 Hash hash_of_file(const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

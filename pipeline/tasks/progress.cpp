@@ -1,49 +1,24 @@
 #include "pipeline/tasks/progress.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <ostream>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace mien::pipeline {
 
 namespace {
 
-constexpr double seconds_between_lines = 10.0;
-constexpr double seconds_between_bars = 0.1;
-constexpr int bar_width = 30;
-
 bool takes_time(const TaskOutcome& planned) { return planned.state != TaskState::cached; }
 
 }  // namespace
 
-std::string as_duration(double seconds) {
-  const auto total = static_cast<long>(std::max(0.0, std::round(seconds)));
-  if (total < 3600) return fmt::format("{}:{:02}", total / 60, total % 60);
-  return fmt::format("{}:{:02}:{:02}", total / 3600, total / 60 % 60, total % 60);
-}
-
-double steady_seconds() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
-
 Progress::Progress(std::ostream& out, bool terminal, const TaskGraph& graph,
-                   const std::vector<TaskOutcome>& plan, Clock clock)
-    : out_(out),
-      terminal_(terminal),
-      clock_(std::move(clock)),
-      start_(clock_()),
-      last_shown_(start_) {
+                   const std::vector<TaskOutcome>& plan, ProgressBar::Clock clock)
+    : out_(out), terminal_(terminal), bar_(out, terminal, std::move(clock)) {
   for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
     if (takes_time(plan[i])) total_cost_ += graph.tasks[i].cost_seconds;
   }
 }
-
-Progress::~Progress() { clear_bar(); }
 
 RunObserver Progress::observer() {
   return {[this](const Task& task) { started(task); },
@@ -66,7 +41,7 @@ void Progress::ended(const Task& task, const TaskOutcome& outcome) {
   const bool failed = outcome.state == TaskState::failed;
   if (outcome.state == TaskState::made || failed) {
     done_cost_ += task.cost_seconds;
-    clear_bar();
+    bar_.clear();
     if (failed || !terminal_) out_ << task.id << (failed ? " failed" : " made") << '\n';
   }
   show(failed);
@@ -80,28 +55,7 @@ double Progress::share_done() const {
 }
 
 void Progress::show(bool at_once) {
-  const double now = clock_();
-  const double pause = terminal_ ? seconds_between_bars : seconds_between_lines;
-  if (!at_once && now - last_shown_ < pause) return;
-  last_shown_ = now;
-  const double share = share_done();
-  const int percent = static_cast<int>(std::floor(100.0 * share));
-  const double elapsed = now - start_;
-  const std::string left = share > 0.01 && elapsed > 1.0
-                               ? ", " + as_duration(elapsed * (1.0 - share) / share) + " left"
-                               : "";
-  if (!terminal_) {
-    out_ << percent << " %" << left << '\n' << std::flush;
-    return;
-  }
-  const auto filled = static_cast<std::size_t>(std::lround(bar_width * share));
-  const std::string name = running_.empty() ? "" : running_.begin()->first;
-  out_ << "\r\x1b[K[" << std::string(filled, '#') << std::string(bar_width - filled, '.') << "] "
-       << percent << " %" << left << "  " << name << std::flush;
-}
-
-void Progress::clear_bar() {
-  if (terminal_) out_ << "\r\x1b[K" << std::flush;
+  bar_.show(share_done(), running_.empty() ? "" : running_.begin()->first, at_once);
 }
 
 }  // namespace mien::pipeline

@@ -1,27 +1,21 @@
 #pragma once
 
-#include <functional>
 #include <iosfwd>
 #include <map>
 #include <string>
 
+#include "pipeline/tasks/progress_bar.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
-
-/// Seconds of a clock that is never set back.
-double steady_seconds();
 
 /// Shows how a run goes on: one bar with the time left on a terminal, else plain lines, one for
 /// each task that was made or failed and one every ten seconds in between.
 class Progress {
  public:
-  using Clock = std::function<double()>;  ///< seconds, ascending
-
   /// Writes to `out`, which outlives it. `plan` tells what is cached: it takes no time.
   Progress(std::ostream& out, bool terminal, const TaskGraph& graph,
-           const std::vector<TaskOutcome>& plan, Clock clock);
-  ~Progress();
+           const std::vector<TaskOutcome>& plan, ProgressBar::Clock clock);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -33,20 +27,14 @@ class Progress {
   void progressed(const Task& task, double share);
   void ended(const Task& task, const TaskOutcome& outcome);
   void show(bool at_once);
-  void clear_bar();
   double share_done() const;
 
   std::ostream& out_;
   bool terminal_;
-  Clock clock_;
-  double start_;
-  double last_shown_;
+  ProgressBar bar_;
   double total_cost_ = 0.0;
   double done_cost_ = 0.0;
   std::map<std::string, double> running_;  ///< task id → cost done so far
 };
-
-/// "0:07", "12:30", "1:02:03".
-std::string as_duration(double seconds);
 
 }  // namespace mien::pipeline

@@ -103,8 +103,8 @@ fs::path receipt_path(const fs::path& folder, const std::string& path) {
 std::optional<Receipt> read_receipt(const fs::path& folder, const std::string& path) {
   const fs::path file = receipt_path(folder, path);
   if (!is_file(file)) return std::nullopt;
-  const std::optional<std::string> text = motion::bytes_of_file(file);
-  return text ? receipt_from_json(*text) : std::nullopt;
+  const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
+  return text.bytes ? receipt_from_json(*text.bytes) : std::nullopt;
 }
 
 std::optional<Receipt> find_artifact(const fs::path& folder, const std::string& path,

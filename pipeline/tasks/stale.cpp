@@ -55,10 +55,15 @@ std::vector<std::string> shown_paths(const std::vector<Receipt>& artifacts) {
   return paths;
 }
 
+bool is_removable(const fs::path& folder, const Receipt& artifact) {
+  return !fs::exists(folder / artifact.path) ||
+         find_artifact(folder, artifact.path, artifact.key).has_value();
+}
+
 bool remove_artifact(const Store& store, const Receipt& artifact) {
   const fs::path& folder = store.folder();
   const fs::path target = folder / artifact.path;
-  if (fs::exists(target) && !store.find(artifact.path, artifact.key)) return false;
+  if (!is_removable(folder, artifact)) return false;
   for (const FrameReceipt& frame : artifact.frames) fs::remove(target / frame.name);
   if (artifact.frames.empty()) {
     fs::remove(target);

@@ -19,6 +19,9 @@ std::vector<Receipt> stale_artifacts(const std::filesystem::path& folder, const 
 /// Paths of those that a reader sees, not the store's own.
 std::vector<std::string> shown_paths(const std::vector<Receipt>& artifacts);
 
+/// Whether it is as it was made, or gone already.
+bool is_removable(const std::filesystem::path& folder, const Receipt& artifact);
+
 /// Removes an artifact with its receipt, and folders that are empty then. What has been changed
 /// since it was made stays, and false is returned.
 bool remove_artifact(const Store& store, const Receipt& artifact);

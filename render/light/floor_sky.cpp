@@ -61,7 +61,7 @@ float FloorSky::interpolation_error(const Square& square) const {
     const float seen =
         std::min(sphere.radius * sphere.radius * height / (squared * distance), 0.5f);
     error += 1.5f * seen * side * side / (gap * gap);
-    if (error > 1.0f) return error;
+    if (error > quality_.floor_sky_tolerance) return error;  // how much more is of no account
   }
   return error;
 }

@@ -143,14 +143,16 @@ void Tracer::Engine::add_standing_solids(const Scene& scene, const Camera& camer
 
 Picture Tracer::Engine::prepare(const Scene& scene, const Camera& camera, const Quality& quality,
                                 const StandingSet& behind, Shapes shapes, const Solids& solids) {
+  const Shapes nothing;
+  const Shapes& above_floor = scene.has_ground ? shapes : nothing;
   std::vector<ShadowMask> shadow_masks;
-  for (const AreaLight& light : scene.lights) shadow_masks.emplace_back(light, shapes);
+  for (const AreaLight& light : scene.lights) shadow_masks.emplace_back(light, above_floor);
   const BoundingSphere bounds = bounding_sphere(shapes);
   FilmMask film_mask(camera, shapes, 0.5f * quality.filter_width);
   // Behind standing solids the sky changes too fast for interpolation.
   Quality floor_quality = quality;
   if (behind.solids) floor_quality.floor_sky_tolerance = 0.0f;
-  FloorSky floor_sky(shapes, bounds, floor_quality,
+  FloorSky floor_sky(above_floor, bounds, floor_quality,
                      view_of(frame_of(camera), camera.width, camera.height, 1.0f));
   return {.scene = scene,
           .solids = solids,

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* small_study = R"(mien: 1
-study: small
+study: quickstart
 examples: {set: builtin:walks-10}
 output: {size: [64, 48], fps: 10, cycles: 1, frames: none}
 stimuli:

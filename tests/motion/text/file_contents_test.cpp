@@ -1,8 +1,5 @@
 #include "motion/text/file_contents.h"
 
-#include <fstream>
-#include <thread>
-
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -23,26 +20,39 @@ TEST(FileContents, AreTheBytesThatWereWritten) {
   const test::TemporaryFolder folder;
   for (const std::string& bytes : {std::string(), std::string("a"), many_bytes()}) {
     write_contents(folder.path() / "a", bytes);
-    EXPECT_EQ(bytes_of_file(folder.path() / "a"), bytes);
+    EXPECT_EQ(bytes_of_file(folder.path() / "a", any_size).bytes, bytes);
     EXPECT_EQ(read_contents(folder.path() / "a"), bytes);
   }
 }
 
-TEST(FileContents, AreReadFromAPipeToItsEnd) {
+TEST(FileContents, AreThoseOfFilesAloneAndNothingWaits) {
   const test::TemporaryFolder folder;
   const auto pipe = folder.path() / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << many_bytes(); });
-  EXPECT_EQ(bytes_of_file(pipe), many_bytes());
-  writer.join();
+  const auto hindrance = [](const std::filesystem::path& path) {
+    const FileReading reading = bytes_of_file(path, any_size);
+    EXPECT_FALSE(reading.bytes);
+    EXPECT_EQ(reading.hindrance, hindrance_of(path, any_size));
+    EXPECT_THROW(read_contents(path), Error);
+    return reading.hindrance;
+  };
+  EXPECT_EQ(hindrance(pipe), "is a pipe and no file");
+  EXPECT_EQ(hindrance("/dev/zero"), "is a device and no file");
+  EXPECT_EQ(hindrance(folder.path()), "is a folder and no file");
+  EXPECT_EQ(hindrance(folder.path() / "missing"), "there is no such file");
+  EXPECT_EQ(hindrance(folder.path() / "missing/too"), "there is no such file");
 }
 
-TEST(FileContents, AreNothingOfFoldersAndMissingFiles) {
+TEST(FileContents, HaveALimitThatIsTold) {
   const test::TemporaryFolder folder;
-  EXPECT_FALSE(bytes_of_file(folder.path()));
-  EXPECT_FALSE(bytes_of_file(folder.path() / "missing"));
-  EXPECT_THROW(read_contents(folder.path()), Error);
-  EXPECT_THROW(read_contents(folder.path() / "missing"), Error);
+  const auto file = folder.path() / "a";
+  write_contents(file, "abcd");
+  EXPECT_EQ(bytes_of_file(file, 4).bytes, "abcd");
+  EXPECT_EQ(bytes_of_file(file, 3).hindrance, "has 4 bytes, more than the 3 bytes that are read");
+  std::filesystem::resize_file(file, std::uintmax_t{17} << 29);
+  EXPECT_EQ(bytes_of_file(file, most_of_document).hindrance,
+            "has 8.5 GiB, more than the 64 MiB that are read");
+  EXPECT_THROW(read_contents(file), Error);
 }
 
 }  // namespace

@@ -538,7 +538,7 @@ TEST_F(ManifestReaderTest, AFileThatCannotBeReadIsAFaultToo) {
   EXPECT_EQ(told(read_manifest(folder.path() / "none.yaml", environment).faults),
             "none.yaml: there is no such file; name a manifest (YAML)\n");
   EXPECT_EQ(told(read_manifest(folder.path() / "captures", environment).faults),
-            "captures: cannot be read; name a manifest (YAML)\n");
+            "captures: is a folder and no file; name a manifest (YAML)\n");
 }
 
 TEST_F(ManifestReaderTest, FindsNoFaultInTheManifestsOfTheSourceTree) {

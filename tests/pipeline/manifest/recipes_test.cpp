@@ -137,7 +137,7 @@ TEST(Recipes, TellWhereTheirOwnPosesAreMissing) {
       folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; });
   const std::string faults = told(reading);
   EXPECT_NE(faults.find("m.yaml:5:42: stimuli[0].modify.emotion: its recipe names a pose of " +
-                        (folder.path() / "r" / "no.bvh").string() + ", which is no file"),
+                        (folder.path() / "r" / "no.bvh").string() + ": there is no such file"),
             std::string::npos)
       << faults;
 }

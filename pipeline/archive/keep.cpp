@@ -1,0 +1,84 @@
+#include "pipeline/archive/keep.h"
+
+#include <algorithm>
+#include <optional>
+#include <system_error>
+
+#include "motion/error.h"
+#include "pipeline/archive/not_kept.h"
+#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/store.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<ArtifactKind> kind_of(const std::string& path) {
+  const std::string first = path.substr(0, path.find('/'));
+  for (const ArtifactKindName& one : artifact_kinds) {
+    if (one.name == first) return one.kind;
+  }
+  return std::nullopt;
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code unknown;
+  return fs::exists(fs::symlink_status(path, unknown));
+}
+
+std::vector<ArtifactRecord> records_of(const std::vector<Receipt>& artifacts) {
+  std::vector<ArtifactRecord> records;
+  for (const Receipt& artifact : artifacts)
+    records.push_back(
+        {artifact.path, artifact.hash, artifact.size, static_cast<int>(artifact.frames.size())});
+  return records;
+}
+
+}  // namespace
+
+Cleaning all_but(const fs::path& folder, const std::vector<ArtifactKind>& kept) {
+  if (!is_there(folder)) {
+    throw Error({folder.string()}, "there is no such study",
+                "name a manifest that was run, or the folder of its study");
+  }
+  if (!is_there(folder / ".mien" / "receipts")) {
+    throw Error({folder.string()}, "has no receipts of what mien made (.mien/receipts)",
+                "clean a study where it was made; a copy is cleaned by hand");
+  }
+  Cleaning cleaning;
+  for (Receipt& artifact : stale_artifacts(folder, {}, {})) {
+    const std::optional<ArtifactKind> kind = kind_of(artifact.path);
+    if (!kind || std::ranges::find(kept, *kind) != kept.end()) continue;
+    if (!is_there(folder / artifact.path)) continue;
+    if (find_artifact(folder, artifact.path, artifact.key)) {
+      cleaning.bytes += artifact.size;
+      cleaning.removed.push_back(std::move(artifact));
+    } else {
+      cleaning.changed.push_back(std::move(artifact));
+    }
+  }
+  return cleaning;
+}
+
+Cleaning remove_all_but(const fs::path& folder, const std::vector<ArtifactKind>& kept) {
+  Cleaning planned = all_but(folder, kept);
+  if (planned.removed.empty()) return planned;
+  // Told before it is done: what is told and still there is no fault.
+  note_not_kept(folder, records_of(planned.removed));
+  const Store store(folder, Sharing::exclusive);
+  Cleaning cleaning;
+  cleaning.changed = std::move(planned.changed);
+  for (Receipt& artifact : planned.removed) {
+    if (remove_artifact(store, artifact)) {
+      cleaning.bytes += artifact.size;
+      cleaning.removed.push_back(std::move(artifact));
+    } else {
+      cleaning.changed.push_back(std::move(artifact));
+    }
+  }
+  return cleaning;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,150 @@
+#include "pipeline/archive/tar_archive.h"
+
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <locale.h>
+#include <unistd.h>
+
+#include "motion/error.h"
+#include "pipeline/documents/files.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FreeEntry {
+  void operator()(archive_entry* one) const { archive_entry_free(one); }
+};
+
+constexpr char zstd_level[] = "9";
+
+/// Names of files are UTF-8 for as long as this lives, whatever the user's language.
+class Utf8Names {
+ public:
+  Utf8Names() : names_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+    if (names_ != nullptr) before_ = ::uselocale(names_);
+  }
+  ~Utf8Names() {
+    if (names_ == nullptr) return;
+    ::uselocale(before_);
+    ::freelocale(names_);
+  }
+  Utf8Names(const Utf8Names&) = delete;
+  Utf8Names& operator=(const Utf8Names&) = delete;
+
+ private:
+  locale_t names_;
+  locale_t before_ = nullptr;
+};
+
+}  // namespace
+
+struct TarArchive::Writer {
+  struct Free {
+    void operator()(archive* one) const { archive_write_free(one); }
+  };
+
+  fs::path target;
+  fs::path attempt;
+  std::unique_ptr<archive, Free> out{archive_write_new()};
+  std::uint64_t left = 0;  ///< bytes of the file that was begun
+
+  void require(int code, const std::string& doing) {
+    if (code >= ARCHIVE_OK) return;
+    const char* words = archive_error_string(out.get());
+    throw std::runtime_error(target.string() + ": " + doing + ": " +
+                             (words != nullptr ? words : "the archive cannot be written") +
+                             "; check that the folder exists, may be written to and has space");
+  }
+
+  void compress(Compression compression) {
+    if (compression == Compression::gzip) {
+      require(archive_write_add_filter_gzip(out.get()), "gzip");
+      require(archive_write_set_filter_option(out.get(), "gzip", "timestamp", nullptr), "gzip");
+    }
+    if (compression == Compression::zstd) {
+      require(archive_write_add_filter_zstd(out.get()), "zstd");
+      require(archive_write_set_filter_option(out.get(), "zstd", "compression-level", zstd_level),
+              "zstd");
+    }
+  }
+
+  void open(Compression compression) {
+    require(archive_write_set_format_pax_restricted(out.get()), "tar");
+    compress(compression);
+    require(archive_write_open_filename(out.get(), attempt.c_str()), "opening");
+  }
+};
+
+Compression compression_of(const fs::path& archive) {
+  const std::string name = archive.filename().string();
+  if (name.ends_with(".tar.zst")) return Compression::zstd;
+  if (name.ends_with(".tar.gz") || name.ends_with(".tgz")) return Compression::gzip;
+  if (name.ends_with(".tar")) return Compression::none;
+  throw Error({archive.string()}, "this is no name of an archive that mien can write",
+              "end it in .tar.zst, .tar.gz or .tar");
+}
+
+TarArchive::TarArchive(fs::path file, Compression compression)
+    : writer_(std::make_unique<Writer>()) {
+  writer_->target = std::move(file);
+  writer_->attempt = writer_->target;
+  writer_->attempt += "." + std::to_string(::getpid()) + ".part";
+  try {
+    writer_->open(compression);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(writer_->attempt, ignored);
+    throw;
+  }
+}
+
+TarArchive::~TarArchive() {
+  writer_->out.reset();  // closes it
+  std::error_code ignored;
+  fs::remove(writer_->attempt, ignored);
+}
+
+void TarArchive::begin(const std::string& path, std::uint64_t size) {
+  const Utf8Names names;
+  const std::unique_ptr<archive_entry, FreeEntry> entry(archive_entry_new());
+  archive_entry_set_pathname(entry.get(), path.c_str());
+  archive_entry_set_filetype(entry.get(), AE_IFREG);
+  archive_entry_set_perm(entry.get(), 0644);
+  archive_entry_set_size(entry.get(), static_cast<la_int64_t>(size));
+  archive_entry_set_mtime(entry.get(), 0, 0);
+  writer_->require(archive_write_header(writer_->out.get(), entry.get()), path);
+  writer_->left = size;
+}
+
+void TarArchive::add(std::string_view bytes) {
+  if (bytes.size() > writer_->left) throw std::runtime_error("a file grew while it was packed");
+  writer_->left -= bytes.size();
+  while (!bytes.empty()) {
+    const la_ssize_t count = archive_write_data(writer_->out.get(), bytes.data(), bytes.size());
+    if (count <= 0) writer_->require(ARCHIVE_FATAL, "writing");
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void TarArchive::finish() {
+  writer_->require(archive_write_close(writer_->out.get()), "closing");
+  flush_to_disk(writer_->attempt);
+  fs::rename(writer_->attempt, writer_->target);
+  const fs::path folder = writer_->target.parent_path();
+  flush_to_disk(folder.empty() ? fs::path(".") : folder);
+}
+
+std::string archive_library() {
+  const int number = archive_version_number();
+  return std::to_string(number / 1000000) + "." + std::to_string(number / 1000 % 1000) + "." +
+         std::to_string(number % 1000);
+}
+
+}  // namespace mien::pipeline

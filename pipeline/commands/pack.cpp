@@ -1,0 +1,99 @@
+#include "pipeline/archive/pack.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/cli.h"
+#include "pipeline/commands/verification_text.h"
+#include "pipeline/tasks/progress_bar.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PackOptions {
+  std::string study;
+  std::string output;
+  bool json = false;
+};
+
+/// A study that is not what its provenance says is not handed on.
+Verification sound(const StudyContents& contents, const Console& console) {
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const Verification verification = verified(contents, threads, console);
+  if (verification.is_sound()) return verification;
+  tell(verification, contents, {console.err, console.err, console.err_is_terminal, console.stop});
+  throw Error({contents.folder.string()}, "is not what its provenance tells, and is not packed",
+              "mien run " + contents.provenance().string() +
+                  " makes the study again; mien clean is how to leave something out");
+}
+
+int run_pack(const PackOptions& options, const Console& console) {
+  const StudyContents contents = contents_of(options.study);
+  const fs::path archive = options.output.empty() ? contents.study + ".tar.zst" : options.output;
+  refuse_archive(contents, archive);
+  const Verification verification = sound(contents, console);
+  const std::vector<PayloadFile> payload = payload_of(contents);
+  {
+    ProgressBar bar(console.err, console.err_is_terminal);
+    pack(contents, payload, archive, console.stop,
+         [&](double share, const std::string& path) { bar.show(share, path); });
+  }
+  std::uint64_t bytes = 0;
+  for (const PayloadFile& file : payload) bytes += file.size;
+  nlohmann::ordered_json extra = nlohmann::ordered_json::array();
+  for (const Finding& finding : verification.findings) {
+    if (finding.kind == Finding::Kind::extra) extra.push_back(finding.path);
+  }
+  if (options.json) {
+    const nlohmann::ordered_json result = {{"archive", archive.string()},
+                                           {"size", fs::file_size(archive)},
+                                           {"study", contents.study},
+                                           {"files", payload.size()},
+                                           {"bytes", bytes},
+                                           {"extra", extra}};
+    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+    console.out << result.dump(2, ' ', false, replace) << '\n';
+    return exit_done;
+  }
+  for (const auto& path : extra)
+    console.out << "packed too, though mien did not make it: " << path.get<std::string>() << '\n';
+  console.out << fmt::format("{}: {}, {} files of {}\n", archive.string(),
+                             size_text(fs::file_size(archive)), payload.size(), size_text(bytes));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_pack_command(CLI::App& app, Command& chosen) {
+  CLI::App* command =
+      app.add_subcommand("pack", "Put a finished study into one file for an archive");
+  const auto options = std::make_shared<PackOptions>();
+  command->add_option("study", options->study, "Folder of a study, or its provenance.json")
+      ->required();
+  command->add_option("-o,--output", options->output,
+                      "Archive, .tar.zst, .tar.gz or .tar; <study>.tar.zst without it");
+  command->add_flag("--json", options->json, "What was packed as JSON on standard output");
+  command->footer(
+      "\nA bag (BagIt, RFC 8493): everything of the study in data/, its SHA-256 sums beside it, "
+      "for "
+      "sha256sum -c manifest-sha256.txt. The same study gives the same bytes. The study is "
+      "verified "
+      "first, and refused when something is missing or changed.\n"
+      "\nExamples:\n"
+      "  mien pack out/my-study -o my-study.tar.zst\n"
+      "  mien verify my-study                       after tar xf my-study.tar.zst");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return run_pack(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/archive/verify.h"
+#include "pipeline/commands/cli.h"
+
+namespace mien::pipeline {
+
+/// Verifies a study and shows how it goes on.
+Verification verified(const StudyContents& contents, int threads, const Console& console);
+
+/// A line a finding, and one that sums up.
+void tell(const Verification& verification, const StudyContents& contents, const Console& console);
+
+nlohmann::ordered_json as_json(const Verification& verification, const StudyContents& contents);
+
+/// "61.3 MB"
+std::string size_text(std::uint64_t bytes);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,147 @@
+#include "pipeline/archive/verify.h"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/archive/redraw.h"
+#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/commands/cli.h"
+#include "pipeline/commands/verification_text.h"
+#include "pipeline/documents/environment.h"
+#include "pipeline/production/provenance.h"
+#include "pipeline/tasks/progress_bar.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct VerifyOptions {
+  std::string study;
+  int rerender = 0;
+  std::optional<std::uint64_t> seed;
+  int jobs = 0;
+  bool json = false;
+
+  int threads() const {
+    return jobs > 0 ? jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  }
+};
+
+/// What came of drawing frames again.
+struct Rerendered {
+  std::uint64_t seed = 0;
+  std::vector<RedrawnFrame> frames;
+  std::vector<std::string> changes;  ///< since the study was made: then pictures may differ
+
+  bool all_agree() const {
+    return std::ranges::all_of(frames, [](const RedrawnFrame& frame) { return frame.agrees; });
+  }
+};
+
+Rerendered rerender(const StudyContents& contents, const VerifyOptions& options,
+                    const Console& console) {
+  const Manifest manifest = load_manifest(contents.provenance(), process_environment());
+  Rerendered result{options.seed.value_or(contents.seed), {}, {}};
+  result.changes = changes_since(contents.provenance(), manifest);
+  const std::vector<KeptFilm> films = kept_films(manifest, contents);
+  if (films.empty()) {
+    throw Error({contents.folder.string()}, "has neither frames nor videos with their records left",
+                "leave --rerender out; mien clean --keep videos,metrics keeps what it needs");
+  }
+  ProgressBar bar(console.err, console.err_is_terminal);
+  result.frames = redraw(manifest, contents, drawn_by_lot(films, options.rerender, result.seed),
+                         options.threads(), console.stop,
+                         [&](double share, const std::string& film) { bar.show(share, film); });
+  return result;
+}
+
+void tell(const Rerendered& drawn, const Console& console) {
+  for (const std::string& change : drawn.changes) console.err << "warning: " << change << '\n';
+  for (const RedrawnFrame& frame : drawn.frames) {
+    console.out << fmt::format("{:<9} frame {} of {}, against {}: {}\n",
+                               frame.agrees ? "agrees" : "differs", frame.frame, frame.film,
+                               frame.against, frame.how);
+  }
+  const auto agree = std::ranges::count(drawn.frames, true, &RedrawnFrame::agrees);
+  console.out << fmt::format("{} of {} frames drawn again agree (seed {})\n", agree,
+                             drawn.frames.size(), drawn.seed);
+}
+
+ordered_json as_json(const Rerendered& drawn) {
+  ordered_json frames = ordered_json::array();
+  for (const RedrawnFrame& frame : drawn.frames) {
+    frames.push_back({{"film", frame.film},
+                      {"frame", frame.frame},
+                      {"against", frame.against},
+                      {"agrees", frame.agrees},
+                      {"how", frame.how}});
+  }
+  return {{"seed", drawn.seed}, {"changed_since", drawn.changes}, {"frames", frames}};
+}
+
+int run_verify(const VerifyOptions& options, const Console& console) {
+  const StudyContents contents = contents_of(options.study);
+  const Verification verification = verified(contents, options.threads(), console);
+  if (!options.json) tell(verification, contents, console);
+  std::optional<Rerendered> drawn;
+  if (options.rerender > 0) drawn = rerender(contents, options, console);
+  if (options.json) {
+    ordered_json result = as_json(verification, contents);
+    if (drawn) result["rerendered"] = as_json(*drawn);
+    const auto replace = ordered_json::error_handler_t::replace;
+    console.out << result.dump(2, ' ', false, replace) << '\n';
+  } else if (drawn) {
+    tell(*drawn, console);
+  }
+  return verification.is_sound() && (!drawn || drawn->all_agree()) ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, Command& chosen) {
+  CLI::App* command =
+      app.add_subcommand("verify", "Compare everything of a finished study with its provenance");
+  const auto options = std::make_shared<VerifyOptions>();
+  command
+      ->add_option("study", options->study,
+                   "Folder of a study, its provenance.json, or an unpacked archive of it")
+      ->required();
+  command
+      ->add_option("--rerender", options->rerender,
+                   "Draw so many frames again, by lot, and compare them")
+      ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--seed", options->seed,
+                      "Of the lot that --rerender draws; the study's own without it");
+  command->add_option("--jobs,-j", options->jobs, "Files at a time (default: one a processor)")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--json", options->json, "What was found as JSON on standard output");
+  command->footer(
+      "\nEvery artifact is hashed and decoded, frame by frame, every copied input hashed. Tells "
+      "what "
+      "is missing, changed or extra (in the folder, and made by nobody that is known), and what "
+      "mien clean has removed. Ends with 1 when something is missing or changed, or a frame that "
+      "was "
+      "drawn again differs; what is extra is only told.\n"
+      "\nA frame that is drawn again has to have the bytes of the frame that was kept. Where only "
+      "a "
+      "video was kept, it has to be the frame that the video shows: in every pixel for lossless "
+      "kinds, else as nearly as the least like frame was when the film was made.\n"
+      "\nExamples:\n"
+      "  mien verify out/my-study\n"
+      "  mien verify out/my-study --rerender 20");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return run_verify(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,64 @@
+#include "pipeline/tasks/progress_bar.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ostream>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr double seconds_between_lines = 10.0;
+constexpr double seconds_between_bars = 0.1;
+constexpr int bar_width = 30;
+
+}  // namespace
+
+std::string as_duration(double seconds) {
+  const auto total = static_cast<long>(std::max(0.0, std::round(seconds)));
+  if (total < 3600) return fmt::format("{}:{:02}", total / 60, total % 60);
+  return fmt::format("{}:{:02}:{:02}", total / 3600, total / 60 % 60, total % 60);
+}
+
+double steady_seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+ProgressBar::ProgressBar(std::ostream& out, bool terminal, Clock clock)
+    : out_(out),
+      terminal_(terminal),
+      clock_(std::move(clock)),
+      start_(clock_()),
+      last_shown_(start_) {}
+
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::show(double share, const std::string& name, bool at_once) {
+  const double now = clock_();
+  const double pause = terminal_ ? seconds_between_bars : seconds_between_lines;
+  if (!at_once && now - last_shown_ < pause) return;
+  last_shown_ = now;
+  const int percent = static_cast<int>(std::floor(100.0 * share));
+  const double elapsed = now - start_;
+  const std::string left = share > 0.01 && elapsed > 1.0
+                               ? ", " + as_duration(elapsed * (1.0 - share) / share) + " left"
+                               : "";
+  if (!terminal_) {
+    out_ << percent << " %" << left << '\n' << std::flush;
+    return;
+  }
+  const auto filled = static_cast<std::size_t>(std::lround(bar_width * share));
+  out_ << "\r\x1b[K[" << std::string(filled, '#') << std::string(bar_width - filled, '.') << "] "
+       << percent << " %" << left << "  " << name << std::flush;
+}
+
+void ProgressBar::clear() {
+  if (terminal_) out_ << "\r\x1b[K" << std::flush;
+}
+
+}  // namespace mien::pipeline

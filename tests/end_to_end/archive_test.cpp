@@ -1,0 +1,149 @@
+// What becomes of a finished study: verified, cleaned, packed, and unpacked by others' programs.
+
+#include <cstdlib>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* tiny_manifest = R"(mien: 1
+study: tiny
+seed: 7
+examples: {set: builtin:walks-10}
+output: {size: [64, 48], fps: 8, cycles: 1, quality: draft, frames: png, video: [mp4], clips: [bvh]}
+stimuli:
+  - {id: a, weights: {normal: 1}}
+  - {id: b, weights: {sad: 1}, output: {frames: none}}
+)";
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// A study that was made, with a file of its owner.
+class Archive : public testing::Test {
+ protected:
+  Archive() {
+    manifest = scratch.write("tiny.yaml", tiny_manifest).string();
+    EXPECT_EQ(run_mien({"run", manifest, "--out", (scratch.path() / "out").string()}).code, 0);
+    std::ofstream(study / "my notes.txt") << "mine";
+  }
+
+  Ended verify(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"verify", study.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_mien(arguments);
+  }
+
+  /// A command of a shell in the scratch folder.
+  int shell(const std::string& command) const {
+    return std::system(("cd '" + scratch.path().string() + "' && " + command).c_str());
+  }
+
+  const Scratch scratch;
+  const fs::path study = scratch.path() / "out/tiny";
+  std::string manifest;
+};
+
+TEST_F(Archive, IsVerifiedInWordsAndAsJson) {
+  const Ended sound = verify();
+  EXPECT_EQ(sound.code, 0) << sound.errors;
+  EXPECT_TRUE(sound.output.starts_with("extra     my notes.txt\n" + study.string() + ": "))
+      << sound.output;
+  EXPECT_TRUE(says(sound.output, "decoded: 0 missing, 0 changed, 1 extra\n")) << sound.output;
+  fs::remove(study / "clips/b.bvh");
+  std::ofstream(study / "methods.md", std::ios::app) << " ";
+  const Ended unsound = verify({"--json"});
+  EXPECT_EQ(unsound.code, 1);
+  const json found = json::parse(unsound.output);
+  EXPECT_FALSE(found["sound"].get<bool>());
+  EXPECT_EQ(found["missing"][0]["path"], "clips/b.bvh");
+  EXPECT_EQ(found["changed"][0]["path"], "methods.md");
+  EXPECT_EQ(found["extra"][0]["path"], "my notes.txt");
+  EXPECT_EQ(run_mien({"verify", (scratch.path() / "none").string()}).code, 2);
+}
+
+TEST_F(Archive, HasFramesThatAreDrawnAgain) {
+  const Ended drawn = verify({"--rerender", "6"});
+  EXPECT_EQ(drawn.code, 0) << drawn.output << drawn.errors;
+  EXPECT_TRUE(says(drawn.output, "6 of 6 frames drawn again agree (seed 7)\n")) << drawn.output;
+  EXPECT_EQ(drawn.output, verify({"--rerender", "6"}).output);
+  EXPECT_NE(drawn.output, verify({"--rerender", "6", "--seed", "8"}).output);
+  const std::string first = text_of(study / "frames/a/00000.png");
+  for (const auto& frame : fs::directory_iterator(study / "frames/a"))
+    std::ofstream(frame.path(), std::ios::binary) << first;
+  const Ended other = verify({"--rerender", "100", "--json"});
+  EXPECT_EQ(other.code, 1);
+  int agree = 0;
+  const json result = json::parse(other.output);
+  for (const json& frame : result["rerendered"]["frames"])
+    agree += frame["film"] == "a" && frame["agrees"] ? 1 : 0;
+  EXPECT_EQ(agree, 1);  // 00000.png is itself
+}
+
+TEST_F(Archive, IsCleanedOfWhatIsNotKept) {
+  const std::string out = (scratch.path() / "out").string();
+  const Ended planned =
+      run_mien({"clean", study.string(), "--keep", "videos,metrics", "--dry-run"});
+  EXPECT_EQ(planned.code, 0) << planned.errors;
+  EXPECT_TRUE(says(planned.output, "would remove frames/a, ")) << planned.output;
+  EXPECT_TRUE(fs::exists(study / "frames/a"));
+  const json done = json::parse(
+      run_mien({"clean", manifest, "--out", out, "--keep", "videos,metrics", "--json"}).output);
+  EXPECT_EQ(done["removed"].size(), 5u) << done;
+  EXPECT_FALSE(fs::exists(study / "frames"));
+  const Ended verified = verify({"--rerender", "4"});
+  EXPECT_EQ(verified.code, 0) << verified.output << verified.errors;
+  EXPECT_TRUE(says(verified.output, "not kept  clips: 2 artifacts\n")) << verified.output;
+  EXPECT_TRUE(says(verified.output, "against videos/a.mp4: PSNR ")) << verified.output;
+  EXPECT_EQ(run_mien({"clean", study.string()}).code, 2);
+  EXPECT_EQ(run_mien({"clean", study.string(), "--keep", "vidos"}).code, 2);
+}
+
+TEST_F(Archive, IsABagThatOthersUnpackAndCheck) {
+  const auto packed = [&](const std::string& name) {
+    const Ended ended = run_mien({"pack", study.string(), "-o", (scratch.path() / name).string()});
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    EXPECT_TRUE(says(ended.output, "did not make it: my notes.txt\n")) << ended.output;
+    return text_of(scratch.path() / name);
+  };
+  for (const std::string name : {"a.tar", "a.tar.gz", "a.tar.zst"}) {
+    const std::string bytes = packed(name);
+    EXPECT_EQ(bytes, packed("again-" + name)) << name;
+    ASSERT_EQ(shell("rm -rf tiny && tar xf " + name), 0) << name;
+    EXPECT_EQ(shell("cd tiny && sha256sum --quiet --strict -c manifest-sha256.txt "
+                    "tagmanifest-sha256.txt"),
+              0);
+    EXPECT_EQ(shell("diff -r -x .mien out/tiny tiny/data"), 0);
+  }
+  const std::string bag = (scratch.path() / "tiny").string();
+  EXPECT_EQ(text_of(bag + "/bagit.txt"),
+            "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n");
+  const Ended verified = run_mien({"verify", bag, "--rerender", "2"});
+  EXPECT_EQ(verified.code, 0) << verified.output << verified.errors;
+}
+
+TEST_F(Archive, IsNotPackedWhenItIsNotWhatItWas) {
+  std::ofstream(study / "clips/a.bvh", std::ios::app) << " ";
+  const fs::path archive = scratch.path() / "a.tar.zst";
+  const Ended refused = run_mien({"pack", study.string(), "-o", archive.string()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.output, "");
+  EXPECT_TRUE(says(refused.errors, "changed   clips/a.bvh: ")) << refused.errors;
+  EXPECT_TRUE(says(refused.errors, "is not packed; mien run ")) << refused.errors;
+  EXPECT_FALSE(fs::exists(archive));
+  const Ended ending = run_mien({"pack", study.string(), "-o", "a.zip"});
+  EXPECT_EQ(ending.code, 2);
+  EXPECT_TRUE(says(ending.errors, "end it in .tar.zst, .tar.gz or .tar")) << ending.errors;
+}
+
+}  // namespace
+}  // namespace mien::test

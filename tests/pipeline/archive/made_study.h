@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/temporary_folder.h"
+
+namespace mien::test {
+
+/// A fresh copy of a finished study in a folder that is removed with the object. It has frames as
+/// PNG of film a (8 frames) and as EXR of film d, an MP4 with a fade and a blank of film b, a
+/// lossless one and a WebP of film c, equalized luminance, an overlay and an input of its own. It
+/// is made once a program.
+class MadeStudy {
+ public:
+  MadeStudy();
+
+  const std::filesystem::path& folder() const { return folder_; }
+  std::filesystem::path operator/(const std::string& path) const { return folder_ / path; }
+  std::filesystem::path beside(const std::string& name) const { return temporary_.path() / name; }
+
+  /// Makes the study a copy from elsewhere: without what the store keeps for itself.
+  void forget_receipts() const;
+
+  /// Changes provenance.json, hashes and all.
+  void forge(const std::function<void(nlohmann::ordered_json&)>& change) const;
+
+  /// Puts bytes into an artifact's place, and their hash and size into the provenance.
+  void forge_artifact(const std::string& path, const std::string& bytes) const;
+
+ private:
+  TemporaryFolder temporary_;
+  std::filesystem::path folder_ = temporary_.path() / "tiny";
+};
+
+}  // namespace mien::test
