@@ -74,7 +74,7 @@ std::optional<fs::path> FrameStore::find(const std::string& name) {
 
 void FrameStore::note_damage(const std::string& name) {
   store_->note_repair(path_ + "/" + name +
-                      ": was damaged or changed since it was drawn, and is drawn again");
+                      ": was damaged, changed or removed since it was drawn, and is drawn again");
 }
 
 /// What the receipt of a published sequence of this key says of a frame.
