@@ -72,8 +72,7 @@ TEST(OpenJob, IsYamlOrJsonByTheFilesEnding) {
   EXPECT_EQ(json::parse(open_job_text(job, "a.json")), json(job));
   const std::string yaml = open_job_text(job, "a.job.yaml");
   EXPECT_EQ(yaml.rfind("specificationVersion: \"jobtemplate-2023-09\"\n", 0), 0u);
-  EXPECT_NE(yaml.find("          data: |\n            film:a[1/2]\n"), std::string::npos)
-      << yaml;
+  EXPECT_NE(yaml.find("          data: |\n            film:a[1/2]\n"), std::string::npos) << yaml;
   EXPECT_EQ(open_job_text(job, "a.yml"), yaml);
   EXPECT_THROW(open_job_text(job, "a.txt"), Error);
 }
