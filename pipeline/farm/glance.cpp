@@ -1,8 +1,11 @@
 #include "pipeline/farm/glance.h"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <sys/stat.h>
@@ -10,6 +13,11 @@
 namespace mien::pipeline {
 
 namespace {
+
+using Receipts = std::vector<std::optional<Receipt>>;
+
+// More than there are processors: on a shared file system a look takes its time, not theirs.
+constexpr std::size_t lookers = 16;
 
 /// Whether something is where the receipt says, of the size that it says.
 bool seems_there(const Receipt& receipt, const std::filesystem::path& folder) {
@@ -19,20 +27,54 @@ bool seems_there(const Receipt& receipt, const std::filesystem::path& folder) {
   return S_ISREG(found.st_mode) && static_cast<std::uint64_t>(found.st_size) == receipt.size;
 }
 
-std::optional<std::vector<Receipt>> products_seen(const Task& task, const std::vector<Hash>& keys,
-                                                  const std::filesystem::path& folder) {
-  std::vector<Receipt> receipts;
-  for (std::size_t i = 0; i < task.products.size(); ++i) {
-    std::optional<Receipt> receipt = read_receipt(folder, task.products[i].path);
-    if (!receipt || receipt->key != keys[i] || !seems_there(*receipt, folder)) return std::nullopt;
-    receipts.push_back(std::move(*receipt));
+/// What cannot be read counts as not there.
+std::optional<Receipt> receipt_seen(const Product& product, const std::filesystem::path& folder) {
+  try {
+    std::optional<Receipt> receipt = read_receipt(folder, product.path);
+    if (receipt && seems_there(*receipt, folder)) return receipt;
+  } catch (const std::runtime_error&) {
+  }
+  return std::nullopt;
+}
+
+/// Of a task's products.
+Receipts receipts_of(const Task& task, const std::filesystem::path& folder) {
+  Receipts receipts;
+  for (const Product& product : task.products) {
+    receipts.push_back(receipt_seen(product, folder));
   }
   return receipts;
+}
+
+/// Of each task. Before the first run there is no folder to look into.
+std::vector<Receipts> all_receipts(const TaskGraph& graph, const std::filesystem::path& folder) {
+  std::vector<Receipts> receipts(graph.tasks.size());
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder / ".mien" / "receipts", error)) return receipts;
+  std::atomic<std::size_t> next = 0;
+  const auto look = [&] {
+    for (std::size_t i = next++; i < receipts.size(); i = next++) {
+      receipts[i] = receipts_of(graph.tasks[i], folder);
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < std::min(lookers, receipts.size()); ++i) threads.emplace_back(look);
+  threads.clear();
+  return receipts;
+}
+
+bool have_keys(const Receipts& receipts, const std::vector<Hash>& keys) {
+  if (receipts.size() != keys.size()) return false;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!receipts[i] || receipts[i]->key != keys[i]) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 std::vector<TaskOutcome> glance(const TaskGraph& graph, const std::filesystem::path& folder) {
+  std::vector<Receipts> receipts = all_receipts(graph, folder);
   std::vector<TaskOutcome> outcomes(graph.tasks.size());
   for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
     const Task& task = graph.tasks[i];
@@ -42,9 +84,12 @@ std::vector<TaskOutcome> glance(const TaskGraph& graph, const std::filesystem::p
       return one->state == TaskState::cached;
     });
     if (!are_there) continue;
-    auto receipts = products_seen(task, keys_of(task, inputs), folder);
-    outcomes[i].state = receipts ? TaskState::cached : TaskState::due;
-    if (receipts) outcomes[i].products = std::move(*receipts);
+    const bool is_there = have_keys(receipts[i], keys_of(task, inputs));
+    outcomes[i].state = is_there ? TaskState::cached : TaskState::due;
+    if (!is_there) continue;
+    for (std::optional<Receipt>& receipt : receipts[i]) {
+      outcomes[i].products.push_back(std::move(*receipt));
+    }
   }
   return outcomes;
 }

@@ -21,7 +21,7 @@ constexpr std::array remedies = {
            "(scontrol ping)"},
     Remedy{"Connection refused", "Slurm's controller does not answer: scontrol ping"},
     Remedy{"Socket timed out", "Slurm's controller is slow: try again, nothing is submitted twice"},
-    Remedy{"could not establish a configuration source",
+    Remedy{"ould not establish a configuration source",
            "this machine is no part of a cluster: log in to one that is, or set SLURM_CONF"},
     Remedy{"unable to determine hostname", "this machine is no part of a cluster"},
     Remedy{"munge", "the authentication service munge does not run here: ask who runs the cluster"},

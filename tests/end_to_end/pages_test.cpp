@@ -34,6 +34,11 @@ struct NotRun {
 const std::vector<NotRun> not_run = {
     {"./mien test", "the launcher's, not the program's: it would run this test again"},
     {"./mien package", "the launcher's: it builds"},
+    {"./mien farm submit", "needs Slurm"},
+    {"./mien farm resume", "needs Slurm"},
+    {"./mien farm cancel", "needs Slurm"},
+    {"./mien farm logs study.yaml film:target-1", "needs a submission"},
+    {"./mien farm status study.yaml --out /shared/studies --watch", "needs somebody who works"},
     {"cmake --preset", "builds"},
     {"ctest --preset", "needs another build"},
     {"mkdir corpus", "needs a build by clang"},

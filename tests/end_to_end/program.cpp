@@ -34,7 +34,7 @@ int wait_for(pid_t child, double kill_after_seconds, int signal) {
 
 }  // namespace
 
-Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seconds, int signal) {
+Ended run_program(const std::vector<std::string>& words, double kill_after_seconds, int signal) {
   const Scratch scratch;
   const std::string output = scratch.path() / "output";
   const std::string errors = scratch.path() / "errors";
@@ -44,11 +44,10 @@ Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seco
     const int err = open(errors.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
-    std::vector<char*> argv = {const_cast<char*>(MIEN_PROGRAM)};
-    for (const std::string& argument : arguments)
-      argv.push_back(const_cast<char*>(argument.c_str()));
+    std::vector<char*> argv;
+    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
-    execv(MIEN_PROGRAM, argv.data());
+    execvp(argv[0], argv.data());
     _exit(127);
   }
   Ended ended;
@@ -56,6 +55,12 @@ Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seco
   ended.output = text_of(output);
   ended.errors = text_of(errors);
   return ended;
+}
+
+Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seconds, int signal) {
+  std::vector<std::string> words = {MIEN_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_program(words, kill_after_seconds, signal);
 }
 
 Scratch::Scratch() {

@@ -18,6 +18,10 @@ struct Ended {
 Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seconds = -1.0,
                int signal = 9);
 
+/// Runs any program that PATH leads to.
+Ended run_program(const std::vector<std::string>& words, double kill_after_seconds = -1.0,
+                  int signal = 9);
+
 /// A fresh folder that is removed with the object.
 class Scratch {
  public:

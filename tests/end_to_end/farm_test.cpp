@@ -1,0 +1,299 @@
+#include <fstream>
+#include <memory>
+#include <regex>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/program.h"
+#include "end_to_end/slurm_cluster.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* study_text = R"(mien: 1
+study: tiny
+seed: 3
+examples: {set: "builtin:walks-10", ratings: builtin}
+output: {size: [64, 36], fps: 10, cycles: 1, quality: draft, frames: png, video: [mp4]}
+stimuli:
+  - {id: one, weights: {normal: 1}}
+  - {id: two, weights: {sad: 1}}
+sheets:
+  - compare: {target: one, created: two}
+)";
+
+/// What needs no Slurm.
+class Farm : public testing::Test {
+ protected:
+  Scratch scratch;
+  fs::path manifest = scratch.write("tiny.yaml", study_text);
+  /// A name that a careless script would stumble on.
+  fs::path out = scratch.path() / "it's 100% of $HOME";
+
+  Ended farm(std::vector<std::string> words, const std::vector<std::string>& more = {}) const {
+    words.insert(words.begin(), "farm");
+    words.insert(words.begin() + 2, {manifest.string(), "--out", out.string()});
+    words.insert(words.end(), more.begin(), more.end());
+    return run_mien(words);
+  }
+
+  json status() const {
+    const Ended ended = farm({"status"}, {"--json"});
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    return json::parse(ended.output);
+  }
+};
+
+/// A Slurm that is not there: none of its commands is found.
+class WithoutSlurm : public Farm {
+ protected:
+  WithoutSlurm() : path_(std::getenv("PATH")) { ::setenv("PATH", scratch.path().c_str(), 1); }
+  ~WithoutSlurm() override { ::setenv("PATH", path_.c_str(), 1); }
+
+ private:
+  std::string path_;
+};
+
+TEST_F(WithoutSlurm, ADryRunPrintsJobsAndWritesNothing) {
+  const Ended ended = farm({"submit"}, {"--dry-run", "--chunk", "4", "--mem", "1G"});
+  EXPECT_EQ(ended.code, 0) << ended.errors;
+  for (const char* words :
+       {"1-motions    1 element", "2-frames", "film:one[1/", "6-rest       what is left",
+        "#SBATCH --mem=\"1G\"", "tables films design report"}) {
+    EXPECT_NE(ended.output.find(words), std::string::npos) << words;
+  }
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(WithoutSlurm, SubmittingSaysWhatIsMissing) {
+  const Ended ended = farm({"submit"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.errors.find("Slurm is not installed"), std::string::npos) << ended.errors;
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(WithoutSlurm, StatusTellsWhatTheStoreHas) {
+  EXPECT_EQ(status()["complete"], false);
+  ASSERT_EQ(run_mien({"run", manifest.string(), "--out", out.string()}).code, 0);
+  EXPECT_EQ(status()["complete"], true);
+  EXPECT_EQ(farm({"status"}, {"--watch", "0.5"}).code, 0);
+}
+
+TEST_F(WithoutSlurm, BadOptionsAreToldBeforeAnythingIsDone) {
+  EXPECT_EQ(farm({"submit"}, {"--chunk", "many"}).code, 2);
+  EXPECT_EQ(farm({"submit"}, {"--mem", "2 GB"}).code, 2);
+  EXPECT_EQ(farm({"submit"}, {"--time", "an hour"}).code, 2);
+  EXPECT_EQ(farm({"submit"}, {"--partition", "a\nb"}).code, 2);
+  EXPECT_EQ(farm({"resume"}).code, 2);
+  EXPECT_EQ(farm({"logs"}, {"film:nobody"}).code, 2);
+  EXPECT_EQ(run_mien({"farm", "export", manifest.string(), "--format", "openjd", "-o",
+                      (scratch.path() / "job.txt").string()})
+                .code,
+            2);
+  EXPECT_FALSE(fs::exists(out));
+  EXPECT_FALSE(fs::exists(scratch.path() / "job.txt"));
+}
+
+TEST_F(WithoutSlurm, AnExportedJobIsTheSameEachTime) {
+  const auto exported = [&] {
+    return run_mien({"farm", "export", manifest.string(), "--format", "openjd", "--chunk", "4"});
+  };
+  const Ended first = exported();
+  EXPECT_EQ(first.code, 0) << first.errors;
+  EXPECT_NE(first.output.find("specificationVersion: \"jobtemplate-2023-09\""), std::string::npos);
+  EXPECT_EQ(first.output, exported().output);
+}
+
+/// With the two-node cluster.
+class FarmOnSlurm : public Farm {
+ protected:
+  void SetUp() override { start(SlurmCluster::Requeue::by_site); }
+
+  void start(SlurmCluster::Requeue requeue) {
+    cluster.reset();
+    if (const std::string obstacle = SlurmCluster::obstacle(); !obstacle.empty()) {
+      GTEST_SKIP() << "Slurm cannot run here: " << obstacle;
+    }
+    try {
+      cluster = std::make_unique<SlurmCluster>(requeue);
+    } catch (const std::runtime_error& error) {
+      GTEST_SKIP() << "Slurm cannot run here: " << error.what();
+    }
+  }
+
+  fs::path submission(const std::string& number = "0001") const {
+    return out / "tiny" / "farm" / number;
+  }
+
+  /// A batch file whose jobs run another program, as a person might change it. Gives its job.
+  std::string submit_changed(const fs::path& script, const fs::path& program,
+                             const std::vector<std::string>& more = {}) const {
+    const std::string text = std::regex_replace(text_of(script), std::regex("\nmien='[^\n]*'\n"),
+                                                "\nmien='" + program.string() + "'\n");
+    std::ofstream(script) << text;
+    std::vector<std::string> words = {"sbatch", "--parsable"};
+    words.insert(words.end(), more.begin(), more.end());
+    words.push_back(script.string());
+    const std::string job = must_run(words);
+    return job.substr(0, job.find('\n'));
+  }
+
+  fs::path stand_in(const std::string& script) const {
+    const std::string name = "stand-in-" + std::to_string(std::hash<std::string>()(script));
+    const fs::path file = scratch.write(name, "#!/bin/bash\n" + script + "\n");
+    fs::permissions(file, fs::perms::owner_all);
+    return file;
+  }
+
+  /// Submits and takes all of it back, for the files.
+  void write_files() const {
+    ASSERT_EQ(farm({"submit"}, {"--chunk", "4"}).code, 0);
+    ASSERT_EQ(farm({"cancel"}).code, 0);
+    ASSERT_TRUE(cluster->wait_until_empty(30.0));
+  }
+
+  std::string log_of(const std::string& name, const std::string& element) const {
+    return text_of(submission() / "log" / ("tiny-" + name + "-" + element + ".log"));
+  }
+
+  /// The state in which an element of a job ended or is, "" when Slurm has it not.
+  std::string state_of(const std::string& job, const std::string& index) const {
+    for (const std::string& row : cluster->queue()) {
+      if (row.starts_with(job + "|" + index + "|")) {
+        const std::string rest = row.substr(job.size() + index.size() + 2);
+        return rest.substr(0, rest.find('|'));
+      }
+    }
+    return "";
+  }
+
+  std::unique_ptr<SlurmCluster> cluster;
+};
+
+TEST_F(FarmOnSlurm, MakesAStudyAndKnowsIt) {
+  const Ended submitted = farm({"submit"}, {"--chunk", "4"});
+  ASSERT_EQ(submitted.code, 0) << submitted.errors;
+  EXPECT_NE(submitted.output.find("2-frames"), std::string::npos);
+  EXPECT_TRUE(status()["active"]);
+
+  const Ended second = farm({"submit"});
+  EXPECT_EQ(second.code, 2);
+  EXPECT_NE(second.errors.find("is with Slurm already"), std::string::npos) << second.errors;
+
+  ASSERT_TRUE(cluster->wait_until_empty(120.0));
+  EXPECT_TRUE(status()["complete"]) << farm({"logs"}).output;
+  EXPECT_NE(farm({"submit"}).output.find("nothing to do"), std::string::npos);
+  EXPECT_NE(farm({"resume"}).output.find("nothing to do"), std::string::npos);
+}
+
+TEST_F(FarmOnSlurm, PutsBackWhatIsTransientThreeTimesWhoeverDoesIt) {
+  for (const auto requeue : {SlurmCluster::Requeue::by_site, SlurmCluster::Requeue::by_job}) {
+    if (requeue == SlurmCluster::Requeue::by_job) start(requeue);
+    if (IsSkipped()) return;
+    fs::remove_all(out);
+    write_files();
+    const std::string job = submit_changed(submission() / "2-frames.sbatch",
+                                           stand_in("echo tried; exit 75"), {"--array=2"});
+    EXPECT_TRUE(wait_until(120.0, [&] { return state_of(job, "2") == "FAILED"; }))
+        << state_of(job, "2");
+    const std::string log = log_of("2-frames", job + "_2");
+    int tries = 0;
+    for (std::size_t at = log.find("tried\n"); at != std::string::npos;
+         at = log.find("tried\n", at + 1)) {
+      ++tries;
+    }
+    EXPECT_EQ(tries, 4) << log;
+    EXPECT_NE(log.find("ended with 75 on n"), std::string::npos) << log;
+  }
+}
+
+TEST_F(FarmOnSlurm, HoldsAWrongSetUpUntilItIsResumed) {
+  write_files();
+  const std::string job =
+      submit_changed(submission() / "2-frames.sbatch", stand_in("exit 78"), {"--array=1"});
+  EXPECT_TRUE(wait_until(60.0, [&] { return !status()["held"].empty(); }));
+  EXPECT_EQ(status()["held"][0]["job"], job + "_1");
+  EXPECT_NE(farm({"logs"}).output.find("ended with 78"), std::string::npos);
+  ASSERT_EQ(farm({"resume"}).code, 0);
+  ASSERT_TRUE(cluster->wait_until_empty(120.0));
+  EXPECT_TRUE(status()["complete"]);
+}
+
+TEST_F(FarmOnSlurm, PassesScancelOnToTheWorker) {
+  write_files();
+  const fs::path trace = scratch.path() / "trace";
+  const std::string job = submit_changed(
+      submission() / "2-frames.sbatch",
+      stand_in("trap 'echo stopped >>" + trace.string() + "; exit 75' TERM\necho begun >>" +
+               trace.string() + "\nwhile :; do sleep 0.1; done"),
+      {"--array=1"});
+  ASSERT_TRUE(wait_until(30.0, [&] { return text_of(trace) == "begun\n"; }));
+  ASSERT_EQ(farm({"cancel"}).code, 0);
+  ASSERT_TRUE(cluster->wait_until_empty(30.0));
+  EXPECT_EQ(text_of(trace), "begun\nstopped\n");
+  EXPECT_EQ(state_of(job, "1"), "CANCELLED");
+}
+
+TEST_F(FarmOnSlurm, NoticesThatTheControllerForgotAllAndGoesOn) {
+  ASSERT_EQ(farm({"submit"}, {"--chunk", "4"}).code, 0);
+  cluster->kill_controller();
+  cluster->kill_steps();
+  cluster->start_controller(true);
+  ASSERT_TRUE(wait_until(30.0, [&] { return run_program({"squeue", "-h"}, 10.0).code == 0; }));
+  // Somebody else gets the numbers that our jobs had.
+  scratch.write("other.sh", "#!/bin/sh\nsleep 300\n");
+  for (int i = 0; i < 3; ++i) {
+    must_run({"sbatch", "--hold", "--output=/dev/null", (scratch.path() / "other.sh").string()});
+  }
+  EXPECT_FALSE(status()["lost"].empty());
+  const Ended resumed = farm({"resume"});
+  ASSERT_EQ(resumed.code, 0) << resumed.errors;
+  EXPECT_NE(resumed.errors.find("no longer has job"), std::string::npos) << resumed.errors;
+  ASSERT_EQ(farm({"cancel"}).code, 0);
+  int others = 0;
+  for (const std::string& row : cluster->queue()) {
+    if (row.find("|PENDING|JobHeldUser|") != std::string::npos) ++others;
+  }
+  EXPECT_EQ(others, 3) << "cancel has taken somebody else's jobs";
+}
+
+TEST_F(FarmOnSlurm, TakesAJobThatTheJournalDoesNotKnowForItsOwn) {
+  ASSERT_EQ(farm({"submit"}, {"--chunk", "4"}).code, 0);
+  const fs::path journal = out / "tiny/farm/journal.jsonl";
+  std::string text = text_of(journal);
+  text.resize(text.rfind("{\"event\":\"submitted\"") + 20);  // the client was killed just then
+  std::ofstream(journal) << text;
+  const Ended resumed = farm({"resume"});
+  ASSERT_EQ(resumed.code, 0) << resumed.errors;
+  ASSERT_TRUE(cluster->wait_until_empty(120.0));
+  EXPECT_TRUE(status()["complete"]);
+}
+
+TEST_F(FarmOnSlurm, LeavesNoJobWaitingForWhatCannotHappen) {
+  write_files();
+  const std::string failing =
+      submit_changed(submission() / "2-frames.sbatch", stand_in("exit 65"), {"--array=1"});
+  const std::string waiting = submit_changed(submission() / "3-films.sbatch", stand_in("exit 0"),
+                                             {"--array=1", "--dependency=afterok:" + failing});
+  ASSERT_TRUE(cluster->wait_until_empty(60.0)) << status().dump();
+  EXPECT_EQ(state_of(waiting, "1"), "CANCELLED");
+}
+
+TEST_F(FarmOnSlurm, ResumesWhatKilledJobsLeft) {
+  ASSERT_EQ(farm({"submit"}, {"--chunk", "4"}).code, 0);
+  ASSERT_TRUE(wait_until(30.0, [&] { return status()["running"] > 0; }));
+  cluster->kill_node(1);
+  cluster->kill_steps();
+  cluster->restart_node(1);
+  ASSERT_TRUE(cluster->wait_until_empty(180.0));
+  ASSERT_EQ(farm({"resume"}).code, 0);
+  ASSERT_TRUE(cluster->wait_until_empty(180.0));
+  EXPECT_TRUE(status()["complete"]);
+}
+
+}  // namespace
+}  // namespace mien::test
