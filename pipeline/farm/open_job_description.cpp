@@ -19,21 +19,16 @@ std::string plain(const std::string& text) {
               "rename it");
 }
 
-ordered_json path_parameter(const char* name, const char* description, const std::string& value,
-                            const char* kind, const char* flow) {
-  return {{"name", name},
-          {"type", "PATH"},
-          {"description", description},
-          {"default", plain(value)},
-          {"objectType", kind},
-          {"dataFlow", flow}};
+/// A text, not a path: an absolute path may not be the default of one.
+ordered_json parameter(const char* name, const char* description, const std::string& value) {
+  return {
+      {"name", name}, {"type", "STRING"}, {"description", description}, {"default", plain(value)}};
 }
 
 ordered_json parameters(const StudyCall& call) {
-  return {path_parameter("Mien", "The program", call.program.string(), "FILE", "NONE"),
-          path_parameter("Manifest", "What to make", call.manifest.string(), "FILE", "IN"),
-          path_parameter("Out", "Folder of all studies, shared by all workers", call.out.string(),
-                         "DIRECTORY", "INOUT")};
+  return {parameter("Mien", "The program", call.program.string()),
+          parameter("Manifest", "What to make", call.manifest.string()),
+          parameter("Out", "Folder of all studies, shared by all workers", call.out.string())};
 }
 
 ordered_json action(std::vector<std::string> arguments, const StudyCall& call,

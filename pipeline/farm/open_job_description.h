@@ -14,7 +14,8 @@ namespace mien::pipeline {
 /// A job template of the Open Job Description specification, version 2023-09
 /// (https://github.com/OpenJobDescription/openjd-specifications): a step a stage, over the numbers
 /// of its elements, and one for what is left. Program, manifest and folder are parameters of the
-/// job, so that a farm may map their paths. Throws Error for what the specification cannot say.
+/// job, which may be given otherwise when it is submitted. Throws Error for what the specification
+/// cannot say.
 nlohmann::ordered_json open_job_template(const std::vector<Stage>& stages, const StudyCall& call,
                                          const JobRequest& request);
 

@@ -48,7 +48,7 @@ TEST(OpenJob, IsHeldAgainstRulesThatCanBeBroken) {
       [](json& job) { job["steps"][1]["dependencies"][0]["dependsOn"] = "nobody"; },
       [](json& job) { job["steps"][0]["dependencies"] = json::array(); },
       [](json& job) { job["parameterDefinitions"][0]["name"] = "my mien"; },
-      [](json& job) { job["parameterDefinitions"][0]["dataFlow"] = "SIDEWAYS"; },
+      [](json& job) { job["parameterDefinitions"][1] = job["parameterDefinitions"][0]; },
       [](json& job) {
         job["steps"][0]["parameterSpace"]["taskParameterDefinitions"][0]["range"] = "3-1";
       },

@@ -62,22 +62,14 @@ class Rules {
   void check_parameters(const json& parameters) {
     expect(parameters.is_array() && !parameters.empty() && parameters.size() <= 50, "parameters");
     for (const json& parameter : parameters) {
-      keys("parameter", parameter, {"name", "type"},
-           {"description", "default", "objectType", "dataFlow"});
-      expect(parameter.value("type", "") == "PATH", "parameter: another type");
+      keys("parameter", parameter, {"name", "type"}, {"description", "default"});
+      expect(parameter.value("type", "") == "STRING", "parameter: another type");
       const std::string name = parameter.value("name", "");
       expect(std::regex_match(name, identifier), "parameter: name " + name);
-      expect(known_.insert("Param." + name).second, "parameter: " + name + " twice");
-      expect(std::set<std::string>{"FILE", "DIRECTORY"}.contains(
-                 parameter.value("objectType", "FILE")),
-             "objectType");
-      expect(std::set<std::string>{"NONE", "IN", "OUT", "INOUT"}.contains(
-                 parameter.value("dataFlow", "NONE")),
-             "dataFlow");
-      if (parameter.contains("default")) {
-        text("default", parameter["default"], 1024);
-        expect(parameter["default"].get<std::string>().find("{{") == std::string::npos, "default");
+      for (const char* scope : {"Param.", "RawParam."}) {
+        expect(known_.insert(scope + name).second, "parameter: " + name + " twice");
       }
+      if (parameter.contains("default")) text("default", parameter["default"], 1024);
     }
   }
 
