@@ -12,8 +12,8 @@ namespace mien::pipeline {
 /// A process that works on a study, told so that another one, perhaps on another machine, can see
 /// whether it still lives. Lies in <study>/.mien/workers/<name>.json.
 struct WorkerRecord {
-  std::string name;  ///< "host-4711-9f3a01c2", of no other process ever
-  std::string host;
+  std::string name;             ///< "host-4711-9f3a01c2", of no other process ever
+  std::string host;             ///< the machine, or the node as Slurm calls it
   std::string boot;             ///< of the machine: another one after each start
   std::string process_space;    ///< in which the number counts (containers have their own)
   std::int64_t process = 0;     ///< its number
