@@ -21,9 +21,10 @@ namespace {
 }
 
 [[noreturn]] void throw_unwritable(const std::filesystem::path& file) {
-  throw WriteFailure(file.string() + ": cannot be written (" +
-                     std::generic_category().message(errno) +
-                     "); check that the folder exists, may be written to and has space");
+  const std::error_code code(errno, std::generic_category());
+  throw WriteFailure(file.string() + ": cannot be written (" + code.message() +
+                         "); check that the folder exists, may be written to and has space",
+                     code);
 }
 
 /// An open file that closes itself.
@@ -72,12 +73,25 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
   }
 }
 
+void replace_file(const std::filesystem::path& file, const std::filesystem::path& next,
+                  std::string_view bytes) {
+  try {
+    write_file(next, bytes);
+    std::filesystem::rename(next, file);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(next, ignored);
+    throw;
+  }
+}
+
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error) return;
   throw WriteFailure(folder.string() + ": cannot be made (" + error.message() +
-                     "); name a folder that can be written to");
+                         "); name a folder that can be written to",
+                     error);
 }
 
 void flush_to_disk(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace mien::pipeline {
 
@@ -11,7 +12,14 @@ namespace mien::pipeline {
 /// the next time (a disk that was full, a server that was away).
 class WriteFailure : public std::runtime_error {
  public:
-  using runtime_error::runtime_error;
+  explicit WriteFailure(const std::string& text, std::error_code code = {})
+      : runtime_error(text), code_(code) {}
+
+  /// Why, if the system has said so.
+  const std::error_code& code() const { return code_; }
+
+ private:
+  std::error_code code_;
 };
 
 /// All of a file of ours. Throws std::runtime_error: that it cannot be read is no fault of what the
@@ -23,6 +31,11 @@ void refuse_what_is_no_file(const std::filesystem::path& file);
 
 /// Creates or replaces a file. Throws WriteFailure, also when the disk is full.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// Likewise, at once: a reader sees the old bytes or the new ones. `next` is where they are written
+/// first; it is not there afterwards, whatever happens.
+void replace_file(const std::filesystem::path& file, const std::filesystem::path& next,
+                  std::string_view bytes);
 
 /// Makes a folder and those above it, unless they are there. Throws WriteFailure.
 void make_folder(const std::filesystem::path& folder);

@@ -101,24 +101,24 @@ int attempts_before(const fs::path& file) {
   const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
   const ordered_json told =
       text.bytes ? ordered_json::parse(*text.bytes, nullptr, false) : ordered_json::object();
-  return told.is_object() ? told.value("attempts", 0) : 0;
+  const bool is_told = told.is_object() && told.contains("attempts");
+  return is_told && told["attempts"].is_number_integer() ? told["attempts"].get<int>() : 0;
 }
 
 void tell_failure(const fs::path& folder, const FailedWork& failed, const std::string& command,
-                  const std::string& host) {
+                  const WorkerRecord& self) {
   const fs::path file = failure_path(folder, failed.item);
   const ordered_json told = {{"item", failed.item},
                              {"error", failed.error},
                              {"code", failed.code},
-                             {"host", host},
+                             {"host", self.host},
                              {"when", fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)))},
                              {"attempts", attempts_before(file) + 1},
                              {"command", command + " --tasks " + failed.item}};
   make_folder(file.parent_path());
   fs::path next = file;
-  next += "." + host + ".new";
-  write_file(next, told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
-  fs::rename(next, file);
+  next += "." + self.name + ".new";
+  replace_file(file, next, told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace
@@ -160,7 +160,10 @@ WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
     const TaskOutcome* cause = cause_of(items, outcomes, index);
     if (cause != nullptr) {
       result.failed.push_back({name, cause->error, code_of(*cause)});
-      tell_failure(folder, result.failed.back(), command, store.presence().self().host);
+      try {
+        tell_failure(folder, result.failed.back(), command, store.presence().self());
+      } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the disk is full, perhaps,
+      }                                  // and the job's log tells of the failure itself
     } else if (outcomes[index].state == TaskState::interrupted ||
                outcomes[index].state == TaskState::skipped) {
       result.was_interrupted = true;

@@ -105,15 +105,18 @@ class FilmMaker {
     if (!keeps_frames()) frames->drop();
   }
 
-  /// Draws frames that are missing, for `make` to find.
+  /// Draws frames that are missing, for `make` to find. If another process has made the film in the
+  /// meantime, nobody needs them any more.
   void make(const Part& part) {
     refuse_long_fades();
     const auto [first, end] = range_of(part, shot_.frame_count());
     std::vector<int> frames(static_cast<std::size_t>(end - first));
     std::iota(frames.begin(), frames.end(), first);
+    const std::unique_ptr<FrameStore> store = open_frames();
     draw_frames(
-        shot_, frames, kept_frames(), open_frames().get(), [](int, const render::Image8&) {},
-        run_.stop, run_.progress);
+        shot_, frames, kept_frames(), store.get(), [](int, const render::Image8&) {}, run_.stop,
+        run_.progress);
+    if (find_products(run_.task, run_.keys, run_.store.folder())) store->drop();
   }
 
  private:

@@ -96,6 +96,7 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
     refuse_replaced(result, store);
     put_inputs(production.manifest(), production.inputs(), store);
     put_provenance(production, result, store);
+    store.remove_workings();
   }
   result.warnings = warnings_in(production, result, store);
   result.nondeterminism = store.nondeterminism();

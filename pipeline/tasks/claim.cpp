@@ -28,12 +28,15 @@ bool create_alone(const fs::path& file) {
   throw std::system_error(errno, std::generic_category(), file.string());
 }
 
-/// Who has a claim; empty when nobody has, or has not said so yet.
-std::string holder_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::string name;
-  std::getline(stream, name);
-  return name;
+/// A claim without a signature is given back.
+void sign(const fs::path& file, const std::string& worker) {
+  try {
+    write_file(file, worker + "\n");
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    throw;
+  }
 }
 
 }  // namespace
@@ -43,7 +46,7 @@ Claim::Claim(fs::path file, std::string worker)
 
 Claim::~Claim() {
   std::error_code ignored;
-  if (holder_of(file_) == worker_) fs::remove(file_, ignored);
+  if (claim_holder(file_) == worker_) fs::remove(file_, ignored);
 }
 
 std::unique_ptr<Claim> Claim::take(const fs::path& folder, const std::string& what,
@@ -54,15 +57,22 @@ std::unique_ptr<Claim> Claim::take(const fs::path& folder, const std::string& wh
   if (!create_alone(file)) {
     // One that nobody has signed was left by a process that was killed at that moment, or will be
     // signed in the next one: then two make the same, which harms nothing.
-    if (const std::string holder = holder_of(file); !holder.empty()) {
-      if (holder == worker || watch.seems_alive(holder)) return nullptr;
-    }
-    std::error_code ignored;
-    fs::remove(file, ignored);
+    const std::string holder = claim_holder(file);
+    if (holder != worker && !holder.empty() && watch.seems_alive(holder)) return nullptr;
+    fs::remove_all(file);
     if (!create_alone(file)) return nullptr;
   }
-  write_file(file, worker + "\n");
+  sign(file, worker);
   return std::unique_ptr<Claim>(new Claim(file, worker));
+}
+
+std::string claim_holder(const fs::path& file) {
+  std::error_code none;
+  if (!fs::is_regular_file(file, none)) return "";
+  std::ifstream stream(file);
+  std::string name;
+  std::getline(stream, name);
+  return name;
 }
 
 }  // namespace mien::pipeline

@@ -14,7 +14,7 @@ namespace mien::pipeline {
 class Claim {
  public:
   /// Nothing while another process that seems to live has it; of one that does not, it is taken
-  /// over.
+  /// over. Throws std::system_error or WriteFailure when the folder cannot be written to.
   static std::unique_ptr<Claim> take(const std::filesystem::path& folder, const std::string& what,
                                      const std::string& worker, WorkerWatch& watch);
   ~Claim();
@@ -27,5 +27,8 @@ class Claim {
   std::filesystem::path file_;
   std::string worker_;
 };
+
+/// Who has signed a claim; empty when nobody has.
+std::string claim_holder(const std::filesystem::path& file);
 
 }  // namespace mien::pipeline

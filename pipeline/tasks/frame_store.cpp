@@ -95,49 +95,59 @@ void FrameStore::discard(const std::string& name) {
 
 fs::path FrameStore::put(const std::string& name, const Store::Write& write,
                          const Store::Verify& verify) {
-  const fs::path attempt = store_->new_attempt();
-  const fs::path drawn = attempt / name;
-  write(drawn);
-  flush_to_disk(drawn);
-  verify(drawn);
-  const FrameReceipt frame{name, hash_of_file(drawn), fs::file_size(drawn)};
-  std::vector<Note> earlier = notes_of(name);
-  if (auto published = published_note(name)) earlier.push_back(*std::move(published));
-  for (const Note& note : earlier) {
-    store_->compare(path_ + "/" + name, note.frame.hash, note.maker, frame.hash);
-  }
   const fs::path file = folder_ / "frames" / name;
-  fs::create_directories(file.parent_path());
-  fs::rename(drawn, file);
-  fs::remove_all(attempt);
-  add_note(frame);
-  remember(name, {frame, file});
+  store_->in_attempt([&](const fs::path& attempt) {
+    const fs::path drawn = attempt / name;
+    write(drawn);
+    flush_to_disk(drawn);
+    verify(drawn);
+    const FrameReceipt frame{name, hash_of_file(drawn), fs::file_size(drawn)};
+    compare_with_earlier(frame);
+    fs::create_directories(file.parent_path());
+    fs::rename(drawn, file);
+    add_note(frame);
+    remember(name, {frame, file});
+  });
   return file;
 }
 
-Receipt FrameStore::publish(const std::vector<std::string>& names) {
-  const Receipt receipt = receipt_of(names);
-  const fs::path attempt = store_->new_attempt();
-  const fs::path sequence = attempt / "frames";
-  fs::create_directories(sequence);
-  try {
-    link_frames(receipt.frames, sequence);
-  } catch (const fs::filesystem_error&) {
-    // Another process has published the sequence and cleared away what it was made of.
-    if (const auto published = find_artifact(store_->folder, path_, key_)) return *published;
-    throw;
+void FrameStore::compare_with_earlier(const FrameReceipt& frame) {
+  std::vector<Note> earlier = notes_of(frame.name);
+  if (auto published = published_note(frame.name)) earlier.push_back(*std::move(published));
+  for (const Note& note : earlier) {
+    store_->compare(path_ + "/" + frame.name, note.frame.hash, note.maker, frame.hash);
   }
-  flush_to_disk(sequence);
-  Receipt published = store_->publish(sequence, receipt);
-  fs::remove_all(attempt);
+}
+
+Receipt FrameStore::publish(const std::vector<std::string>& names) {
+  Receipt receipt = receipt_of(names);
+  store_->in_attempt([&](const fs::path& attempt) {
+    const fs::path sequence = attempt / "frames";
+    fs::create_directories(sequence);
+    try {
+      link_frames(receipt.frames, sequence);
+    } catch (const fs::filesystem_error&) {
+      // Another process has published the sequence and cleared away what it was made of.
+      auto published = find_artifact(store_->folder, path_, key_);
+      if (!published) throw;
+      receipt = *std::move(published);
+      return;
+    }
+    flush_to_disk(sequence);
+    receipt = store_->publish(sequence, receipt);
+  });
   drop();
-  return published;
+  return receipt;
 }
 
 void FrameStore::link_frames(const std::vector<FrameReceipt>& frames, const fs::path& into) {
   const std::lock_guard guard(mutex_);
   for (const FrameReceipt& frame : frames) {
-    link_or_copy(found_.at(frame.name).file, into / frame.name);
+    const fs::path linked = into / frame.name;
+    link_or_copy(found_.at(frame.name).file, linked);
+    // Others may have drawn it again since, and disks forget.
+    if (!agrees(linked, frame.hash, frame.size))
+      throw WriteFailure(path_ + "/" + frame.name + ": was changed before it was published");
   }
 }
 

@@ -38,9 +38,12 @@ void SignalWatch::watch() {
   const sigset_t signals = watched_signals();
   int signal = 0;
   while (sigwait(&signals, &signal) == 0 && !closing_) {
-    if (!source_.request_stop()) std::_Exit(exit_interrupted);
-    std::fputs("\ninterrupted: stopping after the frames in work; once more to stop at once\n",
-               stderr);
+    if (source_.request_stop()) {
+      std::fputs("\ninterrupted: stopping; what is done is kept (Ctrl-C to stop at once)\n",
+                 stderr);
+    } else if (signal == SIGINT) {
+      std::_Exit(exit_interrupted);
+    }
   }
 }
 

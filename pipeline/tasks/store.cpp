@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "pipeline/documents/files.h"
+#include "pipeline/tasks/disk_fault.h"
+#include "pipeline/tasks/remains.h"
 #include "pipeline/tasks/store_state.h"
 
 namespace mien::pipeline {
@@ -19,8 +21,17 @@ std::string to_string(const Nondeterminism& met) {
          "); please report this";
 }
 
-Store::Store(fs::path folder, Sharing sharing)
-    : state_(std::make_unique<State>(std::move(folder), sharing)) {}
+Store::Store(const fs::path& folder, Sharing sharing) {
+  try {
+    state_ = std::make_unique<State>(folder, sharing);
+  } catch (const StoreBusy&) {
+    throw;
+  } catch (const std::exception& error) {
+    const std::string fault = disk_fault(folder, error);
+    if (fault.empty()) throw;
+    throw WriteFailure(fault);
+  }
+}
 
 Store::~Store() = default;
 
@@ -32,14 +43,16 @@ std::optional<Receipt> Store::find(const std::string& path, const Hash& key) con
 
 Receipt Store::put(const std::string& path, const Hash& key, const Write& write,
                    const Verify& verify) {
-  const fs::path attempt = state_->new_attempt();
-  const fs::path file = attempt / fs::path(path).filename();
-  write(file);
-  flush_to_disk(file);
-  verify(file);
-  Receipt receipt{key, path, hash_of_file(file), fs::file_size(file), {}, state_->self()};
-  receipt = state_->publish(file, std::move(receipt));
-  fs::remove_all(attempt);
+  Receipt receipt{key, path, "", 0, {}, state_->self()};
+  state_->in_attempt([&](const fs::path& attempt) {
+    const fs::path file = attempt / fs::path(path).filename();
+    write(file);
+    flush_to_disk(file);
+    verify(file);
+    receipt.hash = hash_of_file(file);
+    receipt.size = fs::file_size(file);
+    receipt = state_->publish(file, receipt);
+  });
   return receipt;
 }
 
@@ -49,6 +62,10 @@ std::unique_ptr<FrameStore> Store::frames(const std::string& path, const Hash& k
 
 std::unique_ptr<Claim> Store::claim(const std::string& what) {
   return Claim::take(state_->folder, what, state_->worker(), state_->watch);
+}
+
+void Store::remove_workings() {
+  pipeline::remove_workings(state_->folder, state_->presence.file(), state_->worker());
 }
 
 WorkerPresence& Store::presence() { return state_->presence; }

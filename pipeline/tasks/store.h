@@ -56,8 +56,9 @@ class Store {
   using Verify = std::function<void(const std::filesystem::path& file)>;
 
   /// Creates the folder and removes what attempts left whose processes are gone. Throws StoreBusy
-  /// when another process works there and one of the two wants it to itself.
-  explicit Store(std::filesystem::path folder, Sharing sharing = Sharing::shared);
+  /// when another process works there and one of the two wants it to itself, and WriteFailure when
+  /// the folder cannot be written to.
+  explicit Store(const std::filesystem::path& folder, Sharing sharing = Sharing::shared);
   ~Store();
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
@@ -77,6 +78,9 @@ class Store {
 
   /// Tells other processes that this one makes something; nothing while another one does.
   std::unique_ptr<Claim> claim(const std::string& what);
+
+  /// Once all of the study is made: removes claims and frames in the making, unless others draw.
+  void remove_workings();
 
   /// What others see of this process.
   WorkerPresence& presence();
@@ -142,6 +146,7 @@ class FrameStore {
   std::optional<Note> published_note(const std::string& name) const;
   void note_damage(const std::string& name);
   void read_new_notes();
+  void compare_with_earlier(const FrameReceipt& frame);
   void add_note(const FrameReceipt& frame);
   void remember(const std::string& name, Found found);
   void link_frames(const std::vector<FrameReceipt>& frames, const std::filesystem::path& into);

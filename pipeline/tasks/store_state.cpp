@@ -1,10 +1,15 @@
 #include "pipeline/tasks/store_state.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
+
 #include "pipeline/documents/files.h"
+#include "pipeline/tasks/disk_fault.h"
+#include "pipeline/tasks/remains.h"
 
 namespace mien::pipeline {
 
@@ -12,20 +17,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A process of another machine that was silent for so long does nothing any more, or will find
-/// that its attempts are gone.
-constexpr double dead_after_seconds = 24.0 * 3600.0;
-constexpr double silent_after_seconds = 60.0;
 constexpr int tries_to_publish = 100;  ///< against others that publish in the same place
 
-/// Whether a process works now, judged at once.
-bool works_now(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {
-  return !is_gone(record) && seconds_silent(folder, record, now) < silent_after_seconds;
-}
+/// An attempt's folder, as long as it is needed.
+class Attempt {
+ public:
+  explicit Attempt(fs::path folder) : folder_(std::move(folder)) {
+    fs::create_directories(folder_);
+  }
+  ~Attempt() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  Attempt(const Attempt&) = delete;
+  Attempt& operator=(const Attempt&) = delete;
 
-/// Whether it is certain, or as good as certain, that a process will do nothing any more.
-bool is_dead(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {
-  return is_gone(record) || seconds_silent(folder, record, now) > dead_after_seconds;
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+/// Two folders change places at once, so that there is always one: false when there are not two, or
+/// the file system knows no such thing.
+bool exchange([[maybe_unused]] const fs::path& one, [[maybe_unused]] const fs::path& other) {
+#ifdef RENAME_EXCHANGE
+  return ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
+#else
+  return false;
+#endif
 }
 
 }  // namespace
@@ -33,12 +53,14 @@ bool is_dead(const fs::path& folder, const WorkerRecord& record, const fs::path&
 Store::State::State(fs::path at, Sharing sharing)
     : folder(std::move(at)), presence(folder, sharing == Sharing::exclusive), watch(folder) {
   refuse_company(sharing);
-  remove_what_the_dead_left();
+  remove_what_the_dead_left(folder, presence.file());
 }
 
+/// What processes left that were killed in the meantime goes, too.
 Store::State::~State() {
   std::error_code ignored;
   fs::remove_all(internal() / "attempts" / worker(), ignored);
+  remove_what_the_dead_left(folder, presence.file());
 }
 
 /// Each process shows itself before it looks at the others, so that of two that come at the same
@@ -53,29 +75,25 @@ void Store::State::refuse_company(Sharing sharing) {
   }
 }
 
-/// Attempts lie in a folder with the name of the process, whose record was there before.
-void Store::State::remove_what_the_dead_left() {
-  std::error_code ignored;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(internal() / "attempts", ignored)) {
-    const std::string name = entry.path().filename();
-    const std::optional<WorkerRecord> record = read_worker_record(folder, name);
-    if (!record || is_dead(folder, *record, presence.file())) fs::remove_all(entry.path(), ignored);
-  }
-  for (const WorkerRecord& other : read_worker_records(folder)) {
-    if (other.ended || other.frames > 0 || !is_dead(folder, other, presence.file())) continue;
-    fs::remove(worker_record_path(folder, other.name), ignored);
-  }
+fs::path Store::State::new_attempt() {
+  return internal() / "attempts" / worker() / std::to_string(++attempts);
 }
 
-fs::path Store::State::new_attempt() {
-  const fs::path attempt = internal() / "attempts" / worker() / std::to_string(++attempts);
-  fs::create_directories(attempt);
-  return attempt;
+void Store::State::in_attempt(const std::function<void(const fs::path&)>& work) {
+  const Attempt attempt(new_attempt());
+  try {
+    work(attempt.folder());
+  } catch (const std::exception& error) {
+    if (const std::string fault = disk_fault(folder, error); !fault.empty())
+      throw WriteFailure(fault);
+    std::error_code unknown;
+    if (fs::exists(attempt.folder(), unknown) || unknown) throw;
+    throw WriteFailure(std::string(error.what()) + " (the folder was cleared away)");
+  }
 }
 
 Receipt Store::State::publish(const fs::path& attempt, Receipt receipt) {
-  if (auto before = published_before(receipt)) {
+  if (auto before = find_artifact(folder, receipt.path, receipt.key)) {
     compare(receipt.path, before->hash, before->maker, receipt.hash);
     return *std::move(before);
   }
@@ -87,20 +105,16 @@ Receipt Store::State::publish(const fs::path& attempt, Receipt receipt) {
   return receipt;
 }
 
-std::optional<Receipt> Store::State::published_before(const Receipt& receipt) const {
-  return find_artifact(folder, receipt.path, receipt.key);
-}
-
 void Store::State::move_into_place(const fs::path& attempt, const Receipt& receipt) {
   const fs::path target = folder / receipt.path;
   const bool is_folder = !receipt.frames.empty();
   for (int tries = 1;; ++tries) {
     make_way(receipt.path, is_folder);
+    if (is_folder && exchange(attempt, target)) break;
     if (is_folder && fs::exists(target)) {  // no folder takes the place of one that is not empty
-      const fs::path away = new_attempt();
+      const Attempt away(new_attempt());
       std::error_code gone;  // another process may have been faster
-      fs::rename(target, away / "replaced", gone);
-      fs::remove_all(away);
+      fs::rename(target, away.folder() / "replaced", gone);
     }
     std::error_code error;
     fs::rename(attempt, target, error);
@@ -115,14 +129,14 @@ void Store::State::move_into_place(const fs::path& attempt, const Receipt& recei
 }
 
 void Store::State::write_receipt(const Receipt& receipt) {
-  const fs::path attempt = new_attempt();
-  write_file(attempt / "receipt", to_json(receipt));
-  flush_to_disk(attempt / "receipt");
+  const Attempt attempt(new_attempt());
+  const fs::path written = attempt.folder() / "receipt";
+  write_file(written, to_json(receipt));
+  flush_to_disk(written);
   const fs::path target = receipt_path(folder, receipt.path);
   make_way(target.lexically_relative(folder).generic_string(), false);
-  fs::rename(attempt / "receipt", target);
+  fs::rename(written, target);
   flush_to_disk(target.parent_path());
-  fs::remove_all(attempt);
 }
 
 /// Makes the folders above an artifact. What is no folder where one has to be, or in the artifact's

@@ -23,8 +23,9 @@ struct Store::State {
   const std::string& worker() const { return presence.self().name; }
   Maker self() const { return {presence.self().host, presence.self().instruction_set}; }
 
-  /// A new empty folder that no other attempt uses.
-  std::filesystem::path new_attempt();
+  /// Calls `work` with a new empty folder that no other attempt uses, and removes it afterwards.
+  /// What fails because of the disk is told so: it is looked at before the attempt makes room.
+  void in_attempt(const std::function<void(const std::filesystem::path& attempt)>& work);
 
   /// Puts an attempt's file or folder in an artifact's place, and its receipt after it. If an
   /// attempt at the same key was published before and is whole, that one stays and its receipt is
@@ -47,8 +48,7 @@ struct Store::State {
 
  private:
   void refuse_company(Sharing sharing);
-  void remove_what_the_dead_left();
-  std::optional<Receipt> published_before(const Receipt& receipt) const;
+  std::filesystem::path new_attempt();
   void move_into_place(const std::filesystem::path& attempt, const Receipt& receipt);
   void write_receipt(const Receipt& receipt);
   void make_way(const std::string& path, bool for_folder);

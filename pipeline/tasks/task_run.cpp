@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -16,6 +15,7 @@
 
 #include "motion/error.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/tasks/disk_fault.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
@@ -50,25 +50,14 @@ constexpr std::chrono::milliseconds pause_after_failure{300};
 /// How often it is looked whether another process is done with what it makes.
 constexpr std::chrono::milliseconds between_looks{200};
 
-/// A disk with less is as good as full.
-constexpr std::uintmax_t full_below_bytes = 1 << 20;
-
-/// What a full disk has to do with a failure: libraries that write pictures and videos do not say.
-std::string about_space(const std::filesystem::path& folder) {
-  std::error_code unknown;
-  const std::filesystem::space_info space = std::filesystem::space(folder, unknown);
-  if (unknown || space.available >= full_below_bytes) return "";
-  return " (the disk that holds " + folder.string() + " is full)";
-}
-
 TaskOutcome failure(const std::exception& error, const std::filesystem::path& folder) {
   TaskOutcome outcome = without_products(TaskState::failed);
   outcome.error = without_attempts(error.what(), folder);
   outcome.is_bad_input = dynamic_cast<const Error*>(&error) != nullptr;
   if (outcome.is_bad_input) return outcome;
-  const std::string space = about_space(folder);
-  outcome.error += space;
-  outcome.is_transient = !space.empty() ||
+  const std::string fault = disk_fault(folder, error);
+  if (!fault.empty()) outcome.error = fault;
+  outcome.is_transient = !fault.empty() ||
                          dynamic_cast<const std::system_error*>(&error) != nullptr ||
                          dynamic_cast<const WriteFailure*>(&error) != nullptr ||
                          dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
@@ -85,7 +74,8 @@ class Runner {
         observer_(observer),
         outcomes_(graph.tasks.size()),
         dependents_(graph.tasks.size()),
-        awaited_(graph.tasks.size(), 0) {
+        awaited_(graph.tasks.size(), 0),
+        tries_(graph.tasks.size(), 0) {
     for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
       const Task& task = graph.tasks[i];
       for (const auto* earlier : {&task.inputs, &task.after}) {
@@ -166,10 +156,12 @@ class Runner {
     const std::vector<Hash> keys = product_keys(task, task_key);
     lock.unlock();
     std::optional<TaskOutcome> outcome;
-    for (int tries = 1; tries <= tries_of_a_task; ++tries) {
+    // Counted however often the task waits in between: two processes that take turns in failing
+    // come to an end.
+    for (int& tries = tries_[index]; tries < tries_of_a_task;) {
       outcome = outcome_of(task, task_key, keys);
       if (!outcome || !outcome->is_transient || stop_.stop_requested()) break;
-      if (tries < tries_of_a_task) std::this_thread::sleep_for(tries * pause_after_failure);
+      if (++tries < tries_of_a_task) std::this_thread::sleep_for(tries * pause_after_failure);
     }
     lock.lock();
     if (outcome) {
@@ -271,8 +263,9 @@ class Runner {
   std::vector<TaskOutcome> outcomes_;
   std::vector<std::vector<std::size_t>> dependents_;  ///< of each task
   std::vector<std::size_t> awaited_;                  ///< inputs of each that have not ended
-  std::set<std::size_t> ready_;                       ///< whose inputs have ended
-  std::set<std::size_t> elsewhere_;                   ///< that other processes are making
+  std::vector<int> tries_;           ///< of each that failed by the machine's fault
+  std::set<std::size_t> ready_;      ///< whose inputs have ended
+  std::set<std::size_t> elsewhere_;  ///< that other processes are making
   std::size_t ended_ = 0;
 };
 

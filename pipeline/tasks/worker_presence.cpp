@@ -98,8 +98,7 @@ void WorkerPresence::write(WorkerRecord record) {
   const fs::path target = file();
   fs::path next = target;
   next += ".new";
-  write_file(next, to_json(record));
-  fs::rename(next, target);
+  replace_file(target, next, to_json(record));
 }
 
 bool WorkerWatch::seems_alive(const std::string& worker) {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -56,6 +59,17 @@ std::string start_of(std::int64_t process) {
   for (int word = 3; word < 22 && at != std::string::npos; ++word) at = status.find(' ', at + 1);
   if (at == std::string::npos) return "";
   return status.substr(at + 1, status.find(' ', at + 1) - at - 1);
+}
+
+/// A process of another machine that was silent for so long does nothing any more, or will find
+/// that its attempts are gone.
+constexpr double dead_after_seconds = 24.0 * 3600.0;
+constexpr double silent_after_seconds = 60.0;
+
+/// Whether this machine can tell whether it lives.
+bool is_of_this_machine(const WorkerRecord& record) {
+  static const std::string boot = first_line_of("/proc/sys/kernel/random/boot_id");
+  return !boot.empty() && record.boot == boot && record.process_space == process_space();
 }
 
 /// A process that has ended but was not waited for does nothing more.
@@ -150,7 +164,10 @@ fs::path worker_record_path(const fs::path& folder, const std::string& name) {
 }
 
 std::optional<WorkerRecord> read_worker_record(const fs::path& folder, const std::string& name) {
-  std::ifstream stream(worker_record_path(folder, name), std::ios::binary);
+  const fs::path file = worker_record_path(folder, name);
+  std::error_code none;
+  if (!fs::is_regular_file(file, none)) return std::nullopt;
+  std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   return worker_record_from_json({std::istreambuf_iterator<char>(stream), {}});
 }
@@ -170,15 +187,30 @@ std::vector<WorkerRecord> read_worker_records(const fs::path& folder) {
 
 bool is_gone(const WorkerRecord& record) {
   if (record.ended) return true;
-  static const std::string boot = first_line_of("/proc/sys/kernel/random/boot_id");
-  if (boot.empty() || record.boot != boot || record.process_space != process_space()) return false;
-  return start_of(record.process) != record.process_start || is_zombie(record.process);
+  if (!is_of_this_machine(record)) return false;
+  const std::string start = start_of(record.process);
+  // Processes of other users may be hidden; whether there is one is told all the same.
+  if (start.empty()) return ::kill(static_cast<pid_t>(record.process), 0) != 0 && errno == ESRCH;
+  return start != record.process_start || is_zombie(record.process);
+}
+
+bool works_now(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {
+  return !is_gone(record) && seconds_silent(folder, record, now) < silent_after_seconds;
+}
+
+bool is_dead(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {
+  if (is_gone(record)) return true;
+  return !is_of_this_machine(record) && seconds_silent(folder, record, now) > dead_after_seconds;
+}
+
+double seconds_between(const fs::path& one, const fs::path& other) {
+  const auto begin = time_of(one);
+  const auto end = time_of(other);
+  return begin && end ? *end - *begin : 0.0;
 }
 
 double seconds_silent(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {
-  const auto last = time_of(worker_record_path(folder, record.name));
-  const auto present = time_of(now);
-  return last && present ? *present - *last : 0.0;
+  return seconds_between(worker_record_path(folder, record.name), now);
 }
 
 }  // namespace mien::pipeline

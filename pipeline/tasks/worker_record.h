@@ -51,6 +51,19 @@ std::vector<WorkerRecord> read_worker_records(const std::filesystem::path& folde
 /// and is not there. Of another machine's processes nothing is proven.
 bool is_gone(const WorkerRecord& record);
 
+/// Whether a process works now, judged at once. `now` as below.
+bool works_now(const std::filesystem::path& folder, const WorkerRecord& record,
+               const std::filesystem::path& now);
+
+/// Whether it is certain, or as good as certain, that a process will do nothing any more: it is
+/// gone, or of another machine and silent for a day.
+bool is_dead(const std::filesystem::path& folder, const WorkerRecord& record,
+             const std::filesystem::path& now);
+
+/// Seconds from one file's last change to another's, by the clock of the file system that holds
+/// them; 0 when one of them is not there.
+double seconds_between(const std::filesystem::path& one, const std::filesystem::path& other);
+
 /// Seconds since a worker last wrote its record, by the clock of the file system that holds it.
 /// `now` is a file that has just been written there. Negative when the clock was set back.
 double seconds_silent(const std::filesystem::path& folder, const WorkerRecord& record,

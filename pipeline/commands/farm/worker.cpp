@@ -1,6 +1,7 @@
 #include "pipeline/farm/worker.h"
 
 #include <fstream>
+#include <map>
 #include <memory>
 #include <sstream>
 
@@ -72,8 +73,13 @@ std::vector<std::string> items_of(const WorkerArguments& arguments) {
 
 void tell(const WorkResult& result, const Console& console) {
   for (const std::string& repair : result.repairs) console.err << "note: " << repair << '\n';
-  for (const FailedWork& failed : result.failed)
-    console.err << failed.error << "\n  (" << failed.item << ")\n";
+  std::map<std::string, std::string> items_by_error;
+  for (const FailedWork& failed : result.failed) {
+    std::string& items = items_by_error[failed.error];
+    items += (items.empty() ? "" : ", ") + failed.item;
+  }
+  for (const auto& [error, items] : items_by_error)
+    console.err << error << "\n  (" << items << ")\n";
   for (const Nondeterminism& met : result.nondeterminism) console.err << to_string(met) << '\n';
   if (result.was_interrupted)
     console.err << "interrupted; what is done is kept, and the same command goes on from here\n";

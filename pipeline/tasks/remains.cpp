@@ -1,0 +1,108 @@
+#include "pipeline/tasks/remains.h"
+
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include "pipeline/tasks/claim.h"
+#include "pipeline/tasks/worker_record.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is written of a record before it takes the record's place lies there for a moment.
+constexpr double unfinished_for_seconds = 3600.0;
+
+/// What lies in a folder just now. Others may be clearing it away, too.
+std::vector<fs::path> in_folder(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    paths.push_back(entry->path());
+  return paths;
+}
+
+class Broom {
+ public:
+  Broom(const fs::path& folder, const fs::path& now) : folder_(folder), now_(now) {}
+
+  /// Attempts lie in a folder with the name of the process, whose record was there before.
+  void sweep_attempts() const {
+    for (const fs::path& attempts : in_folder(folder_ / ".mien/attempts")) {
+      if (is_of_the_dead(attempts.filename())) remove(attempts);
+    }
+  }
+
+  /// One that nobody has signed is that of a process that was killed at that moment, or will be
+  /// signed in the next: then two may make the same, which harms nothing.
+  void sweep_claims() const {
+    for (const fs::path& claim : in_folder(folder_ / ".mien/claims")) {
+      const std::string holder = claim_holder(claim);
+      if (holder.empty() || is_of_the_dead(holder)) remove(claim);
+    }
+  }
+
+  void sweep_records() const {
+    for (const WorkerRecord& record : read_worker_records(folder_)) {
+      if (record.ended || record.frames > 0 || !is_dead(folder_, record, now_)) continue;
+      remove(worker_record_path(folder_, record.name));
+    }
+    for (const fs::path& file : in_folder(folder_ / ".mien/workers")) {
+      if (file.extension() == ".new" && is_given_up(file)) remove(file);
+    }
+  }
+
+ private:
+  bool is_of_the_dead(const std::string& worker) const {
+    const std::optional<WorkerRecord> record = read_worker_record(folder_, worker);
+    return !record || is_dead(folder_, *record, now_);
+  }
+
+  /// Without a record beside it, it may be the first one of a process that begins.
+  bool is_given_up(const fs::path& unfinished) const {
+    const auto record = read_worker_record(folder_, unfinished.stem().stem());
+    if (record) return is_dead(folder_, *record, now_);
+    return seconds_between(unfinished, now_) > unfinished_for_seconds;
+  }
+
+  static void remove(const fs::path& path) {
+    std::error_code ignored;  // another process may be faster
+    fs::remove_all(path, ignored);
+  }
+
+  const fs::path& folder_;
+  const fs::path& now_;
+};
+
+/// Whether another process has noted frames in the making, and works now.
+bool others_draw(const fs::path& folder, const fs::path& now, const std::string& self) {
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder / ".mien/partial", error);
+       !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    if (entry->path().parent_path().filename() != "notes") continue;
+    const auto worker = read_worker_record(folder, entry->path().filename());
+    if (worker && worker->name != self && works_now(folder, *worker, now)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void remove_what_the_dead_left(const fs::path& folder, const fs::path& now) {
+  const Broom broom(folder, now);
+  broom.sweep_attempts();
+  broom.sweep_claims();
+  broom.sweep_records();
+}
+
+void remove_workings(const fs::path& folder, const fs::path& now, const std::string& self) {
+  std::error_code ignored;
+  fs::remove_all(folder / ".mien/claims", ignored);
+  if (!others_draw(folder, now, self)) fs::remove_all(folder / ".mien/partial", ignored);
+}
+
+}  // namespace mien::pipeline
