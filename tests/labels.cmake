@@ -6,7 +6,7 @@ foreach(line IN LISTS lines)
   list(APPEND labels_of_${CMAKE_MATCH_2} ${CMAKE_MATCH_1})
 endforeach()
 
-foreach(module IN ITEMS end_to_end house motion pipeline render scenes)
+foreach(module IN ITEMS end_to_end faults house motion pipeline render scenes)
   file(GLOB_RECURSE sources RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/${module}/*_test.cpp)
   foreach(source IN LISTS sources)
     get_filename_component(room ${source} DIRECTORY)

@@ -16,51 +16,83 @@ namespace mien::test {
 
 namespace {
 
-int wait_for(pid_t child, double kill_after_seconds, int signal) {
-  const auto start = std::chrono::steady_clock::now();
-  int status = 0;
-  bool sent = kill_after_seconds < 0.0;
-  while (waitpid(child, &status, sent ? 0 : WNOHANG) == 0) {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    if (passed.count() >= kill_after_seconds) {
-      kill(child, signal);
-      sent = true;
-    } else {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+[[noreturn]] void become(const std::vector<std::string>& words, const std::filesystem::path& said) {
+  const int out = open((said / "output").c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+  const int err = open((said / "errors").c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+  dup2(out, STDOUT_FILENO);
+  dup2(err, STDERR_FILENO);
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  execvp(argv[0], argv.data());
+  _exit(127);
 }
 
 }  // namespace
 
-Ended run_program(const std::vector<std::string>& words, double kill_after_seconds, int signal) {
-  const Scratch scratch;
-  const std::string output = scratch.path() / "output";
-  const std::string errors = scratch.path() / "errors";
-  const pid_t child = fork();
-  if (child == 0) {
-    const int out = open(output.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
-    const int err = open(errors.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
-    dup2(out, STDOUT_FILENO);
-    dup2(err, STDERR_FILENO);
-    std::vector<char*> argv;
-    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-    argv.push_back(nullptr);
-    execvp(argv[0], argv.data());
-    _exit(127);
+Running::Running(const std::vector<std::string>& words) : process_(fork()) {
+  if (process_ == 0) become(words, said_.path());
+  if (process_ < 0) throw std::runtime_error("no process can be started");
+}
+
+Running::~Running() {
+  send(SIGKILL);
+  has_ended(0);
+}
+
+/// A process that was waited for is not asked about again: its number may be another's by then.
+bool Running::has_ended(int flags) {
+  if (code_) return true;
+  int status = 0;
+  if (waitpid(process_, &status, flags) != process_) return false;
+  code_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return true;
+}
+
+bool Running::is_running() { return !has_ended(WNOHANG); }
+
+void Running::send(int signal) {
+  if (is_running()) kill(process_, signal);
+}
+
+Ended Running::wait(double seconds) {
+  const double begin = seconds_now();
+  while (is_running()) {
+    if (seconds_now() - begin > seconds) send(SIGKILL);
+    pause_for(0.001);
   }
-  Ended ended;
-  ended.code = wait_for(child, kill_after_seconds, signal);
-  ended.output = text_of(output);
-  ended.errors = text_of(errors);
-  return ended;
+  return {*code_, text_of(said_.path() / "output"), text_of(said_.path() / "errors")};
+}
+
+Ended run_program(const std::vector<std::string>& words, double kill_after_seconds, int signal) {
+  Running program(words);
+  const double begin = seconds_now();
+  while (kill_after_seconds >= 0.0 && program.is_running()) {
+    if (seconds_now() - begin >= kill_after_seconds) {
+      program.send(signal);
+      break;
+    }
+    pause_for(0.001);
+  }
+  return program.wait();
 }
 
 Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seconds, int signal) {
+  return run_program(mien_with(arguments), kill_after_seconds, signal);
+}
+
+std::vector<std::string> mien_with(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {MIEN_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return run_program(words, kill_after_seconds, signal);
+  return words;
+}
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void pause_for(double seconds) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
 Scratch::Scratch() {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <sys/types.h>
 
 namespace mien::test {
 
@@ -12,15 +15,6 @@ struct Ended {
   std::string output;  ///< standard output
   std::string errors;  ///< standard error
 };
-
-/// Runs the mien that was built beside the tests. `kill_after_seconds` ≥ 0 sends SIGKILL then, if
-/// it is still running.
-Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seconds = -1.0,
-               int signal = 9);
-
-/// Runs any program that PATH leads to.
-Ended run_program(const std::vector<std::string>& words, double kill_after_seconds = -1.0,
-                  int signal = 9);
 
 /// A fresh folder that is removed with the object.
 class Scratch {
@@ -38,5 +32,46 @@ class Scratch {
 };
 
 std::string text_of(const std::filesystem::path& file);
+
+/// A program at work beside the one that started it.
+class Running {
+ public:
+  /// Any program that PATH leads to, with its arguments.
+  explicit Running(const std::vector<std::string>& words);
+  /// Kills it if it is still running.
+  ~Running();
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  bool is_running();
+  /// Nothing when it has ended.
+  void send(int signal);
+  /// Waits until it has ended. After so many seconds it is killed.
+  Ended wait(double seconds = 3600.0);
+
+ private:
+  bool has_ended(int flags);
+
+  Scratch said_;
+  pid_t process_ = -1;
+  std::optional<int> code_;
+};
+
+/// Runs the mien that was built beside the tests. `kill_after_seconds` ≥ 0 sends the signal then,
+/// if it is still running.
+Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seconds = -1.0,
+               int signal = 9);
+
+/// Runs any program that PATH leads to.
+Ended run_program(const std::vector<std::string>& words, double kill_after_seconds = -1.0,
+                  int signal = 9);
+
+/// The words that run the mien that was built beside the tests.
+std::vector<std::string> mien_with(const std::vector<std::string>& arguments);
+
+/// Seconds since some moment.
+double seconds_now();
+
+void pause_for(double seconds);
 
 }  // namespace mien::test
