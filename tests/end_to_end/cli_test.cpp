@@ -1,12 +1,11 @@
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include "end_to_end/program.h"
@@ -384,20 +383,23 @@ TEST(CommandLine, AFolderThatCannotBeWrittenIsAFailure) {
   EXPECT_TRUE(ended.errors.starts_with("mien: ")) << ended.errors;
 }
 
-TEST(CommandLine, TwoRunsInOneFolderDoNotMeet) {
+TEST(CommandLine, ARunThatWantsToBeAloneRefusesCompany) {
   const Scratch scratch;
   const std::string manifest = scratch.write("m.yaml", small_manifest).string();
-  const fs::path internal = scratch.path() / "out/small/.mien";
-  fs::create_directories(internal);
-  const int lock = open((internal / "lock").c_str(), O_RDWR | O_CREAT, 0600);
-  ASSERT_EQ(flock(lock, LOCK_EX), 0);
-  const std::vector<std::string> command = {"run", manifest, "--out",
-                                            (scratch.path() / "out").string()};
+  const fs::path study = scratch.path() / "out/small";
+  std::vector<std::string> command = {"run", manifest, "--out", (scratch.path() / "out").string()};
+  Running first(mien_with(command));
+  while (!fs::exists(study / ".mien/workers") || fs::is_empty(study / ".mien/workers"))
+    pause_for(0.005);
+  first.send(SIGSTOP);
+  ASSERT_TRUE(first.is_running());
+
+  command.push_back("--exclusive");
   const Ended second = run_mien(command);
   EXPECT_EQ(second.code, 1);
-  EXPECT_TRUE(contains(second.errors, "another run is working in")) << second.errors;
-  EXPECT_FALSE(fs::exists(scratch.path() / "out/small/clips"));
-  close(lock);
+  EXPECT_TRUE(contains(second.errors, "another process works in")) << second.errors;
+  first.send(SIGCONT);
+  EXPECT_EQ(first.wait().code, 0);
   EXPECT_EQ(run_mien(command).code, 0);
 }
 
