@@ -35,14 +35,15 @@ void add_at_new_paths(std::vector<Fault>& faults, std::vector<Fault> more) {
 /// own. The others have the manifest's.
 std::vector<Fault> complete_looks(Manifest& manifest) {
   const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
-  std::vector<Fault> faults = complete_look(manifest.look, "look", manifest.places, joints);
+  LookFiles files;
+  std::vector<Fault> faults = complete_look(manifest.look, "look", manifest.places, joints, files);
   const auto complete = [&](Stimulus& film) {
     const std::string path = member_path(film.path, "look");
     if (!manifest.places.values.contains(path)) {
       film.look.set = manifest.look.set;
       return;
     }
-    for (Fault& fault : complete_look(film.look, path, manifest.places, joints))
+    for (Fault& fault : complete_look(film.look, path, manifest.places, joints, files))
       faults.push_back(std::move(fault));
   };
   for (Stimulus& stimulus : manifest.stimuli) complete(stimulus);
@@ -103,12 +104,14 @@ ManifestReading read_manifest(const std::filesystem::path& file, const Environme
     return reading;
   }
   const std::string text((std::istreambuf_iterator<char>(stream)), {});
+  ManifestReading reading = parse_manifest(text, file, environment);
+  if (reading.faults.empty()) return reading;
   const DocumentKind kind = kind_of_document(text, file);
-  if (kind == DocumentKind::manifest) return parse_manifest(text, file, environment);
-  ManifestReading reading;
-  reading.manifest.file = file;
-  reading.faults.push_back(told_as_no_manifest(kind, file));
-  return reading;
+  if (kind == DocumentKind::manifest) return reading;
+  ManifestReading other;
+  other.manifest.file = file;
+  other.faults.push_back(told_as_no_manifest(kind, file));
+  return other;
 }
 
 }  // namespace mien::pipeline
