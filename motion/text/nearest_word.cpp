@@ -63,6 +63,10 @@ std::optional<std::string> nearest_word(std::string_view word,
   int nearest = std::max(1, static_cast<int>(word.size()) / 3) + 1;
   std::optional<std::string> best;
   for (const std::string& candidate : candidates) {
+    // A letter more or less is a step of its own.
+    if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) >=
+        static_cast<size_t>(nearest))
+      continue;
     const std::string name = lowered(candidate);
     const int distance = std::min(edit_distance(meant, name), edit_distance(exchanged, name));
     if (distance >= nearest) continue;

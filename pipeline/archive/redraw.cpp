@@ -60,7 +60,7 @@ FilmSubject subject_named(const std::string& id, const Manifest& manifest, Motio
 class Redrawing {
  public:
   Redrawing(const FilmSubject& subject, const Redraw& wanted, const Manifest& manifest,
-            const StudyContents& contents, int threads)
+            Motions& motions, const StudyContents& contents, int threads)
       : wanted_(wanted),
         contents_(contents),
         output_(subject.film.output),
@@ -68,7 +68,8 @@ class Redrawing {
                   .seed = manifest.seed,
                   .threads = threads,
                   .eyes = subject.film.look.camera.stereo_separation_m ? 2 : 1} {
-    const Equalized alike = equalized_film(subject.equalize, contents.folder, wanted.film.id);
+    const Equalized alike =
+        equalized_film(subject.equalize, contents.folder, wanted.film.id, motions);
     shot_ = subject.make_shot(alike);
     shot_.tone.exposure_stops += alike.exposure_stops;
   }
@@ -181,7 +182,8 @@ std::vector<RedrawnFrame> redraw(const Manifest& manifest, const StudyContents& 
                                  const std::vector<Redraw>& wanted, int threads,
                                  const std::stop_token& stop, const ShareDone& done) {
   refuse_without_equalizing_tables(manifest, contents);
-  const SharedDeterminants shared = shared_determinants(manifest);
+  FileKeys files;
+  const SharedDeterminants shared = shared_determinants(manifest, files);
   Motions motions(manifest);
   std::vector<RedrawnFrame> result;
   for (std::size_t w = 0; w < wanted.size(); ++w) {
@@ -191,7 +193,7 @@ std::vector<RedrawnFrame> redraw(const Manifest& manifest, const StudyContents& 
         done((static_cast<double>(w) + share) / static_cast<double>(wanted.size()),
              wanted[w].film.id);
     };
-    const Redrawing redrawing(subject, wanted[w], manifest, contents, threads);
+    const Redrawing redrawing(subject, wanted[w], manifest, motions, contents, threads);
     for (RedrawnFrame& frame : redrawing.draw(stop, progress)) result.push_back(std::move(frame));
   }
   return result;

@@ -33,14 +33,15 @@ void add_at_new_paths(std::vector<Fault>& faults, std::vector<Fault> more) {
 /// own. The others have the manifest's.
 std::vector<Fault> complete_looks(Manifest& manifest) {
   const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
-  std::vector<Fault> faults = complete_look(manifest.look, "look", manifest.places, joints);
+  LookFiles files;
+  std::vector<Fault> faults = complete_look(manifest.look, "look", manifest.places, joints, files);
   const auto complete = [&](Stimulus& film) {
     const std::string path = member_path(film.path, "look");
     if (!manifest.places.values.contains(path)) {
       film.look.set = manifest.look.set;
       return;
     }
-    for (Fault& fault : complete_look(film.look, path, manifest.places, joints))
+    for (Fault& fault : complete_look(film.look, path, manifest.places, joints, files))
       faults.push_back(std::move(fault));
   };
   for (Stimulus& stimulus : manifest.stimuli) complete(stimulus);
@@ -88,18 +89,18 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
 
 ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment) {
   const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
-  const DocumentKind kind =
-      text.bytes ? kind_of_document(*text.bytes, file) : DocumentKind::manifest;
-  if (text.bytes && kind == DocumentKind::manifest)
-    return parse_manifest(*text.bytes, file, environment);
-  ManifestReading reading;
-  reading.manifest.file = file;
-  if (text.bytes) {
-    reading.faults.push_back(told_as_no_manifest(kind, file));
-  } else {
-    reading.faults.push_back({{file.string(), 0, 0}, "", text.hindrance, "name a manifest (YAML)"});
+  ManifestReading other;
+  other.manifest.file = file;
+  if (!text.bytes) {
+    other.faults.push_back({{file.string(), 0, 0}, "", text.hindrance, "name a manifest (YAML)"});
+    return other;
   }
-  return reading;
+  ManifestReading reading = parse_manifest(*text.bytes, file, environment);
+  if (reading.faults.empty()) return reading;
+  const DocumentKind kind = kind_of_document(*text.bytes, file);
+  if (kind == DocumentKind::manifest) return reading;
+  other.faults.push_back(told_as_no_manifest(kind, file));
+  return other;
 }
 
 }  // namespace mien::pipeline

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +23,14 @@ using Names = std::vector<std::string>;
 bool is_among(const std::string& name, const Names& known) {
   return std::ranges::find(known, name) != known.end();
 }
+
+/// Names that many others are looked up in.
+struct NameIndex {
+  explicit NameIndex(Names all) : names(std::move(all)), known(names.begin(), names.end()) {}
+
+  Names names;  ///< as they were given
+  std::set<std::string_view> known;
+};
 
 /// What many file systems take for one name is the same here. Ids are ASCII.
 std::string without_case(std::string name) {
@@ -120,18 +130,18 @@ void check_hold(const Stimulus& stimulus, const Names& parameters, const ScaleSe
                   motion::most_grid_dimensions));
 }
 
-void check_motion(const std::string& path, const std::string& name, const Names& known,
+void check_motion(const std::string& path, const std::string& name, const NameIndex& motions,
                   FaultList& list) {
-  if (name.empty() || is_among(name, known)) return;
+  if (name.empty() || motions.known.contains(name)) return;
   list.add(path, "\"" + name + "\" is neither a stimulus nor an example",
-           motion::did_you_mean(name, known));
+           motion::did_you_mean(name, motions.names));
 }
 
 /// Of an example there is no film to take a picture from.
-void check_pictured(const std::string& path, const std::string& name, const Names& stimuli,
+void check_pictured(const std::string& path, const std::string& name, const NameIndex& stimuli,
                     FaultList& list) {
-  if (name.empty() || is_among(name, stimuli)) return;
-  list.add(path, "\"" + name + "\" is no stimulus", motion::did_you_mean(name, stimuli));
+  if (name.empty() || stimuli.known.contains(name)) return;
+  list.add(path, "\"" + name + "\" is no stimulus", motion::did_you_mean(name, stimuli.names));
 }
 
 /// Nothing is rated higher than itself, be it named twice in a row or further on.
@@ -174,14 +184,15 @@ void check_stems(const Manifest& manifest, const Names& stems, FaultList& list) 
 }
 
 template <class Compared>
-void check_compared(const std::string& path, const Compared& compared, const Names& motions,
+void check_compared(const std::string& path, const Compared& compared, const NameIndex& motions,
                     FaultList& list) {
   check_motion(member_path(path, "target"), compared.target, motions, list);
   check_motion(member_path(path, "created"), compared.created, motions, list);
   check_motion(member_path(path, "reference"), compared.reference, motions, list);
 }
 
-void check_sheet(const Sheet& sheet, const Names& motions, const Names& stimuli, FaultList& list) {
+void check_sheet(const Sheet& sheet, const NameIndex& motions, const NameIndex& stimuli,
+                 FaultList& list) {
   check_compared(member_path(sheet.path, "compare"), sheet, motions, list);
   const std::string gallery = member_path(sheet.path, "gallery");
   for (std::size_t i = 0; i < sheet.gallery.size(); ++i)
@@ -230,9 +241,10 @@ std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocab
     check_keys(stimulus, "features", stimulus.features, "feature", vocabulary.features, list);
     check_keys(stimulus, "weights", stimulus.weights, "example", vocabulary.examples, list);
   }
-  const Names stimuli = stimuli_of(manifest);
-  Names motions = stimuli;
-  motions.insert(motions.end(), vocabulary.examples.begin(), vocabulary.examples.end());
+  const NameIndex stimuli(stimuli_of(manifest));
+  Names all = stimuli.names;
+  all.insert(all.end(), vocabulary.examples.begin(), vocabulary.examples.end());
+  const NameIndex motions(std::move(all));
   check_expectations(manifest, vocabulary, list);
   check_stems(manifest, vocabulary.file_stems, list);
   for (const Overlay& overlay : manifest.overlays)

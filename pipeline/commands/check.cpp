@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "motion/text/file_contents.h"
@@ -13,6 +14,7 @@
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/rehearsal.h"
+#include "pipeline/production/rehearsal_sample.h"
 #include "pipeline/synthesis/wish.h"
 
 namespace mien::pipeline {
@@ -23,6 +25,7 @@ struct CheckOptions {
   std::vector<std::string> manifests;
   std::string out = "out";
   bool quick = false;
+  bool thorough = false;
   bool json = false;
 };
 
@@ -31,25 +34,39 @@ nlohmann::ordered_json as_json(const Fault& fault) {
           {"path", fault.path},       {"wrong", fault.wrong},     {"remedy", fault.remedy}};
 }
 
+/// Motions that are made of a large study: as many as one likes to wait for.
+constexpr std::size_t most_rehearsed = 50;
+
 /// A manifest's faults, or those of a file of scales, recipes or a set.
 struct Findings {
   std::vector<Fault> faults;
   std::vector<Fault> warnings;        ///< of a manifest without faults
   std::vector<std::string> possible;  ///< what adjectives can be, of a manifest without faults
+  std::size_t stimuli = 0;
+  std::size_t rehearsed = 0;  ///< stimuli whose motions were made
 };
 
-Findings findings_in(const std::string& file, const CheckOptions& options) {
+DocumentKind kind_of_file(const std::string& file) {
   const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
-  const DocumentKind kind =
-      text.bytes ? kind_of_document(*text.bytes, file) : DocumentKind::manifest;
-  if (kind != DocumentKind::manifest) return {check_other_document(kind, file), {}, {}};
+  return text.bytes ? kind_of_document(*text.bytes, file) : DocumentKind::manifest;
+}
+
+Findings findings_in(const std::string& file, const CheckOptions& options) {
   const ManifestReading reading = check_manifest(file, process_environment(), options.out);
   Findings findings{.faults = reading.faults};
-  if (!findings.faults.empty()) return findings;
+  if (!findings.faults.empty()) {
+    const DocumentKind kind = kind_of_file(file);
+    if (kind != DocumentKind::manifest) findings.faults = check_other_document(kind, file);
+    return findings;
+  }
   for (const Repetition& repetition : repetitions_in(reading.manifest))
     findings.warnings.push_back(told_at_its_place(repetition, reading.manifest.places));
   if (options.quick) return findings;
-  findings.faults = rehearse(reading.manifest);
+  const Manifest rehearsed = rehearsal_sample(
+      reading.manifest, options.thorough ? reading.manifest.stimuli.size() : most_rehearsed);
+  findings.faults = rehearse(rehearsed);
+  findings.stimuli = reading.manifest.stimuli.size();
+  findings.rehearsed = rehearsed.stimuli.size();
   if (findings.faults.empty()) findings.possible = feasible_ranges(reading.manifest);
   return findings;
 }
@@ -59,6 +76,10 @@ void tell(const Findings& findings, const std::string& file, const Console& cons
   for (const Fault& warning : findings.warnings)
     console.err << "warning: " << to_string(warning) << '\n';
   if (findings.faults.empty()) console.out << file << ": no faults\n";
+  if (findings.rehearsed < findings.stimuli) {
+    console.out << fmt::format("made {} of {} motions, of every kind; --thorough makes all\n",
+                               findings.rehearsed, findings.stimuli);
+  }
   for (const std::string& line : findings.possible) console.out << line << '\n';
 }
 
@@ -95,6 +116,9 @@ void add_check_command(CLI::App& app, Command& chosen) {
   command->add_option("--out,-o", options->out, "As of run: where results would go")
       ->capture_default_str();
   command->add_flag("--quick", options->quick, "Make no motion: look at the files alone");
+  command->add_flag("--thorough", options->thorough,
+                    fmt::format("Make all motions, and of a large study not {} of every kind alone",
+                                most_rehearsed));
   command->add_flag("--json", options->json, "Faults and warnings as JSON on standard output");
   command->footer(
       "\nMakes and stages the motions of a manifest without faults; draws nothing and writes no "

@@ -72,7 +72,7 @@ int show_plan(const ProductionArguments& arguments, const Console& console) {
                                             process_environment(), arguments.out),
                               options_of(arguments));
   const std::filesystem::path folder = folder_of(arguments, production.manifest());
-  const std::vector<TaskOutcome> planned = plan(production.graph(), folder);
+  const std::vector<TaskOutcome> planned = glance(production.graph(), folder);
   const std::vector<std::string> stale = shown_paths(stale_in(folder, production));
   if (arguments.json) {
     show_json(production.graph(), planned, production.manifest(), folder.string(), stale, console);
@@ -92,8 +92,9 @@ void add_plan_command(CLI::App& app, Command& chosen) {
   const auto arguments = std::make_shared<ProductionArguments>();
   add_production_options(*command, *arguments);
   command->footer(
-      "\ncached: present and unchanged; due: will be made; waiting: depends on what is due. Times "
-      "are estimates.\n\nExample:\n  mien plan quickstart");
+      "\ncached: present; due: will be made; waiting: depends on what is due. Files are told by "
+      "their receipts and sizes: one that was damaged and kept its size is found by run, which "
+      "reads them all. Times are estimates.\n\nExample:\n  mien plan quickstart");
   command->callback([&chosen, arguments] {
     chosen = [arguments](const Console& console) { return show_plan(*arguments, console); };
   });

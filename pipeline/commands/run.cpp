@@ -122,7 +122,7 @@ int run_production(const ProductionArguments& arguments, const Console& console)
   RunResult result;
   {
     Progress progress(console.err, console.err_is_terminal, production.graph(),
-                      plan(production.graph(), folder), steady_seconds);
+                      glance(production.graph(), folder), steady_seconds);
     result = run(production, folder, jobs_of(arguments), console.stop, progress.observer(),
                  arguments.exclusive ? Sharing::exclusive : Sharing::shared);
   }

@@ -45,6 +45,8 @@ enum : unsigned {
   // No artifacts, but how it is written:
   required = 1U << 16,  ///< the schema asks for it, so it is written always
   alone = 1U << 17,     ///< as the first of its map it may stand in the map's place
+
+  everything = ~0U,  ///< whatever it is, and be it nothing
 };
 }  // namespace concerns
 

@@ -13,6 +13,7 @@
 
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/documents/files.h"
 #include "pipeline/documents/utf8.h"
 
 namespace mien::pipeline {
@@ -206,14 +207,39 @@ double number_in(const CsvTable& table, const CsvField& field) {
 
 double number_of(const std::filesystem::path& file, std::string_view column,
                  std::string_view stimulus) {
+  const std::string text = read_file(file);
+  const std::string begin = "\n" + std::string(stimulus) + ",";
+  const std::size_t before = text.find(begin);
+  if (before == std::string::npos) {
+    throw Error(file.string() + ": no row of \"" + std::string(stimulus) + "\"",
+                "delete the file and run again");
+  }
+  const std::string header = text.substr(0, text.find('\n') + 1);
+  const std::size_t row = before + 1;
+  const CsvTable table =
+      parse_csv(header + text.substr(row, text.find('\n', row) - row), file.string());
+  const auto number = static_cast<std::size_t>(require_column(table, column));
+  return number_in(table, table.rows.front()[number]);
+}
+
+StimulusNumbers::StimulusNumbers(const std::filesystem::path& file,
+                                 const std::vector<std::string>& columns)
+    : file_(file.string()) {
   const CsvTable table = read_csv(file);
   const auto name = static_cast<std::size_t>(require_column(table, "stimulus"));
-  const auto number = static_cast<std::size_t>(require_column(table, column));
+  std::vector<std::size_t> indices;
+  for (const std::string& column : columns)
+    indices.push_back(static_cast<std::size_t>(require_column(table, column)));
   for (const auto& row : table.rows) {
-    if (row[name].text == stimulus) return number_in(table, row[number]);
+    std::vector<double>& numbers = numbers_[row[name].text];
+    for (const std::size_t index : indices) numbers.push_back(number_in(table, row[index]));
   }
-  throw Error(table.file + ": no row of \"" + std::string(stimulus) + "\"",
-              "delete the file and run again");
+}
+
+const std::vector<double>& StimulusNumbers::of(const std::string& stimulus) const {
+  const auto found = numbers_.find(stimulus);
+  if (found != numbers_.end()) return found->second;
+  throw Error(file_ + ": no row of \"" + stimulus + "\"", "delete the file and run again");
 }
 
 std::string shortest(double value) {

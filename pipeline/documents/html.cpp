@@ -60,12 +60,14 @@ std::string embedded_svg(std::string_view svg, std::string_view alternative) {
                      html_escaped(alternative));
 }
 
-std::string html_page(std::string_view title, std::string_view style, std::string_view body) {
+std::string html_page(std::string_view title, std::string_view style, std::string_view body,
+                      std::string_view base) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{}"
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-      html_escaped(title), style, body);
+      base.empty() ? "" : fmt::format("<base href=\"{}\">\n", base), html_escaped(title), style,
+      body);
 }
 
 }  // namespace mien::pipeline

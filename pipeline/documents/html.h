@@ -22,7 +22,9 @@ std::string html_table(std::initializer_list<std::string_view> heads, const std:
 /// would share their names.
 std::string embedded_svg(std::string_view svg, std::string_view alternative);
 
-/// A whole page in English: its plain title, its style sheet and the HTML of its body.
-std::string html_page(std::string_view title, std::string_view style, std::string_view body);
+/// A whole page in English: its plain title, its style sheet and the HTML of its body. Links are
+/// taken from `base`, or else from where the page lies.
+std::string html_page(std::string_view title, std::string_view style, std::string_view body,
+                      std::string_view base = "");
 
 }  // namespace mien::pipeline

@@ -5,7 +5,6 @@
 #include <cctype>
 
 #include "pipeline/farm/film_lengths.h"
-#include "pipeline/farm/glance.h"
 #include "pipeline/farm/stages.h"
 
 namespace mien::pipeline {

@@ -85,7 +85,7 @@ Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equ
   task.inputs = {"motion:" + stimulus.id};
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", film_code()).add("seed", static_cast<std::int64_t>(seed));
-  add_film(task.determinants, stimulus);
+  add_film(task.determinants, stimulus, shared.files);
   task.determinants.add("duration", std::int64_t{equalize.duration});
   // What exposure changes no dot feels.
   Equalize alike = equalize;
@@ -94,7 +94,7 @@ Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equ
   task.products.push_back({"clips/" + stimulus.id + ".dots.csv", {}});
   task.cost_seconds = dots_cost_seconds;
   task.make = [&stimulus, &motions, seed, alike](TaskRun& run) {
-    const Equalized found = equalized_film(alike, run.store.folder(), stimulus.id);
+    const Equalized found = equalized_film(alike, run.store.folder(), stimulus.id, motions);
     const std::string text = dots_csv(shot_of(stimulus, motions, seed, found.framing));
     run.store.put(
         run.task.products[0].path, run.keys[0],

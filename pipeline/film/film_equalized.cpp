@@ -7,6 +7,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_exposure.h"
 #include "pipeline/film/film_framing.h"
+#include "pipeline/synthesis/durations_task.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -31,7 +32,7 @@ Task table_task(const std::string& name, const Manifest& manifest, const SharedD
   for (const Stimulus& stimulus : manifest.stimuli) {
     task.inputs.push_back("motion:" + stimulus.id);
     task.determinants.add("stimulus", stimulus.id);
-    add_film(task.determinants, stimulus);
+    add_film(task.determinants, stimulus, shared.files);
   }
   task.products.push_back({"metrics/" + name + ".csv", {}});
   task.cost_seconds = cost_seconds * static_cast<double>(manifest.stimuli.size());
@@ -51,6 +52,7 @@ std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDetermi
                                    const FilmSettings& settings, Motions& motions) {
   std::vector<Task> tasks;
   const Equalize& equalize = manifest.equalize;
+  if (equalize.duration) tasks.push_back(durations_task(manifest, shared, motions));
   if (equalize.size) {
     tasks.push_back(table_task(
         "sizes", manifest, shared, equalize.size, framing_cost_seconds,
@@ -76,6 +78,7 @@ std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDetermi
 
 std::vector<std::string> equalizing_task_ids(const Equalize& equalize) {
   std::vector<std::string> ids;
+  if (equalize.duration) ids.emplace_back(durations_task_id);
   if (equalize.luminance) ids.emplace_back("exposure");
   if (equalize.size) ids.emplace_back("sizes");
   if (equalize.place) ids.emplace_back("places");
@@ -83,7 +86,8 @@ std::vector<std::string> equalizing_task_ids(const Equalize& equalize) {
 }
 
 Equalized equalized_film(const Equalize& equalize, const fs::path& folder,
-                         const std::string& stimulus) {
+                         const std::string& stimulus, Motions& motions) {
+  if (equalize.duration) know_durations(folder, motions);
   Equalized alike;
   if (equalize.luminance) alike.exposure_stops = exposure_stops_of(folder, stimulus);
   alike.framing = equalized_framing(equalize, folder, stimulus);

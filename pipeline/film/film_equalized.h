@@ -19,7 +19,7 @@ struct Equalized {
   Framing framing;
 };
 
-/// Those of the tasks "sizes" and "places" (metrics/sizes.csv,
+/// Those of the tasks "durations" (durations_task.h), "sizes" and "places" (metrics/sizes.csv,
 /// metrics/places.csv: film_framing.h) and "exposure" (metrics/exposure.csv: film_exposure.h) that
 /// `manifest.equalize` asks for. Each goes by what those before it found. They read all motions and
 /// look at all stimuli. `manifest` and `motions` outlive them.
@@ -29,8 +29,9 @@ std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDetermi
 /// Their names, for what waits for them.
 std::vector<std::string> equalizing_task_ids(const Equalize& equalize);
 
-/// What they found for a stimulus, in the store's folder. Throws Error.
+/// What they found for a stimulus, in the store's folder; of durations it is the motions that are
+/// told. Throws Error.
 Equalized equalized_film(const Equalize& equalize, const std::filesystem::path& folder,
-                         const std::string& stimulus);
+                         const std::string& stimulus, Motions& motions);
 
 }  // namespace mien::pipeline

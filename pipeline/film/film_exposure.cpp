@@ -152,10 +152,11 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
                          TaskRun& run) {
   refuse(faults_in_light(manifest, motions));
   constexpr Sampling sampling;
+  const Framings framings(manifest.equalize, run.store.folder());
   SamplesById samples;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const Framing framing = equalized_framing(manifest.equalize, run.store.folder(), stimulus.id);
-    samples[stimulus.id] = samples_of(stimulus, sampling, settings, motions, framing, run.stop);
+    samples[stimulus.id] =
+        samples_of(stimulus, sampling, settings, motions, framings.of(stimulus.id), run.stop);
     run.progress(static_cast<double>(samples.size()) /
                  static_cast<double>(manifest.stimuli.size()));
   }

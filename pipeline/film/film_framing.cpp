@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -147,10 +148,6 @@ std::map<std::string, Vector2d> common_places(const Manifest& manifest,
   return common;
 }
 
-double figure_px_of(const fs::path& folder, const std::string& stimulus) {
-  return number_of(folder / sizes_path, "figure_px", stimulus);
-}
-
 }  // namespace
 
 std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
@@ -167,8 +164,8 @@ std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) 
 std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
   SizesById sizes;
   if (manifest.equalize.size) {
-    for (const Stimulus& stimulus : manifest.stimuli)
-      sizes[stimulus.id] = figure_px_of(run.store.folder(), stimulus.id);
+    const StimulusNumbers found(run.store.folder() / sizes_path, {"figure_px"});
+    for (const Stimulus& stimulus : manifest.stimuli) sizes[stimulus.id] = found.of(stimulus.id)[0];
   }
   const StandingsById standings = standings_at(sizes, manifest, motions, between_stimuli_of(run));
   const auto common = common_places(manifest, standings);
@@ -190,10 +187,26 @@ void check_places(const Manifest& manifest, Motions& motions) {
   common_places(manifest, standings_at(sizes, manifest, motions, quietly));
 }
 
+Framings::Framings(const Equalize& equalize, const fs::path& folder) {
+  if (equalize.size) sizes_.emplace(folder / sizes_path, std::vector<std::string>{"figure_px"});
+  if (equalize.place)
+    places_.emplace(folder / places_path, std::vector<std::string>{"x_px", "y_px"});
+}
+
+Framing Framings::of(const std::string& stimulus) const {
+  Framing framing;
+  if (sizes_) framing.figure_px = sizes_->of(stimulus)[0];
+  if (places_) {
+    const std::vector<double>& place = places_->of(stimulus);
+    framing.figure_place = {place[0], place[1]};
+  }
+  return framing;
+}
+
 Framing equalized_framing(const Equalize& equalize, const fs::path& folder,
                           const std::string& stimulus) {
   Framing framing;
-  if (equalize.size) framing.figure_px = figure_px_of(folder, stimulus);
+  if (equalize.size) framing.figure_px = number_of(folder / sizes_path, "figure_px", stimulus);
   if (equalize.place) {
     const fs::path places = folder / places_path;
     framing.figure_place = {number_of(places, "x_px", stimulus),

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
+#include <optional>
 #include <string>
 
+#include "pipeline/documents/csv.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/synthesis/motions.h"
@@ -23,8 +24,20 @@ std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run)
 /// Throws Error where `places_csv` would find no place.
 void check_places(const Manifest& manifest, Motions& motions);
 
-/// What the tables that `equalize` asks for have for a stimulus, in the store's folder. Throws
+/// What the tables that `equalize` asks for have for all stimuli, in the store's folder. Throws
 /// Error.
+class Framings {
+ public:
+  Framings(const Equalize& equalize, const std::filesystem::path& folder);
+
+  Framing of(const std::string& stimulus) const;
+
+ private:
+  std::optional<StimulusNumbers> sizes_;
+  std::optional<StimulusNumbers> places_;
+};
+
+/// The same for one stimulus.
 Framing equalized_framing(const Equalize& equalize, const std::filesystem::path& folder,
                           const std::string& stimulus);
 

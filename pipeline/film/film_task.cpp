@@ -222,7 +222,7 @@ FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions
   for (const auto& [role, name] : motions_on(overlay)) {
     subject.motions.push_back(name);
     subject.stage.add("motion", name);
-    if (find_stimulus(manifest, name) == nullptr) {
+    if (motions.stimulus(name) == nullptr) {
       subject.stage.add("from", shared.repertoire).add("made at", manifest.output.fps);
       add_interpolation(subject.stage, manifest.interpolation);
     }
@@ -238,18 +238,18 @@ FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions
 }
 
 Task film_task(const FilmSubject& subject, const FilmSettings& settings,
-               const SharedDeterminants& shared, const Manifest& manifest, Motions& motions) {
+               const SharedDeterminants& shared, Motions& motions) {
   const Stimulus& stimulus = subject.film;
   const Output& output = stimulus.output;
   Task task;
   task.id = "film:" + stimulus.id;
   task.kind = "film";
   for (const std::string& name : subject.motions) {
-    if (find_stimulus(manifest, name) != nullptr) task.inputs.push_back("motion:" + name);
+    if (motions.stimulus(name) != nullptr) task.inputs.push_back("motion:" + name);
   }
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", film_code()).add("seed", static_cast<std::int64_t>(settings.seed));
-  add_film(task.determinants, stimulus);
+  add_film(task.determinants, stimulus, shared.files);
   task.determinants.add("stage", subject.stage.key());
   // A video shows the stored frames, so how they were stored concerns it too.
   KeyBuilder stored;
@@ -273,7 +273,8 @@ Task film_task(const FilmSubject& subject, const FilmSettings& settings,
     FilmSettings own = settings;
     own.loops = repeats(subject, motions);
     own.eyes = subject.film.look.camera.stereo_separation_m ? 2 : 1;
-    const Equalized alike = equalized_film(subject.equalize, run.store.folder(), subject.film.id);
+    const Equalized alike =
+        equalized_film(subject.equalize, run.store.folder(), subject.film.id, motions);
     return FilmMaker(subject, alike, own, run);
   };
   task.make = [begin](TaskRun& run) { begin(run).make(); };

@@ -35,6 +35,6 @@ FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions
 /// drawn and checked. It reads the products of the tasks "motion:<id>" of its stimuli, and those of
 /// the tasks that find what is equalized. What `subject` refers to outlives it.
 Task film_task(const FilmSubject& subject, const FilmSettings& settings,
-               const SharedDeterminants& shared, const Manifest& manifest, Motions& motions);
+               const SharedDeterminants& shared, Motions& motions);
 
 }  // namespace mien::pipeline

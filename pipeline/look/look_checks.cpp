@@ -16,7 +16,13 @@ namespace mien::pipeline {
 
 namespace {
 
-void read_scene(Look& look, const std::string& path, FaultList& list, std::vector<Fault>& faults) {
+void read_scene(Look& look, const std::string& path, FaultList& list, std::vector<Fault>& faults,
+                LookFiles& files) {
+  const std::pair named(scene_of(look), look.scene_file);
+  if (const auto read = files.sets.find(named); read != files.sets.end()) {
+    look.set = read->second;
+    return;
+  }
   std::error_code unknown;
   if (!look.scene_file.empty() && !std::filesystem::exists(look.scene_file, unknown)) {
     const std::string names = motion::did_you_mean(look.scene, set_names());
@@ -24,7 +30,8 @@ void read_scene(Look& look, const std::string& path, FaultList& list, std::vecto
     return;
   }
   try {
-    look.set = read_set(scene_of(look), look.scene_file);
+    look.set = read_set(named.first, named.second);
+    files.sets.emplace(named, look.set);
   } catch (const Faults& wrong) {
     faults.insert(faults.end(), wrong.list().begin(), wrong.list().end());
   } catch (const Error& wrong) {
@@ -58,12 +65,14 @@ void check_trail(const scenes::TrailOptions& trail, const std::string& path,
 }
 
 void check_character(const scenes::CharacterOptions& character, const std::string& path,
-                     FaultList& list) {
+                     FaultList& list, LookFiles& files) {
+  if (files.characters.contains(character.file)) return;
   list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)",
                   motion::most_of_recording);
   if (!motion::hindrance_of(character.file, motion::most_of_recording).empty()) return;
   try {
     scenes::read_character(character.file);
+    files.characters.insert(character.file);
   } catch (const Error& wrong) {
     list.add(path, wrong.what(), "name another file");
   }
@@ -83,9 +92,9 @@ void check_contrast(const Look& look, const std::string& path, FaultList& list) 
 }
 
 void check_figure(const Look& look, const std::string& path, const std::vector<std::string>& joints,
-                  FaultList& list) {
+                  FaultList& list, LookFiles& files) {
   if (const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure)) {
-    check_character(*character, member_path(path, "character"), list);
+    check_character(*character, member_path(path, "character"), list, files);
   }
   if (const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure)) {
     check_dots(*dots, member_path(path, "point-light"), joints, list);
@@ -93,7 +102,7 @@ void check_figure(const Look& look, const std::string& path, const std::vector<s
   }
   if (const auto* trail = std::get_if<scenes::TrailOptions>(&look.figure)) {
     if (const auto* character = std::get_if<scenes::CharacterOptions>(&trail->figure)) {
-      check_character(*character, member_path(path, "trail.figure.character"), list);
+      check_character(*character, member_path(path, "trail.figure.character"), list, files);
     }
     check_trail(*trail, member_path(path, "trail"), joints, list);
   }
@@ -156,11 +165,11 @@ void check_camera(const Look& look, const std::string& path, FaultList& list) {
 }  // namespace
 
 std::vector<Fault> complete_look(Look& look, const std::string& path, const Places& places,
-                                 const std::vector<std::string>& joints) {
+                                 const std::vector<std::string>& joints, LookFiles& files) {
   FaultList list(places);
   std::vector<Fault> faults;
-  read_scene(look, member_path(path, "scene"), list, faults);
-  check_figure(look, member_path(path, "figure"), joints, list);
+  read_scene(look, member_path(path, "scene"), list, faults, files);
+  check_figure(look, member_path(path, "figure"), joints, list, files);
   check_camera(look, member_path(path, "camera"), list);
   for (Fault& fault : list.take()) faults.push_back(std::move(fault));
   return faults;

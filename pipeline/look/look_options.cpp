@@ -62,7 +62,8 @@ Look look_of(const LookOptions& options) {
   const ReadingContext context{reading.places, [](const std::string& path) { return path; }};
   Look look;
   read({reading.document, "", context}, look);
-  std::vector<Fault> faults = complete_look(look, "", reading.places, {});
+  LookFiles files;
+  std::vector<Fault> faults = complete_look(look, "", reading.places, {}, files);
   if (!faults.empty()) throw as_options(std::move(faults));
   return look;
 }

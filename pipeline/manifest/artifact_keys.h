@@ -1,33 +1,31 @@
 #pragma once
 
-#include <filesystem>
-
+#include "pipeline/manifest/file_keys.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/tasks/artifact_key.h"
 
 namespace mien::pipeline {
 
-// What artifacts depend on, as parts of their keys. Files count by name and content, not by the
-// folder that they lie in.
+// What artifacts depend on, as parts of their keys.
 
 /// What many tasks of a production share; found once, because files are read for it.
 struct SharedDeterminants {
   Hash libraries;
   Hash repertoire;  ///< the examples, their ratings and scales
+  FileKeys& files;
 };
 
-SharedDeterminants shared_determinants(const Manifest& manifest);
-
-void add_file(KeyBuilder& key, const std::filesystem::path& file);
+/// `files` outlives what is returned.
+SharedDeterminants shared_determinants(const Manifest& manifest, FileKeys& files);
 
 /// How a stimulus's motion is made, without the repertoire.
-void add_motion(KeyBuilder& key, const Stimulus& stimulus);
+void add_motion(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files);
 
 /// How examples are blended.
 void add_interpolation(KeyBuilder& key, const Interpolation& how);
 
 /// How a shot is staged and drawn, without the motion.
-void add_film(KeyBuilder& key, const Stimulus& stimulus);
+void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files);
 
 /// What concerns tables and pages alone, as its values are: the text of the manifest may take them
 /// from the environment.

@@ -29,11 +29,11 @@ Stimulus as_seen(Stimulus stimulus) {
   return stimulus;
 }
 
-Hash key_of_what_is_seen(const Stimulus& stimulus) {
+Hash key_of_what_is_seen(const Stimulus& stimulus, FileKeys& files) {
   const Stimulus seen = as_seen(stimulus);
   KeyBuilder key;
-  add_motion(key, seen);
-  add_film(key, seen);
+  add_motion(key, seen, files);
+  add_film(key, seen, files);
   add_presentation(key, seen.output.presentation);
   return key.key();
 }
@@ -41,10 +41,12 @@ Hash key_of_what_is_seen(const Stimulus& stimulus) {
 }  // namespace
 
 std::vector<Repetition> repetitions_in(const Manifest& manifest) {
+  FileKeys files;
   std::map<Hash, std::string> first_ids;
   std::vector<Repetition> repetitions;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const auto [first, is_new] = first_ids.emplace(key_of_what_is_seen(stimulus), stimulus.id);
+    const auto [first, is_new] =
+        first_ids.emplace(key_of_what_is_seen(stimulus, files), stimulus.id);
     if (!is_new) repetitions.push_back({stimulus.path, stimulus.id, first->second});
   }
   return repetitions;

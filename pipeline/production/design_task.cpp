@@ -28,11 +28,11 @@ void check_json(const fs::path& file) {
 
 }  // namespace
 
-Task design_task(const Manifest& manifest, Motions& motions, const SharedDeterminants& shared,
+Task design_task(const Manifest& manifest, Motions& motions, const Hash& study,
                  const TaskGraph& graph) {
   Task task;
   task.id = task.kind = "design";
-  add_study(task.determinants, manifest, shared);
+  task.determinants.add("study", study);
   for (const Task& other : graph.tasks) {
     if (other.kind == "motion" || other.kind == "clip" || other.kind == "film")
       task.inputs.push_back(other.id);

@@ -39,14 +39,16 @@ Manifest with_quality(Manifest manifest, const std::optional<Quality>& quality) 
 }
 
 void refuse_unknown_ids(const Manifest& manifest, const std::vector<std::string>& only) {
+  if (only.empty()) return;
   std::vector<std::string> ids;
+  std::set<std::string> known;
   const auto add = [&](const std::string& id) {  // a sheet may have a stimulus' name
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    if (known.insert(id).second) ids.push_back(id);
   };
   for (const Stimulus* film : films_of(manifest)) add(film->id);
   for (const Sheet& sheet : manifest.sheets) add(sheet.id);
   for (const std::string& id : only) {
-    if (std::find(ids.begin(), ids.end(), id) != ids.end()) continue;
+    if (known.contains(id)) continue;
     throw Error("--only: there is no stimulus, overlay or sheet \"" + id + "\"",
                 motion::did_you_mean(id, ids));
   }
@@ -57,9 +59,11 @@ void refuse_unknown_ids(const Manifest& manifest, const std::vector<std::string>
 Production::Production(Manifest manifest, ProductionOptions options)
     : manifest_(with_quality(std::move(manifest), options.quality)),
       options_(std::move(options)),
-      motions_(manifest_) {
+      motions_(manifest_),
+      wanted_(options_.only.begin(), options_.only.end()) {
   refuse_unknown_ids(manifest_, options_.only);
-  const SharedDeterminants shared = shared_determinants(manifest_);
+  FileKeys files;
+  const SharedDeterminants shared = shared_determinants(manifest_, files);
   add_motions(shared);
   add_stimuli(shared);
   add_overlays(shared);
@@ -85,7 +89,7 @@ void Production::add_stimuli(const SharedDeterminants& shared) {
   for (const Stimulus& stimulus : manifest_.stimuli) {
     if (!is_wanted(stimulus.id)) continue;
     if (stimulus.output.clips.bvh || stimulus.output.clips.glb) {
-      add(clip_task(stimulus, shared, motions_), equalize);
+      add(clip_task(stimulus, equalize, shared, motions_), equalize);
     }
     if (has_dots(stimulus)) {
       add(dots_task(stimulus, manifest_.seed, equalize, shared, motions_), equalize);
@@ -113,23 +117,22 @@ void Production::add_sheets(const SharedDeterminants& shared) {
 
 /// What covers the whole study.
 void Production::add_study(const SharedDeterminants& shared) {
-  graph_.add(tables_task(manifest_, motions_, shared));
+  const Hash study = study_key(manifest_, shared, graph_);
+  graph_.add(tables_task(manifest_, motions_, study));
   graph_.add(films_task(manifest_, shared));
-  graph_.add(design_task(manifest_, motions_, shared, graph_));
-  graph_.add(report_task(manifest_, motions_, shared, graph_));
+  graph_.add(design_task(manifest_, motions_, study, graph_));
+  graph_.add(report_task(manifest_, motions_, study, graph_));
 }
 
 void Production::add_film(const FilmSubject& subject, const SharedDeterminants& shared) {
   const FilmSettings settings = film_settings(subject.film.output);
-  add(film_task(subject, settings, shared, manifest_, motions_), subject.equalize);
+  add(film_task(subject, settings, shared, motions_), subject.equalize);
 }
 
-/// A task that shows one motion, and all the others' lengths where these are made alike. It waits
-/// until is known that all can be made alike: else the clips of a study would be made whose films
-/// cannot be.
+/// A task that shows motions. It waits until is known that all can be made alike: else the clips of
+/// a study would be made whose films cannot be.
 void Production::add(Task task, const Equalize& equalize) {
   task.after = equalizing_task_ids(equalize);
-  if (equalize.duration) depend_on_motions(task);
   graph_.add(std::move(task));
 }
 
@@ -143,23 +146,12 @@ FilmSettings Production::film_settings(const Output& output) const {
       .output = output, .seed = manifest_.seed, .threads = threads(), .drawing = options_.drawing};
 }
 
-/// Where all stimuli last as long as the shortest, each depends on all motions.
-void Production::depend_on_motions(Task& task) const {
-  for (const Stimulus& stimulus : manifest_.stimuli) {
-    const std::string motion = "motion:" + stimulus.id;
-    if (std::find(task.inputs.begin(), task.inputs.end(), motion) == task.inputs.end()) {
-      task.inputs.push_back(motion);
-    }
-  }
-}
-
 bool Production::is_wanted(const std::string& id) const {
-  const std::vector<std::string>& only = options_.only;
-  return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
+  return wanted_.empty() || wanted_.contains(id);
 }
 
 bool Production::is_wanted_motion(const std::string& name) const {
-  return find_stimulus(manifest_, name) == nullptr || is_wanted(name);
+  return motions_.stimulus(name) == nullptr || is_wanted(name);
 }
 
 /// A sheet or overlay is wanted when it is named, or when the stimuli that it shows all are.

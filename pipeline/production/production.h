@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct ProductionOptions {
 ///                                           metrics/films/<id>.json
 ///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
 ///           motions → shots → stills → page
+///   durations motions → number              how long the shortest is: what equalizing them needs
 ///   sizes     motions → shots → numbers     metrics/sizes.csv: what equalizing size needs
 ///   places    motions → shots → numbers     metrics/places.csv: and place
 ///   exposure  motions → shots → numbers     metrics/exposure.csv: and luminance
@@ -63,7 +65,6 @@ class Production {
   void add_study(const SharedDeterminants& shared);
   void add_film(const FilmSubject& subject, const SharedDeterminants& shared);
   void add(Task task, const Equalize& equalize);
-  void depend_on_motions(Task& task) const;
   int threads() const;
   FilmSettings film_settings(const Output& output) const;
   bool is_wanted(const std::string& id) const;
@@ -75,6 +76,7 @@ class Production {
   ProductionOptions options_;
   Motions motions_;
   TaskGraph graph_;
+  std::set<std::string> wanted_;  ///< options_.only
   std::map<std::string, Hash> inputs_;
 };
 

@@ -15,17 +15,17 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Calls `visit` with each path of a manifest that names a file of which a copy is kept.
-template <class Visit>
-void for_each_document(Manifest& manifest, const Visit& visit) {
+template <MaybeConst<Manifest> M, class Visit>
+void for_each_document(M& manifest, const Visit& visit) {
   if (!manifest.scales.file.empty()) visit(manifest.scales.file);
   if (!manifest.recipes.file.empty()) visit(manifest.recipes.file);
   if (manifest.ratings.source == Ratings::Source::file) visit(manifest.ratings.file);
-  const auto visit_set = [&](Look& look) {
+  const auto visit_set = [&](auto& look) {
     if (!look.scene_file.empty()) visit(look.scene_file);
   };
   visit_set(manifest.look);
-  for (Stimulus& stimulus : manifest.stimuli) visit_set(stimulus.look);
-  for (Overlay& overlay : manifest.overlays) visit_set(overlay.film.look);
+  for (auto& stimulus : manifest.stimuli) visit_set(stimulus.look);
+  for (auto& overlay : manifest.overlays) visit_set(overlay.film.look);
 }
 
 /// Where a copy lies below inputs/: as it lies below the manifest's folder, or by its name alone.
@@ -103,8 +103,7 @@ std::vector<InputCopy> input_copies(const Manifest& manifest) {
   const fs::path folder = manifest.file.parent_path();
   std::vector<InputCopy> copies;
   add_copy(copies, manifest.file, folder);
-  Manifest walked = manifest;
-  for_each_document(walked, [&](const fs::path& file) { add_copy(copies, file, folder); });
+  for_each_document(manifest, [&](const fs::path& file) { add_copy(copies, file, folder); });
   return copies;
 }
 

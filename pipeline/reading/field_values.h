@@ -36,7 +36,8 @@ struct Given {
 struct Writing {
   bool for_key = false;
   std::vector<std::filesystem::path>* files = nullptr;
-  std::filesystem::path folder = {};  ///< of the document; paths are written from there
+  std::filesystem::path folder = {};          ///< of the document; paths are written from there
+  unsigned concerned = concerns::everything;  ///< options that concern none of these are left out
 };
 
 class FieldNames;

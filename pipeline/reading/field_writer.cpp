@@ -19,12 +19,20 @@ void put(OrderedJson& map, const std::string& path, const OrderedJson& value) {
 
 std::vector<FieldEntry> differences(std::vector<FieldEntry> entries,
                                     const std::vector<FieldEntry>& base) {
+  auto next = base.begin();
+  const auto in_base = [&](const std::string& path) {
+    const auto is_it = [&](const FieldEntry& other) { return other.path == path; };
+    auto found = std::find_if(next, base.end(), is_it);
+    if (found == base.end()) found = std::find_if(base.begin(), next, is_it);
+    const bool is_there = found != base.end() && is_it(*found);
+    if (is_there) next = found + 1;
+    return is_there ? &*found : nullptr;
+  };
   const auto is_known = [&](const FieldEntry& entry) {
     if (entry.value.is_null()) return true;
     if ((entry.concerns & concerns::required) != 0) return false;
-    return std::any_of(base.begin(), base.end(), [&](const FieldEntry& other) {
-      return other.path == entry.path && other.value == entry.value;
-    });
+    const FieldEntry* other = in_base(entry.path);
+    return other != nullptr && other->value == entry.value;
   };
   std::erase_if(entries, is_known);
   return entries;

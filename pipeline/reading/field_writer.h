@@ -22,10 +22,9 @@ struct FieldEntry {
 /// Writes down everything that a struct says, option by option.
 class FieldWriter {
  public:
-  explicit FieldWriter(const Writing& how, std::string prefix = "")
-      : how_(how), prefix_(std::move(prefix)) {}
-
-  std::vector<FieldEntry> take() { return std::move(entries_); }
+  /// Adds what it writes to `entries`.
+  FieldWriter(const Writing& how, std::vector<FieldEntry>& entries, std::string prefix = "")
+      : how_(how), entries_(entries), prefix_(std::move(prefix)) {}
 
   template <class Value>
   void operator()(const char* key, const Value& value, unsigned concerns) {
@@ -64,7 +63,8 @@ class FieldWriter {
 
   template <class Value, class Form>
   void inside(const Value& value, unsigned concerns, Form) {
-    const OrderedJson map = Form::write(value, how_);
+    if (!is_asked(concerns)) return;
+    const OrderedJson map = Form::write(value, of_members());
     for (const auto& [key, member] : map.items())
       entries_.push_back({prefix_ + key, concerns, member, {}});
   }
@@ -72,44 +72,60 @@ class FieldWriter {
  private:
   template <class Walk>
   void nested(const char* key, Walk&& walk) {
-    FieldWriter inner(how_, prefix_ + key + ".");
+    FieldWriter inner(how_, entries_, prefix_ + key + ".");
     walk(inner);
-    for (FieldEntry& entry : inner.take()) entries_.push_back(std::move(entry));
+  }
+
+  bool is_asked(unsigned concerns) const {
+    return how_.concerned == concerns::everything || (concerns & how_.concerned) != 0;
+  }
+
+  /// What concerns something does so with all that it holds.
+  Writing of_members() const {
+    Writing how = how_;
+    how.concerned = concerns::everything;
+    return how;
   }
 
   template <class Write>
   void add(const char* key, unsigned concerns, Write&& write) {
+    if (!is_asked(concerns)) return;
     FieldEntry entry{prefix_ + key, concerns, {}, {}};
-    Writing how = how_;
+    Writing how = of_members();
     how.files = &entry.files;
     entry.value = write(how);
     entries_.push_back(std::move(entry));
   }
 
   const Writing& how_;
+  std::vector<FieldEntry>& entries_;
   std::string prefix_;
-  std::vector<FieldEntry> entries_;
 };
 
 template <class Value>
 std::vector<FieldEntry> entries_of(const Value& value, const Writing& how) {
-  FieldWriter writer(how);
+  constexpr std::size_t usual_count = 64;
+  std::vector<FieldEntry> entries;
+  entries.reserve(usual_count);
+  FieldWriter writer(how, entries);
   fields_of(writer, value);
-  return writer.take();
+  return entries;
 }
 
 /// The entries in which one list says something else than the other, which is of the same struct,
-/// and those that are always written.
+/// and those that are always written. Quick where both are in the same order.
 std::vector<FieldEntry> differences(std::vector<FieldEntry> entries,
                                     const std::vector<FieldEntry>& base);
 
 /// Entries as a map of maps.
 OrderedJson nested_map(const std::vector<FieldEntry>& entries);
 
-/// What is to be written so that `value` is read when it is laid over `base`.
+/// What is to be written so that `value` is read when it is laid over the value of which `base` are
+/// the entries.
 template <class Value>
-OrderedJson written_over(const Value& value, const Value& base, const Writing& how) {
-  std::vector<FieldEntry> entries = differences(entries_of(value, how), entries_of(base, how));
+OrderedJson written_over(const Value& value, const std::vector<FieldEntry>& base,
+                         const Writing& how) {
+  const std::vector<FieldEntry> entries = differences(entries_of(value, how), base);
   if (how.files != nullptr) {
     for (const FieldEntry& entry : entries)
       how.files->insert(how.files->end(), entry.files.begin(), entry.files.end());
@@ -120,7 +136,7 @@ OrderedJson written_over(const Value& value, const Value& base, const Writing& h
 template <class Value>
 OrderedJson written(const Value& value, const Writing& how) {
   if constexpr (HasFields<const Value>) {
-    return written_over(value, Value{}, how);
+    return written_over(value, entries_of(Value{}, how), how);
   } else if constexpr (HasForm<Value>) {
     return ValueForm<Value>::write(value, how);
   } else {
@@ -135,7 +151,8 @@ void FieldWriter::each(const char* key, const std::vector<Element>& list, unsign
                        Prototype&& prototype) {
   add(key, concerns, [&](const Writing& how) {
     OrderedJson array;
-    for (const Element& one : list) array.push_back(written_over(one, Element(prototype()), how));
+    const std::vector<FieldEntry> base = entries_of(Element(prototype()), how);
+    for (const Element& one : list) array.push_back(written_over(one, base, how));
     return array;
   });
 }

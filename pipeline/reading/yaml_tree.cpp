@@ -20,8 +20,8 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr std::size_t most_bytes = 4 << 20;
-constexpr std::size_t most_values = 100'000;
+constexpr std::size_t most_bytes = 16 << 20;
+constexpr std::size_t most_values = 1'000'000;
 constexpr std::size_t deepest = 100;
 constexpr std::size_t longest_key = 200;
 
@@ -135,7 +135,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void refuse_too_many(const Place& place) {
     if (value_count_ <= most_values) return;
-    fault(place, "the document unfolds to more than 100,000 values", "write fewer aliases");
+    fault(place, "the document unfolds to more than 1,000,000 values", "write fewer aliases");
     throw Abandoned{};
   }
 
@@ -261,7 +261,7 @@ Fault syntax_fault(const YamlPlaces& places, const YAML::ParserException& error)
 std::optional<Fault> refuse_text(std::string_view text, const std::string& file) {
   const Place whole{file, 0, 0};
   if (text.size() > most_bytes) {
-    return Fault{whole, "", "larger than 4 MiB", "split it"};
+    return Fault{whole, "", "larger than 16 MiB", "split it"};
   }
   if (const auto place = first_invalid_utf8(text)) {
     return Fault{{file, place->line, place->column}, "", "not UTF-8 text", "save it as UTF-8"};

@@ -22,8 +22,8 @@ struct YamlNode {
 
 /// Reads one YAML document. Faults of the text are added to `faults`: not UTF-8, syntax, a tab in
 /// the indentation, a second document, a key that occurs twice, a key that is not a scalar, an
-/// unknown alias, aliases that unfold to more than 100,000 values, nesting deeper than 100, more
-/// than 4 MiB. After a fault of syntax the tree is null.
+/// unknown alias, aliases that unfold to more than 1,000,000 values, nesting deeper than 100, more
+/// than 16 MiB. After a fault of syntax the tree is null.
 YamlNode read_yaml(std::string_view text, const std::string& file, std::vector<Fault>& faults);
 
 }  // namespace mien::pipeline

@@ -108,9 +108,9 @@ double posture_difference(const motion::Clip& a, const motion::Clip& b) {
 
 bool CertifiedAspect::is_held() const { return std::abs(difference) < tolerance; }
 
-std::vector<Certificate> foil_certificates(const Manifest& manifest, Motions& motions) {
+std::vector<Certificate> foil_certificates(std::span<const Stimulus> stimuli, Motions& motions) {
   std::vector<Certificate> certificates;
-  for (const Stimulus& stimulus : manifest.stimuli) {
+  for (const Stimulus& stimulus : stimuli) {
     if (!stimulus.foil) continue;
     certificates.push_back({stimulus.id, *stimulus.foil,
                             certificate(motions.of(stimulus.foil->of).motion.clip,
@@ -121,7 +121,7 @@ std::vector<Certificate> foil_certificates(const Manifest& manifest, Motions& mo
 
 std::string foils_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table = table_of(foils_form);
-  for (const auto& [id, foil, aspects] : foil_certificates(manifest, motions)) {
+  for (const auto& [id, foil, aspects] : foil_certificates(manifest.stimuli, motions)) {
     for (const CertifiedAspect& aspect : aspects) {
       table.row({id, foil.of, std::string(name_of(foil.differ)),
                  std::string(name_of(aspect.aspect)), aspect.measure, number(aspect.of_value),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,8 @@ struct Certificate {
   std::vector<CertifiedAspect> aspects;
 };
 
-/// Of every foil of the study.
-std::vector<Certificate> foil_certificates(const Manifest& manifest, Motions& motions);
+/// Of every foil among some of a study's stimuli.
+std::vector<Certificate> foil_certificates(std::span<const Stimulus> stimuli, Motions& motions);
 
 /// The certificate of every foil (foils_form).
 std::string foils_csv(const Manifest& manifest, Motions& motions);

@@ -88,8 +88,8 @@ class PicturesWriter {
     return std::any_of(manifest_.sheets.begin(), manifest_.sheets.end(), [&](const Sheet& sheet) {
       const std::vector<MotionPair> pairs = pairs_on(sheet);
       return std::any_of(pairs.begin(), pairs.end(), [&](const MotionPair& pair) {
-        const Stimulus* target = find_stimulus(manifest_, pair.target);
-        const Stimulus* created = find_stimulus(manifest_, pair.created);
+        const Stimulus* target = motions_.stimulus(pair.target);
+        const Stimulus* created = motions_.stimulus(pair.created);
         return (target && target->clip) || (created && created->clip);
       });
     });

@@ -1,21 +1,25 @@
 #include "pipeline/report/report.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "pipeline/documents/html.h"
 #include "pipeline/manifest/repetitions.h"
-#include "pipeline/report/report_cards.h"
 #include "pipeline/report/report_ratings.h"
+#include "pipeline/report/report_sections.h"
 #include "pipeline/report/report_style.h"
-#include "pipeline/report/report_tables.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+/// The table of warnings has all.
+constexpr std::size_t most_warnings_of_one_kind = 100;
 
 bool rests_on_simulated_ratings(const Manifest& manifest, Motions& motions) {
   const bool any = std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
@@ -31,67 +35,6 @@ std::string page_header(const Manifest& manifest, Motions& motions) {
         "example motions: what is shown for an adjective is what made-up raters would say.</p>\n";
   }
   return header + "</header>\n";
-}
-
-/// What the films of a study have in common because it asks for that.
-std::string alike(const Equalize& equalize) {
-  std::vector<std::string> what;
-  if (equalize.duration) what.emplace_back("length (as the shortest)");
-  if (equalize.size) {
-    what.emplace_back(
-        "height of the standing figure in pixels (as the smallest: "
-        "<a href=\"metrics/sizes.csv\">sizes.csv</a>)");
-  }
-  if (equalize.place) {
-    what.emplace_back("place in the picture (<a href=\"metrics/places.csv\">places.csv</a>)");
-  }
-  if (equalize.luminance) {
-    what.emplace_back(
-        "mean luminance (by exposure: <a href=\"metrics/exposure.csv\">exposure.csv</a>)");
-  }
-  return what.empty()
-             ? ""
-             : fmt::format("<p>Made alike in all stimuli: {}.</p>\n", fmt::join(what, ", "));
-}
-
-std::string titled_section(const std::string& title, const std::string& content) {
-  return "<section><h2>" + title + "</h2>\n" + content + "</section>\n";
-}
-
-std::string card_grid(const std::string& cards) {
-  return "<div class=\"cards\">\n" + cards + "</div>";
-}
-
-std::string stimuli_section(const Manifest& manifest, Motions& motions) {
-  std::string films;
-  for (const Stimulus& stimulus : manifest.stimuli) films += stimulus_card(stimulus, motions);
-  return titled_section("Stimuli", alike(manifest.equalize) + card_grid(films));
-}
-
-std::string foils_section(const Manifest& manifest, Motions& motions) {
-  const std::string table = foil_table(manifest, motions);
-  return table.empty() ? "" : titled_section("Foils", table);
-}
-
-std::string overlays_section(const Manifest& manifest) {
-  std::string films;
-  for (const Overlay& overlay : manifest.overlays) films += overlay_card(overlay, manifest);
-  return films.empty() ? "" : titled_section("Overlays", card_grid(films));
-}
-
-/// Pages of stills, then comparisons.
-std::string sheets_sections(const Manifest& manifest, Motions& motions) {
-  std::string stills;
-  std::string comparisons;
-  for (const Sheet& sheet : manifest.sheets) {
-    (sheet.stills.empty() ? comparisons : stills) += sheet_card(sheet, motions);
-  }
-  std::string sections;
-  if (!stills.empty()) sections += titled_section("Pictures", stills);
-  if (comparisons.empty()) return sections;
-  return sections + titled_section("Comparisons", distance_table(manifest, motions) +
-                                                      feature_agreement_table(manifest, motions) +
-                                                      comparisons);
 }
 
 std::string methods_section(const Methods& methods) {
@@ -114,11 +57,30 @@ std::string page_footer(const Manifest& manifest) {
                                : "made by <code>" + html_escaped(manifest.command) + "</code> · ");
 }
 
+std::string links_to_neighbours(const std::vector<ReportPart>& parts, std::size_t which,
+                                const Manifest& manifest) {
+  const auto link = [](const std::string& path, const std::string& text) {
+    return fmt::format("<a href=\"{}\">{}</a>", path, text);
+  };
+  std::vector<std::string> links = {link("report.html", html_escaped(manifest.study))};
+  if (which > 0) links.push_back("← " + link(parts[which - 1].path(), parts[which - 1].title()));
+  if (which + 1 < parts.size())
+    links.push_back(link(parts[which + 1].path(), parts[which + 1].title()) + " →");
+  return fmt::format("<nav>{}</nav>\n", fmt::join(links, " · "));
+}
+
 /// Of examples and of stimuli among each other; cards tell those of one stimulus.
 std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& motions) {
   std::vector<std::string> warnings;
   if (blends_examples(manifest)) warnings = motions.repertoire().warnings;
-  for (std::string& told : told_repetitions(manifest)) warnings.push_back(std::move(told));
+  std::vector<std::string> repetitions = told_repetitions(manifest);
+  const std::size_t shown = std::min(repetitions.size(), most_warnings_of_one_kind);
+  warnings.insert(warnings.end(), repetitions.begin(),
+                  repetitions.begin() + static_cast<std::ptrdiff_t>(shown));
+  if (shown < repetitions.size()) {
+    warnings.push_back(fmt::format("so it is of {} others: metrics/warnings.csv has all",
+                                   repetitions.size() - shown));
+  }
   return warnings;
 }
 
@@ -127,11 +89,39 @@ std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& moti
 std::string report(const Manifest& manifest, Motions& motions, const Methods& methods) {
   std::string body = page_header(manifest, motions) + "<main>\n";
   body += html_list("warnings", warnings_of_all(manifest, motions));
-  body += stimuli_section(manifest, motions) + foils_section(manifest, motions) +
-          overlays_section(manifest) + sheets_sections(manifest, motions);
+  const std::vector<ReportPart> parts = report_parts(manifest);
+  if (parts.empty()) {
+    body += stimuli_section("Stimuli", manifest.stimuli, manifest, motions) +
+            overlays_section("Overlays", manifest.overlays, manifest, motions) +
+            stills_section(manifest, motions) +
+            comparisons_section("Comparisons", comparisons_in(manifest), motions);
+  } else {
+    body += parts_section(parts, manifest) + stills_section(manifest, motions);
+  }
   if (blends_examples(manifest)) body += ratings_section(manifest, motions.repertoire());
   body += methods_section(methods) + "</main>\n" + page_footer(manifest);
   return html_page(manifest.study + " · mien", report_style, body);
+}
+
+std::string report_part(const std::vector<ReportPart>& parts, std::size_t which,
+                        const Manifest& manifest, Motions& motions) {
+  const ReportPart& part = parts[which];
+  const std::size_t count = part.end - part.first;
+  std::string cards;
+  if (part.kind == CardKind::stimulus) {
+    cards = stimuli_section(part.title(), std::span(manifest.stimuli).subspan(part.first, count),
+                            manifest, motions);
+  } else if (part.kind == CardKind::overlay) {
+    cards = overlays_section(part.title(), std::span(manifest.overlays).subspan(part.first, count),
+                             manifest, motions);
+  } else {
+    const std::vector<const Sheet*> all = comparisons_in(manifest);
+    cards = comparisons_section(part.title(), std::span(all).subspan(part.first, count), motions);
+  }
+  const std::string links = links_to_neighbours(parts, which, manifest);
+  const std::string body = page_header(manifest, motions) + links + "<main>\n" + cards +
+                           "</main>\n" + links + page_footer(manifest);
+  return html_page(manifest.study + " · " + part.title() + " · mien", report_style, body, "../");
 }
 
 }  // namespace mien::pipeline

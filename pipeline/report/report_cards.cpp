@@ -8,6 +8,7 @@
 #include "motion/measures/distance.h"
 #include "pipeline/documents/html.h"
 #include "pipeline/report/lint_timeline.h"
+#include "pipeline/report/report_parts.h"
 #include "pipeline/report/report_tables.h"
 #include "pipeline/report/study_facts.h"
 #include "pipeline/sheets/sheet.h"
@@ -128,14 +129,15 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
          parameter_table(stimulus, made, motions) + weight_table(made, motions) + "</article>\n";
 }
 
-std::string overlay_card(const Overlay& overlay, const Manifest& manifest) {
+std::string overlay_card(const Overlay& overlay, const Manifest& manifest, const Motions& motions) {
   const std::string id = html_escaped(overlay.film.id);
   std::string card = fmt::format("<article id=\"{}\">\n<h3>{}</h3>\n", id, id);
   card += video_of(overlay.film) + contact_sheet(id);
   std::string legend;
   for (const auto& [role, motion] : motions_on(overlay)) {
     std::string name = html_escaped(motion);
-    if (find_stimulus(manifest, motion)) name = fmt::format("<a href=\"#{}\">{}</a>", name, name);
+    if (const Stimulus* stimulus = motions.stimulus(motion))
+      name = fmt::format("<a href=\"{}\">{}</a>", link_to(*stimulus, manifest), name);
     legend += fmt::format("{}{} ({})", legend.empty() ? "" : ", ", name, name_of(role));
   }
   return card + "<p>" + legend + "</p>\n</article>\n";

@@ -14,7 +14,7 @@ namespace mien::pipeline {
 std::string stimulus_card(const Stimulus& stimulus, Motions& motions);
 
 /// The film of an overlay and which motions are in it.
-std::string overlay_card(const Overlay& overlay, const Manifest& manifest);
+std::string overlay_card(const Overlay& overlay, const Manifest& manifest, const Motions& motions);
 
 /// A sheet's picture and what it says.
 std::string sheet_card(const Sheet& sheet, Motions& motions);

@@ -46,6 +46,8 @@ section > table td:first-of-type { text-align: left; }
 .holds::before { content: "✓ "; color: var(--target); font-weight: 700; }
 .unsure::before { content: "? "; color: var(--quiet, #777); font-weight: 700; }
 .fails::before { content: "✗ "; color: var(--reference); font-weight: 700; }
+article, figure { content-visibility: auto; contain-intrinsic-size: auto 40rem; }
+.parts a { margin-right: .6rem; }
 summary { cursor: pointer; }
 meter { width: 100%; min-width: 5rem; }
 .simulated, .warnings { background: var(--warn); color: var(--warn-ink); border-radius: .4rem; padding: .7rem 1rem; }

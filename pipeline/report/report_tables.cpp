@@ -103,15 +103,15 @@ std::string weight_table(const Synthesis& made, Motions& motions) {
   return html_table({"example", "", "weight"}, rows + smaller_weights(weights, shown));
 }
 
-std::string distance_table(const Manifest& manifest, Motions& motions) {
+std::string distance_table(std::span<const Sheet* const> sheets, Motions& motions) {
   std::string rows;
-  for (const Sheet& sheet : manifest.sheets) {
-    for (const auto& [target, created] : pairs_on(sheet)) {
+  for (const Sheet* sheet : sheets) {
+    for (const auto& [target, created] : pairs_on(*sheet)) {
       const motion::Example& wanted = motions.of(target).motion;
       const motion::Example& came = motions.of(created).motion;
       const motion::Distance d = motions.distance(target, created);
       // A gallery sets motions side by side; nobody said that they should be alike.
-      const std::string below = sheet.gallery.empty() ? (d.matches() ? "yes" : "no") : "";
+      const std::string below = sheet->gallery.empty() ? (d.matches() ? "yes" : "no") : "";
       rows += fmt::format(
           "<tr><th scope=\"row\">{}</th><td>{}</td><td>{:.4f}</td><td>{:.3f}</td><td>{:.4f}</td>"
           "<td>{}</td><td>{}</td></tr>\n",
@@ -124,10 +124,10 @@ std::string distance_table(const Manifest& manifest, Motions& motions) {
                     rows);
 }
 
-std::string feature_agreement_table(const Manifest& manifest, Motions& motions) {
+std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions) {
   std::string rows;
-  for (const Sheet& sheet : manifest.sheets) {
-    const std::vector<motion::FeatureChange> changes = feature_changes(sheet, motions);
+  for (const Sheet* sheet : sheets) {
+    const std::vector<motion::FeatureChange> changes = feature_changes(*sheet, motions);
     const auto moved =
         std::count_if(changes.begin(), changes.end(),
                       [](const motion::FeatureChange& change) { return change.moved(); });
@@ -136,7 +136,7 @@ std::string feature_agreement_table(const Manifest& manifest, Motions& motions) 
                       [](const motion::FeatureChange& change) { return change.agrees(); });
     if (moved == 0) continue;
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        html_escaped(sheet.target), html_escaped(sheet.created), moved, agree);
+                        html_escaped(sheet->target), html_escaped(sheet->created), moved, agree);
   }
   if (rows.empty()) return rows;
   return html_table({"target", "created", "features that the target moved from the reference",
@@ -144,9 +144,9 @@ std::string feature_agreement_table(const Manifest& manifest, Motions& motions) 
                     rows);
 }
 
-std::string foil_table(const Manifest& manifest, Motions& motions) {
+std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions) {
   std::string rows;
-  for (const auto& [id, foil, aspects] : foil_certificates(manifest, motions)) {
+  for (const auto& [id, foil, aspects] : foil_certificates(stimuli, motions)) {
     for (const CertifiedAspect& aspect : aspects) {
       rows += fmt::format(
           "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",

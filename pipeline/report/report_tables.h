@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "pipeline/manifest/manifest.h"
@@ -17,12 +18,12 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
 std::string weight_table(const Synthesis& made, Motions& motions);
 
 /// Of every comparison: how far the motions are from each other.
-std::string distance_table(const Manifest& manifest, Motions& motions);
+std::string distance_table(std::span<const Sheet* const> sheets, Motions& motions);
 
 /// Of comparisons with a reference: how many features went the target's way. Empty without any.
-std::string feature_agreement_table(const Manifest& manifest, Motions& motions);
+std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions);
 
-/// What foils and the stimuli that they are of differ in; empty without foils.
-std::string foil_table(const Manifest& manifest, Motions& motions);
+/// What the foils among some stimuli and those that they are of differ in; empty without foils.
+std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions);
 
 }  // namespace mien::pipeline

@@ -38,20 +38,27 @@ constexpr Table tables[] = {{distances_form, distances_csv},
                             {feature_changes_form, feature_changes_csv},
                             {foils_form, foils_csv}};
 
+void put_page(TaskRun& run, std::size_t product, const std::string& text) {
+  run.store.put(
+      run.task.products[product].path, run.keys[product],
+      [&](const fs::path& file) { write_file(file, text); },
+      [&](const fs::path& file) {
+        if (read_file(file) != text) throw std::runtime_error(file.string() + " is not complete");
+      });
+}
+
 }  // namespace
 
-void add_study(KeyBuilder& key, const Manifest& manifest, const SharedDeterminants& shared) {
+Hash study_key(const Manifest& manifest, const SharedDeterminants& shared, const TaskGraph& graph) {
+  KeyBuilder key;
   key.add("libraries", shared.libraries).add("repertoire", shared.repertoire);
   key.add("motion", motion_code()).add("pipeline", pipeline_code());
   key.add("film", film_code());
-  add_file(key, manifest.file);
+  key.add("manifest", shared.files.of(manifest.file));
   key.add("command", manifest.command);
   add_page(key, manifest);
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    add_motion(key, stimulus);
-    add_film(key, stimulus);
-  }
-  for (const Overlay& overlay : manifest.overlays) add_film(key, overlay.film);
+  key.add("made of", key_of(graph));
+  return key.key();
 }
 
 std::vector<TableForm> study_table_forms() {
@@ -60,11 +67,11 @@ std::vector<TableForm> study_table_forms() {
   return forms;
 }
 
-Task tables_task(const Manifest& manifest, Motions& motions, const SharedDeterminants& shared) {
+Task tables_task(const Manifest& manifest, Motions& motions, const Hash& study) {
   Task task;
   task.id = "tables";
   task.kind = "tables";
-  add_study(task.determinants, manifest, shared);
+  task.determinants.add("study", study);
   for (const Stimulus& stimulus : manifest.stimuli) task.inputs.push_back("motion:" + stimulus.id);
   for (const Table& table : tables) task.products.push_back({std::string(table.form.path), {}});
   task.cost_seconds = tables_cost_seconds;
@@ -80,27 +87,25 @@ Task tables_task(const Manifest& manifest, Motions& motions, const SharedDetermi
   return task;
 }
 
-Task report_task(const Manifest& manifest, Motions& motions, const SharedDeterminants& shared,
+Task report_task(const Manifest& manifest, Motions& motions, const Hash& study,
                  const TaskGraph& graph) {
   Task task;
   task.id = "report";
   task.kind = "report";
-  add_study(task.determinants, manifest, shared);
+  task.determinants.add("study", study);
   for (const Task& other : graph.tasks) task.inputs.push_back(other.id);
   task.products = {{"report.html", {}}, {"methods.md", {}}, {"references.bib", {}}};
-  task.cost_seconds = report_cost_seconds;
-  task.make = [&manifest, &motions](TaskRun& run) {
+  const std::vector<ReportPart> parts = report_parts(manifest);
+  for (const ReportPart& part : parts) task.products.push_back({part.path(), {}});
+  task.cost_seconds = report_cost_seconds * static_cast<double>(1 + parts.size());
+  task.make = [&manifest, &motions, parts](TaskRun& run) {
     const Methods methods = methods_of(manifest, motions);
-    const std::string texts[] = {report(manifest, motions, methods), methods.markdown,
-                                 methods.bibtex};
-    for (std::size_t i = 0; i < run.keys.size(); ++i) {
-      run.store.put(
-          run.task.products[i].path, run.keys[i],
-          [&](const fs::path& file) { write_file(file, texts[i]); },
-          [&](const fs::path& file) {
-            if (read_file(file) != texts[i])
-              throw std::runtime_error(file.string() + " is not complete");
-          });
+    put_page(run, 0, report(manifest, motions, methods));
+    put_page(run, 1, methods.markdown);
+    put_page(run, 2, methods.bibtex);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (run.stop.stop_requested()) throw Interrupted{};
+      put_page(run, 3 + i, report_part(parts, i, manifest, motions));
     }
   };
   return task;

@@ -15,9 +15,9 @@ namespace mien::pipeline {
 namespace {
 
 /// Of a pair: simulated if either motion rests on simulated ratings.
-std::string ratings_of(const MotionPair& pair, const Manifest& manifest, Motions& motions) {
-  const std::string target = ratings_of(find_stimulus(manifest, pair.target), motions);
-  const std::string created = ratings_of(find_stimulus(manifest, pair.created), motions);
+std::string ratings_of(const MotionPair& pair, Motions& motions) {
+  const std::string target = ratings_of(motions.stimulus(pair.target), motions);
+  const std::string created = ratings_of(motions.stimulus(pair.created), motions);
   return target == "none" ? created : target;
 }
 
@@ -101,7 +101,7 @@ std::string distances_csv(const Manifest& manifest, Motions& motions) {
   for (const Sheet& sheet : manifest.sheets) {
     for (const MotionPair& pair : pairs_on(sheet)) {
       const motion::Distance d = motions.distance(pair.target, pair.created);
-      table.row({sheet.id, pair.target, pair.created, ratings_of(pair, manifest, motions),
+      table.row({sheet.id, pair.target, pair.created, ratings_of(pair, motions),
                  d.alignment == motion::Alignment::pelvis ? "pelvis" : "world", shortest(d.mean),
                  shortest(d.sum), shortest(d.mpjpe), shortest(motion::distance_threshold_m),
                  !sheet.gallery.empty() ? ""
@@ -116,7 +116,7 @@ std::string joint_distances_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table = table_of(joint_distances_form);
   for (const Sheet& sheet : manifest.sheets) {
     for (const MotionPair& pair : pairs_on(sheet)) {
-      add_joint_distances(sheet.id, pair, ratings_of(pair, manifest, motions),
+      add_joint_distances(sheet.id, pair, ratings_of(pair, motions),
                           motions.distance(pair.target, pair.created), table);
     }
   }
@@ -245,7 +245,7 @@ std::string feature_changes_csv(const Manifest& manifest, Motions& motions) {
       const motion::MotionFeature& what =
           motion::motion_features()[static_cast<std::size_t>(change.feature)];
       table.row({sheet.id, sheet.reference, sheet.target, sheet.created,
-                 ratings_of({sheet.target, sheet.created}, manifest, motions), std::string(what.id),
+                 ratings_of({sheet.target, sheet.created}, motions), std::string(what.id),
                  std::string(what.name), std::string(what.japanese),
                  std::string(motion::symbol_of(what.unit)), shortest(change.reference),
                  shortest(change.target_change()), shortest(change.created_change()),

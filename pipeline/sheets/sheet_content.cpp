@@ -12,8 +12,8 @@ namespace mien::pipeline {
 
 namespace {
 
-std::string origin_of(const std::string& name, const Manifest& manifest) {
-  const Stimulus* stimulus = find_stimulus(manifest, name);
+std::string origin_of(const std::string& name, Motions& motions) {
+  const Stimulus* stimulus = motions.stimulus(name);
   if (stimulus == nullptr) return "example";
   if (stimulus->clip) return "as captured";
   if (!stimulus->features.empty()) return "from features";
@@ -21,9 +21,9 @@ std::string origin_of(const std::string& name, const Manifest& manifest) {
   return stimulus->weights.size() == 1 ? stimulus->weights.front().first : "from weights";
 }
 
-SheetMotion sheet_motion(const std::string& name, const Manifest& manifest, Motions& motions) {
+SheetMotion sheet_motion(const std::string& name, Motions& motions) {
   const Synthesis& synthesis = motions.of(name);
-  SheetMotion result{name, origin_of(name, manifest), synthesis.motion, {}};
+  SheetMotion result{name, origin_of(name, motions), synthesis.motion, {}};
   if (!synthesis.modified.empty()) {
     result.origin =
         synthesis.modified + share_text(synthesis.modified_share) + ", of " + result.origin;
@@ -62,9 +62,9 @@ struct Values {
 };
 
 /// What is shown as captured has nothing to do with the examples, of which there may be none.
-Values values_of(const std::string& name, const Manifest& manifest, Motions& motions) {
+Values values_of(const std::string& name, Motions& motions) {
   const Synthesis& made = motions.of(name);
-  const Stimulus* stimulus = find_stimulus(manifest, name);
+  const Stimulus* stimulus = motions.stimulus(name);
   const bool is_blend = made.weights.size() > 0;
   return {made.asked, made.held, made.modified.empty() ? made.reached : NamedValues(),
           is_blend ? rated_values(made, motions.repertoire()) : NamedValues(),
@@ -139,14 +139,14 @@ std::vector<std::pair<std::string, std::string>> provenance_of(const Manifest& m
 SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
   SheetContent content;
   content.study = manifest.study;
-  content.target = sheet_motion(sheet.target, manifest, motions);
-  content.created = sheet_motion(sheet.created, manifest, motions);
+  content.target = sheet_motion(sheet.target, motions);
+  content.created = sheet_motion(sheet.created, motions);
   if (!sheet.reference.empty()) {
-    content.reference = sheet_motion(sheet.reference, manifest, motions);
+    content.reference = sheet_motion(sheet.reference, motions);
   }
   content.distance = motions.distance(sheet.target, sheet.created);
-  const Values target = values_of(sheet.target, manifest, motions);
-  const Values created = values_of(sheet.created, manifest, motions);
+  const Values target = values_of(sheet.target, motions);
+  const Values created = values_of(sheet.created, motions);
   if (!target.asked.empty() || !created.asked.empty() || rests_on_ratings(target) ||
       rests_on_ratings(created)) {
     const Repertoire& repertoire = motions.repertoire();
@@ -161,9 +161,9 @@ SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions
 GalleryContent gallery_content(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
   GalleryContent content{manifest.study, sheet.id, {}, {}, {}, false, provenance_of(manifest)};
   for (const std::string& name : sheet.gallery) {
-    content.motions.push_back(sheet_motion(name, manifest, motions));
+    content.motions.push_back(sheet_motion(name, motions));
     content.distances_m.push_back(motions.distance(sheet.gallery.front(), name).mean);
-    const Stimulus* stimulus = find_stimulus(manifest, name);
+    const Stimulus* stimulus = motions.stimulus(name);
     content.colours.push_back(colours_of(stimulus));
     const bool is_rated = stimulus != nullptr && !stimulus->adjectives.empty();
     content.simulated_ratings |= is_rated && motions.repertoire().simulated_ratings;

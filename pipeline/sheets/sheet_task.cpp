@@ -51,7 +51,7 @@ Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterm
   bool uses_examples = false;
   for (const std::string& name : motions_on(sheet)) {
     task.determinants.add("motion", name);
-    const Stimulus* stimulus = find_stimulus(manifest, name);
+    const Stimulus* stimulus = motions.stimulus(name);
     if (stimulus != nullptr) task.inputs.push_back("motion:" + name);
     uses_examples = uses_examples || stimulus == nullptr || !stimulus->clip;
   }

@@ -37,9 +37,9 @@ StillsContent stills_content(const Sheet& sheet, const Manifest& manifest,
                          {"seed", std::to_string(manifest.seed)},
                          {"manifest", manifest.file.filename().string()}}};
   for (const std::string& id : sheet.stills) {
-    const Equalized alike = equalized_film(manifest.equalize, run.store.folder(), id);
+    const Equalized alike = equalized_film(manifest.equalize, run.store.folder(), id, motions);
     content.stills.push_back(
-        {id, still_of(*find_stimulus(manifest, id), settings, motions, alike, run.stop)});
+        {id, still_of(*motions.stimulus(id), settings, motions, alike, run.stop)});
     run.progress(static_cast<double>(content.stills.size()) /
                  static_cast<double>(sheet.stills.size()));
   }
@@ -63,7 +63,7 @@ Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSetting
   for (const std::string& id : sheet.stills) {
     task.inputs.push_back("motion:" + id);
     task.determinants.add("still", id);
-    add_film(task.determinants, *find_stimulus(manifest, id));
+    add_film(task.determinants, *motions.stimulus(id), shared.files);
   }
   for (const std::string& other : equalizing_task_ids(manifest.equalize))
     task.inputs.push_back(other);

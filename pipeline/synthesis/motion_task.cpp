@@ -8,6 +8,7 @@
 #include "motion/formats/motion_file.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/synthesis/durations_task.h"
 #include "pipeline/synthesis/motion_record.h"
 #include "pipeline/tasks/code_identity.h"
 
@@ -44,7 +45,7 @@ Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Mot
   task.kind = "motion";
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
-  add_motion(task.determinants, stimulus);
+  add_motion(task.determinants, stimulus, shared.files);
   if (!stimulus.clip || names_examples(stimulus)) {
     task.determinants.add("repertoire", shared.repertoire);
   }
@@ -61,7 +62,8 @@ Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Mot
   return task;
 }
 
-Task clip_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motions& motions) {
+Task clip_task(const Stimulus& stimulus, const Equalize& equalize, const SharedDeterminants& shared,
+               Motions& motions) {
   Task task;
   task.id = "clip:" + stimulus.id;
   task.kind = "clip";
@@ -72,7 +74,10 @@ Task clip_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motio
   if (stimulus.output.clips.bvh) task.products.push_back({path + ".bvh", {}});
   if (stimulus.output.clips.glb) task.products.push_back({path + ".glb", {}});
   task.cost_seconds = clip_cost_seconds;
-  task.make = [&stimulus, &motions](TaskRun& run) {
+  const bool is_cut = equalize.duration;
+  if (is_cut) task.inputs.emplace_back(durations_task_id);
+  task.make = [&stimulus, is_cut, &motions](TaskRun& run) {
+    if (is_cut) know_durations(run.store.folder(), motions);
     const motion::Recording recording = motion::to_recording(motions.shown(stimulus));
     for (std::size_t i = 0; i < run.keys.size(); ++i) {
       run.store.put(

@@ -14,6 +14,7 @@ namespace mien::pipeline {
 Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motions& motions);
 
 /// The task "clip:<id>": writes the shown motion in the formats that the output asks for.
-Task clip_task(const Stimulus& stimulus, const SharedDeterminants& shared, Motions& motions);
+Task clip_task(const Stimulus& stimulus, const Equalize& equalize, const SharedDeterminants& shared,
+               Motions& motions);
 
 }  // namespace mien::pipeline

@@ -24,6 +24,14 @@ const Repertoire& Motions::repertoire() {
   return *repertoire_;
 }
 
+const Stimulus* Motions::stimulus(const std::string& id) const {
+  std::call_once(stimuli_once_, [this] {
+    for (const Stimulus& one : manifest_.stimuli) stimuli_.emplace(one.id, &one);
+  });
+  const auto found = stimuli_.find(id);
+  return found == stimuli_.end() ? nullptr : found->second;
+}
+
 const Synthesis& Motions::of(const std::string& name) {
   Entry& found = entry(name);
   std::call_once(found.once, [&] { found.synthesis = make(name); });
@@ -36,9 +44,9 @@ motion::Distance Motions::distance(const std::string& target, const std::string&
 
 const motion::Example& Motions::measured(const std::string& name) {
   const motion::Example& made = of(name).motion;
-  const Stimulus* stimulus = find_stimulus(manifest_, name);
+  const Stimulus* asked = stimulus(name);
   const bool is_on_the_spot = made.clip.loops && made.clip.cycle_displacement.isZero(1e-6);
-  if (stimulus == nullptr || !stimulus->clip || is_on_the_spot) return made;
+  if (asked == nullptr || !asked->clip || is_on_the_spot) return made;
   Entry& found = entry(name);
   std::call_once(found.measured_once, [&] {
     found.settled = made;
@@ -50,17 +58,25 @@ const motion::Example& Motions::measured(const std::string& name) {
 motion::Clip Motions::shown(const Stimulus& stimulus) {
   motion::Clip clip = shown_clip(of(stimulus.id), stimulus.output);
   if (!manifest_.equalize.duration) return clip;
+  const auto frames = static_cast<std::size_t>(
+      std::max(1.0, std::round(shortest_seconds() * clip.frames_per_second)));
+  if (clip.poses.size() > frames) clip.poses.resize(frames);
+  return clip;
+}
+
+double Motions::shortest_seconds() {
   std::call_once(shortest_once_, [this] {
     shortest_s_ = std::numeric_limits<double>::infinity();
-    for (const Stimulus& other : manifest_.stimuli) {
-      const motion::Clip shown = shown_clip(of(other.id), other.output);
+    for (const Stimulus& one : manifest_.stimuli) {
+      const motion::Clip shown = shown_clip(of(one.id), one.output);
       shortest_s_ = std::min(shortest_s_, shown.frame_count() / shown.frames_per_second);
     }
   });
-  const auto frames =
-      static_cast<std::size_t>(std::max(1.0, std::round(shortest_s_ * clip.frames_per_second)));
-  if (clip.poses.size() > frames) clip.poses.resize(frames);
-  return clip;
+  return shortest_s_;
+}
+
+void Motions::know_shortest(double seconds) {
+  std::call_once(shortest_once_, [&] { shortest_s_ = seconds; });
 }
 
 Motions::Entry& Motions::entry(const std::string& name) {
@@ -71,13 +87,13 @@ Motions::Entry& Motions::entry(const std::string& name) {
 }
 
 Synthesis Motions::make(const std::string& name) {
-  const Stimulus* stimulus = find_stimulus(manifest_, name);
-  if (stimulus == nullptr) {
+  const Stimulus* asked = stimulus(name);
+  if (asked == nullptr) {
     return synthesize_example(name, manifest_.output, manifest_.interpolation, repertoire());
   }
   // A file needs no examples, unless its modifications do; there may be none.
-  if (stimulus->clip && !names_examples(*stimulus)) return synthesize(*stimulus, Repertoire{});
-  return synthesize(*stimulus, repertoire());
+  if (asked->clip && !names_examples(*asked)) return synthesize(*asked, Repertoire{});
+  return synthesize(*asked, repertoire());
 }
 
 bool names_examples(const Stimulus& stimulus) {

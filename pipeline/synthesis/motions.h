@@ -6,6 +6,8 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 
 #include "motion/measures/distance.h"
 #include "pipeline/manifest/manifest.h"
@@ -26,6 +28,9 @@ class Motions {
 
   const Repertoire& repertoire();
 
+  /// The stimulus of that id, or nullptr. Quick, as the ids of the manifest are taken to stay.
+  const Stimulus* stimulus(const std::string& id) const;
+
   /// The motion of a stimulus or, if no stimulus is called so, of an example. Throws Error.
   const Synthesis& of(const std::string& name);
 
@@ -38,6 +43,13 @@ class Motions {
   /// only its beginning, as long as the shortest of all stimuli. Throws Error.
   motion::Clip shown(const Stimulus& stimulus);
 
+  /// Seconds that the shortest of all clips shown lasts. Makes all motions.
+  double shortest_seconds();
+
+  /// Takes this for the shortest, as found before, so that one clip can be shown without making all
+  /// motions. Without effect once it is known.
+  void know_shortest(double seconds);
+
  private:
   struct Entry;
   Entry& entry(const std::string& name);
@@ -45,6 +57,8 @@ class Motions {
   const motion::Example& measured(const std::string& name);
 
   const Manifest& manifest_;
+  mutable std::once_flag stimuli_once_;
+  mutable std::unordered_map<std::string_view, const Stimulus*> stimuli_;  ///< by id
   std::once_flag repertoire_once_;
   std::optional<Repertoire> repertoire_;
   std::mutex mutex_;  ///< of the map; entries stay where they are
@@ -59,7 +73,7 @@ bool names_examples(const Stimulus& stimulus);
 /// Whether anything is made from examples, and not from a file alone.
 bool blends_examples(const Manifest& manifest);
 
-/// The stimulus of that id, or nullptr.
+/// The stimulus of that id, or nullptr. Looks at one after the other: for a few ids.
 const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id);
 
 }  // namespace mien::pipeline

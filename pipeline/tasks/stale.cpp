@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 #include "pipeline/documents/files.h"
@@ -34,14 +35,16 @@ std::vector<Receipt> stale_artifacts(const fs::path& folder, const TaskGraph& gr
   const fs::path receipts = folder / ".mien" / "receipts";
   std::vector<Receipt> stale;
   if (!fs::is_directory(receipts)) return stale;
+  constexpr std::string_view extension = ".json";
   std::set<std::string> made = paths_of(graph);
   made.insert(kept.begin(), kept.end());
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(receipts)) {
     if (!entry.is_regular_file()) continue;
+    const std::string path = entry.path().lexically_relative(receipts).generic_string();
+    if (made.contains(path.substr(0, path.size() - extension.size()))) continue;
     const std::optional<Receipt> receipt = receipt_from_json(read_file(entry.path()));
     // A receipt that lies elsewhere than it says is none of ours.
-    if (!receipt || receipt_path(folder, receipt->path) != entry.path()) continue;
-    if (!made.contains(receipt->path)) stale.push_back(*receipt);
+    if (receipt && receipt_path(folder, receipt->path) == entry.path()) stale.push_back(*receipt);
   }
   std::ranges::sort(stale, {}, &Receipt::path);
   return stale;

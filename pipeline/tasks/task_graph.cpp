@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstdint>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace mien::pipeline {
@@ -15,6 +16,46 @@ std::vector<const TaskOutcome*> inputs_of(const TaskGraph& graph, const Task& ta
   std::vector<const TaskOutcome*> inputs;
   for (const std::string& id : task.inputs) inputs.push_back(&outcomes[graph.index_of(id)]);
   return inputs;
+}
+
+/// Frames are not counted: a study may have millions.
+bool seems_there(const std::filesystem::path& folder, const Receipt& receipt) {
+  std::error_code error;
+  return receipt.frames.empty() ? artifact_seems_there(folder, receipt)
+                                : std::filesystem::is_directory(folder / receipt.path, error);
+}
+
+/// The products' receipts when all of them seem to be there with these keys.
+std::optional<std::vector<Receipt>> products_seen(const Task& task, const std::vector<Hash>& keys,
+                                                  const std::filesystem::path& folder) {
+  std::vector<Receipt> receipts;
+  for (std::size_t i = 0; i < task.products.size(); ++i) {
+    std::optional<Receipt> receipt = read_receipt(folder, task.products[i].path);
+    if (!receipt || receipt->key != keys[i] || receipt->path != task.products[i].path ||
+        !seems_there(folder, *receipt))
+      return std::nullopt;
+    receipts.push_back(std::move(*receipt));
+  }
+  return receipts;
+}
+
+/// One outcome a task; `find` looks for its products.
+template <class Find>
+std::vector<TaskOutcome> outcomes_by(const Find& find, const TaskGraph& graph,
+                                     const std::filesystem::path& folder) {
+  std::vector<TaskOutcome> outcomes(graph.tasks.size());
+  for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
+    const Task& task = graph.tasks[i];
+    const auto inputs = inputs_of(graph, task, outcomes);
+    const auto is_cached = [](const TaskOutcome* input) {
+      return input->state == TaskState::cached;
+    };
+    if (!std::all_of(inputs.begin(), inputs.end(), is_cached)) continue;
+    auto receipts = find(task, keys_of(task, inputs), folder);
+    outcomes[i].state = receipts ? TaskState::cached : TaskState::due;
+    if (receipts) outcomes[i].products = std::move(*receipts);
+  }
+  return outcomes;
 }
 
 }  // namespace
@@ -100,19 +141,11 @@ Task part_of(const Task& whole, const Part& part) {
 }
 
 std::vector<TaskOutcome> plan(const TaskGraph& graph, const std::filesystem::path& folder) {
-  std::vector<TaskOutcome> outcomes(graph.tasks.size());
-  for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
-    const Task& task = graph.tasks[i];
-    const auto inputs = inputs_of(graph, task, outcomes);
-    const auto is_cached = [](const TaskOutcome* input) {
-      return input->state == TaskState::cached;
-    };
-    if (!std::all_of(inputs.begin(), inputs.end(), is_cached)) continue;
-    auto receipts = find_products(task, keys_of(task, inputs), folder);
-    outcomes[i].state = receipts ? TaskState::cached : TaskState::due;
-    if (receipts) outcomes[i].products = std::move(*receipts);
-  }
-  return outcomes;
+  return outcomes_by(find_products, graph, folder);
+}
+
+std::vector<TaskOutcome> glance(const TaskGraph& graph, const std::filesystem::path& folder) {
+  return outcomes_by(products_seen, graph, folder);
 }
 
 }  // namespace mien::pipeline

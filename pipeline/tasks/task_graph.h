@@ -113,8 +113,13 @@ std::vector<Hash> keys_of(const Task& task, const std::vector<const TaskOutcome*
 std::optional<std::vector<Receipt>> find_products(const Task& task, const std::vector<Hash>& keys,
                                                   const std::filesystem::path& folder);
 
-/// What a run would do: which tasks are cached, due or waiting. One outcome a task.
+/// What a run would do: which tasks are cached, due or waiting. Reads all that is there to tell.
+/// One outcome a task.
 std::vector<TaskOutcome> plan(const TaskGraph& graph, const std::filesystem::path& folder);
+
+/// The same at a glance: goes by receipts and the sizes of files, of which no byte is read, and of
+/// frames by their folder. What was damaged and kept its size is seen by `plan` and `run` alone.
+std::vector<TaskOutcome> glance(const TaskGraph& graph, const std::filesystem::path& folder);
 
 /// Told about what happens; called from several threads, one call at a time.
 struct RunObserver {

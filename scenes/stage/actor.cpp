@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "motion/error.h"
 #include "motion/skeleton/body.h"
@@ -24,6 +27,27 @@ void require_body(const motion::Clip& clip, const std::string& figure) {
               "draw it as a stick figure");
 }
 
+/// A mannequin that is made when it is first drawn: a shot of which only lengths and places are
+/// asked needs none. May be used from several threads.
+class MannequinToCome {
+ public:
+  MannequinToCome(motion::Skeleton body, const MannequinOptions& options,
+                  const FigureColours& colours)
+      : body_(std::move(body)), options_(options), colours_(colours) {}
+
+  const Mannequin& get() const {
+    std::call_once(once_, [this] { made_ = make_mannequin(body_, options_, colours_); });
+    return *made_;
+  }
+
+ private:
+  motion::Skeleton body_;
+  MannequinOptions options_;
+  FigureColours colours_;
+  mutable std::once_flag once_;
+  mutable std::optional<Mannequin> made_;
+};
+
 /// Gives an actor the way in which its kind of figure is drawn.
 struct Casting {
   Actor& actor;
@@ -37,12 +61,13 @@ struct Casting {
 
   void operator()(const MannequinOptions& options) const {
     require_body(actor.clip, "a mannequin");
-    // Shared by the copies of the actor; nobody changes it.
+    // Shared by the copies of the actor.
     const auto mannequin =
-        std::make_shared<const Mannequin>(make_mannequin(actor.clip.body, options, actor.colours));
+        std::make_shared<const MannequinToCome>(actor.clip.body, options, actor.colours);
     actor.draw = [mannequin](render::Scene& scene, const Actor& self, int frame,
                              const render::Camera&) {
-      add_mannequin(scene, *mannequin, self.clip.body, self.clip.poses[static_cast<size_t>(frame)]);
+      add_mannequin(scene, mannequin->get(), self.clip.body,
+                    self.clip.poses[static_cast<size_t>(frame)]);
     };
   }
 

@@ -27,7 +27,7 @@ struct Actor {
   std::vector<std::string> warnings;  ///< what of the figure is not drawn; plain sentences
 
   /// Appends what the figure looks like, from that camera, at a frame of its clip: materials and
-  /// solids. The same frame always gives the same; what takes long was prepared when it was cast.
+  /// solids. The same frame always gives the same; what takes long is done once for all frames.
   std::function<void(render::Scene& scene, const Actor& actor, int frame,
                      const render::Camera& camera)>
       draw;

@@ -7,8 +7,8 @@
 
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/farm/element_logs.h"
-#include "pipeline/farm/glance.h"
 #include "pipeline/production/run.h"
+#include "pipeline/tasks/task_graph.h"
 #include "pipeline/tasks/worker_record.h"
 #include "pipeline/temporary_folder.h"
 

@@ -10,7 +10,8 @@ namespace {
 
 Hash key_of(const Stimulus& stimulus) {
   KeyBuilder key;
-  add_motion(key, stimulus);
+  FileKeys files;
+  add_motion(key, stimulus, files);
   return key.key();
 }
 

@@ -41,7 +41,7 @@ std::map<std::string, double> differences(const std::string& differ, std::string
 TEST(Foils, AreInTheReportWithWhatTheyDifferIn) {
   const Manifest manifest = parsed("  - {id: foil, foil: {of: low, differ: posture}}\n").manifest;
   Motions motions(manifest);
-  const std::string table = foil_table(manifest, motions);
+  const std::string table = foil_table(manifest.stimuli, motions);
   const auto count = [&](const std::string& words) {
     int found = 0;
     for (std::size_t at = 0; (at = table.find(words, at)) != std::string::npos; ++at) ++found;
@@ -52,7 +52,7 @@ TEST(Foils, AreInTheReportWithWhatTheyDifferIn) {
   EXPECT_EQ(count("differs, too"), 0);
   const Manifest without = parsed("").manifest;
   Motions others(without);
-  EXPECT_EQ(foil_table(without, others), "");
+  EXPECT_EQ(foil_table(without.stimuli, others), "");
 }
 
 TEST(Foils, DifferInPostureAlone) {

@@ -20,11 +20,12 @@ TEST(ClipTask, WritesGltfOfAnyRate) {
     stimulus.weights = {{"normal", 1.0}};
     stimulus.output.fps = rate;
     stimulus.output.clips = {.bvh = true, .glb = true};
-    const SharedDeterminants shared = shared_determinants(manifest);
+    FileKeys files;
+    const SharedDeterminants shared = shared_determinants(manifest, files);
     Motions motions(manifest);
     TaskGraph graph;
     graph.add(motion_task(stimulus, shared, motions));
-    graph.add(clip_task(stimulus, shared, motions));
+    graph.add(clip_task(stimulus, manifest.equalize, shared, motions));
     Store store(folder.path());
     for (const TaskOutcome& outcome : run(graph, store, 1, {}, {}))
       EXPECT_EQ(outcome.error, "") << rate;

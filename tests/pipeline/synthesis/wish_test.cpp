@@ -98,7 +98,8 @@ TEST(Hold, IsInTheKeyWithItsReference) {
         parsed("  - {id: r, role: reference, weights: {" + reference +
                ": 1}}\n  - {id: a, adjectives: {quickness: 0.4}" + hold + "}\n");
     KeyBuilder key;
-    add_motion(key, manifest.stimuli[1]);
+    FileKeys files;
+    add_motion(key, manifest.stimuli[1], files);
     return key.key();
   };
   EXPECT_NE(key_of("sad", ", hold: others"), key_of("happy", ", hold: others"));

@@ -1,0 +1,98 @@
+#include "pipeline/report/report_sections.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/documents/html.h"
+#include "pipeline/report/report_cards.h"
+#include "pipeline/report/report_tables.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// What the films of a study have in common because it asks for that.
+std::string alike(const Equalize& equalize) {
+  std::vector<std::string> what;
+  if (equalize.duration) what.emplace_back("length (as the shortest)");
+  if (equalize.size) {
+    what.emplace_back(
+        "height of the standing figure in pixels (as the smallest: "
+        "<a href=\"metrics/sizes.csv\">sizes.csv</a>)");
+  }
+  if (equalize.place) {
+    what.emplace_back("place in the picture (<a href=\"metrics/places.csv\">places.csv</a>)");
+  }
+  if (equalize.luminance) {
+    what.emplace_back(
+        "mean luminance (by exposure: <a href=\"metrics/exposure.csv\">exposure.csv</a>)");
+  }
+  return what.empty()
+             ? ""
+             : fmt::format("<p>Made alike in all stimuli: {}.</p>\n", fmt::join(what, ", "));
+}
+
+std::string card_grid(const std::string& cards) {
+  return "<div class=\"cards\">\n" + cards + "</div>";
+}
+
+/// The ids of a page's stimuli, folded away, for a reader who looks for one.
+std::string linked_stimuli(const ReportPart& part, const Manifest& manifest) {
+  std::string links;
+  for (std::size_t i = part.first; i < part.end; ++i) {
+    const Stimulus& stimulus = manifest.stimuli[i];
+    links += fmt::format("<a href=\"{}\">{}</a>\n", link_to(stimulus, manifest),
+                         html_escaped(stimulus.id));
+  }
+  return "<details><summary>which</summary>\n" + links + "</details>\n";
+}
+
+}  // namespace
+
+std::string titled_section(const std::string& title, const std::string& content) {
+  return "<section><h2>" + title + "</h2>\n" + content + "</section>\n";
+}
+
+std::string stimuli_section(const std::string& title, std::span<const Stimulus> stimuli,
+                            const Manifest& manifest, Motions& motions) {
+  std::string films;
+  for (const Stimulus& stimulus : stimuli) films += stimulus_card(stimulus, motions);
+  const std::string foils = foil_table(stimuli, motions);
+  return titled_section(title, alike(manifest.equalize) + card_grid(films)) +
+         (foils.empty() ? "" : titled_section("Foils", foils));
+}
+
+std::string overlays_section(const std::string& title, std::span<const Overlay> overlays,
+                             const Manifest& manifest, Motions& motions) {
+  std::string films;
+  for (const Overlay& overlay : overlays) films += overlay_card(overlay, manifest, motions);
+  return films.empty() ? "" : titled_section(title, card_grid(films));
+}
+
+std::string stills_section(const Manifest& manifest, Motions& motions) {
+  std::string stills;
+  for (const Sheet& sheet : manifest.sheets) {
+    if (!sheet.stills.empty()) stills += sheet_card(sheet, motions);
+  }
+  return stills.empty() ? "" : titled_section("Pictures", stills);
+}
+
+std::string comparisons_section(const std::string& title, std::span<const Sheet* const> sheets,
+                                Motions& motions) {
+  if (sheets.empty()) return "";
+  std::string cards;
+  for (const Sheet* sheet : sheets) cards += sheet_card(*sheet, motions);
+  return titled_section(
+      title, distance_table(sheets, motions) + feature_agreement_table(sheets, motions) + cards);
+}
+
+std::string parts_section(const std::vector<ReportPart>& parts, const Manifest& manifest) {
+  std::string list;
+  for (const ReportPart& part : parts) {
+    list += fmt::format("<li><a href=\"{}\">{}</a>\n{}</li>\n", part.path(), part.title(),
+                        part.kind == CardKind::stimulus ? linked_stimuli(part, manifest) : "");
+  }
+  return titled_section("Pages",
+                        alike(manifest.equalize) + "<ul class=\"parts\">\n" + list + "</ul>\n");
+}
+
+}  // namespace mien::pipeline
