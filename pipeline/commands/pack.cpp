@@ -32,8 +32,10 @@ Verification sound(const StudyContents& contents, const Console& console) {
   if (verification.is_sound()) return verification;
   tell(verification, contents, {console.err, console.err, console.err_is_terminal, console.stop});
   throw Error({contents.folder.string()}, "is not what its provenance tells, and is not packed",
-              "mien run " + contents.provenance().string() +
-                  " makes the study again; mien clean is how to leave something out");
+              "mien run " + contents.provenance().string() + " --out " +
+                  fs::absolute(contents.folder).parent_path().string() +
+                  " makes good what is missing or damaged; mien clean is how to leave something "
+                  "out");
 }
 
 int run_pack(const PackOptions& options, const Console& console) {

@@ -46,8 +46,9 @@ void tell_summary(const RunResult& result, const fs::path& folder, const Console
     console.out << folder.string() << ": nothing to do, all " << cached << " tasks are done\n";
     return;
   }
-  console.out << folder.string() << ": " << made << " tasks done";
-  if (cached > 0) console.out << ", " << cached << " were done before";
+  console.out << folder.string() << ": " << made << (made == 1 ? " task" : " tasks") << " done";
+  if (cached > 0)
+    console.out << ", " << cached << (cached == 1 ? " was" : " were") << " done before";
   if (const int failed = result.count(TaskState::failed))
     console.out << ", " << failed << " failed";
   if (const int skipped = result.count(TaskState::skipped)) {

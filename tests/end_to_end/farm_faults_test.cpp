@@ -133,5 +133,18 @@ TEST_F(FarmThatFails, LeavesTheBytesOfAnUndisturbedRun) {
   EXPECT_EQ(run_mien({"verify", study.string()}).code, 0);
 }
 
+TEST_F(FarmThatFails, TakesBackWhatWaitsOfAStudyThatWasEdited) {
+  ASSERT_EQ(farm("submit", {"--chunk", "5"}).code, 0);
+  std::string edited = study_of_thirteen;
+  edited.replace(edited.find("normal: 0.8, sad: 0.2"), 21, "normal: 0.7, sad: 0.3");
+  std::ofstream(manifest) << edited;
+  const Ended resumed = farm("resume");
+  ASSERT_EQ(resumed.code, 0) << resumed.errors;
+  EXPECT_NE(resumed.errors.find("before it was edited, and are taken back"), std::string::npos)
+      << resumed.errors;
+  ASSERT_TRUE(cluster->wait_until_empty(240.0));
+  EXPECT_TRUE(status()["complete"]) << farm("logs").output;
+}
+
 }  // namespace
 }  // namespace mien::test

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -39,6 +40,18 @@ std::vector<std::string> arrays_that_live(const std::vector<JobFate>& fates,
   return arrays;
 }
 
+/// Takes out jobs of the study as it was before the manifest or the program changed: no worker of
+/// theirs makes anything any more.
+std::vector<JobFate> take_outdated(std::vector<JobFate>& fates, const std::string& graph_key) {
+  const auto outdated = std::stable_partition(fates.begin(), fates.end(), [&](const auto& fate) {
+    return fate.journal.comment.starts_with("mien:" + graph_key + ":");
+  });
+  std::vector<JobFate> taken(std::make_move_iterator(outdated),
+                             std::make_move_iterator(fates.end()));
+  fates.erase(outdated, fates.end());
+  return taken;
+}
+
 bool waits_for_rest(const std::vector<JobFate>& fates) {
   return std::any_of(fates.begin(), fates.end(), [](const JobFate& fate) {
     if (fate.journal.elements != 0) return false;
@@ -58,7 +71,7 @@ ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
   if (!memory.unknown.empty()) {
     console.err << "note: " << memory.unknown.front()
                 << (memory.unknown.size() > 1 ? " and others" : "")
-                << " had too little memory; give --mem to ask for more\n";
+                << ": the worker was killed, perhaps for want of memory; --mem asks for more\n";
   }
   return needs;
 }
@@ -75,9 +88,16 @@ int resume_study(const ResumeCommand& command, const Console& console) {
   asked.quality = command.study.quality;
   const Slurm slurm;
   const SlurmSite site = slurm.site();
-  const std::vector<JobFate> fates = job_fates(content, slurm.queue(), study.folder);
+  std::vector<JobFate> fates = job_fates(content, slurm.queue(), study.folder);
   note_adopted(fates, journal);
   for (const std::string& loss : told_losses(fates)) console.err << loss << '\n';
+  const std::string key = graph_key(study.production.graph(), study.folder);
+  const std::vector<std::string> outdated = live_jobs(take_outdated(fates, key));
+  if (!outdated.empty()) {
+    console.err << "note: " << outdated.size()
+                << " jobs are of the study as it was before it was edited, and are taken back\n";
+    slurm.cancel(outdated);
+  }
 
   const std::vector<Stage> stages = due_stages(study, asked);
   if (is_complete(study, stages)) {
@@ -86,9 +106,8 @@ int resume_study(const ResumeCommand& command, const Console& console) {
   }
   asked.number = next_submission(study.folder);
   const Submission submission =
-      submission_of(stages, needs_of(fates, study, command.options, console),
-                    graph_key(study.production.graph(), study.folder), asked, study.folder,
-                    study.call(command.study), site);
+      submission_of(stages, needs_of(fates, study, command.options, console), key, asked,
+                    study.folder, study.call(command.study), site);
   if (submission.elements() == 0 && waits_for_rest(fates)) {
     console.out << study.folder.string()
                 << ": nothing to submit, jobs that wait or run make what is missing\n";
