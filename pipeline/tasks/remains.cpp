@@ -47,12 +47,12 @@ class Broom {
   }
 
   void sweep_records() const {
+    for (const fs::path& file : in_folder(folder_ / ".mien/workers")) {
+      if (file.extension() == ".new" && is_given_up(file)) remove(file);
+    }
     for (const WorkerRecord& record : read_worker_records(folder_)) {
       if (record.ended || record.frames > 0 || !is_dead(folder_, record, now_)) continue;
       remove(worker_record_path(folder_, record.name));
-    }
-    for (const fs::path& file : in_folder(folder_ / ".mien/workers")) {
-      if (file.extension() == ".new" && is_given_up(file)) remove(file);
     }
   }
 

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <csignal>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 namespace mien::test {
@@ -19,7 +21,8 @@ class Campaign {
   void kill_some() {
     const double end = seconds_now() + trial_.chance() * trial_.duration();
     while (seconds_now() < end && !is_made_) {
-      pause_for(0.002);
+      pause_for(0.001);
+      look();
       take_ended();
     }
     if (is_made_) {
@@ -51,6 +54,17 @@ class Campaign {
     is_made_ = false;
     processes_[0] = std::make_unique<Running>(trial_.run(out_));
     processes_[1] = std::make_unique<Running>(trial_.any(out_));
+  }
+
+  /// At any moment an artifact is either not there or whole.
+  void look() {
+    const Bytes& whole = trial_.undisturbed();
+    const auto& [path, bytes] = *std::next(whole.begin(), trial_.below(whole.size()));
+    const fs::path file = Trial::study_in(out_) / path;
+    if (std::ifstream stream(file, std::ios::binary); stream) {
+      const std::string seen((std::istreambuf_iterator<char>(stream)), {});
+      if (seen != bytes) figures_.complaints.push_back("kills: " + path + " was seen half-written");
+    }
   }
 
   void take_ended() {

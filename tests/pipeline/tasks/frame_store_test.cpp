@@ -1,8 +1,12 @@
+#include <atomic>
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include "pipeline/documents/files.h"
@@ -218,6 +222,37 @@ TEST_F(FrameStoreTest, LosesNoFrameWhenKilledBetweenPublishingAndReceipt) {
   film(store, "k");
   EXPECT_EQ(drawn, 4);
   EXPECT_TRUE(store.find("frames/a", "k"));
+}
+
+TEST_F(FrameStoreTest, PublishesNoFrameThatWasChangedSinceItWasFound) {
+  Store store(folder);
+  const auto frames = store.frames("frames/a", "k");
+  const auto accept = [](const fs::path&) {};
+  const fs::path file = frames->put(
+      "0.png", [](const fs::path& at) { write_file(at, "frame"); }, accept);
+  write_file(file, "other");
+  EXPECT_THROW(frames->publish({"0.png"}), WriteFailure);
+  EXPECT_FALSE(fs::exists(folder / "frames/a"));
+  EXPECT_FALSE(frames->find("0.png"));
+}
+
+TEST_F(FrameStoreTest, ASequenceIsThereAtEveryMomentWhileAnotherTakesItsPlace) {
+  Store store(folder);
+  const fs::path one = temporary.path() / "one";
+  const fs::path other = temporary.path() / "other";
+  make_folder(one);
+  make_folder(other);
+  if (::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) != 0)
+    GTEST_SKIP() << "folders cannot change places here";
+  film(store, "k");
+  std::atomic<bool> is_over = false;
+  std::atomic<int> looks = 0;
+  std::thread reader([&] {
+    for (; !is_over; ++looks) EXPECT_TRUE(fs::exists(folder / "frames/a/0.png"));
+  });
+  for (int times = 0; times < 40 || looks < 100; ++times) film(store, "k" + std::to_string(times));
+  is_over = true;
+  reader.join();
 }
 
 TEST_F(FrameStoreTest, ReportsAFrameThatCameOutOtherwise) {

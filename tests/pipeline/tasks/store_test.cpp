@@ -202,6 +202,31 @@ TEST_F(StoreTest, AClaimIsHeldByOneAtATimeAndOutlivesNobody) {
   EXPECT_TRUE(first.claim("film:c"));
 }
 
+TEST_F(StoreTest, AClaimThatIsNoFileOrOnesOwnIsTakenOver) {
+  Store store(folder);
+  const fs::path file = folder / ".mien/claims" / hash_of("film:a");
+  fs::create_directories(file / "inside");
+  EXPECT_TRUE(store.claim("film:a"));
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  EXPECT_TRUE(store.claim("film:a"));
+  write_file(file, store.presence().self().name + "\n");
+  EXPECT_TRUE(store.claim("film:a")) << "nobody else would ever give it back";
+}
+
+TEST_F(StoreTest, AnAttemptWhoseFolderWasClearedAwayMayBeTriedAgain) {
+  Store store(folder);
+  const auto fail = [&](const fs::path& file) {
+    fs::remove_all(file.parent_path());
+    throw std::runtime_error("no such file");
+  };
+  EXPECT_THROW(store.put("a", "k", fail, accept), WriteFailure);
+  EXPECT_THROW(
+      store.put(
+          "a", "k", [](const fs::path&) { throw std::runtime_error("no picture"); }, accept),
+      std::runtime_error);
+  EXPECT_EQ(attempts_left(), 0);
+}
+
 TEST_F(StoreTest, AnAttemptThatWasOvertakenIsDropped) {
   Store slow(folder);
   Store fast(folder);

@@ -285,6 +285,28 @@ TEST_F(TaskGraphTest, TriesAgainWhatTheMachineMadeFail) {
   }
 }
 
+TEST_F(TaskGraphTest, TwoRunsThatTakeTurnsInFailingComeToAnEnd) {
+  std::atomic<int> tries = 0;
+  TaskGraph graph;
+  Task task = writing_task("a", {}, "word");
+  task.make = [&](TaskRun&) {
+    ++tries;
+    std::this_thread::sleep_for(std::chrono::milliseconds(250));
+    throw WriteFailure("the server is away");
+  };
+  graph.add(task);
+  {
+    std::vector<std::jthread> runs;
+    for (int i = 0; i < 2; ++i) {
+      runs.emplace_back([&] {
+        Store store(folder);
+        EXPECT_EQ(run(graph, store, 1, stop.get_token(), {})[0].state, TaskState::failed);
+      });
+    }
+  }
+  EXPECT_EQ(tries, 6);
+}
+
 TEST_F(TaskGraphTest, TriesOnceWhatWouldFailAgain) {
   int tries = 0;
   TaskGraph graph;
