@@ -134,7 +134,7 @@ TEST_F(FarmThatFails, LeavesTheBytesOfAnUndisturbedRun) {
 }
 
 TEST_F(FarmThatFails, TakesBackWhatWaitsOfAStudyThatWasEdited) {
-  ASSERT_EQ(farm("submit", {"--chunk", "5"}).code, 0);
+  ASSERT_EQ(farm("submit", {"--chunk", "1000"}).code, 0);
   std::string edited = study_of_thirteen;
   edited.replace(edited.find("normal: 0.8, sad: 0.2"), 21, "normal: 0.7, sad: 0.3");
   std::ofstream(manifest) << edited;
