@@ -12,6 +12,7 @@
 
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/fault.h"
+#include "pipeline/documents/places.h"
 #include "pipeline/film/film_table_forms.h"
 #include "scenes/cameras/figure_place.h"
 
@@ -138,6 +139,7 @@ Vector2d common_place(const std::vector<const Stimulus*>& group, const Standings
   return place;
 }
 
+/// Throws Error when there is none.
 std::map<std::string, Vector2d> common_places(const Manifest& manifest,
                                               const StandingsById& standings) {
   std::map<std::string, Vector2d> common;
@@ -146,6 +148,16 @@ std::map<std::string, Vector2d> common_places(const Manifest& manifest,
     for (const Stimulus* stimulus : group) common[stimulus->id] = place;
   }
   return common;
+}
+
+/// Tells what cannot be where the manifest asks for it.
+template <class Find>
+auto placed_in(const Manifest& manifest, const Find& find) {
+  try {
+    return find();
+  } catch (const Error& error) {
+    throw Error(place_of(manifest.places, "equalize"), error.what(), "");
+  }
 }
 
 }  // namespace
@@ -168,7 +180,7 @@ std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run)
     for (const Stimulus& stimulus : manifest.stimuli) sizes[stimulus.id] = found.of(stimulus.id)[0];
   }
   const StandingsById standings = standings_at(sizes, manifest, motions, between_stimuli_of(run));
-  const auto common = common_places(manifest, standings);
+  const auto common = placed_in(manifest, [&] { return common_places(manifest, standings); });
   CsvWriter table = table_of(places_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Vector2d& framed = standings.at(stimulus.id).framed;
