@@ -14,6 +14,10 @@ std::string as_line(std::string text) {
   return text;
 }
 
+std::string element(const char* label, const std::string& value) {
+  return value.empty() ? "" : fmt::format("{}: {}\n", label, as_line(value));
+}
+
 }  // namespace
 
 std::string bagit_text() {
@@ -21,15 +25,17 @@ std::string bagit_text() {
          "Tag-File-Character-Encoding: UTF-8\n";
 }
 
-std::string bag_info_text(const StudyContents& contents, const std::vector<PayloadFile>& payload) {
+std::string bag_info_text(const StudyContents& contents, const std::vector<PayloadFile>& payload,
+                          const BagInfo& info) {
   std::uint64_t bytes = 0;
   for (const PayloadFile& file : payload) bytes += file.size;
-  return fmt::format(
-      "Bag-Software-Agent: mien {}\n"
-      "External-Description: Human motion stimuli, made by: {}\n"
-      "External-Identifier: {}\n"
-      "Payload-Oxum: {}.{}\n",
-      contents.program, as_line(contents.command), as_line(contents.study), bytes, payload.size());
+  const std::string made_by = "Human motion stimuli, made by: " + contents.command;
+  return element("Bag-Software-Agent", "mien " + contents.program) +
+         element("Contact-Email", info.contact_email) + element("Contact-Name", info.contact_name) +
+         element("External-Description", info.description.empty() ? made_by : info.description) +
+         element("External-Identifier", contents.study) + element("License", info.license) +
+         element("Payload-Oxum", fmt::format("{}.{}", bytes, payload.size())) +
+         element("Source-Organization", info.organization);
 }
 
 std::string bag_manifest_line(const std::string& sha256, const std::string& path) {

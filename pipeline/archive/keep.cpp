@@ -1,10 +1,13 @@
 #include "pipeline/archive/keep.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include "motion/error.h"
+#include "motion/text/file_contents.h"
 #include "pipeline/archive/not_kept.h"
 #include "pipeline/tasks/stale.h"
 #include "pipeline/tasks/store.h"
@@ -36,7 +39,37 @@ std::vector<ArtifactRecord> records_of(const std::vector<Receipt>& artifacts) {
   return records;
 }
 
+/// Values of an attribute, `href="` say, in a page.
+template <class Call>
+void each_value(std::string_view page, std::string_view attribute, const Call& call) {
+  for (std::size_t at = page.find(attribute); at != std::string_view::npos;
+       at = page.find(attribute, at)) {
+    at += attribute.size();
+    const std::size_t end = page.find('"', at);
+    if (end == std::string_view::npos) return;
+    call(page.substr(at, end - at));
+    at = end;
+  }
+}
+
 }  // namespace
+
+int dead_links(const fs::path& folder, const Cleaning& cleaning) {
+  const motion::FileReading page =
+      motion::bytes_of_file(folder / "report.html", motion::most_of_table);
+  if (!page.bytes) return 0;
+  std::set<std::string, std::less<>> gone;
+  for (const Receipt& artifact : cleaning.removed) gone.insert(artifact.path);
+  int links = 0;
+  const auto count = [&](std::string_view target) {
+    const std::size_t last = target.rfind('/');
+    const bool is_frame = last != std::string_view::npos && gone.contains(target.substr(0, last));
+    links += is_frame || gone.contains(target) ? 1 : 0;
+  };
+  for (const char* attribute : {"href=\"", "src=\"", "poster=\""})
+    each_value(*page.bytes, attribute, count);
+  return links;
+}
 
 Cleaning all_but(const fs::path& folder, const std::vector<ArtifactKind>& kept) {
   if (!is_there(folder)) {

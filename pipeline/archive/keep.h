@@ -30,6 +30,9 @@ struct Cleaning {
   std::uint64_t bytes = 0;       ///< of those removed
 };
 
+/// How many links of the study's report lead to artifacts that are removed, and so nowhere.
+int dead_links(const std::filesystem::path& folder, const Cleaning& cleaning);
+
 /// Artifacts in `folder` of other kinds than those, as their receipts tell them. provenance.json,
 /// inputs/, the report with methods.md and references.bib, and what the store keeps for itself are
 /// of no kind and stay. All of it is hashed. Throws Error when the folder has no receipts.

@@ -23,8 +23,11 @@ std::string note_text(const std::map<std::string, ArtifactRecord>& removed) {
     files[path] = {{"hash", record.hash}, {"size", record.size}};
     if (record.frames > 0) files[path]["frames"] = record.frames;
   }
-  const ordered_json note = {{"about", "removed on purpose by mien clean; mien run makes it again"},
-                             {"not_kept", files}};
+  const ordered_json note = {
+      {"about",
+       "removed on purpose by mien clean, so that links of report.html to it "
+       "lead nowhere; mien run makes it again"},
+      {"not_kept", files}};
   return note.dump(2) + "\n";
 }
 

@@ -145,11 +145,12 @@ void refuse_archive(const StudyContents& contents, const fs::path& archive) {
 }
 
 void pack(const StudyContents& contents, const std::vector<PayloadFile>& payload,
-          const fs::path& archive, const std::stop_token& stop, const ShareDone& done) {
+          const BagInfo& info, const fs::path& archive, const std::stop_token& stop,
+          const ShareDone& done) {
   refuse_archive(contents, archive);
   TarArchive tar(archive, compression_of(archive));
   BagWriter bag(contents, tar);
-  bag.add_tag_file("bag-info.txt", bag_info_text(contents, payload));
+  bag.add_tag_file("bag-info.txt", bag_info_text(contents, payload, info));
   bag.add_tag_file("bagit.txt", bagit_text());
   std::uint64_t total = 1;
   for (const PayloadFile& file : payload) total += file.size;

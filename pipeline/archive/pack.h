@@ -22,11 +22,13 @@ std::vector<PayloadFile> payload_of(const StudyContents& contents);
 ///   quickstart/data/…              the study
 ///   quickstart/manifest-sha256.txt, tagmanifest-sha256.txt
 ///
-/// The same study gives the same bytes. Throws Error for a name of another kind of archive and for
-/// one within the study's folder, Interrupted after a stop request, and std::runtime_error when a
-/// file changes meanwhile or the archive cannot be written; then none is left.
+/// The same study and `info` give the same bytes. Throws Error for a name of another kind of
+/// archive and for one within the study's folder, Interrupted after a stop request, and
+/// std::runtime_error when a file changes meanwhile or the archive cannot be written; then none is
+/// left.
 void pack(const StudyContents& contents, const std::vector<PayloadFile>& payload,
-          const std::filesystem::path& archive, const std::stop_token& stop, const ShareDone& done);
+          const BagInfo& info, const std::filesystem::path& archive, const std::stop_token& stop,
+          const ShareDone& done);
 
 /// Throws as `pack` does for the archive's name, before any work.
 void refuse_archive(const StudyContents& contents, const std::filesystem::path& archive);

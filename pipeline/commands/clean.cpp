@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/archive/keep.h"
+#include "pipeline/archive/not_kept.h"
 #include "pipeline/archive/study_contents.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/cli.h"
@@ -74,6 +75,18 @@ Cleaning cleaned(const CleanOptions& options, const fs::path& folder, const Cons
   return stale_cleaned(folder, production, options.dry_run);
 }
 
+/// The report stays as it was made, with its hash in the provenance.
+void tell_dead_links(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
+                     const Console& console) {
+  const int links = options.stale ? 0 : dead_links(folder, cleaning);
+  if (links == 0) return;
+  console.out << fmt::format(
+      "report.html: {} of its links {} nowhere {}, until mien run makes that again; {} tells what "
+      "it is\n",
+      links, options.dry_run ? "would lead" : "lead", options.dry_run ? "then" : "now",
+      not_kept_path);
+}
+
 void tell(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& options,
           const Console& console) {
   const std::string removed = options.dry_run ? "would remove " : "removed ";
@@ -86,6 +99,7 @@ void tell(const Cleaning& cleaning, const fs::path& folder, const CleanOptions& 
   for (const std::string& path : shown_paths(cleaning.changed))
     console.out << (options.dry_run ? "would leave " : "left ") << path
                 << ", which was changed since it was made\n";
+  tell_dead_links(cleaning, folder, options, console);
   if (cleaning.removed.empty() && cleaning.changed.empty()) {
     console.out << folder.string() << ": nothing to remove\n";
   } else if (!options.stale || options.dry_run) {
@@ -99,6 +113,7 @@ ordered_json as_json(const Cleaning& cleaning, const fs::path& folder,
           {"dry_run", options.dry_run},
           {"removed", shown_paths(cleaning.removed)},
           {"changed", shown_paths(cleaning.changed)},
+          {"dead_links", options.stale ? 0 : dead_links(folder, cleaning)},
           {"bytes", cleaning.bytes}};
 }
 

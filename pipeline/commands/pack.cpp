@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 struct PackOptions {
   std::string study;
   std::string output;
+  BagInfo info;
+  bool force = false;
   bool json = false;
 };
 
@@ -42,11 +44,15 @@ int run_pack(const PackOptions& options, const Console& console) {
   const StudyContents contents = contents_of(options.study);
   const fs::path archive = options.output.empty() ? contents.study + ".tar.zst" : options.output;
   refuse_archive(contents, archive);
+  if (!options.force && fs::exists(fs::symlink_status(archive))) {
+    throw Error({archive.string()}, "is there already, and nothing is packed",
+                "--force replaces it, -o names another file");
+  }
   const Verification verification = sound(contents, console);
   const std::vector<PayloadFile> payload = payload_of(contents);
   {
     ProgressBar bar(console.err, console.err_is_terminal);
-    pack(contents, payload, archive, console.stop,
+    pack(contents, payload, options.info, archive, console.stop,
          [&](double share, const std::string& path) { bar.show(share, path); });
   }
   std::uint64_t bytes = 0;
@@ -73,6 +79,16 @@ int run_pack(const PackOptions& options, const Console& console) {
   return exit_done;
 }
 
+void add_info_options(CLI::App& command, BagInfo& info) {
+  command.add_option("--organization", info.organization,
+                     "Whose study it is (Source-Organization of bag-info.txt)");
+  command.add_option("--contact-name", info.contact_name, "Whom to ask (Contact-Name)");
+  command.add_option("--contact-email", info.contact_email, "Where to ask (Contact-Email)");
+  command.add_option("--description", info.description,
+                     "What it is, instead of the command that made it (External-Description)");
+  command.add_option("--license", info.license, "Under what licence: CC-BY-4.0, say (License)");
+}
+
 }  // namespace
 
 void add_pack_command(CLI::App& app, Command& chosen) {
@@ -83,15 +99,19 @@ void add_pack_command(CLI::App& app, Command& chosen) {
       ->required();
   command->add_option("-o,--output", options->output,
                       "Archive, .tar.zst, .tar.gz or .tar; <study>.tar.zst without it");
+  command->add_flag("--force", options->force, "Replace an archive that is there");
+  add_info_options(*command, options->info);
   command->add_flag("--json", options->json, "What was packed as JSON on standard output");
   command->footer(
       "\nA bag (BagIt, RFC 8493): everything of the study in data/, its SHA-256 sums beside it, "
       "for "
-      "sha256sum -c manifest-sha256.txt. The same study gives the same bytes. The study is "
+      "sha256sum -c manifest-sha256.txt. The same study with the same options gives the same "
+      "bytes. The study is "
       "verified "
       "first, and refused when something is missing or changed.\n"
       "\nExamples:\n"
       "  mien pack out/my-study -o my-study.tar.zst\n"
+      "  mien pack out/my-study --organization \"University of Somewhere\" --license CC-BY-4.0\n"
       "  mien verify my-study                       after tar xf my-study.tar.zst");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return run_pack(*options, console); };

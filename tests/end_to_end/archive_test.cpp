@@ -108,6 +108,31 @@ TEST_F(Archive, IsCleanedOfWhatIsNotKept) {
   EXPECT_EQ(run_mien({"clean", study.string(), "--keep", "vidos"}).code, 2);
 }
 
+TEST_F(Archive, SaysThatTheReportHasDeadLinksThen) {
+  const std::vector<std::string> words = {"clean", study.string(), "--keep", "metrics"};
+  std::vector<std::string> dry = words;
+  dry.push_back("--dry-run");
+  const Ended planned = run_mien(dry);
+  EXPECT_TRUE(says(planned.output, "of its links would lead nowhere")) << planned.output;
+  const Ended done = run_mien(words);
+  EXPECT_TRUE(says(done.output, "of its links lead nowhere now")) << done.output;
+  EXPECT_FALSE(says(run_mien(words).output, "nowhere"));
+}
+
+TEST_F(Archive, IsNotPackedOverWhatIsThere) {
+  const std::string archive = (scratch.path() / "a.tar").string();
+  std::ofstream(archive) << "somebody's";
+  const Ended refused = run_mien({"pack", study.string(), "-o", archive});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(says(refused.errors, "a.tar: is there already")) << refused.errors;
+  EXPECT_EQ(text_of(archive), "somebody's");
+  const Ended forced = run_mien({"pack", study.string(), "-o", archive, "--force", "--license",
+                                 "CC-BY-4.0", "--contact-name", "A. Walker"});
+  EXPECT_EQ(forced.code, 0) << forced.errors;
+  EXPECT_TRUE(says(text_of(archive), "Contact-Name: A. Walker\n"));
+  EXPECT_TRUE(says(text_of(archive), "License: CC-BY-4.0\n"));
+}
+
 TEST_F(Archive, IsABagThatOthersUnpackAndCheck) {
   const auto packed = [&](const std::string& name) {
     const Ended ended = run_mien({"pack", study.string(), "-o", (scratch.path() / name).string()});

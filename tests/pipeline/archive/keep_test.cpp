@@ -81,6 +81,17 @@ TEST(Keep, ARunMakesItAgainToTheLastByte) {
   EXPECT_TRUE(found.findings.empty());
 }
 
+TEST(Keep, CountsLinksOfTheReportThatLeadNowhereThen) {
+  const test::MadeStudy study;
+  write_file(study / "report.html",
+             R"(<a href="clips/a.bvh">a</a><video src="videos/b.mp4" poster="frames/a/00001.png">)"
+             R"(<img src="frames/ab/00001.png"><a href="https://example.org">)");
+  EXPECT_EQ(dead_links(study.folder(), all_but(study.folder(), videos_and_sheets)), 2);
+  EXPECT_EQ(dead_links(study.folder(), {}), 0);
+  fs::remove(study / "report.html");
+  EXPECT_EQ(dead_links(study.folder(), all_but(study.folder(), videos_and_sheets)), 0);
+}
+
 TEST(Keep, NeedsReceipts) {
   const test::MadeStudy study;
   study.forget_receipts();

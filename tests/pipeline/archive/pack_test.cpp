@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 std::string packed(const test::MadeStudy& study, const std::string& name) {
   const StudyContents contents = contents_of(study.folder());
-  pack(contents, payload_of(contents), study.beside(name), {}, {});
+  pack(contents, payload_of(contents), {}, study.beside(name), {}, {});
   return read_file(study.beside(name));
 }
 
@@ -89,16 +89,17 @@ TEST(Pack, LeavesNothingOfAnArchiveThatFails) {
   std::vector<PayloadFile> payload = payload_of(contents);
   const std::size_t before = files_beside(study);
   payload.back().size += 1;
-  EXPECT_THROW(pack(contents, payload, study.beside("a.tar"), {}, {}), std::runtime_error);
+  EXPECT_THROW(pack(contents, payload, {}, study.beside("a.tar"), {}, {}), std::runtime_error);
   payload.back().size -= 2;
-  EXPECT_THROW(pack(contents, payload, study.beside("a.tar"), {}, {}), std::runtime_error);
+  EXPECT_THROW(pack(contents, payload, {}, study.beside("a.tar"), {}, {}), std::runtime_error);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW(pack(contents, payload, study.beside("a.tar"), stop.get_token(), {}), Interrupted);
-  EXPECT_THROW(pack(contents, payload, study.beside("none/a.tar"), {}, {}), std::runtime_error);
+  EXPECT_THROW(pack(contents, payload, {}, study.beside("a.tar"), stop.get_token(), {}),
+               Interrupted);
+  EXPECT_THROW(pack(contents, payload, {}, study.beside("none/a.tar"), {}, {}), std::runtime_error);
   EXPECT_EQ(files_beside(study), before);
   write_file(study.beside("a.tar"), "older");
-  EXPECT_THROW(pack(contents, payload, study.beside("a.tar"), {}, {}), std::runtime_error);
+  EXPECT_THROW(pack(contents, payload, {}, study.beside("a.tar"), {}, {}), std::runtime_error);
   EXPECT_EQ(read_file(study.beside("a.tar")), "older");
 }
 
@@ -107,11 +108,22 @@ TEST(Bag, TellsWhatItHoldsWithoutADate) {
   contents.study = "tiny";
   contents.program = "0.2.0";
   contents.command = "mien run a\nb.yaml";
-  EXPECT_EQ(bag_info_text(contents, {{"a", 5}, {"b", 6}}),
+  EXPECT_EQ(bag_info_text(contents, {{"a", 5}, {"b", 6}}, {}),
             "Bag-Software-Agent: mien 0.2.0\n"
             "External-Description: Human motion stimuli, made by: mien run a b.yaml\n"
             "External-Identifier: tiny\n"
             "Payload-Oxum: 11.2\n");
+  const BagInfo info{"University\nof Somewhere", "A. Walker", "walker@example.org", "Twelve walks",
+                     "CC-BY-4.0"};
+  EXPECT_EQ(bag_info_text(contents, {}, info),
+            "Bag-Software-Agent: mien 0.2.0\n"
+            "Contact-Email: walker@example.org\n"
+            "Contact-Name: A. Walker\n"
+            "External-Description: Twelve walks\n"
+            "External-Identifier: tiny\n"
+            "License: CC-BY-4.0\n"
+            "Payload-Oxum: 0.0\n"
+            "Source-Organization: University of Somewhere\n");
   EXPECT_EQ(bag_manifest_line("0a", "data/50 %\r\n.csv"), "0a  data/50 %25%0D%0A.csv\n");
 }
 
