@@ -136,6 +136,12 @@ std::string ending(const BatchJob& job, const SlurmSite& site) {
   // `mien run` is a command for people, and has other codes.
   const std::string again = job.elements > 0 ? std::to_string(worker_transient) : "130";
   const std::string wrong = job.elements > 0 ? std::to_string(worker_bad_input) : "2";
+  text += job.elements > 0 ? "# $code is the worker's: mien farm worker --help tells them.\n"
+                           : fmt::format(
+                                 "# $code is that of mien run: 130 it was stopped, 2 bad "
+                                 "input, 1 something failed. The job ends with a worker's: "
+                                 "{} bad input, {} tried too often.\n",
+                                 worker_bad_input, worker_gave_up);
   text += fmt::format(
       "case $code in\n"
       "  {0}) [ \"$restarts\" -ge {1} ] || try_again; exit {2} ;;  # stopped, or the machine's "

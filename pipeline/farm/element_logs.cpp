@@ -95,16 +95,16 @@ std::vector<ElementLog> logs_of(const std::string& item, const fs::path& folder)
   return {};
 }
 
-std::vector<ElementLog> logs_of_ended(const fs::path& folder) {
+std::vector<ElementLog> logs_of(const std::vector<JobTrouble>& troubles, const fs::path& folder) {
+  std::map<std::string, std::map<std::string, fs::path>> logs;  // by submission and element
   std::vector<ElementLog> found;
-  const std::vector<fs::path> submissions = submissions_in(folder);
-  if (submissions.empty()) return found;
-  const std::map<std::string, fs::path> logs = logs_by_element(submissions.front());
-  for (const fs::path& end : entries_of(submissions.front() / "ends")) {
-    const auto log = logs.find(end.filename().string());
-    if (log != logs.end()) found.push_back({end.filename().string(), log->second});
+  for (const JobTrouble& one : troubles) {
+    const auto [submission, is_new] = logs.try_emplace(one.submission);
+    if (is_new) submission->second = logs_by_element(folder / "farm" / one.submission);
+    const auto log = submission->second.find(one.element);
+    if (log == submission->second.end()) continue;
+    found.push_back({one.submission + "/" + one.element + ", " + one.cause, log->second});
   }
-  std::reverse(found.begin(), found.end());
   return found;
 }
 

@@ -6,6 +6,7 @@
 
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/stages.h"
+#include "pipeline/farm/submission.h"
 
 namespace mien::pipeline {
 
@@ -13,13 +14,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What people call a task's products, in the order in which they are made.
+constexpr std::array share_names = {"motions", "films", "clips", "dots", "sheets", "study"};
+
+std::string share_of(const Task& task) {
+  if (task.kind == "clip") return "clips";
+  return task.kind == "dots" ? "dots" : stage_of(task);
+}
+
 std::vector<Share> stage_shares(const TaskGraph& graph, const std::vector<TaskOutcome>& outcomes) {
   std::vector<Share> shares;
-  for (const char* name : {"motions", "films", "sheets", "study"}) shares.push_back({name, 0, 0});
+  for (const char* name : share_names) shares.push_back({name, 0, 0});
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const std::string stage = stage_of(graph.tasks[i]);
+    const std::string name = share_of(graph.tasks[i]);
     const auto share = std::find_if(shares.begin(), shares.end(),
-                                    [&](const Share& one) { return one.name == stage; });
+                                    [&](const Share& one) { return one.name == name; });
     ++share->total;
     share->done += outcomes[i].state == TaskState::cached ? 1 : 0;
   }
@@ -27,8 +36,20 @@ std::vector<Share> stage_shares(const TaskGraph& graph, const std::vector<TaskOu
   return shares;
 }
 
+/// Films and the frames that are kept of them.
+using KeptFrames = std::map<std::string, int>;
+
+KeptFrames kept_frames(const TaskGraph& graph, const fs::path& folder) {
+  KeptFrames kept;
+  for (const Task& task : graph.tasks) {
+    if (task.kind == "film")
+      kept[task.id] = frames_in_the_making(folder, task.id.substr(task.id.find(':') + 1));
+  }
+  return kept;
+}
+
 Share frames_share(const Production& production, const std::vector<TaskOutcome>& outcomes,
-                   const fs::path& folder) {
+                   const KeptFrames& kept, const fs::path& folder) {
   Share frames{"frames", 0, 0};
   const std::map<std::string, int> lengths = film_lengths(production, folder);
   const TaskGraph& graph = production.graph();
@@ -37,13 +58,24 @@ Share frames_share(const Production& production, const std::vector<TaskOutcome>&
     const auto length = lengths.find(task.id);
     if (task.kind != "film" || length == lengths.end()) continue;
     frames.total += length->second;
-    frames.done +=
-        outcomes[i].state == TaskState::cached
-            ? length->second
-            : std::min(length->second,
-                       frames_in_the_making(folder, task.id.substr(task.id.find(':') + 1)));
+    frames.done += outcomes[i].state == TaskState::cached
+                       ? length->second
+                       : std::min(length->second, kept.at(task.id));
   }
   return frames;
+}
+
+StudyState state_of(const Production& production, const std::vector<TaskOutcome>& outcomes,
+                    const fs::path& folder, const std::string& words) {
+  const TaskGraph& graph = production.graph();
+  StudyState state{folder, graph_key(graph, folder), {}, false, words};
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (outcomes[i].state == TaskState::cached) state.done.insert(graph.tasks[i].id);
+  }
+  std::error_code error;
+  state.is_complete =
+      state.done.size() == graph.tasks.size() && fs::exists(folder / "provenance.json", error);
+  return state;
 }
 
 NodeStatus& node_called(const std::string& name, std::vector<NodeStatus>& nodes) {
@@ -67,9 +99,8 @@ void add_workers(const std::vector<WorkerReport>& reports, FarmStatus& status) {
 void add_jobs(const std::vector<JobFate>& fates, FarmStatus& status) {
   for (const JobFate& fate : fates) {
     for (const QueueRow& row : fate.live()) {
-      if (is_stuck(row)) {
-        status.stuck.push_back({name_of(row), row.reason});
-      } else if (row.node.empty() || row.state == "PENDING") {
+      if (is_stuck(row)) continue;  // told as a trouble
+      if (row.node.empty() || row.state == "PENDING") {
         ++status.waiting[row.reason];
       } else {
         ++node_called(row.node, status.nodes).elements;
@@ -117,25 +148,35 @@ int frames_in_the_making(const fs::path& folder, const std::string& film) {
   return count;
 }
 
+StudyState study_state(const Production& production, const fs::path& folder,
+                       const std::string& words) {
+  return state_of(production, glance(production.graph(), folder), folder, words);
+}
+
 FarmStatus farm_status(const Production& production, const fs::path& folder,
-                       const std::optional<std::vector<QueueRow>>& queue,
-                       const std::string& fault) {
+                       const std::optional<std::vector<QueueRow>>& queue, const std::string& fault,
+                       const std::string& words) {
   FarmStatus status;
   status.study = production.manifest().study;
   status.folder = folder.string();
+  status.words = words;
+  // Before the films: a film that is made now loses its frames only when it is there itself.
+  const KeptFrames kept = kept_frames(production.graph(), folder);
   const std::vector<TaskOutcome> outcomes = glance(production.graph(), folder);
   status.stages = stage_shares(production.graph(), outcomes);
-  status.frames = frames_share(production, outcomes, folder);
-  const bool is_made = std::all_of(status.stages.begin(), status.stages.end(),
-                                   [](const Share& share) { return share.done == share.total; });
-  std::error_code error;
-  status.is_complete = is_made && fs::exists(folder / "provenance.json", error);
+  status.frames = frames_share(production, outcomes, kept, folder);
+  const StudyState state = state_of(production, outcomes, folder, words);
+  status.is_complete = state.is_complete;
   status.failed = failed_items(folder);
   add_workers(worker_reports(folder), status);
   if (queue) {
     const JournalContent journal = SubmissionJournal(folder).read();
     const std::vector<JobFate> fates = job_fates(journal, *queue, folder);
     add_jobs(fates, status);
+    status.troubles = job_troubles(fates, state);
+    std::erase_if(status.troubles, [](const JobTrouble& trouble) {
+      return trouble.kind == JobTrouble::Kind::cancelled;
+    });
     if (!status.is_complete) status.losses = told_losses(fates);
   } else {
     status.without_slurm = fault;

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/farm/job_fates.h"
+#include "pipeline/farm/job_troubles.h"
 #include "pipeline/farm/worker_reports.h"
 #include "pipeline/production/production.h"
 
@@ -30,21 +30,16 @@ struct NodeStatus {
   double frames_per_second = 0.0;
 };
 
-/// A job that will not run until somebody does something.
-struct StuckJob {
-  std::string job;     ///< "17_3"
-  std::string reason;  ///< "JobHeldUser"
-};
-
 /// How a study's production goes on, whoever works on it.
 struct FarmStatus {
   std::string study;
   std::string folder;
-  std::vector<Share> stages;  ///< motions, films, sheets, study: tasks
+  std::string words;          ///< how it is told in commands: "my.yaml --out /scratch"
+  std::vector<Share> stages;  ///< tasks: motions, films, clips, sheets, study
   Share frames;               ///< of all films; those in the making count
   std::vector<NodeStatus> nodes;
   std::map<std::string, int> waiting;  ///< elements by Slurm's reason
-  std::vector<StuckJob> stuck;
+  std::vector<JobTrouble> troubles;
   std::vector<FailedItem> failed;
   std::vector<std::string> losses;     ///< told_losses
   std::optional<double> seconds_left;  ///< at the present pace; none while no frame is drawn
@@ -56,12 +51,17 @@ struct FarmStatus {
   bool is_active() const;
 };
 
-/// From the store, the workers' own reports and the queue; `queue` may be missing, `fault` says
-/// why.
+/// From the store at a glance, the workers' own reports and the queue; `queue` may be missing,
+/// `fault` says why. `words`: how the study is told in commands.
 FarmStatus farm_status(const Production& production, const std::filesystem::path& folder,
-                       const std::optional<std::vector<QueueRow>>& queue, const std::string& fault);
+                       const std::optional<std::vector<QueueRow>>& queue, const std::string& fault,
+                       const std::string& words);
 
-/// Frames of a film that are kept until it is encoded.
+/// What `job_troubles` are told against.
+StudyState study_state(const Production& production, const std::filesystem::path& folder,
+                       const std::string& words);
+
+/// Frames of a film that are kept until it is encoded, of whatever version of it.
 int frames_in_the_making(const std::filesystem::path& folder, const std::string& film);
 
 /// For people.

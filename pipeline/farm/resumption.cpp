@@ -1,11 +1,10 @@
 #include "pipeline/farm/resumption.h"
 
 #include <charconv>
-#include <fstream>
-#include <optional>
-#include <sstream>
 
+#include "pipeline/farm/ended_elements.h"
 #include "pipeline/farm/stages.h"
+#include "pipeline/farm/task_list.h"
 #include "pipeline/farm/worker_codes.h"
 
 namespace mien::pipeline {
@@ -13,33 +12,6 @@ namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Lines = std::vector<std::vector<std::string>>;
-
-/// All lines of a list; none where it has been removed.
-Lines lines_in(const fs::path& list) {
-  Lines lines;
-  std::ifstream file(list);
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::vector<std::string>& items = lines.emplace_back();
-    for (std::string item; words >> item;) items.push_back(item);
-  }
-  return lines;
-}
-
-fs::path list_of(const JournalJob& job, const fs::path& folder) {
-  return folder / "farm" / job.submission / (job.name + ".tasks");
-}
-
-/// The code of ends/<name>.<element>.
-std::optional<int> end_of(const JournalJob& job, std::size_t element, const fs::path& folder) {
-  std::ifstream file(folder / "farm" / job.submission / "ends" /
-                     (job.name + "." + std::to_string(element)));
-  int code = 0;
-  if (!(file >> code)) return std::nullopt;
-  return code;
-}
 
 /// Elements, from 1, whose last attempt was short of memory.
 std::set<std::size_t> short_of_memory(const JobFate& fate, const fs::path& folder) {
@@ -49,26 +21,20 @@ std::set<std::size_t> short_of_memory(const JobFate& fate, const fs::path& folde
       elements.insert(static_cast<std::size_t>(*row.index));
     }
   }
-  for (int i = 1; i <= fate.journal.elements; ++i) {
-    const auto element = static_cast<std::size_t>(i);
-    if (end_of(fate.journal, element, folder) == worker_killed) elements.insert(element);
+  for (const auto& [element, end] : ends_in(folder / "farm" / fate.journal.submission)) {
+    if (element.first == fate.journal.name && end.code == worker_killed)
+      elements.insert(static_cast<std::size_t>(element.second));
   }
   return elements;
 }
 
 }  // namespace
 
-std::vector<std::string> items_on_line(const fs::path& list, int line) {
-  const Lines lines = lines_in(list);
-  if (line < 1 || static_cast<std::size_t>(line) > lines.size()) return {};
-  return lines[static_cast<std::size_t>(line) - 1];
-}
-
 std::set<std::string> covered_items(const std::vector<JobFate>& fates, const fs::path& folder) {
   std::set<std::string> covered;
   for (const JobFate& fate : fates) {
     if (fate.kind != JobFate::Kind::live || fate.journal.elements == 0) continue;
-    const Lines lines = lines_in(list_of(fate.journal, folder));
+    const auto lines = lines_of_list(list_of(fate.journal, folder));
     for (const QueueRow& row : fate.live()) {
       const auto line = static_cast<std::size_t>(row.index.value_or(0));
       if (is_stuck(row) || line < 1 || line > lines.size()) continue;
@@ -94,7 +60,7 @@ MemoryNeeds memory_needs(const std::vector<JobFate>& fates, const fs::path& fold
   for (const JobFate& fate : fates) {
     const std::set<std::size_t> elements = short_of_memory(fate, folder);
     if (elements.empty()) continue;
-    const Lines lines = lines_in(list_of(fate.journal, folder));
+    const auto lines = lines_of_list(list_of(fate.journal, folder));
     const std::string twice = twice_the_memory(fate.journal.memory);
     for (const std::size_t element : elements) {
       if (element < 1 || element > lines.size()) continue;

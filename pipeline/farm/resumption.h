@@ -10,9 +10,6 @@
 
 namespace mien::pipeline {
 
-/// Items of a list's line, counted from 1; none when there is no such line.
-std::vector<std::string> items_on_line(const std::filesystem::path& list, int line);
-
 /// Items that jobs make which wait or run, stuck ones left out. `folder`: the study's.
 std::set<std::string> covered_items(const std::vector<JobFate>& fates,
                                     const std::filesystem::path& folder);

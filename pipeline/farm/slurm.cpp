@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <sstream>
 #include <string_view>
 
 namespace mien::pipeline {
 
 namespace {
+
+constexpr std::string_view configuration_remedy =
+    "unset SLURM_CONF, or let it name the cluster's slurm.conf";
 
 struct Remedy {
   std::string_view words;  ///< in what Slurm says
@@ -23,6 +27,9 @@ constexpr std::array remedies = {
     Remedy{"Socket timed out", "Slurm's controller is slow: try again, nothing is submitted twice"},
     Remedy{"ould not establish a configuration source",
            "this machine is no part of a cluster: log in to one that is, or set SLURM_CONF"},
+    Remedy{"unable to status file", configuration_remedy},
+    Remedy{"nable to process configuration file", configuration_remedy},
+    Remedy{"arse error in file", configuration_remedy},
     Remedy{"unable to determine hostname", "this machine is no part of a cluster"},
     Remedy{"munge", "the authentication service munge does not run here: ask who runs the cluster"},
     Remedy{"Invalid job array specification",
@@ -48,6 +55,23 @@ constexpr std::array remedies = {
 std::string without_end(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
   return text;
+}
+
+/// Lines of Slurm's below one of ours.
+std::string quoted(const std::string& words) {
+  std::string text = "  ";
+  for (const char letter : words)
+    text += letter == '\n' ? std::string("\n  ") : std::string(1, letter);
+  return text;
+}
+
+/// A configuration that is not there is looked for during a minute.
+void refuse_missing_configuration() {
+  const char* file = std::getenv("SLURM_CONF");
+  std::error_code unknown;
+  if (file == nullptr || *file == '\0' || std::filesystem::exists(file, unknown)) return;
+  throw SlurmFault(std::string("SLURM_CONF names ") + file +
+                   ", which is not there: " + std::string(configuration_remedy));
 }
 
 /// Whether a submission may have been accepted although the command failed.
@@ -83,24 +107,28 @@ std::string slurm_fault(const std::string& program, const CommandEnd& end) {
            " is not there: Slurm is not installed on this machine; log in to one of the "
            "cluster's, or use mien run, which needs none";
   }
-  if (end.timed_out)
-    return program + " did not answer in time; scontrol ping tells whether Slurm is up";
-  std::string text =
-      program + " failed: " + without_end(end.errors.empty() ? end.output : end.errors);
+  const std::string words = without_end(end.errors.empty() ? end.output : end.errors);
   for (const Remedy& one : remedies) {
     if (end.errors.find(one.words) == std::string::npos) continue;
-    return text + "\n  " + std::string(one.remedy);
+    return program + " failed: " + std::string(one.remedy) + "\n" + quoted(words);
   }
-  return text;
+  if (end.timed_out)
+    return program + " did not answer in time; scontrol ping tells whether Slurm is up";
+  return program + " failed: " + words;
 }
 
 CommandEnd Slurm::run(const std::vector<std::string>& words) const {
+  refuse_missing_configuration();
   CommandEnd end = run_command(words, limit_);
   if (!end.is_done()) throw SlurmFault(slurm_fault(words.front(), end));
   return end;
 }
 
 SlurmSite Slurm::site() const { return site_told(run({"scontrol", "show", "config"}).output); }
+
+std::vector<NodeShape> Slurm::nodes() const {
+  return node_shapes(run_command({"sinfo", "-h", "-N", "-o", node_format}, limit_).output);
+}
 
 std::vector<QueueRow> Slurm::queue() const {
   return queue_rows(run({"squeue", "-h", "-r", "-a", "-t", "all", "-o", queue_format}).output);

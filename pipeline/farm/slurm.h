@@ -32,6 +32,9 @@ class Slurm {
   /// What the site allows.
   SlurmSite site() const;
 
+  /// Partitions and nodes; nothing where sinfo tells none.
+  std::vector<NodeShape> nodes() const;
+
   /// Jobs of everybody, those that ended a short time ago too; an element of an array a row.
   std::vector<QueueRow> queue() const;
 
@@ -51,7 +54,7 @@ class Slurm {
   std::chrono::milliseconds limit_;
 };
 
-/// Why a command of Slurm failed, and what to do about it.
+/// Why a command of Slurm failed, and what to do about it; Slurm's own words stand last.
 std::string slurm_fault(const std::string& program, const CommandEnd& end);
 
 }  // namespace mien::pipeline

@@ -81,13 +81,47 @@ bool is_live(const QueueRow& row) {
   return std::find(live.begin(), live.end(), row.state) != live.end();
 }
 
+bool asks_too_much(const QueueRow& row) {
+  constexpr std::array<std::string_view, 4> reasons = {"PartitionConfig", "PartitionNodeLimit",
+                                                       "PartitionTimeLimit", "BadConstraints"};
+  return row.state == "PENDING" &&
+         std::find(reasons.begin(), reasons.end(), row.reason) != reasons.end();
+}
+
 bool is_stuck(const QueueRow& row) {
   if (row.state == "SPECIAL_EXIT" || row.state == "REQUEUE_HOLD") return true;
   return row.state == "PENDING" &&
-         (row.reason == "DependencyNeverSatisfied" || row.reason == "BadConstraints" ||
+         (asks_too_much(row) || row.reason == "DependencyNeverSatisfied" ||
           row.reason.starts_with("JobHeld") ||
           row.reason.starts_with("launch_failed_requeued_held") ||
           row.reason.starts_with("launch failed requeued held"));
+}
+
+std::vector<NodeShape> node_shapes(std::string_view text) {
+  std::vector<NodeShape> nodes;
+  for (const std::string_view line : lines_of(text)) {
+    const std::size_t bar = line.rfind('|');
+    if (bar == std::string_view::npos) continue;
+    const auto processors = whole_number(trimmed(line.substr(bar + 1)));
+    std::string_view partition = line.substr(0, bar);
+    const bool is_default = partition.ends_with('*');
+    if (is_default) partition.remove_suffix(1);
+    if (processors) nodes.push_back({std::string(partition), is_default, *processors});
+  }
+  return nodes;
+}
+
+std::optional<int> most_processors(const std::vector<NodeShape>& nodes,
+                                   const std::string& partitions) {
+  const std::string among = "," + partitions + ",";
+  std::optional<int> most;
+  for (const NodeShape& node : nodes) {
+    const bool is_meant = partitions.empty()
+                              ? node.is_default
+                              : among.find("," + node.partition + ",") != std::string::npos;
+    if (is_meant) most = std::max(most.value_or(0), node.processors);
+  }
+  return most;
 }
 
 SlurmSite site_told(std::string_view text) {

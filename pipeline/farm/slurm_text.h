@@ -34,6 +34,27 @@ bool is_live(const QueueRow& row);
 /// Whether a job that waits will never run by itself: somebody has to look at it.
 bool is_stuck(const QueueRow& row);
 
+/// Whether a job that waits asks for what its partition does not have.
+bool asks_too_much(const QueueRow& row);
+
+/// A partition on a node, and the processors that it has there.
+struct NodeShape {
+  std::string partition;
+  bool is_default = false;
+  int processors = 0;
+};
+
+/// The format of `sinfo -N` (-o) that `node_shapes` reads.
+inline constexpr const char* node_format = "%P|%c";
+
+/// The rows of `sinfo -h -N -o <node_format>`; lines that are none are left out.
+std::vector<NodeShape> node_shapes(std::string_view text);
+
+/// The most processors that a node of these partitions ("long,main") has, or of the one that jobs
+/// get which name none; nothing where that is not known.
+std::optional<int> most_processors(const std::vector<NodeShape>& nodes,
+                                   const std::string& partitions);
+
 /// What counts about a site's configuration.
 struct SlurmSite {
   int max_array_size = 1001;        ///< indices of an array are below it

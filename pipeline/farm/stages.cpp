@@ -52,6 +52,7 @@ struct Due {
   const std::vector<bool>& is_due;
   const std::map<std::string, int>& frames;
   const Cutting& cutting;
+  const std::map<std::string, FilmPieces>& pieces;
 
   int frames_of(const Task& task) const {
     const auto found = frames.find(task.id);
@@ -60,9 +61,29 @@ struct Due {
 
   double seconds_of(const Task& task) const { return task.cost_seconds * cutting.pace; }
 
+  /// Of these frames, first to before end.
+  int missing_of(const Task& task, int first, int end) const {
+    const auto found = pieces.find(task.id);
+    if (found == pieces.end()) return end - first;
+    const std::vector<bool>& is_there = found->second.is_there;
+    int missing = 0;
+    for (int frame = first; frame < end; ++frame) {
+      const auto at = static_cast<std::size_t>(frame);
+      missing += at < is_there.size() && is_there[at] ? 0 : 1;
+    }
+    return missing;
+  }
+
+  double seconds_of_drawing(const Task& task, int frame_count) const {
+    const double whole = seconds_of(task) * (1.0 - encoding_share);
+    return frame_count == 0 ? 0.0 : whole * frame_count / frames_of(task);
+  }
+
   int chunks_of(const Task& task) const {
     const int count = frames_of(task);
     if (count == 0) return 1;
+    const auto begun = pieces.find(task.id);
+    if (begun != pieces.end() && begun->second.chunks > 0) return begun->second.chunks;
     int in_one = cutting.chunk_frames;
     if (in_one == 0) {
       const double frame = seconds_of(task) / count;
@@ -106,10 +127,12 @@ Stage frames_stage(const Due& due) {
   due.each("films", [&](const Task& task) {
     const int chunks = due.chunks_of(task);
     if (chunks == 1) return;
-    const double seconds = due.seconds_of(task) * (1.0 - encoding_share) / chunks;
     for (int chunk = 1; chunk <= chunks; ++chunk) {
       const auto [first, end] = range_of({chunk, chunks}, due.frames_of(task));
-      packer.add(chunk_item(task.id, chunk, chunks), seconds, end - first);
+      const int missing = due.missing_of(task, first, end);
+      if (missing == 0) continue;
+      packer.add(chunk_item(task.id, chunk, chunks), due.seconds_of_drawing(task, missing),
+                 missing);
     }
   });
   return std::move(packer).done();
@@ -118,8 +141,12 @@ Stage frames_stage(const Due& due) {
 Stage films_stage(const Due& due) {
   Packer packer("films", due.cutting);
   due.each("films", [&](const Task& task) {
-    const double share = due.chunks_of(task) > 1 ? encoding_share : 1.0;
-    packer.add(task.id, due.seconds_of(task) * share, due.frames_of(task));
+    const int frames = due.frames_of(task);
+    const double drawing = frames == 0 ? due.seconds_of(task) * (1.0 - encoding_share)
+                           : due.chunks_of(task) > 1
+                               ? 0.0
+                               : due.seconds_of_drawing(task, due.missing_of(task, 0, frames));
+    packer.add(task.id, due.seconds_of(task) * encoding_share + drawing, frames);
   });
   return std::move(packer).done();
 }
@@ -154,8 +181,9 @@ std::string stage_of(const Task& task) {
 }
 
 std::vector<Stage> stages_of(const TaskGraph& graph, const std::vector<bool>& is_due,
-                             const std::map<std::string, int>& frames, const Cutting& cutting) {
-  const Due due{graph, is_due, frames, cutting};
+                             const std::map<std::string, int>& frames, const Cutting& cutting,
+                             const std::map<std::string, FilmPieces>& pieces) {
+  const Due due{graph, is_due, frames, cutting, pieces};
   std::vector<Stage> stages = {motions_stage(due), frames_stage(due), films_stage(due),
                                grouped(due, "sheets"), study_stage(due)};
   std::erase_if(stages, [](const Stage& stage) { return stage.elements.empty(); });

@@ -32,11 +32,19 @@ struct Cutting {
   double pace = 1.0;               ///< seconds an estimated second of a task takes
 };
 
+/// What is there of a film that is due.
+struct FilmPieces {
+  std::vector<bool> is_there;  ///< by frame: nobody has to be asked to draw it; or empty
+  int chunks = 0;              ///< that it is cut into already; 0: not yet
+};
+
 /// The stages motions, frames, films, sheets and study of the tasks that are due (one flag a task),
 /// without those that hold nothing. A task is in exactly one element, and the chunks of a film that
-/// is drawn in several cover it. `frames`: of each film by its task.
+/// is drawn in several cover it, but for those of which all frames are there. `frames`: of each
+/// film by its task; `pieces` likewise, of films that have been begun.
 std::vector<Stage> stages_of(const TaskGraph& graph, const std::vector<bool>& is_due,
-                             const std::map<std::string, int>& frames, const Cutting& cutting);
+                             const std::map<std::string, int>& frames, const Cutting& cutting,
+                             const std::map<std::string, FilmPieces>& pieces = {});
 
 /// Stage of a task: "motions", "films", "sheets" or "study".
 std::string stage_of(const Task& task);

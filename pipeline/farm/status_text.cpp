@@ -66,13 +66,28 @@ ordered_json node_json(const NodeStatus& node) {
           {"frames_per_s", node.frames_per_second}};
 }
 
+ordered_json troubles_json(const FarmStatus& status, JobTrouble::Kind kind) {
+  ordered_json told = ordered_json::array();
+  for (const JobTrouble& one : status.troubles) {
+    if (one.kind != kind) continue;
+    told.push_back({{"job", one.job},
+                    {"element", one.submission + "/" + one.element},
+                    {"reason", one.reason},
+                    {"cause", one.cause},
+                    {"remedy", one.remedy}});
+  }
+  return told;
+}
+
 }  // namespace
 
 std::string status_text(const FarmStatus& status) {
   std::string text = status.folder + ":";
-  text += status.is_complete   ? " all is done\n"
-          : status.is_active() ? "\n"
-                               : " nobody works on it\n";
+  if (status.is_complete) {
+    text += " all is done, at a glance; mien verify " + status.folder + " reads every byte\n";
+  } else {
+    text += status.is_active() ? "\n" : " nobody works on it\n";
+  }
   for (const Share& share : status.stages) {
     text += share_text(share);
     if (share.name == "motions") text += share_text(status.frames);
@@ -80,15 +95,14 @@ std::string status_text(const FarmStatus& status) {
   if (!status.nodes.empty()) text += "working:\n";
   for (const NodeStatus& node : status.nodes) text += node_text(node);
   text += waiting_text(status);
-  if (!status.stuck.empty()) text += "held by Slurm (mien farm resume submits them anew):\n";
-  for (const StuckJob& stuck : status.stuck) {
-    text += fmt::format("  {}: {}\n", stuck.job, stuck.reason);
-  }
-  if (!status.failed.empty()) text += "failed (mien farm logs shows more):\n";
+  text += troubles_text(status.troubles);
+  if (!status.failed.empty()) text += "failed (mien farm logs " + status.words + " shows more):\n";
   for (const FailedItem& failed : status.failed) text += failed_text(failed);
   for (const std::string& loss : status.losses) text += loss + "\n";
   if (status.seconds_left) {
-    text += "about " + as_duration(*status.seconds_left) + " left at this pace\n";
+    text += *status.seconds_left < 1.0
+                ? "less than a second left at this pace\n"
+                : "about " + as_duration(*status.seconds_left) + " left at this pace\n";
   }
   if (!status.without_slurm.empty())
     text += "nothing is known of jobs: " + status.without_slurm + "\n";
@@ -103,9 +117,6 @@ ordered_json status_json(const FarmStatus& status) {
   for (const Share& share : status.stages) stages[share.name] = share_json(share);
   ordered_json nodes = ordered_json::array();
   for (const NodeStatus& node : status.nodes) nodes.push_back(node_json(node));
-  ordered_json stuck = ordered_json::array();
-  for (const StuckJob& one : status.stuck)
-    stuck.push_back({{"job", one.job}, {"reason", one.reason}});
   ordered_json failed = ordered_json::array();
   for (const FailedItem& one : status.failed) {
     failed.push_back({{"item", one.item},
@@ -125,7 +136,9 @@ ordered_json status_json(const FarmStatus& status) {
                        {"running", status.running()},
                        {"nodes", nodes},
                        {"waiting", status.waiting},
-                       {"held", stuck},
+                       {"held", troubles_json(status, JobTrouble::Kind::held)},
+                       {"outdated", troubles_json(status, JobTrouble::Kind::outdated)},
+                       {"ended", troubles_json(status, JobTrouble::Kind::ended)},
                        {"failed", failed},
                        {"lost", status.losses},
                        {"left_s", nullptr},

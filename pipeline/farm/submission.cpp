@@ -126,6 +126,13 @@ std::vector<std::string> numbers_of(const std::vector<SubmittedJob>& jobs) {
   return numbers;
 }
 
+/// Removes what was written for a submission of which no job has begun.
+void remove_unused(const fs::path& folder) {
+  std::error_code error;
+  if (fs::is_empty(folder / "log", error) && fs::is_empty(folder / "ends", error))
+    fs::remove_all(folder, error);
+}
+
 /// Adds it to `done` and gives its number.
 std::string submit_one(const Submission& submission, const SubmissionJob& one,
                        const std::vector<std::string>& before, const Slurm& slurm,
@@ -139,6 +146,7 @@ std::string submit_one(const Submission& submission, const SubmissionJob& one,
   } catch (const SlurmFault& fault) {
     journal.note_refusal(one.job.comment, fault.what());
     slurm.cancel(numbers_of(done));
+    remove_unused(submission.folder);
     throw;
   }
   journal.note_job(one.job.comment, done.back().job);
@@ -148,9 +156,13 @@ std::string submit_one(const Submission& submission, const SubmissionJob& one,
 }  // namespace
 
 std::string next_submission(const fs::path& study_folder) {
+  std::set<std::string> taken;  // one that was refused has no folder, but jobs of its name
+  for (const JournalSubmission& one : SubmissionJournal(study_folder).read().submissions)
+    taken.insert(one.number);
   int number = 1;
-  while (fs::exists(study_folder / "farm" / fmt::format("{:04}", number))) ++number;
-  return fmt::format("{:04}", number);
+  const auto name = [&] { return fmt::format("{:04}", number); };
+  while (taken.contains(name()) || fs::exists(study_folder / "farm" / name())) ++number;
+  return name();
 }
 
 std::string graph_key(const TaskGraph& graph, const fs::path& study_folder) {

@@ -45,7 +45,8 @@ struct ItemNeeds {
   std::map<std::string, std::string> memory;  ///< by task, where a job ran out of it
 };
 
-/// "0004" after three submissions; the first number that no folder of `farm` has.
+/// "0004" after three submissions; the first number that neither a folder of `farm` has nor the
+/// journal.
 std::string next_submission(const std::filesystem::path& study_folder);
 
 /// The name under which Slurm's jobs are known as this study's: of its tasks, all that determines
@@ -76,7 +77,7 @@ struct SubmittedJob {
 
 /// Hands a written submission to Slurm; the journal has each job before Slurm does. Films and what
 /// follows them wait for the jobs `live` of earlier submissions too. When a job is refused, those
-/// before it are cancelled and SlurmFault is thrown.
+/// before it are cancelled, the folder is removed unless one had begun, and SlurmFault is thrown.
 std::vector<SubmittedJob> submit(const Submission& submission, const Slurm& slurm,
                                  const SubmissionJournal& journal,
                                  const std::vector<std::string>& live);

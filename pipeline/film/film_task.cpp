@@ -129,10 +129,8 @@ class FilmMaker {
 
   /// The frames that the output asks for, or those that are kept until the film is made.
   std::unique_ptr<FrameStore> open_frames() {
-    if (keeps_frames())
-      return run_.store.frames(run_.task.products.front().path, run_.keys.front());
-    const std::string path = "frames/" + id_;
-    return run_.store.frames(path, KeyBuilder().add("kept", path).add("task", run_.task_key).key());
+    const KeptSequence kept = kept_sequence(run_.task, run_.task_key);
+    return run_.store.frames(kept.path, kept.key);
   }
 
   /// Settings by which each frame that is drawn is kept.
@@ -205,6 +203,12 @@ class FilmMaker {
 };
 
 }  // namespace
+
+KeptSequence kept_sequence(const Task& film, const Hash& task_key) {
+  const std::string path = "frames/" + film.id.substr(film.id.find(':') + 1);
+  if (film.products.front().path == path) return {path, product_keys(film, task_key).front()};
+  return {path, KeyBuilder().add("kept", path).add("task", task_key).key()};
+}
 
 FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest, Motions& motions) {
   return {stimulus,

@@ -98,6 +98,32 @@ TEST_F(WithoutSlurm, BadOptionsAreToldBeforeAnythingIsDone) {
   EXPECT_FALSE(fs::exists(scratch.path() / "job.txt"));
 }
 
+TEST_F(WithoutSlurm, SaysWhatAnOptionTakesAndWhatAnItemIsCalled) {
+  const auto says = [](const Ended& ended, const char* words) {
+    EXPECT_NE(ended.errors.find(words), std::string::npos) << ended.errors;
+  };
+  says(farm({"submit"}, {"--time", "1h"}), "\"1h\" is no time that Slurm takes; write minutes");
+  says(farm({"submit"}, {"--mem", "2 GB"}), "\"2 GB\" is no amount of memory");
+  says(farm({"logs"}, {"film:oen"}), "did you mean \"film:one\"?");
+  const Ended none = farm({"cancel"});
+  EXPECT_EQ(none.code, 0) << none.errors;
+  EXPECT_NE(none.output.find("no job of this study waits or runs"), std::string::npos);
+}
+
+TEST_F(WithoutSlurm, AWorkerPassesOverAnEmptyLineAndTellsOfEmptyParts) {
+  const std::string list = scratch.write("some.tasks", "\nfilm:one[1/500]\n").string();
+  const Ended empty = farm({"worker"}, {"--list", list, "--line", "1"});
+  EXPECT_EQ(empty.code, 0);
+  EXPECT_NE(empty.errors.find("some.tasks:1: the line is empty"), std::string::npos);
+  const Ended part = farm({"worker"}, {"--list", list, "--line", "2"});
+  EXPECT_EQ(part.code, 0) << part.errors;
+  EXPECT_NE(part.errors.find("note: film:one[1/500]: the film has "), std::string::npos)
+      << part.errors;
+  const Ended beyond = farm({"worker"}, {"--tasks", "film:one[5/2]"});
+  EXPECT_EQ(beyond.code, 65);
+  EXPECT_NE(beyond.errors.find("none with the number 5"), std::string::npos) << beyond.errors;
+}
+
 TEST_F(WithoutSlurm, AnExportedJobIsTheSameEachTime) {
   const auto exported = [&] {
     return run_mien({"farm", "export", manifest.string(), "--format", "openjd", "--chunk", "4"});
@@ -218,6 +244,14 @@ TEST_F(FarmOnSlurm, HoldsAWrongSetUpUntilItIsResumed) {
   EXPECT_TRUE(wait_until(60.0, [&] { return !status()["held"].empty(); }));
   EXPECT_EQ(status()["held"][0]["job"], job + "_1");
   EXPECT_NE(farm({"logs"}).output.find("ended with 78"), std::string::npos);
+  const std::string told = farm({"status"}).output;
+  EXPECT_NE(told.find("held by Slurm: 1 job (" + job + "_1)\n  wrong set-up"), std::string::npos)
+      << told;
+  const Ended dry = farm({"resume"}, {"--dry-run"});
+  EXPECT_NE(dry.errors.find("is to be taken back"), std::string::npos) << dry.errors;
+  EXPECT_NE(dry.output.find("0002/6-rest.sbatch"), std::string::npos) << dry.output;
+  EXPECT_FALSE(fs::exists(submission("0002")));
+  EXPECT_FALSE(status()["held"].empty());
   ASSERT_EQ(farm({"resume"}).code, 0);
   ASSERT_TRUE(cluster->wait_until_empty(120.0));
   EXPECT_TRUE(status()["complete"]);
@@ -281,6 +315,38 @@ TEST_F(FarmOnSlurm, LeavesNoJobWaitingForWhatCannotHappen) {
                                              {"--array=1", "--dependency=afterok:" + failing});
   ASSERT_TRUE(cluster->wait_until_empty(60.0)) << status().dump();
   EXPECT_EQ(state_of(waiting, "1"), "CANCELLED");
+}
+
+TEST_F(FarmOnSlurm, RefusesWhatNoNodeHasAndForgetsIt) {
+  const Ended many = farm({"submit"}, {"--jobs", "64"});
+  EXPECT_EQ(many.code, 2);
+  EXPECT_NE(many.errors.find("has more than 1 processor"), std::string::npos) << many.errors;
+  EXPECT_FALSE(fs::exists(submission()));
+  EXPECT_EQ(farm({"submit"}, {"--mem", "900T"}).code, 1);
+  EXPECT_FALSE(fs::exists(submission()));
+  const Ended nothing = farm({"resume"});
+  EXPECT_NE(nothing.errors.find("nothing has been submitted yet that Slurm did not refuse"),
+            std::string::npos)
+      << nothing.errors;
+  ASSERT_EQ(farm({"submit"}, {"--chunk", "4"}).code, 0);
+  EXPECT_TRUE(fs::exists(submission("0002")));
+  ASSERT_EQ(farm({"cancel"}).code, 0);
+  ASSERT_TRUE(cluster->wait_until_empty(30.0));
+  const Ended resumed = farm({"resume"});
+  EXPECT_EQ(resumed.code, 0) << resumed.errors;
+  EXPECT_EQ(text_of(submission("0003") / "2-frames.sbatch").find("900T"), std::string::npos);
+}
+
+TEST_F(FarmOnSlurm, KeepsTheCutOfWhatWaitsAndSubmitsTheRestAlone) {
+  write_files();
+  const std::string before = text_of(submission() / "2-frames.tasks");
+  ASSERT_TRUE(before.starts_with("film:one[1/3]\nfilm:one[2/3]\nfilm:one[3/3]\n")) << before;
+  must_run({"sbatch", "--parsable", "--begin=now+1hour", "--array=2-3",
+            (submission() / "2-frames.sbatch").string()});
+  const Ended resumed = farm({"resume"}, {"--chunk", "2"});
+  ASSERT_EQ(resumed.code, 0) << resumed.errors;
+  const std::string list = text_of(submission("0002") / "2-frames.tasks");
+  EXPECT_TRUE(list.starts_with("film:one[1/3]\nfilm:two[1/")) << list;
 }
 
 TEST_F(FarmOnSlurm, ResumesWhatKilledJobsLeft) {

@@ -19,8 +19,11 @@ struct CancelCommand {
 int cancel_study(const CancelCommand& command, const Console& console) {
   const FarmStudy study(command.study, console);
   const SubmissionJournal journal(study.folder);
+  const JournalContent content = journal.read();
   const Slurm slurm;
-  const std::vector<JobFate> fates = job_fates(journal.read(), slurm.queue(), study.folder);
+  const std::vector<JobFate> fates = content.jobs.empty()
+                                         ? std::vector<JobFate>()
+                                         : job_fates(content, slurm.queue(), study.folder);
   const std::vector<std::string> jobs = live_jobs(fates);
   slurm.cancel(jobs);
   for (const JobFate& fate : fates) {

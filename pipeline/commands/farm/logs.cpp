@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <set>
 
@@ -6,6 +8,9 @@
 #include "motion/error.h"
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/farm/element_logs.h"
+#include "pipeline/farm/farm_status.h"
+#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/worker.h"
 #include "pipeline/farm/worker_reports.h"
 
 namespace mien::pipeline {
@@ -18,36 +23,82 @@ struct LogsCommand {
   int lines = 20;
 };
 
-/// Of what failed: by the workers' own word, or by how jobs ended. Each file once.
-std::vector<ElementLog> logs_of_failed(const std::filesystem::path& folder) {
-  std::vector<ElementLog> logs;
-  std::set<std::filesystem::path> seen;
-  const auto add = [&](const std::vector<ElementLog>& more) {
+/// Each file once.
+class LogList {
+ public:
+  void add(const std::vector<ElementLog>& more) {
     for (const ElementLog& log : more) {
-      if (seen.insert(log.file).second) logs.push_back(log);
+      if (seen_.insert(log.file).second) logs_.push_back(log);
     }
-  };
-  for (const FailedItem& failed : failed_items(folder)) add(logs_of(failed.item, folder));
-  add(logs_of_ended(folder));
-  return logs;
+  }
+
+  void show(int lines, const Console& console) const {
+    for (const ElementLog& log : logs_) {
+      console.out << "==> " << log.item << ": " << log.file.string() << '\n'
+                  << tail_of(log.file, lines);
+    }
+  }
+
+  bool empty() const { return logs_.empty(); }
+
+ private:
+  std::vector<ElementLog> logs_;
+  std::set<std::filesystem::path> seen_;
+};
+
+/// By what jobs left, and by what Slurm knows where there is Slurm.
+std::vector<JobTrouble> troubles_of(const FarmStudy& study, const std::string& words) {
+  const JournalContent journal = SubmissionJournal(study.folder).read();
+  if (journal.jobs.empty()) return {};
+  std::string why;
+  const auto queue = Slurm().queue_if_any(why).value_or(std::vector<QueueRow>());
+  return job_troubles(job_fates(journal, queue, study.folder),
+                      study_state(study.production, study.folder, words));
+}
+
+/// Of what failed: by the workers' own word, or by how jobs of all submissions ended or are held.
+void show_failures(const FarmStudy& study, const LogsCommand& command, const Console& console) {
+  std::vector<JobTrouble> troubles = troubles_of(study, study_words(command.study));
+  const auto cancelled = std::stable_partition(
+      troubles.begin(), troubles.end(),
+      [](const JobTrouble& trouble) { return trouble.kind != JobTrouble::Kind::cancelled; });
+  const auto cancelled_count = std::distance(cancelled, troubles.end());
+  troubles.erase(cancelled, troubles.end());
+  LogList logs;
+  for (const FailedItem& failed : failed_items(study.folder))
+    logs.add(logs_of(failed.item, study.folder));
+  logs.add(logs_of(troubles, study.folder));
+  logs.show(command.lines, console);
+  std::erase_if(troubles, [&](const JobTrouble& trouble) {
+    return !logs_of(std::vector<JobTrouble>{trouble}, study.folder).empty();
+  });
+  if (!troubles.empty()) console.out << "without a log:\n" << troubles_text(troubles);
+  if (logs.empty() && troubles.empty())
+    console.out << study.folder.string() << ": no log of a failure\n";
+  if (cancelled_count > 0) {
+    console.out << "jobs that were cancelled are left out: " << cancelled_count
+                << "; mien farm logs " << study_words(command.study)
+                << " ITEM shows the log of one item\n";
+  }
+}
+
+void show_item(const FarmStudy& study, const LogsCommand& command, const Console& console) {
+  LogList logs;
+  logs.add(logs_of(command.item, study.folder));
+  if (logs.empty()) {
+    (void)graph_of_items(study.production.graph(), {command.item});  // says what was meant
+    throw Error("no job that was to make " + command.item + " has written a log",
+                "mien farm status tells what waits");
+  }
+  logs.show(command.lines, console);
 }
 
 int show_logs(const LogsCommand& command, const Console& console) {
   const FarmStudy study(command.study, console);
-  std::vector<ElementLog> logs;
   if (command.item.empty()) {
-    logs = logs_of_failed(study.folder);
-    if (logs.empty()) console.out << study.folder.string() << ": no log of a failure\n";
+    show_failures(study, command, console);
   } else {
-    logs = logs_of(command.item, study.folder);
-    if (logs.empty()) {
-      throw Error("no job that was to make " + command.item + " has written a log",
-                  "mien plan lists the tasks of a study, mien farm status what waits");
-    }
-  }
-  for (const ElementLog& log : logs) {
-    console.out << "==> " << log.item << ": " << log.file.string() << '\n'
-                << tail_of(log.file, command.lines);
+    show_item(study, command, console);
   }
   return exit_done;
 }

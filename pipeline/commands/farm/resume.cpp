@@ -15,6 +15,7 @@ namespace {
 struct ResumeCommand {
   FarmArguments study;
   SubmissionOptions options;
+  bool dry_run = false;
   bool json = false;
 };
 
@@ -76,30 +77,46 @@ ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
   return needs;
 }
 
+/// What the last submission asked for, with the options of this one.
+JournalSubmission asked_again(const ResumeCommand& command, const JournalContent& journal,
+                              const FarmStudy& study) {
+  const JournalSubmission* earlier = last_accepted(journal);
+  if (earlier == nullptr) {
+    throw Error(study.folder.string() + ": nothing has been submitted yet" +
+                    (journal.submissions.empty() ? "" : " that Slurm did not refuse"),
+                "mien farm submit " + study_words(command.study));
+  }
+  JournalSubmission asked = asked_for(command.options, *earlier);
+  asked.quality = command.study.quality;
+  return asked;
+}
+
+/// Cancels jobs that are in the way, or only says so.
+void take_back(const std::vector<std::string>& jobs, const char* why, const ResumeCommand& command,
+               const Slurm& slurm, const Console& console) {
+  if (jobs.empty()) return;
+  console.err << "note: " << jobs.size() << (jobs.size() == 1 ? " job is " : " jobs are ") << why
+              << (jobs.size() == 1 ? ", and is" : ", and are")
+              << (command.dry_run ? " to be taken back\n" : " taken back\n");
+  if (!command.dry_run) slurm.cancel(jobs);
+}
+
 int resume_study(const ResumeCommand& command, const Console& console) {
   FarmStudy study(command.study, console);
   const SubmissionJournal journal(study.folder);
   const JournalContent content = journal.read();
-  if (content.submissions.empty()) {
-    throw Error(study.folder.string() + ": nothing has been submitted yet",
-                "mien farm submit " + study_words(command.study));
-  }
-  JournalSubmission asked = asked_for(command.options, content.submissions.back());
-  asked.quality = command.study.quality;
+  JournalSubmission asked = asked_again(command, content, study);
   const Slurm slurm;
   const SlurmSite site = slurm.site();
+  refuse_too_many_processors(asked.request, slurm);
   std::vector<JobFate> fates = job_fates(content, slurm.queue(), study.folder);
-  note_adopted(fates, journal);
+  if (!command.dry_run) note_adopted(fates, journal);
   for (const std::string& loss : told_losses(fates)) console.err << loss << '\n';
   const std::string key = graph_key(study.production.graph(), study.folder);
-  const std::vector<std::string> outdated = live_jobs(take_outdated(fates, key));
-  if (!outdated.empty()) {
-    console.err << "note: " << outdated.size()
-                << " jobs are of the study as it was before it was edited, and are taken back\n";
-    slurm.cancel(outdated);
-  }
+  take_back(live_jobs(take_outdated(fates, key)), "of the study as it was before it was edited",
+            command, slurm, console);
 
-  const std::vector<Stage> stages = due_stages(study, asked);
+  const std::vector<Stage> stages = due_stages(study, asked, fates);
   if (is_complete(study, stages)) {
     console.out << study.folder.string() << ": nothing to do, all is done\n";
     return exit_done;
@@ -114,7 +131,11 @@ int resume_study(const ResumeCommand& command, const Console& console) {
     return exit_done;
   }
   const std::vector<std::string> obsolete = obsolete_jobs(fates);
-  slurm.cancel(obsolete);
+  take_back(obsolete, "held, or waiting to make what is left", command, slurm, console);
+  if (command.dry_run) {
+    tell_dry_run(submission, console);
+    return exit_done;
+  }
   write_submission(submission);
   const auto jobs = submit(submission, slurm, journal, arrays_that_live(fates, obsolete));
   tell_submitted(submission, jobs, command.study, command.json, console);
@@ -129,6 +150,8 @@ void add_farm_resume_command(CLI::App& farm, Command& chosen) {
   const auto options = std::make_shared<ResumeCommand>();
   add_farm_arguments(*command, options->study);
   add_submission_options(*command, options->options);
+  command->add_flag("--dry-run", options->dry_run,
+                    "Print the jobs and their batch files; write, cancel and submit nothing");
   command->add_flag("--json", options->json, "What was submitted as JSON on standard output");
   command->footer(
       "\nAsks for what the last submission asked for, unless told otherwise; twice the memory "

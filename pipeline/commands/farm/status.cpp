@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <memory>
@@ -21,10 +22,10 @@ struct StatusCommand {
   bool json = false;
 };
 
-FarmStatus status_of(const FarmStudy& study) {
+FarmStatus status_of(const FarmStudy& study, const FarmArguments& arguments) {
   std::string fault;
   const auto queue = Slurm().queue_if_any(fault);
-  return farm_status(study.production, study.folder, queue, fault);
+  return farm_status(study.production, study.folder, queue, fault, study_words(arguments));
 }
 
 void show(const FarmStatus& status, const StatusCommand& command, const Console& console) {
@@ -50,8 +51,11 @@ bool wait_for(double seconds, const std::stop_token& stop) {
 int watch_study(const FarmStudy& study, const StatusCommand& command, const Console& console) {
   constexpr const char* clear_screen = "\x1b[H\x1b[J";
   const bool redraws = console.err_is_terminal && !command.json;
+  int frames = 0;
   while (true) {
-    const FarmStatus status = status_of(study);
+    FarmStatus status = status_of(study, command.study);
+    // A film gives up its frames a moment before it is there itself.
+    status.frames.done = frames = std::max(frames, status.frames.done);
     if (redraws) console.out << clear_screen;
     show(status, command, console);
     if (status.is_complete) return exit_done;
@@ -67,7 +71,7 @@ int watch_study(const FarmStudy& study, const StatusCommand& command, const Cons
 int show_status(const StatusCommand& command, const Console& console) {
   const FarmStudy study(command.study, console);
   if (command.watch) return watch_study(study, command, console);
-  show(status_of(study), command, console);
+  show(status_of(study, command.study), command, console);
   return exit_done;
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/commands/farm/submission_options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <regex>
 
@@ -9,6 +10,7 @@
 
 #include "motion/error.h"
 #include "pipeline/farm/film_lengths.h"
+#include "pipeline/farm/film_pieces.h"
 #include "pipeline/farm/worker_reports.h"
 #include "pipeline/tasks/progress.h"
 
@@ -27,10 +29,11 @@ int chunk_frames(const std::string& chunk) {
   throw Error("--chunk: \"" + chunk + "\" is no number of frames", "write auto, or 1 or more");
 }
 
+/// `option` and what it takes: "--mem", "amount of memory".
 void refuse_unlike(const std::string& value, const char* form, const std::string& option,
-                   const std::string& remedy) {
+                   const std::string& what, const std::string& remedy) {
   if (value.empty() || std::regex_match(value, std::regex(form))) return;
-  throw Error(option + ": \"" + value + "\" is none", remedy);
+  throw Error(option + ": \"" + value + "\" is no " + what, remedy);
 }
 
 /// Seconds that an estimated second of drawing really takes, as far as this study's workers know.
@@ -48,12 +51,12 @@ double measured_pace(const FarmStudy& study, const std::map<std::string, int>& f
 }
 
 std::vector<Stage> stages_that(FarmStudy& study, const JournalSubmission& asked,
-                               const std::vector<bool>& is_due) {
-  const std::map<std::string, int> frames = measured_film_lengths(study.production, study.folder);
+                               const std::map<std::string, int>& frames,
+                               const std::vector<bool>& is_due, const PiecesByFilm& pieces) {
   Cutting cutting;
   cutting.chunk_frames = asked.chunk_frames;
   cutting.pace = measured_pace(study, frames) / asked.request.processors;
-  return stages_of(study.production.graph(), is_due, frames, cutting);
+  return stages_of(study.production.graph(), is_due, frames, cutting, pieces);
 }
 
 std::string element_words(int elements) {
@@ -84,12 +87,26 @@ void add_submission_options(CLI::App& command, SubmissionOptions& options) {
       ->check(CLI::Range(1, 1024));
 }
 
+const JournalSubmission* last_accepted(const JournalContent& journal) {
+  const auto was_accepted = [&](const JournalSubmission& submission) {
+    return std::none_of(journal.jobs.begin(), journal.jobs.end(), [&](const JournalJob& job) {
+      return job.submission == submission.number && job.was_refused;
+    });
+  };
+  const auto found =
+      std::find_if(journal.submissions.rbegin(), journal.submissions.rend(), was_accepted);
+  return found == journal.submissions.rend() ? nullptr : &*found;
+}
+
 JournalSubmission asked_for(const SubmissionOptions& options, JournalSubmission earlier) {
-  refuse_unlike(options.time, R"((\d+|(\d+-)?\d+(:\d+){0,2}))", "--time",
-                "write minutes, HH:MM:SS or D-HH:MM:SS");
-  refuse_unlike(options.memory, R"(\d+[KMGT]?)", "--mem", "write an amount like 500M or 2G");
-  refuse_unlike(options.partition, R"([\w.,+-]+)", "--partition", "sinfo lists the partitions");
-  refuse_unlike(options.account, R"([\w.,+-]+)", "--account", "write a name of letters and digits");
+  refuse_unlike(options.time, R"((\d+|(\d+-)?\d+(:\d+){0,2}))", "--time", "time that Slurm takes",
+                "write minutes (90), HH:MM:SS (1:30:00) or D-HH:MM:SS (1-12:00:00)");
+  refuse_unlike(options.memory, R"(\d+[KMGT]?)", "--mem", "amount of memory",
+                "write one like 500M or 2G");
+  refuse_unlike(options.partition, R"([\w.,+-]+)", "--partition", "name of a partition",
+                "sinfo lists the partitions");
+  refuse_unlike(options.account, R"([\w.,+-]+)", "--account", "name of an account",
+                "write letters and digits");
   const auto take = [](const std::string& given, std::string& to) {
     if (!given.empty()) to = given;
   };
@@ -105,16 +122,33 @@ JournalSubmission asked_for(const SubmissionOptions& options, JournalSubmission 
   return earlier;
 }
 
-std::vector<Stage> due_stages(FarmStudy& study, const JournalSubmission& asked) {
+void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm) {
+  const auto most = most_processors(slurm.nodes(), request.partition);
+  if (!most || request.processors <= *most) return;
+  throw Error(
+      fmt::format("--jobs {}: no node of {} has more than {} processor{}", request.processors,
+                  request.partition.empty() ? "the partition that jobs get by themselves"
+                                            : request.partition,
+                  *most, *most == 1 ? "" : "s"),
+      "ask for as many at most, or for another --partition: sinfo -N -l lists the nodes");
+}
+
+std::vector<Stage> due_stages(FarmStudy& study, const JournalSubmission& asked,
+                              const std::vector<JobFate>& fates) {
+  const TaskGraph& graph = study.production.graph();
+  const std::vector<TaskOutcome> planned = plan(graph, study.folder);
   std::vector<bool> is_due;
-  for (const TaskOutcome& outcome : plan(study.production.graph(), study.folder)) {
-    is_due.push_back(outcome.state != TaskState::cached);
-  }
-  return stages_that(study, asked, is_due);
+  for (const TaskOutcome& outcome : planned) is_due.push_back(outcome.state != TaskState::cached);
+  const std::map<std::string, int> frames = measured_film_lengths(study.production, study.folder);
+  PiecesByFilm pieces = kept_pieces(graph, planned, frames, study.folder);
+  add_live_pieces(fates, frames, study.folder, pieces);
+  return stages_that(study, asked, frames, is_due, pieces);
 }
 
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked) {
-  return stages_that(study, asked, std::vector<bool>(study.production.graph().tasks.size(), true));
+  const std::map<std::string, int> frames = measured_film_lengths(study.production, study.folder);
+  return stages_that(study, asked, frames,
+                     std::vector<bool>(study.production.graph().tasks.size(), true), {});
 }
 
 bool is_complete(const FarmStudy& study, const std::vector<Stage>& due) {
@@ -150,7 +184,10 @@ void tell_dry_run(const Submission& submission, const Console& console) {
     for (const SubmissionJob& job : stage.jobs) {
       console.out << fmt::format("{:<12} {}", job.job.name, element_words(job.job.elements));
       if (!job.elements.empty()) {
-        console.out << fmt::format(", up to {} each (estimated)", as_duration(longest(job)));
+        const double seconds = longest(job);
+        console.out << (seconds < 1.0
+                            ? ", less than a second each (estimated)"
+                            : fmt::format(", up to {} each (estimated)", as_duration(seconds)));
       }
       console.out << '\n';
     }

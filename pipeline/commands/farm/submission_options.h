@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/commands/farm/farm.h"
+#include "pipeline/farm/job_fates.h"
 #include "pipeline/farm/submission.h"
 
 namespace mien::pipeline {
@@ -22,12 +23,23 @@ struct SubmissionOptions {
 
 void add_submission_options(CLI::App& command, SubmissionOptions& options);
 
+/// The newest submission of which Slurm refused nothing; null where there is none.
+const JournalSubmission* last_accepted(const JournalContent& journal);
+
 /// The options over those of an earlier submission (or over nothing). Throws Error for one that
 /// makes no sense.
 JournalSubmission asked_for(const SubmissionOptions& options, JournalSubmission earlier);
 
-/// The stages of all tasks that are not in the store yet, or of all tasks there are.
-std::vector<Stage> due_stages(FarmStudy& study, const JournalSubmission& asked);
+/// Throws Error when an element asks for more processors than any node of its partition has: its
+/// job would wait for ever. Says nothing where Slurm does not tell.
+void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm);
+
+/// The stages of all tasks that are not in the store yet, without frames that are kept or that jobs
+/// draw which wait or run; films are cut as those jobs have them.
+std::vector<Stage> due_stages(FarmStudy& study, const JournalSubmission& asked,
+                              const std::vector<JobFate>& fates);
+
+/// The stages of all tasks there are.
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked);
 
 /// Whether everything is there, the study's record too.

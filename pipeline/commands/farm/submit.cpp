@@ -50,13 +50,14 @@ int submit_study(const SubmitCommand& command, const Console& console) {
   const Slurm slurm;
   if (command.dry_run) {
     const SlurmSite site = site_for_dry_run(slurm, console);
-    tell_dry_run(planned(study, command, site, due_stages(study, asked), asked), console);
+    tell_dry_run(planned(study, command, site, due_stages(study, asked, {}), asked), console);
     return exit_done;
   }
   const SlurmSite site = slurm.site();
+  refuse_too_many_processors(asked.request, slurm);
   const SubmissionJournal journal(study.folder);
   refuse_second(live_jobs(job_fates(journal.read(), slurm.queue(), study.folder)), command.study);
-  const std::vector<Stage> stages = due_stages(study, asked);
+  const std::vector<Stage> stages = due_stages(study, asked, {});
   if (is_complete(study, stages)) {
     console.out << study.folder.string() << ": nothing to do, all is done\n";
     return exit_done;

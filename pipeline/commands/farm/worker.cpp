@@ -1,5 +1,6 @@
 #include "pipeline/farm/worker.h"
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -13,6 +14,9 @@
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
+#include "pipeline/farm/film_lengths.h"
+#include "pipeline/farm/task_list.h"
+#include "pipeline/farm/work_item.h"
 #include "pipeline/farm/worker_codes.h"
 #include "pipeline/tasks/progress.h"
 
@@ -45,30 +49,50 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 std::vector<std::string> items_in_line(const std::string& file, int line) {
-  std::ifstream stream(file);
-  if (!stream) throw WrongSetup(file + ": cannot be read", "it is a stage's list of items");
-  std::string text;
-  int lines = 0;
-  while (lines < line && std::getline(stream, text)) ++lines;
-  if (lines < line) {
-    throw WrongSetup(fmt::format("{}: has {} lines, and line {} is wanted", file, lines, line),
-                     "was the array submitted with another list?");
+  if (!std::ifstream(file))
+    throw WrongSetup(file + ": cannot be read", "it is a stage's list of items");
+  const std::vector<std::vector<std::string>> lines = lines_of_list(file);
+  if (lines.size() < static_cast<std::size_t>(line)) {
+    throw WrongSetup(
+        fmt::format("{}: has {} lines, and line {} is wanted", file, lines.size(), line),
+        "was the array submitted with another list?");
   }
-  return words_of(text);
+  return lines[static_cast<std::size_t>(line) - 1];
 }
 
-std::vector<std::string> items_of(const WorkerArguments& arguments) {
+std::vector<std::string> items_of(const WorkerArguments& arguments, const Console& console) {
   std::vector<std::string> items;
   for (const std::string& text : arguments.tasks) {
     for (std::string& word : words_of(text)) items.push_back(std::move(word));
   }
-  if (!arguments.list.empty()) {
-    for (std::string& word : items_in_line(arguments.list, arguments.line))
-      items.push_back(std::move(word));
-  }
-  if (items.empty())
+  if (arguments.list.empty() && items.empty())
     throw WrongSetup("there is nothing to make", "name items with --tasks, or --list and --line");
+  if (arguments.list.empty()) return items;
+  const std::vector<std::string> listed = items_in_line(arguments.list, arguments.line);
+  items.insert(items.end(), listed.begin(), listed.end());
+  if (listed.empty()) {
+    console.err << fmt::format("note: {}:{}: the line is empty, and nothing is made of it\n",
+                               arguments.list, arguments.line);
+  }
   return items;
+}
+
+/// Chunks that hold no frame, because their film has fewer frames than chunks.
+void tell_empty_chunks(const std::vector<std::string>& items, const Production& production,
+                       const fs::path& folder, const Console& console) {
+  const auto has_chunk = [](const std::string& item) { return item.ends_with(']'); };
+  if (std::none_of(items.begin(), items.end(), has_chunk)) return;
+  const std::map<std::string, int> lengths = film_lengths(production, folder);
+  for (const std::string& text : items) {
+    const WorkItem item = work_item(text);
+    const auto length = lengths.find(item.task);
+    if (item.chunks == 0 || length == lengths.end()) continue;
+    const auto [first, end] = range_of({item.chunk, item.chunks}, length->second);
+    if (first < end) continue;
+    console.err << fmt::format(
+        "note: {}: the film has {} frames, and none of them is in this part\n", text,
+        length->second);
+  }
 }
 
 void tell(const WorkResult& result, const Console& console) {
@@ -95,7 +119,8 @@ std::string command_for(const WorkerArguments& arguments) {
 }
 
 int make_items(const WorkerArguments& arguments, const Console& console) {
-  const std::vector<std::string> items = items_of(arguments);
+  const std::vector<std::string> items = items_of(arguments, console);
+  if (items.empty()) return exit_done;
   const fs::path file = manifest_meant(arguments.production.manifest, console);
   if (!fs::exists(file))
     throw WrongSetup(file.string() + ": is not there", "does this machine see the shared folder?");
@@ -118,6 +143,7 @@ int make_items(const WorkerArguments& arguments, const Console& console) {
                   progress.observer(), command_for(arguments));
   }
   tell(result, console);
+  tell_empty_chunks(items, production, folder, console);
   return result.code();
 }
 

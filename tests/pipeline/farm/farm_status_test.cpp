@@ -7,6 +7,7 @@
 
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/farm/element_logs.h"
+#include "pipeline/farm/submission.h"
 #include "pipeline/production/run.h"
 #include "pipeline/tasks/task_graph.h"
 #include "pipeline/tasks/worker_record.h"
@@ -45,8 +46,13 @@ class FarmStatusOfAStudy : public testing::Test {
     write(".mien/workers/" + record.name + ".json", to_json(record));
   }
 
+  /// The comment of a job of the first submission of the study as it is.
+  std::string named(const std::string& job) const {
+    return "mien:" + graph_key(production->graph(), folder) + ":0001:" + job;
+  }
+
   FarmStatus status(const std::string& queue = "") const {
-    return farm_status(*production, folder, queue_rows(queue), "");
+    return farm_status(*production, folder, queue_rows(queue), "", "tiny.yaml");
   }
 
   test::TemporaryFolder temporary;
@@ -73,6 +79,8 @@ TEST_F(FarmStatusOfAStudy, TellsThatAllIsDoneAsPlanDoes) {
   const auto planned = plan(production->graph(), folder);
   const auto seen = glance(production->graph(), folder);
   for (std::size_t i = 0; i < planned.size(); ++i) EXPECT_EQ(planned[i].state, seen[i].state);
+
+  EXPECT_NE(status_text(done).find("at a glance; mien verify"), std::string::npos);
 
   fs::remove(folder / "videos" / "one.mp4");
   const FarmStatus one_less = status();
@@ -113,11 +121,12 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
   write("farm/failures/film_two.json",
         R"({"item":"film:two","error":"no space left","code":75,"host":"n2","when":"noon",)"
         R"("attempts":3,"command":"mien farm worker tiny.yaml --tasks film:two"})");
-  write(
-      "farm/journal.jsonl",
-      R"({"event":"intent","submission":"0001","name":"2-frames","comment":"mien:abc:0001:2-frames","elements":9})"
-      "\n");
-  const std::string comment = "mien:abc:0001:2-frames\n";
+  write("farm/journal.jsonl",
+        R"({"event":"intent","submission":"0001","name":"2-frames","comment":")" +
+            named("2-frames") +
+            R"(","elements":9})"
+            "\n");
+  const std::string comment = named("2-frames") + "\n";
   const FarmStatus now =
       status("1|1|1|RUNNING|None|n1|0:01|" + comment + "2|1|2|PENDING|Priority||0:00|" + comment +
              "3|1|3|PENDING|Priority||0:00|" + comment + "4|1|4|SPECIAL_EXIT|JobHeldUser||0:00|" +
@@ -128,13 +137,14 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
   EXPECT_DOUBLE_EQ(now.nodes[0].frames_per_second, 2.0);
   EXPECT_EQ(now.frames.done, 2);
   EXPECT_EQ(now.waiting.at("Priority"), 2);
-  EXPECT_EQ(now.stuck.at(0).job, "1_4");
+  ASSERT_EQ(now.troubles.size(), 1u);
+  EXPECT_EQ(now.troubles[0].job, "1_4");
   EXPECT_NEAR(now.seconds_left.value(), (now.frames.total - 2) / 2.0, 1e-9);
 
   const std::string text = status_text(now);
   for (const char* words :
        {"n1: 1 job, 1 worker, 2.00 frames/s: film:one[1/3]", "waiting: 2 (2 Priority)",
-        "1_4: JobHeldUser", "film:two: no space left", "on n2, noon, tried 3 times",
+        "held by Slurm: 1 job (1_4)", "film:two: no space left", "on n2, noon, tried 3 times",
         "again: mien farm worker tiny.yaml --tasks film:two", "left at this pace"}) {
     EXPECT_NE(text.find(words), std::string::npos) << words << " in\n" << text;
   }
@@ -144,7 +154,8 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
 }
 
 TEST_F(FarmStatusOfAStudy, DoesWithoutSlurm) {
-  const FarmStatus without = farm_status(*production, folder, std::nullopt, "squeue is not there");
+  const FarmStatus without =
+      farm_status(*production, folder, std::nullopt, "squeue is not there", "");
   EXPECT_NE(status_text(without).find("nothing is known of jobs: squeue is not there"),
             std::string::npos);
 }
@@ -197,10 +208,16 @@ TEST_F(Logs, AreFoundByItem) {
   EXPECT_EQ(log_names("film:none"), "");
 }
 
-TEST_F(Logs, OfWhatEndedBadlyAreTheNewestSubmissions) {
-  const auto ended = logs_of_ended(temporary.path());
+TEST_F(Logs, OfTroublesAreTheNewestOfTheirElement) {
+  JobTrouble trouble;
+  trouble.submission = "0002";
+  trouble.element = "2-frames.2";
+  trouble.cause = "failed (exit code 1)";
+  JobTrouble silent = trouble;
+  silent.element = "2-frames.1";
+  const auto ended = logs_of({trouble, silent}, temporary.path());
   ASSERT_EQ(ended.size(), 1u);
-  EXPECT_EQ(ended[0].item, "2-frames.2");
+  EXPECT_EQ(ended[0].item, "0002/2-frames.2, failed (exit code 1)");
   EXPECT_EQ(tail_of(ended[0].file, 2), "2\n3\n");
   EXPECT_EQ(tail_of(ended[0].file, 20), "1\n2\n3\n");
 }

@@ -45,6 +45,23 @@ TEST(QueueRows, AreStuckWhenADependencyIsNeverSatisfied) {
   EXPECT_FALSE(is_stuck(queue_rows("2|2|N/A|PENDING|Priority||0:00|x\n").at(0)));
 }
 
+TEST(QueueRows, AreStuckWhenNoNodeHasWhatTheyAskFor) {
+  for (const char* reason : {"PartitionConfig", "BadConstraints"}) {
+    const QueueRow row = queue_rows(std::string("2|2|N/A|PENDING|") + reason + "||0:00|x\n").at(0);
+    EXPECT_TRUE(asks_too_much(row) && is_stuck(row)) << reason;
+  }
+}
+
+TEST(NodeShapes, TellTheMostProcessorsOfAPartition) {
+  const auto nodes = node_shapes("main*|4\nmain*|16\nlong|64\nsinfo: some words\n");
+  ASSERT_EQ(nodes.size(), 3u);
+  EXPECT_EQ(most_processors(nodes, ""), 16);
+  EXPECT_EQ(most_processors(nodes, "long"), 64);
+  EXPECT_EQ(most_processors(nodes, "main,long"), 64);
+  EXPECT_EQ(most_processors(nodes, "none"), std::nullopt);
+  EXPECT_EQ(most_processors({}, ""), std::nullopt);
+}
+
 TEST(SlurmSite, IsReadFromTheConfiguration) {
   const SlurmSite site = site_told(
       "Configuration data as of 2026-11-23T00:09:49\n"
@@ -94,6 +111,29 @@ TEST(Slurm, TellsWhatSbatchSaysAndWhatToDo) {
             std::string::npos);
   EXPECT_NE(fault_of_submission("sbatch: error: something new").find("something new"),
             std::string::npos);
+}
+
+TEST(Slurm, SaysWhatToDoBeforeSlurmsOwnLines) {
+  EXPECT_EQ(fault_of_submission("sbatch: error: first line\nsbatch: error: invalid partition: x"),
+            "sbatch failed: sinfo lists the partitions\n"
+            "  sbatch: error: first line\n"
+            "  sbatch: error: invalid partition: x");
+}
+
+TEST(Slurm, DoesNotWaitForAConfigurationThatIsNotThere) {
+  const FakePrograms programs;
+  programs.add("squeue", "sleep 60");
+  const char* before = std::getenv("SLURM_CONF");
+  const std::string kept = before == nullptr ? "" : before;
+  ::setenv("SLURM_CONF", "/nowhere/slurm.conf", 1);
+  std::string why;
+  EXPECT_EQ(Slurm().queue_if_any(why), std::nullopt);
+  if (before == nullptr) {
+    ::unsetenv("SLURM_CONF");
+  } else {
+    ::setenv("SLURM_CONF", kept.c_str(), 1);
+  }
+  EXPECT_NE(why.find("unset SLURM_CONF"), std::string::npos) << why;
 }
 
 TEST(Slurm, DoesNotTakeSilenceForRefusal) {

@@ -140,6 +140,58 @@ TEST(Stages, LetWhatEqualizesFollowTheMotions) {
   EXPECT_EQ(motions.elements[1].items, (std::vector<std::string>{"exposure"}));
 }
 
+/// All items of a stage, each followed by a space.
+std::string items_of(const std::vector<Stage>& stages, const std::string& name) {
+  std::string text;
+  for (const Stage& stage : stages) {
+    for (const Element& element : stage.elements) {
+      for (const std::string& item : element.items) text += stage.name == name ? item + " " : "";
+    }
+  }
+  return text;
+}
+
+TEST(Stages, LeaveOutChunksOfWhichAllFramesAreThere) {
+  const Study study(1, 1000.0, 40);
+  const std::vector<bool> all(study.graph.tasks.size(), true);
+  Cutting tens;
+  tens.chunk_frames = 10;
+  std::map<std::string, FilmPieces> pieces;
+  std::vector<bool>& is_there = pieces["film:0"].is_there;
+  is_there.assign(40, true);
+  is_there[25] = false;
+  EXPECT_EQ(items_of(stages_of(study.graph, all, study.frames, tens, pieces), "frames"),
+            "film:0[3/4] ");
+  is_there[25] = true;
+  const auto encoding = stages_of(study.graph, all, study.frames, tens, pieces);
+  EXPECT_EQ(items_of(encoding, "frames"), "");
+  EXPECT_EQ(items_of(encoding, "films"), "clip:0 film:0 ");
+  EXPECT_NEAR(encoding[1].seconds(), 100.0, 1.0);
+}
+
+TEST(Stages, KeepACutThatThereIs) {
+  const Study study(1, 1000.0, 40);
+  const std::vector<bool> all(study.graph.tasks.size(), true);
+  std::map<std::string, FilmPieces> pieces;
+  pieces["film:0"].chunks = 5;
+  pieces["film:0"].is_there.assign(24, true);
+  EXPECT_EQ(items_of(stages_of(study.graph, all, study.frames, {}, pieces), "frames"),
+            "film:0[4/5] film:0[5/5] ");
+  pieces["film:0"].chunks = 1;
+  EXPECT_EQ(items_of(stages_of(study.graph, all, study.frames, {}, pieces), "frames"), "");
+}
+
+TEST(WorkItems, SayWhichPartsThereAre) {
+  try {
+    (void)work_item("film:a[5/2]");
+    FAIL() << "is taken for an item";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "\"film:a[5/2]\": of 2 parts there is none with the number 5; they are "
+                 "film:a[1/2] to film:a[2/2]");
+  }
+}
+
 TEST(WorkItems, AreReadAsTheyAreWritten) {
   const WorkItem chunk = work_item(chunk_item("film:a-1.b", 3, 12));
   EXPECT_EQ(chunk.task, "film:a-1.b");

@@ -130,6 +130,18 @@ TEST_F(Submitting, TakesBackWhatWasAcceptedWhenSlurmRefusesTheRest) {
   EXPECT_THROW(submit(submission, Slurm(), journal, {}), SlurmFault);
   EXPECT_EQ(programs.text_of("cancelled"), "1 2\n");
   EXPECT_TRUE(journal.read().jobs.back().was_refused);
+  EXPECT_FALSE(fs::exists(submission.folder));
+  EXPECT_EQ(next_submission(folder), "0002") << "its jobs have names of the first";
+}
+
+TEST_F(Submitting, KeepsTheFolderOfARefusedSubmissionWhoseJobsHaveBegun) {
+  const FakePrograms programs;
+  add_sbatch(programs, "2");
+  const Submission submission = planned({stage_of_elements("frames", 2)});
+  write_submission(submission);
+  std::ofstream(submission.folder / "log/walks-2-frames-1_1.log") << "begun\n";
+  EXPECT_THROW(submit(submission, Slurm(), SubmissionJournal(folder), {}), SlurmFault);
+  EXPECT_TRUE(fs::exists(submission.folder / "2-frames.sbatch"));
 }
 
 TEST_F(Submitting, FindsTheJobThatSlurmTookWithoutSayingSo) {
