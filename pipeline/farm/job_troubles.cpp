@@ -39,6 +39,7 @@ class Undone {
   }
 
   bool by(const JournalJob& job, int element) {
+    if (job.was_refused) return false;
     if (job.elements == 0) return !study_.is_complete && job.submission == newest_submission_;
     const auto& lines = lines_of(job);
     const auto line = static_cast<std::size_t>(element) - 1;

@@ -138,6 +138,7 @@ TEST_F(FarmThatFails, TakesBackWhatWaitsOfAStudyThatWasEdited) {
   std::string edited = study_of_thirteen;
   edited.replace(edited.find("normal: 0.8, sad: 0.2"), 21, "normal: 0.7, sad: 0.3");
   std::ofstream(manifest) << edited;
+  EXPECT_FALSE(status()["outdated"].empty()) << status().dump();
   const Ended resumed = farm("resume");
   ASSERT_EQ(resumed.code, 0) << resumed.errors;
   EXPECT_NE(resumed.errors.find("before it was edited, and are taken back"), std::string::npos)

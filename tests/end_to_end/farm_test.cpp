@@ -2,137 +2,13 @@
 #include <memory>
 #include <regex>
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include "end_to_end/program.h"
+#include "end_to_end/farm_study.h"
 #include "end_to_end/slurm_cluster.h"
 
 namespace mien::test {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-
-constexpr const char* study_text = R"(mien: 1
-study: tiny
-seed: 3
-examples: {set: "builtin:walks-10", ratings: builtin}
-output: {size: [64, 36], fps: 10, cycles: 1, quality: draft, frames: png, video: [mp4]}
-stimuli:
-  - {id: one, weights: {normal: 1}}
-  - {id: two, weights: {sad: 1}}
-sheets:
-  - compare: {target: one, created: two}
-)";
-
-/// What needs no Slurm.
-class Farm : public testing::Test {
- protected:
-  Scratch scratch;
-  fs::path manifest = scratch.write("tiny.yaml", study_text);
-  /// A name that a careless script would stumble on.
-  fs::path out = scratch.path() / "it's 100% of $HOME";
-
-  Ended farm(std::vector<std::string> words, const std::vector<std::string>& more = {}) const {
-    words.insert(words.begin(), "farm");
-    words.insert(words.begin() + 2, {manifest.string(), "--out", out.string()});
-    words.insert(words.end(), more.begin(), more.end());
-    return run_mien(words);
-  }
-
-  json status() const {
-    const Ended ended = farm({"status"}, {"--json"});
-    EXPECT_EQ(ended.code, 0) << ended.errors;
-    return json::parse(ended.output);
-  }
-};
-
-/// A Slurm that is not there: none of its commands is found.
-class WithoutSlurm : public Farm {
- protected:
-  WithoutSlurm() : path_(std::getenv("PATH")) { ::setenv("PATH", scratch.path().c_str(), 1); }
-  ~WithoutSlurm() override { ::setenv("PATH", path_.c_str(), 1); }
-
- private:
-  std::string path_;
-};
-
-TEST_F(WithoutSlurm, ADryRunPrintsJobsAndWritesNothing) {
-  const Ended ended = farm({"submit"}, {"--dry-run", "--chunk", "4", "--mem", "1G"});
-  EXPECT_EQ(ended.code, 0) << ended.errors;
-  for (const char* words :
-       {"1-motions    1 element", "2-frames", "film:one[1/", "6-rest       what is left",
-        "#SBATCH --mem=\"1G\"", "tables films design report"}) {
-    EXPECT_NE(ended.output.find(words), std::string::npos) << words;
-  }
-  EXPECT_FALSE(fs::exists(out));
-}
-
-TEST_F(WithoutSlurm, SubmittingSaysWhatIsMissing) {
-  const Ended ended = farm({"submit"});
-  EXPECT_EQ(ended.code, 1);
-  EXPECT_NE(ended.errors.find("Slurm is not installed"), std::string::npos) << ended.errors;
-  EXPECT_FALSE(fs::exists(out));
-}
-
-TEST_F(WithoutSlurm, StatusTellsWhatTheStoreHas) {
-  EXPECT_EQ(status()["complete"], false);
-  ASSERT_EQ(run_mien({"run", manifest.string(), "--out", out.string()}).code, 0);
-  EXPECT_EQ(status()["complete"], true);
-  EXPECT_EQ(farm({"status"}, {"--watch", "0.5"}).code, 0);
-}
-
-TEST_F(WithoutSlurm, BadOptionsAreToldBeforeAnythingIsDone) {
-  EXPECT_EQ(farm({"submit"}, {"--chunk", "many"}).code, 2);
-  EXPECT_EQ(farm({"submit"}, {"--mem", "2 GB"}).code, 2);
-  EXPECT_EQ(farm({"submit"}, {"--time", "an hour"}).code, 2);
-  EXPECT_EQ(farm({"submit"}, {"--partition", "a\nb"}).code, 2);
-  EXPECT_EQ(farm({"resume"}).code, 2);
-  EXPECT_EQ(farm({"logs"}, {"film:nobody"}).code, 2);
-  EXPECT_EQ(run_mien({"farm", "export", manifest.string(), "--format", "openjd", "-o",
-                      (scratch.path() / "job.txt").string()})
-                .code,
-            2);
-  EXPECT_FALSE(fs::exists(out));
-  EXPECT_FALSE(fs::exists(scratch.path() / "job.txt"));
-}
-
-TEST_F(WithoutSlurm, SaysWhatAnOptionTakesAndWhatAnItemIsCalled) {
-  const auto says = [](const Ended& ended, const char* words) {
-    EXPECT_NE(ended.errors.find(words), std::string::npos) << ended.errors;
-  };
-  says(farm({"submit"}, {"--time", "1h"}), "\"1h\" is no time that Slurm takes; write minutes");
-  says(farm({"submit"}, {"--mem", "2 GB"}), "\"2 GB\" is no amount of memory");
-  says(farm({"logs"}, {"film:oen"}), "did you mean \"film:one\"?");
-  const Ended none = farm({"cancel"});
-  EXPECT_EQ(none.code, 0) << none.errors;
-  EXPECT_NE(none.output.find("no job of this study waits or runs"), std::string::npos);
-}
-
-TEST_F(WithoutSlurm, AWorkerPassesOverAnEmptyLineAndTellsOfEmptyParts) {
-  const std::string list = scratch.write("some.tasks", "\nfilm:one[1/500]\n").string();
-  const Ended empty = farm({"worker"}, {"--list", list, "--line", "1"});
-  EXPECT_EQ(empty.code, 0);
-  EXPECT_NE(empty.errors.find("some.tasks:1: the line is empty"), std::string::npos);
-  const Ended part = farm({"worker"}, {"--list", list, "--line", "2"});
-  EXPECT_EQ(part.code, 0) << part.errors;
-  EXPECT_NE(part.errors.find("note: film:one[1/500]: the film has "), std::string::npos)
-      << part.errors;
-  const Ended beyond = farm({"worker"}, {"--tasks", "film:one[5/2]"});
-  EXPECT_EQ(beyond.code, 65);
-  EXPECT_NE(beyond.errors.find("none with the number 5"), std::string::npos) << beyond.errors;
-}
-
-TEST_F(WithoutSlurm, AnExportedJobIsTheSameEachTime) {
-  const auto exported = [&] {
-    return run_mien({"farm", "export", manifest.string(), "--format", "openjd", "--chunk", "4"});
-  };
-  const Ended first = exported();
-  EXPECT_EQ(first.code, 0) << first.errors;
-  EXPECT_NE(first.output.find("specificationVersion: \"jobtemplate-2023-09\""), std::string::npos);
-  EXPECT_EQ(first.output, exported().output);
-}
 
 /// With the two-node cluster.
 class FarmOnSlurm : public Farm {
@@ -257,6 +133,15 @@ TEST_F(FarmOnSlurm, HoldsAWrongSetUpUntilItIsResumed) {
   EXPECT_TRUE(status()["complete"]);
 }
 
+TEST_F(FarmOnSlurm, TellsWhatCrashed) {
+  write_files();
+  submit_changed(submission() / "2-frames.sbatch", stand_in("kill -SEGV $$"), {"--array=1-2"});
+  EXPECT_TRUE(wait_until(60.0, [&] { return status()["ended"].size() == 2; })) << status().dump();
+  const std::string told = farm({"status"}).output;
+  EXPECT_NE(told.find("\n  crashed (exit code 139: "), std::string::npos) << told;
+  EXPECT_NE(farm({"logs"}).output.find("0001/2-frames.2, crashed"), std::string::npos);
+}
+
 TEST_F(FarmOnSlurm, PassesScancelOnToTheWorker) {
   write_files();
   const fs::path trace = scratch.path() / "trace";
@@ -270,6 +155,9 @@ TEST_F(FarmOnSlurm, PassesScancelOnToTheWorker) {
   ASSERT_TRUE(cluster->wait_until_empty(30.0));
   EXPECT_EQ(text_of(trace), "begun\nstopped\n");
   EXPECT_EQ(state_of(job, "1"), "CANCELLED");
+  const std::string logs = farm({"logs"}).output;
+  EXPECT_EQ(logs.find("==>"), std::string::npos) << logs;
+  EXPECT_NE(logs.find("jobs that were cancelled are left out"), std::string::npos) << logs;
 }
 
 TEST_F(FarmOnSlurm, NoticesThatTheControllerForgotAllAndGoesOn) {

@@ -163,6 +163,17 @@ TEST(Equalize, FindsNoPlaceForFiguresOfWhichEachFillsItsPictureElsewhere) {
   EXPECT_NO_THROW(check_places(manifest, motions));
 }
 
+TEST(Equalize, TellsInARunTooWhereOnePlaceIsAskedFor) {
+  const test::TemporaryFolder folder;
+  Manifest manifest = differently_framed();
+  manifest.equalize = {.place = Among::study};
+  manifest.places.values["equalize"] = {"m.yaml", 5, 11};
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  const std::string& error = result.outcomes[production.graph().index_of("places")].error;
+  EXPECT_TRUE(error.starts_with("m.yaml:5:11: equalize: \"")) << error;
+}
+
 TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
   const test::TemporaryFolder folder;
   Manifest manifest = study();
