@@ -103,7 +103,9 @@ class TroubleFinder {
       ends_ = ends_in(study_.folder / "farm" / ends_of_);
     }
     const bool is_outdated = !fate.journal.comment.starts_with("mien:" + study_.graph_key + ":");
-    for (const QueueRow& row : fate.live()) look_at_live(fate, row, is_outdated);
+    // The job for what is left makes the study as it finds it.
+    const bool is_useless = is_outdated && fate.journal.elements > 0;
+    for (const QueueRow& row : fate.live()) look_at_live(fate, row, is_useless);
     if (is_outdated) return;
     for (const auto& [element, row] : ended_elements(fate, ends_))
       look_at_ended(fate, element, row);

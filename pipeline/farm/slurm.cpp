@@ -11,7 +11,8 @@ namespace mien::pipeline {
 namespace {
 
 constexpr std::string_view configuration_remedy =
-    "unset SLURM_CONF, or let it name the cluster's slurm.conf";
+    "Slurm's configuration cannot be read: unset SLURM_CONF, or let it name the cluster's "
+    "slurm.conf";
 
 struct Remedy {
   std::string_view words;  ///< in what Slurm says
@@ -30,20 +31,24 @@ constexpr std::array remedies = {
     Remedy{"unable to status file", configuration_remedy},
     Remedy{"nable to process configuration file", configuration_remedy},
     Remedy{"arse error in file", configuration_remedy},
+    Remedy{"nable to establish control machine address",
+           "this machine does not know the controller that slurm.conf names: is SLURM_CONF the "
+           "right one?"},
     Remedy{"unable to determine hostname", "this machine is no part of a cluster"},
     Remedy{"munge", "the authentication service munge does not run here: ask who runs the cluster"},
     Remedy{"Invalid job array specification",
            "the site allows smaller arrays: scontrol show config | grep MaxArraySize"},
-    Remedy{"invalid partition", "sinfo lists the partitions"},
-    Remedy{"Invalid account", "sacctmgr show associations user=$USER lists your accounts"},
-    Remedy{"Invalid qos", "sacctmgr show qos lists what there is"},
+    Remedy{"invalid partition", "there is no such partition: sinfo lists them"},
+    Remedy{"Invalid account",
+           "the account is not yours: sacctmgr show associations user=$USER lists yours"},
+    Remedy{"Invalid qos", "there is no such QOS: sacctmgr show qos lists them"},
     Remedy{"emory specification can not be satisfied",
            "no node has so much memory: a smaller --mem"},
     Remedy{"equested node configuration is not available",
            "no node has so many processors or so much memory: a smaller --jobs or --mem (sinfo -N "
            "-l)"},
     Remedy{"equested time limit is invalid",
-           "a shorter --time: sinfo lists the partitions' limits"},
+           "the partition allows less time: a shorter --time (sinfo lists the limits)"},
     Remedy{"nvalid time limit", "--time takes minutes, HH:MM:SS or D-HH:MM:SS"},
     Remedy{"QOSMaxSubmitJobPerUserLimit",
            "the site allows you fewer jobs at a time: a larger --chunk makes fewer"},
@@ -71,7 +76,7 @@ void refuse_missing_configuration() {
   std::error_code unknown;
   if (file == nullptr || *file == '\0' || std::filesystem::exists(file, unknown)) return;
   throw SlurmFault(std::string("SLURM_CONF names ") + file +
-                   ", which is not there: " + std::string(configuration_remedy));
+                   ", which is not there: unset it, or let it name the cluster's slurm.conf");
 }
 
 /// Whether a submission may have been accepted although the command failed.

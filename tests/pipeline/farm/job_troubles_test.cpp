@@ -89,7 +89,8 @@ TEST_F(Troubles, OfAStudyThatWasEditedAreOfTheEdit) {
   end(4, "65 0 n1\n");
   state.graph_key = "another";
   const auto found = troubles(row(1, "SPECIAL_EXIT", "JobHeldUser") + row(2, "RUNNING", "None") +
-                              row(3, "PENDING", "Priority"));
+                              row(3, "PENDING", "Priority") +
+                              "8|18|N/A|PENDING|Dependency||0:00|mien:now:0001:6-rest\n");
   ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found[0].kind, JobTrouble::Kind::held);
   EXPECT_EQ(found[1].kind, JobTrouble::Kind::outdated);

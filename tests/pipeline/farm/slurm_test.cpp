@@ -115,7 +115,7 @@ TEST(Slurm, TellsWhatSbatchSaysAndWhatToDo) {
 
 TEST(Slurm, SaysWhatToDoBeforeSlurmsOwnLines) {
   EXPECT_EQ(fault_of_submission("sbatch: error: first line\nsbatch: error: invalid partition: x"),
-            "sbatch failed: sinfo lists the partitions\n"
+            "sbatch failed: there is no such partition: sinfo lists them\n"
             "  sbatch: error: first line\n"
             "  sbatch: error: invalid partition: x");
 }
@@ -133,7 +133,9 @@ TEST(Slurm, DoesNotWaitForAConfigurationThatIsNotThere) {
   } else {
     ::setenv("SLURM_CONF", kept.c_str(), 1);
   }
-  EXPECT_NE(why.find("unset SLURM_CONF"), std::string::npos) << why;
+  EXPECT_NE(why.find("SLURM_CONF names /nowhere/slurm.conf, which is not there: unset it"),
+            std::string::npos)
+      << why;
 }
 
 TEST(Slurm, DoesNotTakeSilenceForRefusal) {
