@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "render/image/channels.h"
+#include "render/image/film.h"
+#include "render/image/image.h"
+#include "render/image/window.h"
+
+namespace mien::render {
+
+/// How two pictures differ, channel by channel. Values are shares of full scale: a code over 255 or
+/// 65,535, and light as it is. A channel that is no number in one picture alone differs without
+/// end.
+struct PictureDifference {
+  double largest = 0.0;  ///< of a channel
+  int x = 0;             ///< where, the first row by row
+  int y = 0;
+  int channel = 0;
+  double mean = 0.0;                   ///< of all channels, absolute
+  double rms = 0.0;                    ///< of all channels
+  double psnr_db = 0.0;                ///< of a peak of 1; infinite where nothing differs
+  std::int64_t differing_pixels = 0;   ///< in any channel
+  std::int64_t pixels_over_limit = 0;  ///< with a channel that differs by more
+  double differing_share = 0.0;        ///< of all pixels
+  double over_limit_share = 0.0;
+  Window changed;  ///< the smallest that holds all that differs; without pixels: nothing does
+};
+
+/// Throws Error, with both sizes, when they differ. `limit` is a share of full scale.
+PictureDifference picture_difference(const Image8& a, const Image8& b, double limit = 0.0);
+PictureDifference picture_difference(const Image16& a, const Image16& b, double limit = 0.0);
+PictureDifference picture_difference(const Film& a, const Film& b, double limit = 0.0);
+
+/// Of files whoever made them; also throws Error when their channels have other names.
+PictureDifference picture_difference(const Channels& a, const Channels& b, double limit = 0.0);
+PictureDifference picture_difference(const std::filesystem::path& a, const std::filesystem::path& b,
+                                     double limit = 0.0);
+
+/// What OpenImageIO's ImageBufAlgo::compare says of them: a second voice, by other hands.
+struct LibraryDifference {
+  double mean = 0.0;
+  double rms = 0.0;
+  double psnr_db = 0.0;
+  double largest = 0.0;
+  int x = 0;
+  int y = 0;
+  int channel = 0;
+  std::int64_t failing_pixels = 0;  ///< with a channel that differs by more than the limit
+};
+LibraryDifference library_difference(const Image8& a, const Image8& b, double limit = 0.0);
+LibraryDifference library_difference(const Film& a, const Film& b, double limit = 0.0);
+
+}  // namespace mien::render

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "render/error.h"
+
+namespace mien::render {
+
+/// Throws Error, with both sizes, when two pictures cannot be held against each other.
+template <class Picture>
+void expect_one_size(const Picture& a, const Picture& b) {
+  const auto told = [](const Picture& picture) {
+    return std::to_string(picture.width) + " x " + std::to_string(picture.height);
+  };
+  if (a.width != b.width || a.height != b.height)
+    throw Error("the pictures differ in size: " + told(a) + " and " + told(b) + " pixels");
+  if (a.width < 1 || a.height < 1) throw Error("the pictures have no pixels");
+}
+
+}  // namespace mien::render
