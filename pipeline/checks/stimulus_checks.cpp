@@ -7,7 +7,9 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/interpolation/interpolation_options.h"
+#include "motion/measures/body_part.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault_list.h"
 
 namespace mien::pipeline {
@@ -176,8 +178,24 @@ void check_factors(const Stimulus& stimulus, FaultList& list) {
   }
 }
 
+/// `path` is that of the map that `regression:` stands in; what it has from elsewhere is checked
+/// there.
+void check_limits(const RegressionLimits& limits, const std::string& path, FaultList& list) {
+  std::vector<std::string> parts;
+  for (int joint = 0; joint < motion::body_joint_count; ++joint)
+    parts.push_back(motion::part_name(static_cast<motion::BodyJoint>(joint)));
+  const std::string map = path.empty() ? "regression" : member_path(path, "regression");
+  for (const auto& [part, limit] : limits.parts_mm) {
+    const std::string place = member_path(member_path(map, "parts_mm"), part);
+    if (!list.was_given(place) || std::ranges::find(parts, part) != parts.end()) continue;
+    list.add_at_key(place, "unknown part of the body \"" + part + "\"",
+                    motion::did_you_mean(part, parts));
+  }
+}
+
 void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultList& list) {
   check_factors(stimulus, list);
+  check_limits(stimulus.regression, stimulus.path, list);
   if (stimulus.foil) return;  // its motion is that of another, which is checked
   const bool has_examples = list.was_given("examples");
   check_adjectives(stimulus, manifest, has_examples, list);
@@ -196,6 +214,7 @@ void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultLis
 std::vector<Fault> check_stimuli(const Manifest& manifest) {
   FaultList list(manifest.places);
   check_shared_interpolation(manifest, list);
+  check_limits(manifest.regression, "", list);
   for (const Stimulus& stimulus : manifest.stimuli) check_stimulus(stimulus, manifest, list);
   return list.take();
 }

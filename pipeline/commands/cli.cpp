@@ -47,6 +47,13 @@ std::vector<std::string> names_of_subcommands(const CLI::App& app) {
   return names;
 }
 
+/// Whether a word after a command may be something else than another command.
+bool takes_words(const CLI::App& app) {
+  const std::vector<const CLI::Option*> options = app.get_options();
+  return std::any_of(options.begin(), options.end(),
+                     [](const CLI::Option* option) { return option->get_positional(); });
+}
+
 /// The first word where a command should stand that is none, in a sentence; empty when all are.
 std::string unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
@@ -54,6 +61,7 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
     const std::vector<std::string> known = names_of_subcommands(*at);
     if (known.empty() || word.starts_with('-')) return "";
     if (std::find(known.begin(), known.end(), word) == known.end()) {
+      if (takes_words(*at)) return "";
       return "unknown command \"" + word + "\"; " + motion::did_you_mean(word, known);
     }
     at = at->get_subcommand(word);
@@ -117,6 +125,7 @@ int run_command_line(int argc, const char* const* argv, const Console& console) 
   add_check_command(app, chosen);
   add_plan_command(app, chosen);
   add_verify_command(app, chosen);
+  add_regress_command(app, chosen);
   add_clean_command(app, chosen);
   add_pack_command(app, chosen);
   add_render_command(app, chosen);

@@ -45,6 +45,7 @@ void add_man_command(CLI::App& app, Command& chosen);
 void add_manifests_command(CLI::App& app, Command& chosen);
 void add_pack_command(CLI::App& app, Command& chosen);
 void add_plan_command(CLI::App& app, Command& chosen);
+void add_regress_command(CLI::App& app, Command& chosen);
 void add_run_command(CLI::App& app, Command& chosen);
 void add_render_command(CLI::App& app, Command& chosen);
 void add_motion_command(CLI::App& app, Command& chosen);

@@ -22,6 +22,9 @@ std::string html_table(std::initializer_list<std::string_view> heads, const std:
 /// would share their names.
 std::string embedded_svg(std::string_view svg, std::string_view alternative);
 
+/// Bytes as an address: "data:image/png;base64,…".
+std::string data_uri(std::string_view media_type, std::string_view bytes);
+
 /// A whole page in English: its plain title, its style sheet and the HTML of its body. Links are
 /// taken from `base`, or else from where the page lies.
 std::string html_page(std::string_view title, std::string_view style, std::string_view body,

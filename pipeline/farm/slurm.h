@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/farm/command_run.h"
+#include "pipeline/tasks/command_run.h"
 #include "pipeline/farm/slurm_text.h"
 
 namespace mien::pipeline {

@@ -7,11 +7,9 @@
 
 namespace mien::pipeline {
 
-namespace {
-
 using nlohmann::ordered_json;
 
-ordered_json as_json(const VideoRecord& video) {
+ordered_json video_json(const VideoRecord& video) {
   ordered_json json = {
       {"file", video.file}, {"format", video.format},         {"frames", video.frames},
       {"fps", video.fps},   {"duration_s", video.duration_s}, {"identical", video.identical}};
@@ -23,7 +21,7 @@ ordered_json as_json(const VideoRecord& video) {
   return json;
 }
 
-VideoRecord video_of(const nlohmann::json& json) {
+VideoRecord video_record_of(const nlohmann::json& json) {
   VideoRecord video{.file = json.at("file"),
                     .format = json.at("format"),
                     .frames = json.at("frames"),
@@ -37,8 +35,6 @@ VideoRecord video_of(const nlohmann::json& json) {
   video.worst_ssim_frame = json.at("worst_ssim_frame");
   return video;
 }
-
-}  // namespace
 
 VideoRecord video_record(const std::string& file, render::VideoKind kind, double fps,
                          const render::VideoCheck& check) {
@@ -60,7 +56,7 @@ VideoRecord video_record(const std::string& file, render::VideoKind kind, double
 std::string film_record_text(const FilmRecord& record) {
   const render::ClipLuminance& luminance = record.luminance;
   ordered_json videos = ordered_json::array();
-  for (const VideoRecord& video : record.videos) videos.push_back(as_json(video));
+  for (const VideoRecord& video : record.videos) videos.push_back(video_json(video));
   ordered_json json = {{"film_frames", record.film_frames},
                        {"first_film_frame", record.first_film_frame},
                        {"exposure_stops", record.exposure_stops},
@@ -98,7 +94,8 @@ FilmRecord parse_film_record(const std::string& text) {
                         .lightest = luminance.at("lightest")};
     if (json.contains("warnings"))
       record.warnings = json.at("warnings").get<std::vector<std::string>>();
-    for (const nlohmann::json& video : json.at("videos")) record.videos.push_back(video_of(video));
+    for (const nlohmann::json& video : json.at("videos"))
+      record.videos.push_back(video_record_of(video));
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(std::string("no record of a film: ") + error.what());
   }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "render/image/luminance.h"
 #include "render/video/video_check.h"
 
@@ -41,6 +43,12 @@ struct FilmRecord {
 
 VideoRecord video_record(const std::string& file, render::VideoKind kind, double fps,
                          const render::VideoCheck& check);
+
+/// As the record of a film has it.
+nlohmann::ordered_json video_json(const VideoRecord& video);
+
+/// Throws nlohmann::json::exception when it is none.
+VideoRecord video_record_of(const nlohmann::json& json);
 
 std::string film_record_text(const FilmRecord& record);
 

@@ -46,14 +46,23 @@ Output output_for(Output output, const scenes::SetPlan& set) {
 
 }  // namespace
 
+motion::Clip staged_clip(const Stimulus& stimulus, Motions& motions) {
+  Stimulus shown = stimulus;
+  shown.output = output_for(shown.output, staged_set(stimulus.look));
+  return motions.shown(shown);
+}
+
 scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed,
+                     const Framing& framing) {
+  return shot_of(stimulus, staged_clip(stimulus, motions), seed, framing);
+}
+
+scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::uint64_t seed,
                      const Framing& framing) {
   scenes::Look look = look_of(stimulus, seed);
   if (framing.figure_px) look.camera.figure_px = *framing.figure_px / look.pixel_scale;
   look.figure_place = framing.figure_place;
-  Stimulus shown = stimulus;
-  shown.output = output_for(shown.output, look.set);
-  return scenes::stage(motions.shown(shown), look);
+  return scenes::stage(clip, look);
 }
 
 scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t seed) {

@@ -18,10 +18,17 @@ struct Framing {
   std::optional<std::array<double, 2>> figure_place;  ///< scenes/cameras/figure_place.h
 };
 
+/// The clip that a stimulus's film shows on its set. Throws Error.
+motion::Clip staged_clip(const Stimulus& stimulus, Motions& motions);
+
 /// A stimulus's motion on its stage. `seed` is that of the production. Throws Error when the look
 /// cannot be had.
 scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed,
                      const Framing& framing = {});
+
+/// Any clip on the stimulus's stage.
+scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::uint64_t seed,
+                     const Framing& framing);
 
 /// The motions of an overlay on their stage, each as long as the overlay's own output says.
 scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t seed);

@@ -9,6 +9,7 @@ Stimulus plain_stimulus(const Manifest& manifest) {
   stimulus.interpolation = manifest.interpolation;
   stimulus.interpolation.weights.nearest.seed = manifest.seed;
   stimulus.on_fault = manifest.on_fault;
+  stimulus.regression = manifest.regression;
   return stimulus;
 }
 

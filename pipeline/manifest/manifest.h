@@ -89,6 +89,7 @@ struct Manifest {
   RecipesSource recipes;
   OnFault on_fault = OnFault::warn;
   Equalize equalize;
+  RegressionLimits regression;
   std::vector<Stimulus> stimuli;
   std::vector<Overlay> overlays;
   std::vector<Sheet> sheets;
@@ -119,6 +120,7 @@ void fields_of(Field&& field, M& manifest) {
   field.by("recipes", manifest.recipes, concerns::motion, RecipesForm());
   field("on_fault", manifest.on_fault, concerns::motion, fault_words);
   field.by("equalize", manifest.equalize, concerns::picture, EqualizeForm());
+  field("regression", manifest.regression, concerns::nothing);
   field.each("stimuli", manifest.stimuli, concerns::nothing,
              [&] { return plain_stimulus(manifest); });
   field.each("overlays", manifest.overlays, concerns::nothing,

@@ -20,6 +20,7 @@
 #include "pipeline/manifest/hold.h"
 #include "pipeline/manifest/modification.h"
 #include "pipeline/manifest/output.h"
+#include "pipeline/manifest/regression_limits.h"
 
 namespace mien::pipeline {
 
@@ -123,6 +124,7 @@ struct Stimulus {
   Interpolation interpolation;  ///< likewise
   std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
   OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
+  RegressionLimits regression;           ///< the manifest's with this stimulus's own over it
 };
 
 template <class Field, MaybeConst<Stimulus> S>
@@ -134,6 +136,7 @@ void fields_of(Field&& field, S& stimulus) {
   field("look", stimulus.look, concerns::picture);
   field("output", stimulus.output, concerns::nothing);
   field.by("factors", stimulus.factors, concerns::page, FactorsForm());
+  field("regression", stimulus.regression, concerns::nothing);
   if (stimulus.foil) return;
   field("adjectives", stimulus.adjectives, concerns::motion);
   field.by("hold", stimulus.hold, concerns::motion, HoldForm());

@@ -74,6 +74,12 @@ Hash digest_of(const Synthesis& synthesis, const motion::Clip& shown) {
 
 }  // namespace
 
+Hash digest_of(const motion::Clip& clip) {
+  KeyBuilder key;
+  add(key, clip);
+  return key.key();
+}
+
 std::string motion_record(const Synthesis& synthesis, const motion::Clip& shown) {
   const nlohmann::ordered_json record = {{"digest", digest_of(synthesis, shown)},
                                          {"shown_frames", shown.frame_count()},

@@ -17,6 +17,9 @@ struct MotionRecord {
   std::vector<std::string> warnings;  ///< plain sentences
 };
 
+/// Of every number in a clip.
+Hash digest_of(const motion::Clip& clip);
+
 /// `shown` is the clip that the video shows.
 std::string motion_record(const Synthesis& synthesis, const motion::Clip& shown);
 

@@ -33,7 +33,8 @@ TEST(CommandLine, HelpsWithEveryCommand) {
   const Ended help = run_mien({"--help"});
   EXPECT_EQ(help.code, 0);
   EXPECT_EQ(help.errors, "");
-  for (const char* command : {"run", "check", "plan", "render", "motion", "study", "version"}) {
+  for (const char* command :
+       {"run", "check", "plan", "render", "regress", "motion", "study", "version"}) {
     EXPECT_TRUE(contains(help.output, std::string("\n  ") + command)) << command;
     const Ended own = run_mien({command, "--help"});
     EXPECT_EQ(own.code, 0) << command;

@@ -47,8 +47,8 @@ struct Standing {
 
 const std::vector<Standing> motions = {
     {"normal",
-     {"walk.bvh", "new.bvh", "target.bvh", "a.bvh", "walks/normal.bvh", "captures/walk.bvh",
-      "captures/anna_walk_fast.bvh"}},
+     {"walk.bvh", "approved.bvh", "new.bvh", "target.bvh", "a.bvh", "walks/normal.bvh",
+      "captures/walk.bvh", "captures/anna_walk_fast.bvh"}},
     {"sad",
      {"created.bvh", "b.bvh", "walks/proud.bvh", "captures/anna_walk_sad.bvh",
       "captures/anna_walk_slow.bvh"}},

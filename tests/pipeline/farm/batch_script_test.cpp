@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "pipeline/farm/command_run.h"
+#include "pipeline/tasks/command_run.h"
 #include "pipeline/farm/fake_programs.h"
 #include "pipeline/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "pipeline/farm/command_run.h"
+#include "pipeline/tasks/command_run.h"
 
 #include <chrono>
 

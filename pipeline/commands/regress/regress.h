@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "motion/measures/motion_tolerance.h"
+#include "pipeline/commands/cli.h"
+
+namespace mien::pipeline {
+
+/// What `mien regress` was asked to do.
+struct RegressOptions {
+  std::string before;  ///< what was approved
+  std::string now;     ///< what is to be judged
+  motion::MotionTolerance tolerance;
+  double perceptual = 0.0;  ///< mean ꟻLIP that pictures may have
+  bool json = false;
+};
+
+/// Compares two motion files: tells how they differ on `console.out`. Exit code 0 when they are
+/// alike, 1 when they are not; throws Error for what cannot be read or compared.
+int regress_motion_files(const RegressOptions& options, const Console& console);
+
+/// Likewise two pictures, videos or folders of pictures.
+int regress_media_files(const RegressOptions& options, const Console& console);
+
+}  // namespace mien::pipeline

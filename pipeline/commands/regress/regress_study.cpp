@@ -1,0 +1,219 @@
+#include "pipeline/commands/regress/regress_study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/regress/study_baseline.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/production/run.h"
+#include "pipeline/production/study_inputs.h"
+#include "pipeline/regression/approval.h"
+#include "pipeline/regression/regression.h"
+#include "pipeline/regression/regression_report.h"
+#include "pipeline/regression/regression_texts.h"
+#include "pipeline/regression/repetition.h"
+#include "pipeline/tasks/command_run.h"
+#include "pipeline/tasks/progress.h"
+#include "pipeline/tasks/progress_bar.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Videos = std::map<std::string, std::vector<VideoFacts>>;
+
+/// The study, made in its folder.
+struct MadeStudy {
+  std::unique_ptr<Production> production;
+  fs::path folder;
+  Videos videos;
+};
+
+void make(MadeStudy& study, const StudyArguments& arguments, const Console& console) {
+  Production& production = *study.production;
+  RunResult result;
+  {
+    Progress progress(console.err, console.err_is_terminal, production.graph(),
+                      glance(production.graph(), study.folder), steady_seconds);
+    result = run(production, study.folder, jobs_of(arguments.production), console.stop,
+                 progress.observer());
+  }
+  if (result.was_interrupted) throw Interrupted{};
+  for (const TaskOutcome& outcome : result.outcomes) {
+    if (outcome.state != TaskState::failed) continue;
+    if (outcome.is_bad_input)
+      throw Error({outcome.error}, "the study cannot be made", "mend it; mien run tells all");
+    throw std::runtime_error(outcome.error);
+  }
+  for (const Stimulus& stimulus : production.manifest().stimuli)
+    study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
+}
+
+/// With `--only` it is a production of some stimuli, and yet all of the manifest is known.
+MadeStudy made(const StudyArguments& arguments, const Console& console) {
+  const fs::path file = manifest_meant(arguments.production.manifest, console);
+  MadeStudy study;
+  study.production = std::make_unique<Production>(
+      load_manifest(file, process_environment(), arguments.production.out),
+      options_of(arguments.production));
+  study.folder = folder_of(arguments.production, study.production->manifest());
+  if (!arguments.without_videos) make(study, arguments, console);
+  return study;
+}
+
+/// What was approved, each edition of it made when it is asked for.
+class Editions {
+ public:
+  Editions(const Baseline& baseline, int threads, std::stop_token stop)
+      : baseline_(baseline), threads_(threads), stop_(std::move(stop)) {}
+
+  Rendition& of(const std::string& name) {
+    std::unique_ptr<Edition>& edition = editions_[name];
+    if (edition == nullptr) {
+      edition = std::make_unique<Edition>();
+      edition->rendition = std::make_unique<Rendition>(
+          load_manifest(baseline_.edition_manifest(name), process_environment()),
+          edition->folder.path(), threads_, stop_);
+    }
+    return *edition->rendition;
+  }
+
+ private:
+  struct Edition {
+    ScratchFolder folder;
+    std::unique_ptr<Rendition> rendition;
+  };
+
+  const Baseline& baseline_;
+  int threads_;
+  std::stop_token stop_;
+  std::map<std::string, std::unique_ptr<Edition>> editions_;
+};
+
+fs::path report_folder(const StudyArguments& arguments, const Manifest& manifest) {
+  if (!arguments.report.empty()) return arguments.report;
+  return fs::path(arguments.production.out) / (manifest.study + "-regression");
+}
+
+/// `made` is the study's folder, or empty where none was made.
+void write_reports(const Regression& regression, const ComparedStudy& study, const fs::path& folder,
+                   const fs::path& made) {
+  make_folder(folder);
+  fs::remove_all(folder / "videos");
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  write_file(folder / "report.html",
+             regression_report(regression, study, ReportVideos(made, folder)));
+  write_file(folder / "regression.json", as_json(regression).dump(2, ' ', false, replace) + "\n");
+  write_file(folder / "junit.xml", junit_text(regression));
+  write_file(folder / "summary.md", markdown_text(regression));
+}
+
+std::string now_text() {
+  const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t now =
+      epoch != nullptr ? static_cast<std::time_t>(std::strtoll(epoch, nullptr, 10))
+                       : std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+/// Who approves, if not told: as git has it where the study lies, or the user's name.
+std::string own_name(const Manifest& manifest) {
+  const fs::path folder = fs::absolute(manifest.file).parent_path();
+  const CommandEnd git =
+      run_command({"git", "-C", folder.string(), "config", "user.name"}, std::chrono::seconds(10));
+  const std::string name = git.output.substr(0, git.output.find('\n'));
+  if (git.is_done() && !name.empty()) return name;
+  const char* user = std::getenv("USER");
+  return user != nullptr && *user != '\0' ? user : "unknown";
+}
+
+void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifest) {
+  for (const std::string& id : ids) {
+    if (find_stimulus(manifest, id) == nullptr)
+      throw Error({"--only"}, "the study has no stimulus \"" + id + "\"", "mien plan lists them");
+  }
+}
+
+}  // namespace
+
+int regress_study(const StudyArguments& arguments, const Console& console) {
+  const MadeStudy made_study = made(arguments, console);
+  const Manifest& manifest = made_study.production->manifest();
+  const FoundBaseline found = find_baseline(arguments.baseline, manifest);
+  const Baseline baseline = read_baseline(found.folder);
+  const int threads = jobs_of(arguments.production);
+  const ScratchFolder scratch;
+  Rendition now(manifest, scratch.path(), threads, console.stop);
+  Editions editions(baseline, threads, console.stop);
+  const fs::path folder = report_folder(arguments, manifest);
+  fs::remove_all(folder / "frames");
+  const ComparedPictures pictures(folder / "frames");
+  const ComparedStudy study{
+      .baseline = baseline,
+      .now = now,
+      .approved = [&](const std::string& edition) -> Rendition& { return editions.of(edition); },
+      .pictures = &pictures,
+      .threads = threads,
+      .stop = console.stop};
+  Regression regression;
+  {
+    ProgressBar bar(console.err, console.err_is_terminal);
+    regression =
+        regress(study, made_study.videos, {.audit_share = arguments.audits},
+                [&](double share, const StimulusComparison& one) { bar.show(share, one.id); });
+  }
+  regression.repetitions = repeated(study, arguments.repeat);
+  write_reports(regression, study, folder,
+                arguments.without_videos ? fs::path() : made_study.folder);
+  if (arguments.production.json) {
+    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+    console.out << as_json(regression).dump(2, ' ', false, replace) << '\n';
+  } else {
+    console.out << plain_text(regression) << (folder / "report.html").string() << '\n';
+  }
+  return regression.passes() ? exit_done : exit_failed;
+}
+
+int approve_study(const StudyArguments& arguments, const Console& console) {
+  if (arguments.keep_videos && arguments.without_videos)
+    throw Error({"--keep-videos"}, "there are none with --without-videos", "leave one of them out");
+  StudyArguments whole = arguments;
+  whole.production.only.clear();
+  const MadeStudy made_study = made(whole, console);
+  const Manifest& manifest = made_study.production->manifest();
+  refuse_unknown(arguments.production.only, manifest);
+  const fs::path folder =
+      arguments.baseline.empty() ? usual_baseline(manifest) : fs::path(arguments.baseline);
+  const int threads = jobs_of(arguments.production);
+  const ScratchFolder scratch;
+  Rendition now(manifest, scratch.path(), threads, console.stop);
+  ProgressBar bar(console.err, console.err_is_terminal);
+  const Baseline baseline =
+      approve(now, folder,
+              {.who = arguments.who.empty() ? own_name(manifest) : arguments.who,
+               .when = now_text(),
+               .why = arguments.why,
+               .only = arguments.production.only},
+              made_study.videos, made_study.production->inputs(),
+              {.key_frames = arguments.key_frames,
+               .videos_from = arguments.keep_videos ? made_study.folder : fs::path(),
+               .threads = threads},
+              console.stop, [&](double share) { bar.show(share, "approving"); });
+  const std::size_t approved = arguments.production.only.empty() ? baseline.stimuli.size()
+                                                                 : arguments.production.only.size();
+  console.out << fmt::format("{}: {} {} approved by {}\n", folder.string(), approved,
+                             approved == 1 ? "stimulus" : "stimuli", baseline.approvals.back().who);
+  return exit_done;
+}
+
+}  // namespace mien::pipeline

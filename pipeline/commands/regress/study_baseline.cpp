@@ -1,0 +1,89 @@
+#include "pipeline/commands/regress/study_baseline.h"
+
+#include <chrono>
+#include <utility>
+
+#include "pipeline/documents/fault.h"
+#include "pipeline/regression/baseline.h"
+#include "pipeline/tasks/command_run.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::minutes git_limit{5};
+
+CommandEnd git(const fs::path& folder, std::vector<std::string> words) {
+  words.insert(words.begin(), {"git", "-C", folder.empty() ? "." : folder.string()});
+  return run_command(words, git_limit);
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Links beside a folder's place in `tree`, which stands for the root of the machine, to all that
+/// lies beside the folder itself: what its files name by relative paths is found there too.
+void link_surroundings(const fs::path& folder, const fs::path& tree) {
+  fs::path level = folder.root_path();
+  for (const fs::path& next : folder.relative_path()) {
+    fs::create_directories(tree / level.relative_path());
+    constexpr auto skip = fs::directory_options::skip_permission_denied;
+    for (const fs::directory_entry& entry : fs::directory_iterator(level, skip)) {
+      const fs::path name = entry.path().filename();
+      if (name != next) fs::create_symlink(entry.path(), tree / level.relative_path() / name);
+    }
+    level /= next;
+    if (!fs::exists(level)) return;
+  }
+}
+
+/// The usual folder as a commit has it. git itself puts the files there, so that large ones come
+/// from where it keeps them (LFS).
+FoundBaseline baseline_of_commit(const std::string& commit, const Manifest& manifest) {
+  const fs::path folder = manifest.file.parent_path();
+  const CommandEnd top = git(folder, {"rev-parse", "--show-toplevel"});
+  const fs::path root = first_line(top.output);
+  const fs::path path = fs::proximate(fs::absolute(usual_baseline(manifest)), root);
+  FoundBaseline found{.folder = {},
+                      .told = path.generic_string() + " of " + commit,
+                      .scratch = std::make_unique<ScratchFolder>()};
+  const fs::path tree = found.scratch->path() / "tree";
+  link_surroundings(root / path, tree);
+  const fs::path files = tree / root.relative_path();
+  const CommandEnd end =
+      run_command({"env", "GIT_INDEX_FILE=" + (found.scratch->path() / "index").string(), "git",
+                   "-C", root.string(), "--work-tree=" + files.string(), "checkout", commit, "--",
+                   path.generic_string()},
+                  git_limit);
+  if (!end.is_done())
+    throw Error({commit}, "has no baseline: " + first_line(end.errors),
+                "commit the folder that mien regress approve wrote, or name another commit");
+  found.folder = files / path;
+  return found;
+}
+
+bool is_commit(const std::string& name, const Manifest& manifest) {
+  return git(manifest.file.parent_path(), {"rev-parse", "--verify", "--quiet", name + "^{commit}"})
+      .is_done();
+}
+
+}  // namespace
+
+fs::path usual_baseline(const Manifest& manifest) {
+  return manifest.file.parent_path() / "baselines" / manifest.study;
+}
+
+FoundBaseline find_baseline(const std::string& given, const Manifest& manifest) {
+  const fs::path folder = given.empty() ? usual_baseline(manifest) : fs::path(given);
+  if (is_baseline(folder)) return {folder, folder.string(), nullptr};
+  if (!given.empty() && !fs::exists(folder) && is_commit(given, manifest)) {
+    FoundBaseline found = baseline_of_commit(given, manifest);
+    if (is_baseline(found.folder)) return found;
+  }
+  throw Error({folder.string()}, "holds no baseline",
+              "look at the study, and when it is as it should be: mien regress approve " +
+                  manifest.file.string() + " --why \"…\"");
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "pipeline/archive/scratch_folder.h"
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+/// A baseline on disk; one from git is there as long as this lives.
+struct FoundBaseline {
+  std::filesystem::path folder;
+  std::string told;  ///< how people call it: "baselines/walks", "baselines/walks of main"
+  std::unique_ptr<ScratchFolder> scratch;
+};
+
+/// Where a study's baseline lies unless told: baselines/<study> beside the manifest.
+std::filesystem::path usual_baseline(const Manifest& manifest);
+
+/// What `--baseline` means: a folder, or a branch, tag or commit of the git repository in which the
+/// manifest lies, of which the usual folder is taken; empty: the usual folder as it lies there.
+/// Throws Error when there is no baseline.
+FoundBaseline find_baseline(const std::string& given, const Manifest& manifest);
+
+}  // namespace mien::pipeline

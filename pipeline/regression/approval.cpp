@@ -1,0 +1,181 @@
+#include "pipeline/regression/approval.h"
+
+#include <algorithm>
+#include <set>
+
+#include "motion/formats/motion_file.h"
+#include "pipeline/documents/fault.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/film/film_tables.h"
+#include "pipeline/production/study_inputs.h"
+#include "pipeline/regression/approved_frames.h"
+#include "pipeline/regression/stimulus_facts.h"
+#include "pipeline/tasks/store.h"
+#include "render/image/image_io.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Hash hash_of_folder(const fs::path& folder) {
+  std::map<std::string, Hash> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), folder).generic_string()] = hash_of_file(entry.path());
+  }
+  KeyBuilder key;
+  for (const auto& [path, hash] : files) key.add(path, hash);
+  return key.key();
+}
+
+/// Keeps the manifest with what it names, unless it is there. Returns the edition's name.
+std::string put_edition(const Manifest& manifest, const std::map<std::string, Hash>& inputs,
+                        const fs::path& baseline) {
+  const fs::path editions = baseline / "editions";
+  const fs::path next = editions / ".next";
+  fs::remove_all(next);
+  make_folder(next);
+  {
+    Store store(next);
+    put_inputs(manifest, inputs, store);
+  }
+  const std::string name = hash_of_folder(next / "inputs").substr(0, 12);
+  if (!fs::exists(editions / name)) {
+    make_folder(editions / name);
+    fs::rename(next / "inputs", editions / name / "inputs");
+  }
+  fs::remove_all(next);
+  return name;
+}
+
+/// Removes the editions that no stimulus was approved with.
+void remove_unused(const Baseline& baseline) {
+  std::set<std::string> used;
+  for (const StimulusFacts& facts : baseline.stimuli) used.insert(facts.edition);
+  std::vector<fs::path> unused;
+  for (const fs::directory_entry& entry : fs::directory_iterator(baseline.folder / "editions")) {
+    if (!used.contains(entry.path().filename().string())) unused.push_back(entry.path());
+  }
+  for (const fs::path& folder : unused) fs::remove_all(folder);
+}
+
+/// Fills a folder with a stimulus's files, but its facts.
+void put_files(StimulusFacts& facts, Rendition& now, const fs::path& folder,
+               const ApprovalOptions& options, const std::stop_token& stop) {
+  make_folder(folder / "frames");
+  motion::write_motion(motion::to_recording(now.clip_of(facts.id)), folder / "motion.bvh");
+  const StagedFilm film = staged(facts.id, {&now, &now, &now}, options.threads);
+  const std::vector<int> frames = key_frames_of(film.shot.frame_count(), options.key_frames);
+  const std::vector<render::Image8> pictures = drawn(film, frames, stop);
+  Baseline names;
+  names.folder = folder.parent_path().parent_path();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const fs::path picture = folder / "frames" / names.picture_file(facts.id, frames[i]).filename();
+    const fs::path blocks = folder / "frames" / names.blocks_file(facts.id, frames[i]).filename();
+    render::write_png(picture, pictures[i]);
+    write_blocks(blocks, measured_blocks(film, frames[i], stop));
+    facts.key_frames.push_back({frames[i], hash_of_pixels(pictures[i])});
+  }
+}
+
+void put_videos(const StimulusFacts& facts, const fs::path& study, const fs::path& folder) {
+  if (study.empty() || facts.videos.empty()) return;
+  make_folder(folder / "videos");
+  for (const VideoFacts& video : facts.videos)
+    fs::copy_file(study / video.record.file,
+                  folder / "videos" / fs::path(video.record.file).filename());
+}
+
+/// Puts the stimulus's new folder in the place of the old one.
+void exchange(const fs::path& next, const fs::path& folder) {
+  fs::path old = folder;
+  old += ".old";
+  fs::remove_all(old);
+  if (fs::exists(folder)) fs::rename(folder, old);
+  fs::rename(next, folder);
+  fs::remove_all(old);
+}
+
+void put(Baseline& baseline, StimulusFacts facts) {
+  const auto same = std::ranges::find(baseline.stimuli, facts.id, &StimulusFacts::id);
+  if (same != baseline.stimuli.end())
+    *same = std::move(facts);
+  else
+    baseline.stimuli.push_back(std::move(facts));
+}
+
+bool is_wanted(const std::string& id, const Approval& approval) {
+  return approval.only.empty() || std::ranges::find(approval.only, id) != approval.only.end();
+}
+
+/// Stimuli in the manifest's order; what it has no more goes when everything is approved.
+void put_in_order(Baseline& baseline, const Manifest& manifest, bool all) {
+  std::vector<StimulusFacts> ordered;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (const StimulusFacts* facts = baseline.find(stimulus.id)) ordered.push_back(*facts);
+  }
+  for (StimulusFacts& facts : baseline.stimuli) {
+    if (find_stimulus(manifest, facts.id) != nullptr) continue;
+    if (all)
+      fs::remove_all(baseline.folder / "stimuli" / facts.id);
+    else
+      ordered.push_back(std::move(facts));
+  }
+  baseline.stimuli = std::move(ordered);
+}
+
+}  // namespace
+
+Baseline approve(Rendition& now, const fs::path& folder, const Approval& approval,
+                 const std::map<std::string, std::vector<VideoFacts>>& videos,
+                 const std::map<std::string, Hash>& inputs, const ApprovalOptions& options,
+                 const std::stop_token& stop, const std::function<void(double)>& done) {
+  const Manifest& manifest = now.manifest();
+  Baseline baseline;
+  if (is_baseline(folder)) baseline = read_baseline(folder);
+  if (!baseline.study.empty() && baseline.study != manifest.study)
+    throw Error({(folder / "baseline.json").string()}, "is of the study \"" + baseline.study + "\"",
+                "name another folder with --baseline");
+  baseline.folder = folder;
+  baseline.study = manifest.study;
+  const std::string edition = put_edition(manifest, inputs, folder);
+  double share = 0.0;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    share += 1.0 / static_cast<double>(manifest.stimuli.size());
+    if (!is_wanted(stimulus.id, approval)) continue;
+    StimulusFacts facts = facts_of(stimulus.id, now);
+    facts.edition = edition;
+    if (const auto made = videos.find(stimulus.id); made != videos.end())
+      facts.videos = made->second;
+    const fs::path next = folder / "stimuli" / ("." + stimulus.id + ".next");
+    fs::remove_all(next);
+    put_files(facts, now, next, options, stop);
+    put_videos(facts, options.videos_from, next);
+    write_facts(facts, next);
+    exchange(next, folder / "stimuli" / stimulus.id);
+    put(baseline, std::move(facts));
+    if (done) done(share);
+  }
+  put_in_order(baseline, manifest, approval.only.empty());
+  baseline.approvals.push_back(approval);
+  write_baseline(baseline);
+  remove_unused(baseline);
+  return baseline;
+}
+
+std::vector<VideoFacts> videos_of(const std::string& id, const fs::path& folder) {
+  std::vector<VideoFacts> videos;
+  const fs::path record = folder / film_record_path(id);
+  std::error_code unknown;
+  if (!fs::is_regular_file(record, unknown)) return videos;
+  const FilmRecord film = parse_film_record(read_file(record));
+  for (const VideoRecord& video : film.videos) {
+    if (fs::is_regular_file(folder / video.file, unknown))
+      videos.push_back({video, hash_of_file(folder / video.file), film.first_film_frame});
+  }
+  return videos;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,192 @@
+#include "pipeline/regression/attribution.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return text;
+}
+
+std::vector<std::string> changes_of(Aspect aspect, const std::vector<Setting>& before,
+                                    const std::vector<Setting>& now) {
+  std::vector<std::string> texts;
+  for (const SettingChange& change : changes_between(before, now)) {
+    if (change.aspect == aspect) texts.push_back(change_text(change));
+  }
+  return texts;
+}
+
+/// Hashes are long; their beginning tells them apart.
+std::string short_hash(const std::string& hash) { return hash.substr(0, 8); }
+
+std::vector<std::string> library_changes(const Origin& before, const Origin& now) {
+  std::vector<std::string> texts;
+  for (const auto& [name, version] : now.libraries) {
+    const auto old = before.libraries.find(name);
+    if (old == before.libraries.end()) {
+      texts.push_back(name + " " + version + " is new");
+    } else if (old->second != version) {
+      texts.push_back(name + " " + old->second + " → " + version);
+    }
+  }
+  for (const auto& [name, version] : before.libraries) {
+    if (!now.libraries.contains(name)) texts.push_back(name + " " + version + " is gone");
+  }
+  if (before.processor != now.processor)
+    texts.push_back("processor " + before.processor + " → " + now.processor);
+  return texts;
+}
+
+/// What of the program and the machine has changed; `code` is the cause that its own code is.
+std::vector<Attribution> origin_causes(const StimulusStates& states, Cause code,
+                                       const std::string& code_before, const std::string& code_now,
+                                       const std::string& evidence) {
+  std::vector<Attribution> causes;
+  if (code_before != code_now) {
+    causes.push_back(
+        {code,
+         fmt::format("mien {} ({}) → {} ({})", states.approved.origin.program,
+                     short_hash(code_before), states.now.origin.program, short_hash(code_now)),
+         evidence,
+         {}});
+  }
+  const auto changed = library_changes(states.approved.origin, states.now.origin);
+  if (!changed.empty()) causes.push_back({Cause::environment, joined(changed), evidence, {}});
+  if (causes.empty()) {
+    causes.push_back({Cause::unknown,
+                      "the same program, libraries and files",
+                      evidence + "; nothing that is known of has changed: chance in the program, "
+                                 "or a baseline that was damaged",
+                      {}});
+  }
+  return causes;
+}
+
+/// Files and options that a baseline's own manifest has otherwise by now.
+std::vector<std::string> lost(const StimulusStates& states, Aspect aspect) {
+  return changes_of(aspect, states.approved.settings, states.then.settings);
+}
+
+double value(const Exchanged& set, const std::map<Exchanged, double>& errors) {
+  return errors.at(set);
+}
+
+using Member = bool Exchanged::*;
+
+constexpr std::array<Member, 3> members = {&Exchanged::motion, &Exchanged::scene,
+                                           &Exchanged::drawing};
+
+/// All sets of those that can be exchanged.
+std::vector<Exchanged> sets_of(const Exchanged& can) {
+  std::vector<Exchanged> sets = {{}};
+  for (const Member member : members) {
+    if (!(can.*member)) continue;
+    for (std::size_t i = 0, n = sets.size(); i < n; ++i) {
+      Exchanged with = sets[i];
+      with.*member = true;
+      sets.push_back(with);
+    }
+  }
+  return sets;
+}
+
+int size_of(const Exchanged& set) { return int{set.motion} + int{set.scene} + int{set.drawing}; }
+
+double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }
+
+double shapley(Member member, const Exchanged& can, const std::map<Exchanged, double>& errors) {
+  if (!(can.*member)) return 0.0;
+  const int all = size_of(can);
+  double sum = 0.0;
+  for (const Exchanged& without : sets_of(can)) {
+    if (without.*member) continue;
+    Exchanged with = without;
+    with.*member = true;
+    const int before = size_of(without);
+    const double weight = factorial(before) * factorial(all - before - 1) / factorial(all);
+    sum += weight * (value(with, errors) - value(without, errors));
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::string asked_text(const StimulusStates& states, Aspect aspect) {
+  std::vector<std::string> own, all;
+  for (const SettingChange& change : changes_between(states.then.settings, states.now.settings)) {
+    all.push_back(change_text(change));
+    if (change.aspect == aspect) own.push_back(all.back());
+  }
+  if (!own.empty()) return joined(own);
+  return all.empty() ? "what stimuli of the study have in common" : joined(all);
+}
+
+std::vector<Attribution> motion_causes(const StimulusStates& states) {
+  std::vector<Attribution> causes;
+  if (states.motion_remade()) {
+    const auto files = lost(states, Aspect::motion);
+    if (!files.empty()) {
+      causes.push_back({Cause::motion,
+                        joined(files),
+                        "a file that the approved motion was made from is another now",
+                        {}});
+    } else {
+      causes = origin_causes(states, Cause::synthesis, states.approved.origin.motion_code,
+                             states.now.origin.motion_code,
+                             "made again from what was approved, the motion is another");
+    }
+  }
+  if (states.motion_asked()) {
+    causes.push_back(
+        {Cause::motion,
+         asked_text(states, Aspect::motion),
+         "made by this program, what was approved and what is asked for now are different motions",
+         {}});
+  }
+  return causes;
+}
+
+std::vector<Attribution> program_causes(const StimulusStates& states) {
+  const auto files = lost(states, Aspect::scene);
+  if (states.scene_remade() && !files.empty()) {
+    return {{Cause::scene,
+             joined(files),
+             "a file that the approved scene was made from is another now",
+             {}}};
+  }
+  return origin_causes(states, Cause::renderer, states.approved.origin.film_code,
+                       states.now.origin.film_code,
+                       "drawn again from the approved motion and scene, the picture is another");
+}
+
+CauseShares cause_shares(const Exchanged& can, double program_error,
+                         const std::function<double(const Exchanged&)>& error_of) {
+  std::map<Exchanged, double> errors;
+  for (const Exchanged& set : sets_of(can)) errors[set] = set == Exchanged{} ? 0.0 : error_of(set);
+  const double total = program_error + errors.at(can);
+  if (!(total > 0.0)) return {};
+  CauseShares shares{.program = program_error / total,
+                     .motion = shapley(&Exchanged::motion, can, errors) / total,
+                     .scene = shapley(&Exchanged::scene, can, errors) / total,
+                     .drawing = shapley(&Exchanged::drawing, can, errors) / total};
+  double alone = 0.0;
+  for (const Member member : members) {
+    Exchanged one;
+    one.*member = can.*member;
+    if (can.*member) alone += errors.at(one);
+  }
+  shares.interaction = (errors.at(can) - alone) / total;
+  return shares;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "pipeline/regression/baseline.h"
+#include "pipeline/regression/comparison.h"
+
+namespace mien::pipeline {
+
+/// The three states of a stimulus that causes are told from.
+struct StimulusStates {
+  const StimulusFacts& approved;  ///< as the baseline has it
+  const StimulusFacts& then;      ///< what was approved, as this program makes it
+  const StimulusFacts& now;       ///< what is asked for now
+
+  bool motion_remade() const { return then.motion != approved.motion; }
+  bool motion_asked() const { return now.motion != then.motion; }
+  bool scene_remade() const { return then.scene != approved.scene; }
+  bool scene_asked() const { return now.scene != then.scene; }
+  bool drawing_asked() const { return now.drawing != then.drawing; }
+};
+
+/// What was asked for otherwise, of one aspect: "weights.sad 0.4 → 0.41; …". Where nothing of it
+/// was, all that was: a seed may change a motion too, by the ratings that it simulates. Else that
+/// it came by other stimuli.
+std::string asked_text(const StimulusStates& states, Aspect aspect);
+
+/// What made the motion another, without shares. Empty when it is the same.
+std::vector<Attribution> motion_causes(const StimulusStates& states);
+
+/// What the same motion, staged and drawn in the same way, looks otherwise for: the program, a
+/// library, the processor, a file that the scene is made from.
+std::vector<Attribution> program_causes(const StimulusStates& states);
+
+/// Which of motion, scene and drawing are those of now; the rest is as it was approved.
+struct Exchanged {
+  bool motion = false;
+  bool scene = false;
+  bool drawing = false;
+
+  friend auto operator<=>(const Exchanged&, const Exchanged&) = default;
+};
+
+/// Shares of the mean squared error between two pictures.
+struct CauseShares {
+  double program = 0.0;  ///< of what is not exchanged
+  double motion = 0.0;
+  double scene = 0.0;
+  double drawing = 0.0;
+  double interaction = 0.0;  ///< of what none of them does alone; may be negative
+};
+
+/// Exchanges one after the other, in each order: the mean of what each adds is its Shapley value
+/// (1953). `error_of` tells the mean squared error between the picture of such a state and that of
+/// none exchanged; it is asked once for each set of those that `can` be. `program_error` is that
+/// between the approved picture and that of none exchanged. All 0 when there is no error.
+CauseShares cause_shares(const Exchanged& can, double program_error,
+                         const std::function<double(const Exchanged&)>& error_of);
+
+}  // namespace mien::pipeline

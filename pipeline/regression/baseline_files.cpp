@@ -1,0 +1,188 @@
+#include <nlohmann/json.hpp>
+
+#include "motion/text/file_contents.h"
+#include "pipeline/documents/fault.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/regression/baseline.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int baseline_version = 1;
+
+Json json_of(const NamedValues& values) {
+  Json json = Json::object();
+  for (const auto& [name, value] : values) json[name] = value;
+  return json;
+}
+
+NamedValues values_of(const Json& json) {
+  NamedValues values;
+  for (const auto& [name, value] : json.items()) values.emplace_back(name, value.get<double>());
+  return values;
+}
+
+Json json_of(const Origin& origin) {
+  return {{"mien", origin.program},
+          {"motion_code", origin.motion_code},
+          {"film_code", origin.film_code},
+          {"libraries", origin.libraries},
+          {"processor", origin.processor}};
+}
+
+Origin origin_of(const Json& json) {
+  return {.program = json.at("mien"),
+          .motion_code = json.at("motion_code"),
+          .film_code = json.at("film_code"),
+          .libraries = json.at("libraries"),
+          .processor = json.at("processor")};
+}
+
+/// Options by what they change: those of one aspect stand together.
+Json json_of(const std::vector<Setting>& settings) {
+  Json json = Json::object();
+  for (const auto& [word, aspect] : aspect_words) {
+    Json some = Json::object();
+    for (const Setting& setting : settings) {
+      if (setting.aspect == aspect) some[setting.path] = Json::parse(setting.value);
+    }
+    json[word] = std::move(some);
+  }
+  return json;
+}
+
+std::vector<Setting> settings_of(const Json& json) {
+  std::vector<Setting> settings;
+  for (const auto& [word, aspect] : aspect_words) {
+    for (const auto& [path, value] : json.at(word).items())
+      settings.push_back({path, aspect, value.dump()});
+  }
+  return settings;
+}
+
+Json json_of(const StimulusFacts& facts) {
+  Json frames = Json::object();
+  for (const KeyFrame& frame : facts.key_frames) frames[std::to_string(frame.frame)] = frame.pixels;
+  Json videos = Json::array();
+  for (const VideoFacts& video : facts.videos) {
+    Json one = video_json(video.record);
+    one["hash"] = video.hash;
+    one["first_film_frame"] = video.first_film_frame;
+    videos.push_back(std::move(one));
+  }
+  return {{"id", facts.id},
+          {"edition", facts.edition},
+          {"origin", json_of(facts.origin)},
+          {"settings", json_of(facts.settings)},
+          {"weights", json_of(facts.weights)},
+          {"asked", json_of(facts.asked)},
+          {"reached", json_of(facts.reached)},
+          {"findings", facts.findings},
+          {"motion", facts.motion},
+          {"scene", facts.scene},
+          {"drawing", facts.drawing},
+          {"frames", facts.frames},
+          {"fps", facts.fps},
+          {"key_frames", frames},
+          {"videos", videos}};
+}
+
+StimulusFacts stimulus_facts_of(const Json& json) {
+  StimulusFacts facts{.id = json.at("id"),
+                      .edition = json.at("edition"),
+                      .origin = origin_of(json.at("origin")),
+                      .settings = settings_of(json.at("settings")),
+                      .weights = values_of(json.at("weights")),
+                      .asked = values_of(json.at("asked")),
+                      .reached = values_of(json.at("reached")),
+                      .findings = json.at("findings"),
+                      .motion = json.at("motion"),
+                      .scene = json.at("scene"),
+                      .drawing = json.at("drawing"),
+                      .frames = json.at("frames"),
+                      .fps = json.at("fps"),
+                      .key_frames = {},
+                      .videos = {}};
+  for (const auto& [frame, pixels] : json.at("key_frames").items())
+    facts.key_frames.push_back({std::stoi(frame), pixels});
+  for (const Json& video : json.at("videos"))
+    facts.videos.push_back(
+        {video_record_of(video), video.at("hash"), video.value("first_film_frame", 0)});
+  return facts;
+}
+
+Json json_of(const Approval& approval) {
+  Json json = {{"who", approval.who}, {"when", approval.when}, {"why", approval.why}};
+  if (!approval.only.empty()) json["only"] = approval.only;
+  return json;
+}
+
+Approval approval_of(const Json& json) {
+  return {.who = json.at("who"),
+          .when = json.at("when"),
+          .why = json.at("why"),
+          .only = json.value("only", std::vector<std::string>{})};
+}
+
+/// Reads one document of a baseline and makes something of it.
+template <class Make>
+auto from_document(const fs::path& file, const Make& make) {
+  const std::string remedy =
+      "take it from where the baseline is kept (git checkout), or approve the study again";
+  const std::string hindrance = motion::hindrance_of(file, motion::most_of_document);
+  if (!hindrance.empty()) throw Error({file.string()}, hindrance, remedy);
+  try {
+    return make(Json::parse(read_file(file)));
+  } catch (const std::exception& error) {
+    throw Error({file.string()}, std::string("is no document of a baseline: ") + error.what(),
+                remedy);
+  }
+}
+
+void write_json(const fs::path& file, const Json& json) {
+  make_folder(file.parent_path());
+  fs::path next = file;
+  next += ".next";
+  replace_file(file, next, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace
+
+Baseline read_baseline(const fs::path& folder) {
+  Baseline baseline{.folder = folder, .study = {}, .approvals = {}, .stimuli = {}};
+  std::vector<std::string> ids;
+  from_document(folder / "baseline.json", [&](const Json& json) {
+    if (json.at("baseline") != baseline_version)
+      throw std::runtime_error("written by a newer mien");
+    baseline.study = json.at("study");
+    ids = json.at("stimuli");
+    for (const Json& approval : json.at("approvals"))
+      baseline.approvals.push_back(approval_of(approval));
+    return 0;
+  });
+  for (const std::string& id : ids)
+    baseline.stimuli.push_back(
+        from_document(folder / "stimuli" / id / "stimulus.json", stimulus_facts_of));
+  return baseline;
+}
+
+void write_facts(const StimulusFacts& facts, const fs::path& folder) {
+  write_json(folder / "stimulus.json", json_of(facts));
+}
+
+void write_baseline(const Baseline& baseline) {
+  Json ids = Json::array();
+  for (const StimulusFacts& facts : baseline.stimuli) ids.push_back(facts.id);
+  Json approvals = Json::array();
+  for (const Approval& approval : baseline.approvals) approvals.push_back(json_of(approval));
+  write_json(baseline.folder / "baseline.json", {{"baseline", baseline_version},
+                                                 {"study", baseline.study},
+                                                 {"approvals", approvals},
+                                                 {"stimuli", ids}});
+}
+
+}  // namespace mien::pipeline

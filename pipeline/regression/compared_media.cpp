@@ -1,0 +1,234 @@
+#include "pipeline/regression/compared_media.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/error.h"
+#include "pipeline/regression/frame_alignment.h"
+#include "pipeline/tasks/bounded_queue.h"
+#include "render/image/channels.h"
+#include "render/image/tone.h"
+#include "render/video/video.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Visit = std::function<void(int, const render::Image8&)>;
+
+constexpr std::size_t most_worst = 5;
+constexpr std::size_t waiting_pictures = 4;
+
+bool has_ending(const fs::path& file, std::initializer_list<std::string_view> endings) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::ranges::find(endings, ending) != endings.end();
+}
+
+bool is_picture(const fs::path& file) {
+  return has_ending(file, {".png", ".exr", ".jpg", ".jpeg", ".tif", ".tiff"});
+}
+
+bool is_video(const fs::path& file) {
+  return has_ending(file, {".mp4", ".webm", ".mkv", ".mov", ".avi", ".gif", ".webp"});
+}
+
+std::vector<fs::path> pictures_in(const fs::path& folder) {
+  std::vector<fs::path> pictures;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && is_picture(entry.path())) pictures.push_back(entry.path());
+  }
+  std::ranges::sort(pictures);
+  return pictures;
+}
+
+/// Red, green and blue; a grey picture has one channel for all. Light (EXR) is shown as sRGB.
+render::Image8 read_picture(const fs::path& file) {
+  const render::Channels channels = render::read_channels(file);
+  const std::size_t count = channels.names.size();
+  if (count == 0) throw Error({file.string()}, "has no channels", "compare pictures");
+  const bool is_grey = count < 3;
+  render::Film film(channels.width, channels.height);
+  for (std::size_t i = 0; i < film.channels.size(); ++i)
+    film.channels[i] = channels.values[i / 3 * count + (is_grey ? 0 : i % 3)];
+  if (has_ending(file, {".exr"})) return render::to_srgb8(film);
+  render::Image8 picture(film.width, film.height);
+  std::ranges::transform(film.channels, picture.channels.begin(), [](float value) {
+    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+  });
+  return picture;
+}
+
+void visit_pictures(const std::vector<fs::path>& files, const Visit& visit) {
+  for (std::size_t i = 0; i < files.size(); ++i) visit(static_cast<int>(i), read_picture(files[i]));
+}
+
+/// What is looked at, one picture after the other.
+void visit_frames_of(const fs::path& media, const Visit& visit) {
+  if (fs::is_directory(media)) {
+    visit_pictures(pictures_in(media), visit);
+  } else if (is_picture(media)) {
+    visit(0, read_picture(media));
+  } else {
+    render::probe(media, visit);
+  }
+}
+
+/// A sequence as it is looked through.
+struct Glimpse {
+  std::vector<Thumbnail> frames;
+  int width = 0;
+  int height = 0;
+};
+
+Glimpse glimpse_of(const fs::path& media) {
+  Glimpse glimpse;
+  visit_frames_of(media, [&](int frame, const render::Image8& picture) {
+    glimpse.frames.push_back(thumbnail_of(picture));
+    if (frame == 0)
+      std::tie(glimpse.width, glimpse.height) = std::tie(picture.width, picture.height);
+  });
+  if (glimpse.frames.empty())
+    throw Error({media.string()}, "shows no picture",
+                "name a picture, a video or a folder of pictures");
+  return glimpse;
+}
+
+void refuse_other_size(const Glimpse& before, const Glimpse& now, const ComparedMedia& media) {
+  if (before.width == now.width && before.height == now.height) return;
+  throw Error({media.now},
+              fmt::format("has {} x {} pixels, and {} has {} x {}", now.width, now.height,
+                          media.before, before.width, before.height),
+              "compare pictures of one size");
+}
+
+/// Decodes in a thread of its own.
+class FrameStream {
+ public:
+  explicit FrameStream(const fs::path& media) : queue_(waiting_pictures) {
+    thread_ = std::thread([this, media] {
+      try {
+        visit_frames_of(media, [&](int frame, const render::Image8& picture) {
+          if (!queue_.push({frame, picture})) throw Closed{};
+        });
+      } catch (const Closed&) {
+      } catch (...) {
+        failure_ = std::current_exception();
+      }
+      queue_.close();
+    });
+  }
+  ~FrameStream() {
+    queue_.close();
+    thread_.join();
+  }
+  FrameStream(const FrameStream&) = delete;
+  FrameStream& operator=(const FrameStream&) = delete;
+
+  /// That frame; those before it are passed over.
+  render::Image8 frame(int wanted) {
+    std::pair<int, render::Image8> next;
+    while (queue_.pop(next)) {
+      if (next.first == wanted) return std::move(next.second);
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    throw std::runtime_error("a frame that was there is gone");
+  }
+
+ private:
+  struct Closed {};
+  BoundedQueue<std::pair<int, render::Image8>> queue_;
+  std::exception_ptr failure_;
+  std::thread thread_;
+};
+
+/// Keeps the pictures that differ most.
+struct Worst {
+  double rms = 0.0;
+  int frame = 0;
+  render::Image8 before, now;
+};
+
+void keep(std::vector<Worst>& worst, Worst one) {
+  const auto place =
+      std::ranges::find_if(worst, [&](const Worst& other) { return other.rms < one.rms; });
+  worst.insert(place, std::move(one));
+  if (worst.size() > most_worst) worst.pop_back();
+}
+
+void compare_pairs(ComparedMedia& media, const FrameAlignment& alignment) {
+  FrameStream before(media.before), now(media.now);
+  std::vector<Worst> worst;
+  for (const FrameAlignment::Pair& pair : alignment.pairs) {
+    render::Image8 a = before.frame(pair.before), b = now.frame(pair.now);
+    ++media.frames_compared;
+    const render::PictureDifference difference = render::picture_difference(a, b);
+    if (difference.differing_pixels == 0) continue;
+    ++media.frames_differing;
+    media.least_psnr_db = std::min(media.least_psnr_db, difference.psnr_db);
+    media.largest_share = std::max(media.largest_share, difference.largest);
+    keep(worst, {difference.rms, pair.before, std::move(a), std::move(b)});
+  }
+  for (const Worst& one : worst) {
+    media.worst.push_back(compare_pictures(one.frame, one.before, one.now));
+    media.worst.back().perceived_map = {};
+  }
+}
+
+/// How the files are kept, beside what they show.
+void compare_containers(ComparedMedia& media) {
+  const render::VideoSummary a = render::probe(media.before), b = render::probe(media.now);
+  const auto tell = [&](const char* what, const auto& before, const auto& now) {
+    if (before != now) media.remarks.push_back(fmt::format("{}: {} → {}", what, before, now));
+  };
+  tell("codec", a.codec, b.codec);
+  tell("pixel format", a.pixel_format, b.pixel_format);
+  tell("frames a second", a.rate.per_second(), b.rate.per_second());
+  tell("duration in seconds", a.duration_seconds, b.duration_seconds);
+  tell("primaries", a.primaries, b.primaries);
+  tell("transfer", a.transfer, b.transfer);
+  tell("matrix", a.matrix, b.matrix);
+  tell("range", a.range, b.range);
+  tell("steady timestamps", a.steady_timestamps, b.steady_timestamps);
+}
+
+}  // namespace
+
+bool is_media(const fs::path& file) {
+  std::error_code unknown;
+  if (fs::is_directory(file, unknown)) return !pictures_in(file).empty();
+  return is_picture(file) || is_video(file);
+}
+
+bool ComparedMedia::are_alike() const {
+  return remarks.empty() && std::ranges::all_of(worst, [&](const FrameComparison& frame) {
+           return frame.same || frame.perceived.mean <= perceptual_limit;
+         });
+}
+
+ComparedMedia compared_media(const fs::path& before, const fs::path& now, double perceptual_limit) {
+  ComparedMedia media{.before = before.string(), .now = now.string()};
+  media.perceptual_limit = perceptual_limit;
+  media.least_psnr_db = std::numeric_limits<double>::infinity();
+  const Glimpse then = glimpse_of(before), today = glimpse_of(now);
+  refuse_other_size(then, today, media);
+  media.frames_before = static_cast<int>(then.frames.size());
+  media.frames_now = static_cast<int>(today.frames.size());
+  const FrameAlignment alignment = align(then.frames, today.frames);
+  media.remarks = alignment.told;
+  if (!fs::is_directory(before) && !fs::is_directory(now) && is_video(before) && is_video(now))
+    compare_containers(media);
+  compare_pairs(media, alignment);
+  return media;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "motion/measures/motion_tolerance.h"
+
+namespace mien::pipeline {
+
+/// Two motions, how they differ and what of it is too much.
+struct ComparedMotions {
+  std::string before;  ///< files
+  std::string now;
+  motion::MotionDifference difference;
+  motion::MotionTolerance tolerance;
+  std::vector<motion::Excess> excesses;
+
+  bool are_alike() const { return excesses.empty(); }
+};
+
+/// Reads two motion files, as they are, and compares them; features as `mien motion features` has
+/// them. Throws Error for what cannot be read or compared.
+ComparedMotions compared_motion_files(const std::string& before, const std::string& now,
+                                      const motion::MotionTolerance& tolerance);
+
+/// For people: a verdict, the largest change in a sentence, then level by level; centimetres and
+/// degrees. Ends with a newline.
+std::string as_text(const ComparedMotions& motions);
+
+/// All that is known, in metres, radians and seconds, with curves a joint.
+nlohmann::ordered_json as_json(const ComparedMotions& motions);
+
+}  // namespace mien::pipeline

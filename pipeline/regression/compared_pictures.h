@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "render/compare/pixel_map.h"
+#include "render/image/image.h"
+
+namespace mien::pipeline {
+
+/// Where the pictures that a report shows are put: a folder, which is made.
+///
+///     <id>-00012-before.png, <id>-00012-now.png, <id>-00012-flip.png
+class ComparedPictures {
+ public:
+  explicit ComparedPictures(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  std::filesystem::path before(const std::string& id, int frame) const;
+  std::filesystem::path now(const std::string& id, int frame) const;
+  std::filesystem::path flip(const std::string& id, int frame) const;
+
+  /// Throws render::Error and WriteFailure.
+  void put(const std::string& id, int frame, const render::Image8& before,
+           const render::Image8& now, const render::PixelMap& error) const;
+
+ private:
+  std::filesystem::path file(const std::string& id, int frame, const char* what) const;
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace mien::pipeline

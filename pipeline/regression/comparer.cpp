@@ -1,0 +1,266 @@
+#include "pipeline/regression/comparer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "motion/error.h"
+#include "pipeline/regression/approved_frames.h"
+#include "pipeline/regression/attribution.h"
+#include "pipeline/regression/stimulus_facts.h"
+#include "pipeline/regression/video_changes.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Whether frames can be told to be the same without drawing them.
+bool is_drawn_alike(const StimulusFacts& before, const StimulusFacts& now) {
+  return before.motion == now.motion && before.scene == now.scene &&
+         before.drawing == now.drawing && before.origin.film_code == now.origin.film_code &&
+         before.origin.libraries == now.origin.libraries &&
+         before.origin.processor == now.origin.processor;
+}
+
+/// Compares one stimulus.
+class StimulusComparer {
+ public:
+  StimulusComparer(const StimulusFacts& now, const ComparedStudy& study)
+      : study_(study), before_(*study.baseline.find(now.id)), now_(now) {
+    result_.id = now.id;
+  }
+
+  StimulusComparison compare(bool draw_anyway) {
+    result_.settings = changes_between(before_.settings, now_.settings);
+    result_.weights = value_changes(before_.weights, now_.weights);
+    result_.parameters = value_changes(before_.reached, now_.reached);
+    result_.videos = video_changes(before_.videos, now_.videos);
+    const bool is_moved = before_.motion != now_.motion;
+    if (is_moved) compare_motions();
+    if (draw_anyway || !is_drawn_alike(before_, now_)) {
+      compare_frames();
+    } else {
+      result_.frames_reused = static_cast<int>(before_.key_frames.size());
+    }
+    if (is_moved || looks_otherwise()) find_causes();
+    if (!looks_otherwise() && !is_moved && !result_.videos.empty()) blame_encoder();
+    return std::move(result_);
+  }
+
+ private:
+  bool looks_otherwise() const {
+    return std::ranges::any_of(result_.frames, [](const auto& frame) { return !frame.same; });
+  }
+
+  Rendition& approved() {
+    if (approved_ == nullptr) approved_ = &study_.approved(before_.edition);
+    return *approved_;
+  }
+
+  const StimulusFacts& then() {
+    if (!then_) then_ = facts_of(now_.id, approved());
+    return *then_;
+  }
+
+  /// Whether this program can make what was approved: a file that it was made from may be gone.
+  bool can_remake() {
+    if (!hindrance_) {
+      hindrance_ = "";
+      try {
+        then();
+      } catch (const Error& error) {
+        hindrance_ = error.what();
+      }
+    }
+    return hindrance_->empty();
+  }
+
+  /// Where this program makes another motion of what was approved, the approved one is what it is
+  /// compared with and drawn from.
+  void compare_motions() {
+    const motion::Clip& now = study_.now.clip_of(now_.id);
+    if (!can_remake()) {
+      result_.motion = motion::motion_difference(approved_clip(study_.baseline, now_.id, now), now);
+      return;
+    }
+    if (then().motion != before_.motion)
+      approved().show(now_.id, approved_clip(study_.baseline, now_.id, now));
+    result_.motion = motion::motion_difference(approved().clip_of(now_.id), now);
+  }
+
+  FrameSources sources(const Exchanged& exchanged) {
+    Rendition& now = study_.now;
+    return {.motion = exchanged.motion ? &now : &approved(),
+            .scene = exchanged.scene ? &now : &approved(),
+            .drawing = exchanged.drawing ? &now : &approved()};
+  }
+
+  StagedFilm staged_as(const Exchanged& exchanged) {
+    return staged(now_.id, sources(exchanged), study_.threads);
+  }
+
+  void compare_frames() {
+    const StagedFilm film =
+        staged(now_.id, {&study_.now, &study_.now, &study_.now}, study_.threads);
+    std::vector<int> frames;
+    for (const KeyFrame& key : before_.key_frames) {
+      if (key.frame < film.shot.frame_count()) frames.push_back(key.frame);
+    }
+    const std::vector<render::Image8> pictures = drawn(film, frames, study_.stop);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const render::Image8 before = approved_picture(frames[i]);
+      FrameComparison frame = compare_pictures(frames[i], before, pictures[i]);
+      if (!frame.same && frame.same_size) {
+        frame.noise = noise_test(approved_blocks(frames[i]),
+                                 measured_blocks(film, frames[i], study_.stop), suite_pictures());
+        if (study_.pictures != nullptr)
+          study_.pictures->put(now_.id, frames[i], before, pictures[i], frame.perceived_map);
+        frame.perceived_map = {};
+        if (result_.motion) frame.shares = shares_of(film, frames[i], before, pictures[i]);
+      }
+      result_.frames.push_back(std::move(frame));
+    }
+  }
+
+  render::Image8 approved_picture(int frame) const {
+    return pipeline::approved_picture(study_.baseline, now_.id, frame);
+  }
+
+  BlockStatistics approved_blocks(int frame) const {
+    return pipeline::approved_blocks(study_.baseline, now_.id, frame);
+  }
+
+  std::size_t suite_pictures() const {
+    std::size_t count = 0;
+    for (const StimulusFacts& facts : study_.baseline.stimuli) count += facts.key_frames.size();
+    return count;
+  }
+
+  std::vector<BodyShare> shares_of(const StagedFilm& film, int frame, const render::Image8& before,
+                                   const render::Image8& now) {
+    if (!can_remake()) return {};
+    const StagedFilm old = staged_as({});
+    if (frame >= old.shot.frame_count()) return {};
+    return body_shares(before, now,
+                       {old.shot.actors.front().clip, frame, camera_at(old.shot, frame)},
+                       {film.shot.actors.front().clip, frame, camera_at(film.shot, frame)});
+  }
+
+  /// The frame that differs most, as far as it is in all states.
+  const FrameComparison* worst_frame() const {
+    const FrameComparison* worst = nullptr;
+    for (const FrameComparison& frame : result_.frames) {
+      if (frame.same || !frame.same_size || frame.frame >= before_.frames) continue;
+      if (worst == nullptr || frame.difference.rms > worst->difference.rms) worst = &frame;
+    }
+    return worst;
+  }
+
+  /// An approved motion that was read from its file is a little off, and so is what is drawn of it.
+  bool is_redrawn_with_bias(int frame) {
+    return noise_test(approved_blocks(frame), measured_blocks(staged_as({}), frame, study_.stop),
+                      suite_pictures())
+        .is_bias;
+  }
+
+  double squared_error(const render::Image8& a, const render::Image8& b) const {
+    const double rms = render::picture_difference(a, b).rms;
+    return rms * rms;
+  }
+
+  /// By what the manifest says alone, and without shares.
+  void guess_causes() {
+    const StimulusStates states{before_, before_, now_};
+    add_causes(motion_causes(states), {});
+    if (states.scene_asked()) add_settings(Cause::scene, Aspect::scene, states, {});
+    if (states.drawing_asked()) add_settings(Cause::drawing, Aspect::drawing, states, {});
+    if (result_.causes.empty()) add_causes(program_causes(states), {});
+    for (Attribution& cause : result_.causes)
+      cause.evidence = "what was approved cannot be made again, so nothing could be exchanged: " +
+                       hindrance_.value();
+  }
+
+  void find_causes() {
+    if (!can_remake()) {
+      guess_causes();
+      return;
+    }
+    const StimulusStates states{before_, then(), now_};
+    const FrameComparison* worst = worst_frame();
+    const Exchanged can{before_.motion != now_.motion, states.scene_asked(),
+                        states.drawing_asked()};
+    CauseShares shares;
+    bool is_redrawn_otherwise = false;
+    if (worst != nullptr) {
+      const render::Image8 before = approved_picture(worst->frame);
+      const render::Image8 none = drawn(staged_as({}), {worst->frame}, study_.stop).front();
+      double program_error = squared_error(before, none);
+      if (states.motion_remade() && !is_redrawn_with_bias(worst->frame)) program_error = 0.0;
+      is_redrawn_otherwise = program_error > 0.0;
+      shares = cause_shares(can, program_error, [&](const Exchanged& set) {
+        return squared_error(none, drawn(staged_as(set), {worst->frame}, study_.stop).front());
+      });
+    }
+    const auto share = [&](double value) {
+      return worst != nullptr ? std::optional(value) : std::nullopt;
+    };
+    add_causes(motion_causes(states), share(shares.motion));
+    if (states.scene_asked())
+      add_settings(Cause::scene, Aspect::scene, states, share(shares.scene));
+    if (states.drawing_asked())
+      add_settings(Cause::drawing, Aspect::drawing, states, share(shares.drawing));
+    if (is_redrawn_otherwise) add_causes(program_causes(states), share(shares.program));
+    result_.interaction = shares.interaction;
+    std::ranges::stable_sort(result_.causes, std::greater{},
+                             [](const Attribution& one) { return one.share.value_or(0.0); });
+  }
+
+  void add_causes(std::vector<Attribution> causes, std::optional<double> share) {
+    const auto count = static_cast<double>(causes.size());
+    for (Attribution& cause : causes) {
+      if (share) cause.share = *share / count;
+      result_.causes.push_back(std::move(cause));
+    }
+  }
+
+  void add_settings(Cause cause, Aspect aspect, const StimulusStates& states,
+                    std::optional<double> share) {
+    result_.causes.push_back({cause, asked_text(states, aspect),
+                              aspect == Aspect::scene
+                                  ? "exchanged alone, the scene changes the picture"
+                                  : "the same motion and scene, drawn in another way",
+                              share});
+  }
+
+  /// The frames are the same, and the file is not.
+  void blame_encoder() {
+    std::string root;
+    for (const SettingChange& change : result_.settings) {
+      if (change.aspect == Aspect::video) root += (root.empty() ? "" : "; ") + change_text(change);
+    }
+    const auto ffmpeg = [](const Origin& origin) {
+      const auto found = origin.libraries.find("FFmpeg");
+      return found == origin.libraries.end() ? std::string() : found->second;
+    };
+    if (root.empty() && ffmpeg(before_.origin) != ffmpeg(now_.origin))
+      root = "FFmpeg " + ffmpeg(before_.origin) + " → " + ffmpeg(now_.origin);
+    if (root.empty()) root = "the encoder";
+    result_.causes.push_back(
+        {Cause::encoder, root, "all key frames are the same, the video's bytes are not", {}});
+  }
+
+  const ComparedStudy& study_;
+  const StimulusFacts& before_;
+  const StimulusFacts& now_;
+  Rendition* approved_ = nullptr;
+  std::optional<StimulusFacts> then_;
+  std::optional<std::string> hindrance_;  ///< once it was tried
+  StimulusComparison result_;
+};
+
+}  // namespace
+
+StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool draw_anyway) {
+  return StimulusComparer(now, study).compare(draw_anyway);
+}
+
+}  // namespace mien::pipeline

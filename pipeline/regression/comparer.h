@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "pipeline/regression/baseline.h"
+#include "pipeline/regression/compared_pictures.h"
+#include "pipeline/regression/comparison.h"
+#include "pipeline/regression/rendition.h"
+
+namespace mien::pipeline {
+
+/// What stimuli are compared with, and by what means.
+struct ComparedStudy {
+  const Baseline& baseline;
+  Rendition& now;
+  /// What was approved, made by this program. Asked only where something may have changed. Throws
+  /// Error when it cannot be; causes then go by what the manifests say.
+  std::function<Rendition&(const std::string& edition)> approved;
+  const ComparedPictures* pictures = nullptr;  ///< takes the frames that differ, if any
+  int threads = 1;
+  std::stop_token stop;
+};
+
+/// Compares a stimulus that both have on every level, and finds out why it differs. `now` are its
+/// facts, with the videos that were made of it, if any. `draw_anyway`: its key frames are drawn
+/// although nothing that they depend on has changed. Throws Error and Interrupted.
+StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool draw_anyway);
+
+}  // namespace mien::pipeline

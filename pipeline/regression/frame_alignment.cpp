@@ -1,0 +1,186 @@
+#include "pipeline/regression/frame_alignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "render/image/resize.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr int thumbnail_width = 32;
+constexpr int thumbnail_height = 18;
+constexpr int least_band = 240;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double distance(const Thumbnail& a, const Thumbnail& b) {
+  if (a.size() != b.size()) return infinite;
+  long sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(int{a[i]} - int{b[i]});
+  return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(a.size(), 1));
+}
+
+double median(std::vector<double> values, double none) {
+  if (values.empty()) return none;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// How different frames beside each other are.
+double usual_step(const std::vector<Thumbnail>& frames) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    steps.push_back(distance(frames[i - 1], frames[i]));
+  return std::max(median(std::move(steps), 1.0), 1e-3);
+}
+
+/// How different a frame is from the one that shows the same, by encoding for instance.
+double usual_noise(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now) {
+  std::vector<double> least;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    double nearest = infinite;
+    for (std::size_t j = i == 0 ? 0 : i - 1; j < std::min(now.size(), i + 2); ++j)
+      nearest = std::min(nearest, distance(before[i], now[j]));
+    if (nearest < infinite) least.push_back(nearest);
+  }
+  return median(std::move(least), 0.0);
+}
+
+enum class Step : std::uint8_t { none, pair, missing, added };
+
+/// The table of least costs, in a band about the diagonal.
+class Table {
+ public:
+  Table(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now)
+      : before_(before),
+        now_(now),
+        rows_(static_cast<int>(before.size()) + 1),
+        columns_(static_cast<int>(now.size()) + 1),
+        band_(std::max(least_band, std::abs(rows_ - columns_) + 16)),
+        gap_(0.45 * usual_step(before) + 2.0 * usual_noise(before, now)),
+        steps_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(2 * band_ + 1)) {
+    fill();
+  }
+
+  Step step(int row, int column) const { return steps_[index(row, column)]; }
+
+ private:
+  bool holds(int row, int column) const {
+    return column >= 0 && column < columns_ && std::abs(column - row) <= band_;
+  }
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(2 * band_ + 1) +
+           static_cast<std::size_t>(column - row + band_);
+  }
+
+  void fill() {
+    std::vector<double> above(static_cast<std::size_t>(columns_), infinite), here = above;
+    for (int row = 0; row < rows_; ++row) {
+      std::ranges::fill(here, infinite);
+      for (int column = std::max(0, row - band_); holds(row, column); ++column)
+        here[static_cast<std::size_t>(column)] = least(row, column, above, here);
+      std::swap(above, here);
+    }
+  }
+
+  double least(int row, int column, const std::vector<double>& above,
+               const std::vector<double>& here) {
+    const auto c = static_cast<std::size_t>(column);
+    if (row == 0 && column == 0) return 0.0;
+    double best = infinite;
+    const auto offer = [&](double cost, Step step) {
+      if (!(cost < best)) return;
+      best = cost;
+      steps_[index(row, column)] = step;
+    };
+    if (row > 0 && column > 0)
+      offer(above[c - 1] + distance(before_[static_cast<std::size_t>(row - 1)], now_[c - 1]),
+            Step::pair);
+    if (row > 0) offer(above[c] + gap_, Step::missing);
+    if (column > 0) offer(here[c - 1] + gap_, Step::added);
+    return best;
+  }
+
+  const std::vector<Thumbnail>& before_;
+  const std::vector<Thumbnail>& now_;
+  int rows_;
+  int columns_;
+  int band_;
+  double gap_;
+  std::vector<Step> steps_;
+};
+
+/// "frames 4 and 5 are exchanged" where a frame that is missing was put in beside its place.
+void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
+          const std::vector<Thumbnail>& now, double step) {
+  std::vector<int> added = alignment.added;
+  for (const int frame : alignment.missing) {
+    const auto same = std::ranges::find_if(added, [&](int other) {
+      return std::abs(other - frame) <= 2 &&
+             distance(before[static_cast<std::size_t>(frame)],
+                      now[static_cast<std::size_t>(other)]) < 0.5 * step;
+    });
+    if (same == added.end()) {
+      alignment.told.push_back(fmt::format("frame {} is missing", frame));
+    } else {
+      alignment.told.push_back(fmt::format("frames {} and {} are exchanged", std::min(frame, *same),
+                                           std::max(frame, *same)));
+      added.erase(same);
+    }
+  }
+  for (const int frame : added) {
+    const auto i = static_cast<std::size_t>(frame);
+    const auto is_as = [&](std::size_t other) {
+      return other < now.size() && distance(now[other], now[i]) < 0.25 * step;
+    };
+    if (i > 0 && is_as(i - 1))
+      alignment.told.push_back(fmt::format("frame {} repeats the one before", frame));
+    else if (is_as(i + 1))
+      alignment.told.push_back(fmt::format("frame {} repeats the one before", frame + 1));
+    else
+      alignment.told.push_back(fmt::format("frame {} is new", frame));
+  }
+}
+
+}  // namespace
+
+Thumbnail thumbnail_of(const render::Image8& picture) {
+  return render::resized(picture, std::min(thumbnail_width, picture.width),
+                         std::min(thumbnail_height, picture.height))
+      .channels;
+}
+
+FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now) {
+  const Table table(before, now);
+  FrameAlignment alignment;
+  int row = static_cast<int>(before.size()), column = static_cast<int>(now.size());
+  while (row > 0 || column > 0) {
+    switch (table.step(row, column)) {
+      case Step::pair:
+        alignment.pairs.push_back({--row, --column});
+        break;
+      case Step::missing:
+        alignment.missing.push_back(--row);
+        break;
+      case Step::added:
+        alignment.added.push_back(--column);
+        break;
+      case Step::none:  // pictures of other sizes
+        row = column = 0;
+        break;
+    }
+  }
+  std::ranges::reverse(alignment.pairs);
+  std::ranges::reverse(alignment.missing);
+  std::ranges::reverse(alignment.added);
+  tell(alignment, before, now, usual_step(before));
+  return alignment;
+}
+
+}  // namespace mien::pipeline

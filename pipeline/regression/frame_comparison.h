@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/regression/body_shares.h"
+#include "pipeline/regression/noise_test.h"
+#include "render/compare/perceptual_error.h"
+#include "render/compare/picture_difference.h"
+
+namespace mien::pipeline {
+
+/// A frame before and now.
+struct FrameComparison {
+  int frame = 0;
+  bool same = true;       ///< every pixel
+  bool same_size = true;  ///< else nothing below is known
+  render::PictureDifference difference;
+  render::LibraryDifference second_voice;  ///< what OpenImageIO says of the same
+  render::ErrorSummary perceived;          ///< ꟻLIP, 0 … 1
+  render::PixelMap perceived_map;          ///< only until it is put away
+  double similarity = 1.0;                 ///< SSIM
+  NoiseTest noise;
+  std::vector<BodyShare> shares;  ///< when the motion has changed
+};
+
+/// All but `noise` and `shares`.
+FrameComparison compare_pictures(int frame, const render::Image8& before,
+                                 const render::Image8& now);
+
+}  // namespace mien::pipeline

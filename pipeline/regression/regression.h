@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/regression/comparer.h"
+#include "pipeline/regression/gate.h"
+#include "pipeline/regression/repetition.h"
+
+namespace mien::pipeline {
+
+/// Stimuli that differ for one reason, and can be decided on together.
+struct CauseGroup {
+  Cause cause = Cause::unknown;
+  std::string root;
+  std::vector<std::string> ids;  ///< of those that differ or are alike because of it
+  bool differs = false;          ///< whether one of them differs
+};
+
+/// The largest first, those that differ before others.
+std::vector<CauseGroup> groups_of(const std::vector<StimulusComparison>& stimuli);
+
+/// A study held against what was approved of it.
+struct Regression {
+  std::string study;
+  std::vector<StimulusComparison> stimuli;  ///< in the manifest's order; those that are gone last
+  std::vector<CauseGroup> groups;           ///< the largest first, those that differ before others
+  Gate gate;
+  Repetitions repetitions;
+  int audited = 0;  ///< stimuli that were drawn although they cannot have changed
+
+  int count(Verdict verdict) const;
+  bool passes() const;  ///< nothing differs, appeared, is gone or came out otherwise
+                        ///< when it was repeated, and the gate holds
+};
+
+struct RegressionOptions {
+  double audit_share = 0.02;  ///< of the stimuli that need not be drawn: so many are nevertheless
+};
+
+/// Told after each stimulus.
+using StimulusDone = std::function<void(double share, const StimulusComparison&)>;
+
+/// Compares all stimuli. `videos` are those that were made of them, by their ids. Throws Error and
+/// Interrupted.
+Regression regress(const ComparedStudy& study,
+                   const std::map<std::string, std::vector<VideoFacts>>& videos,
+                   const RegressionOptions& options, const StimulusDone& done);
+
+}  // namespace mien::pipeline

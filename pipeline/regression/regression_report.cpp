@@ -1,0 +1,189 @@
+#include "pipeline/regression/regression_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/documents/html.h"
+#include "pipeline/regression/regression_texts.h"
+#include "pipeline/regression/report_pictures.h"
+#include "pipeline/regression/report_stimulus.h"
+
+#include "embedded/distance_chart_js.h"
+#include "embedded/motion_view_js.h"
+#include "embedded/picture_view_js.h"
+#include "embedded/regression_css.h"
+#include "embedded/report_js.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool is_shown(const StimulusComparison& one) {
+  return one.verdict == Verdict::differs || one.verdict == Verdict::alike;
+}
+
+std::string percents(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
+
+/// What no cause does alone: together they do more, or less, than one by one.
+std::string interaction_line(double interaction) {
+  if (interaction > 0.0) return percents(interaction) + " only by several of these together";
+  return "one by one they would make " + percents(-interaction) +
+         " more of a difference than together";
+}
+
+std::vector<std::string> cause_lines(const StimulusComparison& one) {
+  std::vector<std::string> lines;
+  for (const Attribution& cause : one.causes)
+    lines.push_back(fmt::format("{}{}: {} ({})", cause.share ? percents(*cause.share) + " " : "",
+                                name_of(cause.cause), cause.root, cause.evidence));
+  if (std::abs(one.interaction) >= 0.01) lines.push_back(interaction_line(one.interaction));
+  return lines;
+}
+
+std::string first_words(const StimulusComparison& one) {
+  if (!one.reasons.empty()) return one.reasons.front();
+  return "within the limits, or no more than noise";
+}
+
+std::string titled_list(const char* title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return "";
+  return fmt::format("<section><h3>{}</h3>\n{}</section>\n", title, html_list("reasons", lines));
+}
+
+/// Where a link finds a stimulus. No other element's name begins so.
+std::string anchor_of(const std::string& id) { return html_escaped("stimulus-" + id); }
+
+std::string card(const StimulusComparison& one, std::size_t index, bool opened) {
+  std::vector<std::string> changes = one.reasons;
+  if (std::string motion = motion_text(one); !motion.empty()) changes.push_back(std::move(motion));
+  return fmt::format(
+      "<details class=\"card {0}\" id=\"{1}\"{2}{3}><summary><b>{4}</b><span class=\"pill\">{0}"
+      "</span> <small>{5}</small></summary>\n<div class=\"told\">\n{6}{7}</div></details>\n",
+      name_of(one.verdict), anchor_of(one.id),
+      is_shown(one) ? fmt::format(" data-index=\"{}\"", index) : "", opened ? " open" : "",
+      html_escaped(one.id), html_escaped(first_words(one)), titled_list("What", changes),
+      titled_list("Why", cause_lines(one)));
+}
+
+std::string links_to(std::span<const std::string> ids) {
+  std::string links;
+  for (const std::string& id : ids)
+    links += fmt::format("{}<a href=\"#{}\">{}</a>", links.empty() ? "" : ", ", anchor_of(id),
+                         html_escaped(id));
+  return links;
+}
+
+/// The first few; the others when they are asked for.
+std::string group_links(const std::vector<std::string>& ids) {
+  constexpr std::size_t few = 12;
+  if (ids.size() <= few + 3) return links_to(ids);
+  const std::span<const std::string> all(ids);
+  return fmt::format("{}<details><summary>and {} more</summary>{}</details>",
+                     links_to(all.first(few)), ids.size() - few, links_to(all.subspan(few)));
+}
+
+std::string groups_table(std::span<const CauseGroup> groups) {
+  std::string rows;
+  for (const CauseGroup& group : groups)
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
+                        name_of(group.cause), html_escaped(group.root), group.ids.size(),
+                        group_links(group.ids));
+  return html_table({"cause", "what", "stimuli", ""}, rows);
+}
+
+/// The first few causes, for the stimuli not to lie far below; the others when they are asked for.
+std::string causes_section(const std::vector<CauseGroup>& groups) {
+  constexpr std::size_t few = 12;
+  if (groups.empty()) return "";
+  const std::string title = "<h2>Causes</h2>\n";
+  if (groups.size() <= few + 3) return title + groups_table(groups);
+  const std::span<const CauseGroup> all(groups);
+  return fmt::format(
+      "{}{}<details class=\"more\"><summary>and {} more causes</summary>{}</details>\n", title,
+      groups_table(all.first(few)), groups.size() - few, groups_table(all.subspan(few)));
+}
+
+/// Those that differ before those that are alike.
+std::vector<const StimulusComparison*> in_order(const Regression& regression) {
+  std::vector<const StimulusComparison*> order;
+  for (const Verdict verdict :
+       {Verdict::differs, Verdict::appeared, Verdict::gone, Verdict::alike}) {
+    for (const StimulusComparison& one : regression.stimuli) {
+      if (one.verdict == verdict) order.push_back(&one);
+    }
+  }
+  return order;
+}
+
+/// JSON as an element that the page's script reads when it needs it. No text in it can end it.
+std::string data_element(std::size_t index, const Json& json) {
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; ++at)
+    text.replace(at, 1, "\\u003c");
+  return fmt::format("<script type=\"application/json\" id=\"data-{}\">{}</script>\n", index, text);
+}
+
+std::string left_out(const ReportPictures& chosen) {
+  if (chosen.every_frame) return "";
+  return fmt::format(
+      "<p class=\"quiet\">Of each stimulus the worst frame is shown{}; all of them "
+      "lie in the folder <code>frames</code> beside this page.</p>\n",
+      chosen.most_width > 0 ? fmt::format(", {} pixels wide at most", chosen.most_width) : "");
+}
+
+/// What the study is held against, and how far the comparison can be trusted.
+std::string grounds(const Regression& regression, const Baseline& baseline) {
+  std::string text;
+  if (!baseline.approvals.empty()) {
+    const Approval& last = baseline.approvals.back();
+    text = fmt::format("Last approved by {}, {}: “{}”. ", last.who, last.when, last.why);
+  }
+  text += "Gate: " + gate_text(regression.gate) + ". " + repetitions_text(regression.repetitions);
+  return "<p class=\"quiet grounds\">" + html_escaped(text) + "</p>\n";
+}
+
+constexpr char keys_told[] =
+    "<p class=\"keys\"><kbd>J</kbd> <kbd>K</kbd> next and previous stimulus · <kbd>1</kbd> slider "
+    "<kbd>2</kbd> blink <kbd>3</kbd> difference <kbd>4</kbd> ꟻLIP · <kbd>[</kbd> <kbd>]</kbd> key "
+    "frame · <kbd>←</kbd> <kbd>→</kbd> one frame · <kbd>Space</kbd> play · <kbd>V</kbd> video · "
+    "<kbd>Shift</kbd>+<kbd>←</kbd> <kbd>→</kbd> slider · <kbd>G</kbd> contrast · <kbd>A</kbd> "
+    "<kbd>D</kbd> <kbd>W</kbd> <kbd>S</kbd> turn in 3-D</p>\n";
+
+}  // namespace
+
+std::string regression_report(const Regression& regression, const ComparedStudy& study,
+                              ReportVideos videos) {
+  const std::vector<const StimulusComparison*> order = in_order(regression);
+  ReportPictures chosen;
+  if (study.pictures) chosen = fitting_pictures(regression, *study.pictures);
+  std::string cards;
+  std::string data;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const StimulusComparison& one = *order[i];
+    cards += card(one, i, i == 0);
+    if (!is_shown(one)) continue;
+    Json entry = {{"frames", Json::array()}};
+    if (study.pictures) entry["frames"] = frames_json(one, *study.pictures, chosen);
+    if (one.motion) entry["motion"] = motion_json(one, study);
+    if (Json both = videos.of(one.id, study.baseline); !both.is_null()) entry["videos"] = both;
+    data += data_element(i, entry);
+  }
+  const std::string body = fmt::format(
+      "<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n{}{}{}{}{}<script>\n\"use strict\";\n{}{}{}{}"
+      "</script>\n",
+      html_escaped(regression.study), regression.passes() ? "holds" : "fails",
+      html_escaped(summary_text(regression)), grounds(regression, study.baseline),
+      causes_section(regression.groups),
+      order.empty() ? "" : "<h2>Stimuli</h2>\n" + left_out(chosen) + keys_told, cards, data,
+      embedded_distance_chart_js, embedded_motion_view_js, embedded_picture_view_js,
+      embedded_report_js);
+  return html_page(regression.study + ": regression", embedded_regression_css, body);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/regression/regression.h"
+
+namespace mien::pipeline {
+
+/// For a terminal: groups by cause, then what differs, then a line that sums up.
+std::string plain_text(const Regression& regression);
+
+/// For a pull request: the same as GitHub's Markdown.
+std::string markdown_text(const Regression& regression);
+
+/// For CI systems: JUnit's XML, a test case a stimulus and one for the gate.
+std::string junit_text(const Regression& regression);
+
+/// Everything as JSON. Lengths are metres, angles radians, times seconds.
+nlohmann::ordered_json as_json(const Regression& regression);
+
+/// "3 differ, 1 alike, 12 same of 16; the gate holds"
+std::string summary_text(const Regression& regression);
+
+/// What was planted in a copy of which stimulus, and whether it was seen.
+std::string gate_text(const Gate& gate);
+
+/// What differed when everything was repeated, a line; empty unless it was.
+std::string repetitions_text(const Repetitions& repetitions);
+
+/// "adjectives.quickness 0.6 → 0.61 (motion): 3 stimuli" and the like.
+std::string group_text(const CauseGroup& group);
+
+/// What became of a stimulus's motion, in a sentence; empty when it is the same.
+std::string motion_text(const StimulusComparison& comparison);
+
+/// "72 % left forearm, 20 % left hand, 8 % unexplained"
+std::string shares_text(const std::vector<BodyShare>& shares);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,144 @@
+#include "pipeline/regression/rendition.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "pipeline/film/film.h"
+#include "pipeline/film/film_shot.h"
+#include "pipeline/manifest/own_seed.h"
+#include "pipeline/synthesis/motion_task.h"
+#include "pipeline/tasks/task_graph.h"
+#include "render/image/tone.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Makes what the films of a study have in common.
+void equalize(const Manifest& manifest, const SharedDeterminants& shared, Motions& motions,
+              const std::filesystem::path& folder, int threads, const std::stop_token& stop) {
+  if (manifest.equalize == Equalize{}) return;
+  TaskGraph graph;
+  for (const Stimulus& stimulus : manifest.stimuli)
+    graph.add(motion_task(stimulus, shared, motions));
+  const FilmSettings settings{.seed = manifest.seed, .threads = threads};
+  for (Task& task : equalizing_tasks(manifest, shared, settings, motions))
+    graph.add(std::move(task));
+  Store store(folder);
+  for (const TaskOutcome& outcome : run(graph, store, threads, stop, {})) {
+    if (outcome.state == TaskState::interrupted) throw Interrupted{};
+    if (outcome.state == TaskState::failed)
+      throw Error(outcome.error, "mien check tells what can be made alike");
+  }
+}
+
+const Stimulus& stimulus_of(const Rendition& rendition, const std::string& id) {
+  return *find_stimulus(rendition.manifest(), id);
+}
+
+/// The output that a frame is drawn with: the scene's, with how it moves and how it is drawn from
+/// others.
+Output output_of(const FrameSources& sources, const std::string& id) {
+  Output output = stimulus_of(*sources.scene, id).output;
+  const Output& drawing = stimulus_of(*sources.drawing, id).output;
+  output.quality = drawing.quality;
+  output.shutter = drawing.shutter;
+  output.fps = stimulus_of(*sources.motion, id).output.fps;
+  output.frames = FrameFormat::none;
+  return output;
+}
+
+/// The light that a display gives.
+render::Film as_light(const render::Image8& picture) {
+  std::array<float, 256> light{};
+  for (std::size_t level = 0; level < light.size(); ++level)
+    light[level] = static_cast<float>(render::linear_from_srgb(static_cast<double>(level) / 255.0));
+  render::Film film(picture.width, picture.height);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      for (std::size_t c = 0; c < 3; ++c) film.at(x, y)[c] = light[picture.at(x, y)[c]];
+    }
+  }
+  return film;
+}
+
+}  // namespace
+
+Rendition::Rendition(Manifest manifest, const std::filesystem::path& folder, int threads,
+                     const std::stop_token& stop)
+    : manifest_(std::move(manifest)), folder_(folder), motions_(manifest_) {
+  equalize(manifest_, shared_determinants(manifest_, files_), motions_, folder_, threads, stop);
+}
+
+const motion::Clip& Rendition::clip_of(const std::string& id) {
+  const auto known = clips_.find(id);
+  if (known != clips_.end()) return known->second;
+  if (manifest_.equalize.duration) alike(id);
+  return clips_.emplace(id, staged_clip(stimulus_of(*this, id), motions_)).first->second;
+}
+
+Hash Rendition::scene_key(const std::string& id) {
+  Stimulus scene = stimulus_of(*this, id);
+  scene.output.quality = Quality::standard;
+  scene.output.shutter = 0.0;
+  scene.output.fps = Output{}.fps;  // and walking on the spot: the clip's affair
+  scene.output.in_place = false;
+  KeyBuilder key;
+  add_film(key, scene, files_);
+  const Equalized equal = alike(id);
+  key.add("stops", equal.exposure_stops);
+  if (equal.framing.figure_px) key.add("size", *equal.framing.figure_px);
+  if (equal.framing.figure_place) {
+    key.add("x", equal.framing.figure_place->front());
+    key.add("y", equal.framing.figure_place->back());
+  }
+  if (std::holds_alternative<scenes::PointLightOptions>(scene.look.figure))
+    key.add("dots", static_cast<std::int64_t>(manifest_.seed));
+  return key.key();
+}
+
+Hash Rendition::drawing_key(const std::string& id) const {
+  const Output& output = stimulus_of(*this, id).output;
+  KeyBuilder key;
+  key.add("quality", name_of(output.quality)).add("shutter", output.shutter);
+  key.add("seed", static_cast<std::int64_t>(manifest_.seed));
+  return key.key();
+}
+
+Equalized Rendition::alike(const std::string& id) {
+  return equalized_film(manifest_.equalize, folder_, id, motions_);
+}
+
+StagedFilm staged(const std::string& id, const FrameSources& sources, int threads) {
+  const Equalized equal = sources.scene->alike(id);
+  StagedFilm film{shot_of(stimulus_of(*sources.scene, id), sources.motion->clip_of(id),
+                          sources.scene->manifest().seed, equal.framing),
+                  {.output = output_of(sources, id),
+                   .seed = sources.drawing->manifest().seed,
+                   .threads = threads}};
+  film.shot.tone.exposure_stops += equal.exposure_stops;
+  return film;
+}
+
+std::vector<render::Image8> drawn(const StagedFilm& film, const std::vector<int>& frames,
+                                  const std::stop_token& stop) {
+  std::vector<render::Image8> pictures;
+  draw_frames(
+      film.shot, frames, film.settings, nullptr,
+      [&](int, const render::Image8& picture) { pictures.push_back(picture); }, stop,
+      [](double) {});
+  return pictures;
+}
+
+BlockStatistics measured_blocks(const StagedFilm& film, int frame, const std::stop_token& stop) {
+  std::vector<render::Film> patterns;
+  for (std::uint64_t k = 1; k <= noise_patterns; ++k) {
+    StagedFilm pattern{film.shot, film.settings};
+    pattern.settings.seed = own_seed(film.settings.seed, "pattern " + std::to_string(k));
+    patterns.push_back(as_light(drawn(pattern, {frame}, stop).front()));
+  }
+  return block_statistics(patterns);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,152 @@
+#include "pipeline/regression/settings.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "pipeline/look/point_form.h"
+#include "pipeline/look/set_fields.h"
+#include "pipeline/manifest/example_files.h"
+#include "pipeline/reading/field_writer.h"
+#include "pipeline/tasks/artifact_key.h"
+#include "scenes/character/character.h"
+#include "scenes/figures/figure.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::string_view drawing_options[] = {"output.quality", "output.shutter"};
+
+/// fps and in_place count as what they change first.
+Aspect aspect_of(const FieldEntry& entry) {
+  if (std::ranges::find(drawing_options, entry.path) != std::end(drawing_options))
+    return Aspect::drawing;
+  if ((entry.concerns & (concerns::motion | concerns::repertoire)) != 0) return Aspect::motion;
+  if ((entry.concerns & concerns::picture) != 0) return Aspect::scene;
+  return Aspect::video;
+}
+
+bool holds_maps(const OrderedJson& array) { return !array.empty() && array.front().is_object(); }
+
+/// Maps, and lists of maps, are told value by value.
+void add_value(std::vector<Setting>& settings, const std::string& path, Aspect aspect,
+               const OrderedJson& value) {
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items())
+      add_value(settings, path + "." + key, aspect, member);
+  } else if (value.is_array() && holds_maps(value)) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      add_value(settings, path + "[" + std::to_string(i) + "]", aspect, value[i]);
+  } else if (!value.is_null()) {
+    settings.push_back({path, aspect, value.dump()});
+  }
+}
+
+void add_entries(std::vector<Setting>& settings, const std::vector<FieldEntry>& entries,
+                 FileKeys& files) {
+  for (const FieldEntry& entry : entries) {
+    add_value(settings, entry.path, aspect_of(entry), entry.value);
+    for (const std::filesystem::path& file : entry.files) {
+      const OrderedJson content = files.of(file);
+      settings.push_back({entry.path + " content", aspect_of(entry), content.dump()});
+    }
+  }
+}
+
+/// A set counts by what it holds, whatever its file is called.
+void add_set(std::vector<Setting>& settings, const scenes::SetPlan& set) {
+  for (const FieldEntry& entry : entries_of(set, {.for_key = true})) {
+    if (entry.concerns != concerns::nothing)
+      add_value(settings, "set." + entry.path, Aspect::scene, entry.value);
+  }
+}
+
+/// A character counts with the pictures and buffers that it refers to.
+void add_character(std::vector<Setting>& settings, const Stimulus& stimulus, FileKeys& files) {
+  const auto* character = scenes::character_in(stimulus.look.figure);
+  if (character == nullptr) return;
+  const Hash& key = files.of_character(character->file);
+  settings.push_back({"look.figure content", Aspect::scene, OrderedJson(key).dump()});
+}
+
+/// The examples are many files, and told as one.
+void add_examples(std::vector<Setting>& settings, const Manifest& manifest, FileKeys& files) {
+  const std::vector<std::filesystem::path> examples = repertoire_files(manifest);
+  if (examples.empty()) return;
+  KeyBuilder key;
+  for (const std::filesystem::path& file : examples) key.add("file", files.of(file));
+  settings.push_back({"examples content", Aspect::motion, OrderedJson(key.key()).dump()});
+}
+
+/// What stands once for all stimuli. Which examples there are their content tells.
+std::vector<FieldEntry> study_entries(const Manifest& manifest) {
+  const Writing how{.for_key = true,
+                    .concerned = concerns::repertoire | concerns::motion | concerns::picture};
+  std::vector<FieldEntry> entries = entries_of(manifest, how);
+  std::erase_if(entries, [](const FieldEntry& entry) {
+    return entry.path != "recipes" && !entry.path.starts_with("examples") &&
+           entry.path != "equalize";
+  });
+  for (FieldEntry& entry : entries)
+    std::erase_if(entry.files,
+                  [](const auto& file) { return std::filesystem::is_directory(file); });
+  return entries;
+}
+
+}  // namespace
+
+std::string_view name_of(Aspect aspect) {
+  for (const auto& [word, meaning] : aspect_words) {
+    if (meaning == aspect) return word;
+  }
+  return "";
+}
+
+std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manifest,
+                                 FileKeys& files) {
+  Stimulus itself = stimulus;
+  itself.foil.reset();
+  const Writing how{.for_key = true,
+                    .concerned = concerns::motion | concerns::picture | concerns::stored |
+                                 concerns::shown | concerns::files};
+  std::vector<Setting> settings;
+  add_entries(settings, entries_of(itself, how), files);
+  std::erase_if(settings, [](const Setting& setting) {
+    return setting.path == "look.scene_file content" ||  // as its options
+           setting.path == "look.figure content";        // with what belongs to it
+  });
+  add_character(settings, stimulus, files);
+  add_set(settings, stimulus.look.set);
+  add_entries(settings, study_entries(manifest), files);
+  add_examples(settings, manifest, files);
+  settings.push_back({"seed", Aspect::drawing, std::to_string(manifest.seed)});
+  return settings;
+}
+
+std::vector<SettingChange> changes_between(const std::vector<Setting>& before,
+                                           const std::vector<Setting>& now) {
+  std::map<std::string_view, const Setting*> by_path;
+  for (const Setting& setting : now) by_path[setting.path] = &setting;
+  std::vector<SettingChange> changes;
+  for (const Setting& setting : before) {
+    const auto same = by_path.find(setting.path);
+    const std::string value = same == by_path.end() ? "" : same->second->value;
+    if (value != setting.value)
+      changes.push_back({setting.path, setting.aspect, setting.value, value});
+    if (same != by_path.end()) by_path.erase(same);
+  }
+  for (const Setting& setting : now) {
+    if (by_path.contains(setting.path))
+      changes.push_back({setting.path, setting.aspect, "", setting.value});
+  }
+  return changes;
+}
+
+std::string change_text(const SettingChange& change) {
+  if (change.before.empty()) return change.path + " " + change.now + " is new";
+  if (change.now.empty()) return change.path + " " + change.before + " is gone";
+  return change.path + " " + change.before + " → " + change.now;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,51 @@
+#include "pipeline/regression/video_changes.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace mien::pipeline {
+
+namespace {
+
+VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
+  VideoChange change{.format = before.format, .what = {}};
+  change.same_frames = before.frames == now.frames && before.fps == now.fps;
+  if (before.frames != now.frames)
+    change.what.push_back(fmt::format("{} frames → {}", before.frames, now.frames));
+  if (before.fps != now.fps)
+    change.what.push_back(fmt::format("{:g} frames/s → {:g}", before.fps, now.fps));
+  if (before.identical != now.identical)
+    change.what.emplace_back(now.identical ? "shows its frames exactly now"
+                                           : "shows its frames no longer exactly");
+  if (!now.identical) {
+    constexpr double best_psnr_db = 100.0;
+    const double was = before.identical ? best_psnr_db : before.worst_psnr_db;
+    change.psnr_lost_db = was - now.worst_psnr_db;
+  }
+  if (!before.identical && !now.identical && before.worst_psnr_db != now.worst_psnr_db)
+    change.what.push_back(
+        fmt::format("worst PSNR {:.2f} dB → {:.2f} dB", before.worst_psnr_db, now.worst_psnr_db));
+  if (change.what.empty()) change.what.emplace_back("other bytes");
+  return change;
+}
+
+}  // namespace
+
+std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,
+                                       const std::vector<VideoFacts>& now) {
+  std::vector<VideoChange> changes;
+  if (now.empty()) return changes;  // none were made
+  for (const VideoFacts& old : before) {
+    const auto same = std::ranges::find_if(
+        now, [&](const VideoFacts& video) { return video.record.format == old.record.format; });
+    if (same == now.end()) {
+      changes.push_back({old.record.format, {"is not made any more"}, false, 0.0});
+    } else if (same->hash != old.hash) {
+      changes.push_back(video_change(old.record, same->record));
+    }
+  }
+  return changes;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,124 @@
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A study that lies in a folder of a git repository, and names a motion beside it.
+class RegressStudy : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (run_program({"git", "--version"}).code != 0) GTEST_SKIP() << "git is not installed";
+    fs::create_directories(root() / "studies");
+    ASSERT_EQ(run_mien({"motion", "blend", "--examples", "builtin:walks-10", "--weights",
+                        "normal=1", "--cycles", "1", "-o", (root() / "walk.bvh").string()})
+                  .code,
+              0);
+    write_manifest(0.4);
+    git({"init", "--quiet"});
+    git({"config", "user.name", "A Tester"});
+    git({"config", "user.email", "tester@example.org"});
+  }
+
+  fs::path root() const { return scratch_.path() / "repository"; }
+  fs::path manifest() const { return root() / "studies" / "small.yaml"; }
+
+  void write_manifest(double proud) const {
+    scratch_.write("repository/studies/small.yaml",
+                   "mien: 1\nstudy: small\nexamples: {set: builtin:walks-10}\n"
+                   "output: {size: [96, 54], fps: 10, cycles: 1, quality: draft, frames: none,"
+                   " video: [gif]}\n"
+                   "stimuli:\n  - {id: blend, weights: {normal: 1, proud: " +
+                       std::to_string(proud) + "}}\n  - {id: file, clip: ../walk.bvh}\n");
+  }
+
+  Ended git(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"git", "-C", root().string()});
+    return run_program(arguments);
+  }
+
+  void commit() const {
+    git({"add", "--all"});
+    const Ended end = git({"commit", "--quiet", "-m", "approved"});
+    ASSERT_EQ(end.code, 0) << end.errors;
+  }
+
+  Ended approve() const {
+    return run_mien({"regress", "approve", manifest().string(), "--why", "it is right",
+                     "--without-videos", "--out", out()});
+  }
+
+  Ended regress(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"regress", manifest().string(), "--without-videos",
+                                          "--out", out()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_mien(arguments);
+  }
+
+  std::string out() const { return (scratch_.path() / "out").string(); }
+
+  Scratch scratch_;
+};
+
+TEST_F(RegressStudy, ComparesWithTheBaselineOfACommit) {
+  const Ended approved = approve();
+  ASSERT_EQ(approved.code, 0) << approved.errors;
+  commit();
+  git({"tag", "first"});
+  EXPECT_EQ(regress({}).code, 0);
+  EXPECT_EQ(regress({"--baseline", "first"}).code, 0);
+
+  write_manifest(0.42);
+  const Ended differs = regress({"--baseline", "first", "--json"});
+  EXPECT_EQ(differs.code, 1) << differs.errors;
+  const json told = json::parse(differs.output);
+  EXPECT_NE(differs.output.find("weights.proud 0.4 → 0.42"), std::string::npos) << differs.output;
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "small-regression" / "report.html"));
+
+  // Approved anew, and yet not as it was at the tag.
+  ASSERT_EQ(approve().code, 0);
+  commit();
+  EXPECT_EQ(regress({"--baseline", "HEAD"}).code, 0);
+  EXPECT_EQ(regress({}).code, 0);
+  EXPECT_EQ(regress({"--baseline", "first"}).code, 1);
+  EXPECT_EQ(git({"status", "--porcelain"}).output, "");  // nothing is left in the repository
+  EXPECT_NE(text_of(root() / "studies/baselines/small/baseline.json").find("A Tester"),
+            std::string::npos);
+}
+
+TEST_F(RegressStudy, RefusesWhatHoldsNoBaseline) {
+  const Ended none = regress({});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.errors.find("regress approve"), std::string::npos) << none.errors;
+  commit();
+  for (const char* name : {"HEAD", "no-such-branch", "--help-me"}) {
+    const Ended refused = regress({std::string("--baseline=") + name});
+    EXPECT_NE(refused.code, 0) << name;
+    EXPECT_NE(refused.errors, "") << name;
+    EXPECT_EQ(refused.errors.find("terminate"), std::string::npos) << refused.errors;
+  }
+}
+
+/// As a runner of a CI does: another folder, and nothing but what is committed.
+TEST_F(RegressStudy, HoldsInAnotherCheckout) {
+  ASSERT_EQ(approve().code, 0);
+  commit();
+  const fs::path clone = scratch_.path() / "elsewhere" / "clone";
+  ASSERT_EQ(run_program({"git", "clone", "--quiet", root().string(), clone.string()}).code, 0);
+  fs::remove_all(root());
+  const Ended same = run_mien({"regress", (clone / "studies/small.yaml").string(),
+                               "--without-videos", "--audits", "1", "--out", out()});
+  EXPECT_EQ(same.code, 0) << same.output << same.errors;
+}
+
+}  // namespace
+}  // namespace mien::test

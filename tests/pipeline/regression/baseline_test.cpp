@@ -1,0 +1,93 @@
+#include "pipeline/regression/baseline.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/documents/fault.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/regression/approved_frames.h"
+#include "pipeline/regression/approved_study.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BaselineFiles : public testing::Test {
+ protected:
+  test::TemporaryFolder scratch_;
+  test::ChangedStudy study_ = test::approved_study().copied(scratch_.path() / "study");
+  fs::path folder_ = study_.baseline.folder;
+
+  /// What reading it throws; "" nothing.
+  template <class Read>
+  std::string refusal(const Read& read) const {
+    try {
+      read();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(BaselineFiles, AreReadAsTheyWereWritten) {
+  const StimulusFacts& facts = *study_.baseline.find("blend");
+  const std::string text = read_file(folder_ / "stimuli" / "blend" / "stimulus.json");
+  write_facts(facts, folder_ / "stimuli" / "blend");
+  EXPECT_EQ(read_file(folder_ / "stimuli" / "blend" / "stimulus.json"), text);
+  EXPECT_EQ(facts.origin, this_origin());
+  EXPECT_EQ(facts.key_frames.size(), 2u);
+  EXPECT_EQ(facts.weights.size(), 2u);
+  ASSERT_EQ(facts.videos.size(), 1u);
+  EXPECT_DOUBLE_EQ(facts.videos[0].record.worst_psnr_db, 41.0);
+  ASSERT_EQ(study_.baseline.approvals.size(), 1u);
+  EXPECT_EQ(study_.baseline.approvals[0].who, "a tester");
+}
+
+TEST_F(BaselineFiles, ThatAreMissingOrDamagedAreNamedWithARemedy) {
+  const fs::path facts = folder_ / "stimuli" / "wish" / "stimulus.json";
+  const auto read = [&] { read_baseline(folder_); };
+  EXPECT_EQ(refusal(read), "");
+  for (const char* text : {"", "{", "[]", "{\"id\": 3}"}) {
+    write_file(facts, text);
+    const std::string said = refusal(read);
+    EXPECT_NE(said.find("wish/stimulus.json"), std::string::npos) << text << ": " << said;
+    EXPECT_NE(said.find("git checkout"), std::string::npos) << said;
+  }
+  fs::remove(facts);
+  EXPECT_NE(refusal(read).find("wish/stimulus.json"), std::string::npos);
+}
+
+TEST_F(BaselineFiles, OfALaterVersionAreRefused) {
+  study_.change_text("baselines/small/baseline.json", "\"baseline\": 1", "\"baseline\": 9");
+  const std::string said = refusal([&] { read_baseline(folder_); });
+  EXPECT_NE(said.find("newer mien"), std::string::npos) << said;
+}
+
+TEST_F(BaselineFiles, OfPicturesAreChecked) {
+  const Baseline& baseline = study_.baseline;
+  const int frame = baseline.find("blend")->key_frames.front().frame;
+  const int other = baseline.find("blend")->key_frames.back().frame;
+  const auto picture = [&] { approved_picture(baseline, "blend", frame); };
+  const auto blocks = [&] { approved_blocks(baseline, "blend", frame); };
+  const fs::path file = baseline.picture_file("blend", frame);
+  fs::copy_file(baseline.picture_file("blend", other), file, fs::copy_options::overwrite_existing);
+  EXPECT_NE(refusal(picture).find("is not the picture that was approved"), std::string::npos);
+  // What git leaves where its large files were not fetched:
+  write_file(file, "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n");
+  EXPECT_NE(refusal(picture).find("git lfs pull"), std::string::npos) << refusal(picture);
+  fs::remove(baseline.blocks_file("blend", frame));
+  EXPECT_NE(refusal(blocks).find(".exr"), std::string::npos) << refusal(blocks);
+  write_file(baseline.motion_file("blend"), "HIERARCHY");
+  const auto clip = [&] { approved_clip(baseline, "blend", {}); };
+  EXPECT_NE(refusal(clip).find("motion.bvh"), std::string::npos) << refusal(clip);
+}
+
+TEST(KeyFrames, AreSpreadFromTheFirstToTheLast) {
+  EXPECT_EQ(key_frames_of(1, 4), std::vector<int>{0});
+  EXPECT_EQ(key_frames_of(10, 2), (std::vector<int>{0, 9}));
+  EXPECT_EQ(key_frames_of(3, 8), (std::vector<int>{0, 1, 2}));
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,75 @@
+#include "pipeline/regression/regression.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/regression/approved_study.h"
+
+namespace mien::pipeline {
+namespace {
+
+StimulusComparison because_of(int number, Cause cause, const std::string& root, Verdict verdict) {
+  StimulusComparison comparison{.id = "s" + std::to_string(number), .verdict = verdict};
+  comparison.causes = {{cause, root, "", 1.0}};
+  return comparison;
+}
+
+TEST(CauseGroups, HaveAllThatDifferForOneReason) {
+  std::vector<StimulusComparison> stimuli;
+  for (int k = 0; k < 500; ++k)
+    stimuli.push_back(because_of(k, Cause::renderer, "mien 1 → 2", Verdict::differs));
+  std::vector<CauseGroup> groups = groups_of(stimuli);
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0].ids.size(), 500u);
+  EXPECT_TRUE(groups[0].differs);
+
+  for (int k = 0; k < 600; ++k)
+    stimuli.push_back(because_of(k, Cause::drawing, "seed 1 → 2", Verdict::alike));
+  stimuli.push_back(because_of(0, Cause::renderer, "mien 1 → 3", Verdict::differs));
+  groups = groups_of(stimuli);
+  ASSERT_EQ(groups.size(), 3u);
+  EXPECT_EQ(groups[0].root, "mien 1 → 2");  // what differs first, and the largest of it
+  EXPECT_EQ(groups[1].root, "mien 1 → 3");
+  EXPECT_FALSE(groups[2].differs);
+}
+
+TEST(Regressions, TellWhatAppearedAndWhatIsGone) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  study.stimulus("blend")["id"] = "renamed";
+  const Regression regression = test::regressed(study);
+  EXPECT_FALSE(regression.passes());
+  EXPECT_EQ(test::comparison_of(regression, "renamed").verdict, Verdict::appeared);
+  EXPECT_EQ(test::comparison_of(regression, "blend").verdict, Verdict::gone);
+  EXPECT_EQ(regression.count(Verdict::same), 5);
+}
+
+TEST(Regressions, DrawNothingWhereNothingCanHaveChangedButAudits) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  study.stimulus("blend")["weights"]["normal"] = 0.7;
+  Regression regression = test::regressed(study);
+  EXPECT_EQ(test::comparison_of(regression, "blend").frames.size(), 2u);
+  EXPECT_EQ(test::comparison_of(regression, "tinted").frames.size(), 0u);
+  EXPECT_EQ(test::comparison_of(regression, "tinted").frames_reused, 2);
+  study.audits = 1.0;
+  regression = test::regressed(study);
+  EXPECT_EQ(test::comparison_of(regression, "tinted").frames.size(), 2u);
+  EXPECT_EQ(regression.audited, 6);
+}
+
+TEST(Regressions, TellNothingWhereALibraryAloneIsAnother) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  for (StimulusFacts& facts : study.baseline.stimuli) {
+    facts.origin.libraries["Embree"] = "0.0.1";
+    facts.origin.processor = "another";
+    facts.origin.film_code = "feedc0de";
+  }
+  const Regression regression = test::regressed(study);
+  EXPECT_TRUE(regression.passes());
+  EXPECT_EQ(regression.count(Verdict::same), 6);
+  EXPECT_TRUE(regression.groups.empty());
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,132 @@
+#include "render/compare/picture_difference.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/temporary_folder.h"
+#include "render/file_damage.h"
+#include "render/image/image_io.h"
+#include "render/refusal.h"
+
+namespace mien::render {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Image8 picture() {
+  Image8 image(20, 10);
+  std::mt19937 random(8);
+  for (std::uint8_t& channel : image.channels) channel = static_cast<std::uint8_t>(random() % 200);
+  return image;
+}
+
+TEST(PictureDifference, OfEqualPicturesIsNone) {
+  const PictureDifference found = picture_difference(picture(), picture());
+  EXPECT_EQ(found.largest, 0.0);
+  EXPECT_EQ(found.rms, 0.0);
+  EXPECT_EQ(found.psnr_db, infinite);
+  EXPECT_EQ(found.differing_pixels, 0);
+  EXPECT_EQ(found.changed, Window{});
+}
+
+TEST(PictureDifference, TellsWhereAndHowMuch) {
+  Image8 other = picture();
+  other.at(4, 3)[1] += 51;
+  other.at(9, 2)[0] += 2;
+  other.at(9, 2)[2] += 2;
+  other.at(6, 7)[2] += 2;
+  const PictureDifference found = picture_difference(picture(), other, 0.01);
+  EXPECT_DOUBLE_EQ(found.largest, 0.2);
+  EXPECT_EQ(found.x, 4);
+  EXPECT_EQ(found.y, 3);
+  EXPECT_EQ(found.channel, 1);
+  EXPECT_EQ(found.differing_pixels, 3);
+  EXPECT_EQ(found.pixels_over_limit, 1);
+  EXPECT_DOUBLE_EQ(found.differing_share, 3.0 / 200.0);
+  EXPECT_DOUBLE_EQ(found.over_limit_share, 1.0 / 200.0);
+  EXPECT_EQ(found.changed, (Window{4, 2, 6, 6}));
+  EXPECT_DOUBLE_EQ(found.mean, (51.0 + 6.0) / 255.0 / 600.0);
+  const double rms = std::sqrt((51.0 * 51.0 + 3 * 4.0) / 600.0) / 255.0;
+  EXPECT_DOUBLE_EQ(found.rms, rms);
+  EXPECT_DOUBLE_EQ(found.psnr_db, -20.0 * std::log10(rms));
+}
+
+TEST(PictureDifference, IsWhatOpenImageIoSays) {
+  const Image8 a = picture();
+  Image8 b = a;
+  std::mt19937 random(4);
+  for (std::uint8_t& channel : b.channels) channel += static_cast<std::uint8_t>(random() % 9);
+  b.at(13, 8)[2] += 40;
+  const PictureDifference own = picture_difference(a, b, 3.5 / 255.0);
+  const LibraryDifference second = library_difference(a, b, 3.5 / 255.0);
+  EXPECT_NEAR(own.largest, second.largest, 1e-6);
+  EXPECT_EQ(own.x, second.x);
+  EXPECT_EQ(own.y, second.y);
+  EXPECT_EQ(own.channel, second.channel);
+  EXPECT_NEAR(own.mean, second.mean, 1e-6);
+  EXPECT_NEAR(own.rms, second.rms, 1e-6);
+  EXPECT_NEAR(own.psnr_db, second.psnr_db, 1e-3);
+  EXPECT_EQ(own.pixels_over_limit, second.failing_pixels);
+  EXPECT_GT(second.failing_pixels, 10);
+  EXPECT_LT(second.failing_pixels, 200);
+}
+
+TEST(PictureDifference, OfLightCountsWhatIsNoNumber) {
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  Film a(2, 1);
+  a.channels = {1.0f, none, 3.0f, 4.0f, 5.0f, 6.0f};
+  Film b = a;
+  EXPECT_EQ(picture_difference(a, b).differing_pixels, 0);
+  b.channels[4] = none;
+  const PictureDifference found = picture_difference(a, b);
+  EXPECT_EQ(found.largest, infinite);
+  EXPECT_EQ(found.x, 1);
+  EXPECT_EQ(found.channel, 1);
+  EXPECT_EQ(found.psnr_db, -infinite);
+}
+
+TEST(PictureDifference, IsRefusedForOtherSizes) {
+  EXPECT_EQ(test::refusal_of([] { picture_difference(Film(4, 3), Film(5, 3)); }),
+            "the pictures differ in size: 4 x 3 and 5 x 3 pixels");
+  EXPECT_EQ(test::refusal_of([] { library_difference(Film(4, 3), Film(5, 3)); }),
+            "the pictures differ in size: 4 x 3 and 5 x 3 pixels");
+}
+
+class DifferenceOfFiles : public testing::Test {
+ protected:
+  mien::test::TemporaryFolder folder;
+  const std::filesystem::path a = folder.path() / "a.png", b = folder.path() / "b.png";
+};
+
+TEST_F(DifferenceOfFiles, IsThatOfTheirPictures) {
+  Image8 other = picture();
+  other.at(4, 3)[1] += 51;
+  write_png(a, picture());
+  write_png(b, other);
+  const PictureDifference found = picture_difference(a, b);
+  EXPECT_NEAR(found.largest, 0.2, 1e-6);
+  EXPECT_EQ(found.differing_pixels, 1);
+  EXPECT_EQ(found.changed, (Window{4, 3, 1, 1}));
+}
+
+TEST_F(DifferenceOfFiles, IsRefusedForOtherSizesChannelsAndBrokenFiles) {
+  write_png(a, picture());
+  write_png(b, Image8(3, 3));
+  EXPECT_EQ(test::refusal_of([&] { picture_difference(a, b); }),
+            a.string() + " and " + b.string() +
+                ": the pictures differ in size: 20 x 10 and 3 x 3 pixels");
+  write_png(b, Exposure{Film(20, 10), std::vector<float>(200, 0.5f)}, Tone{});
+  EXPECT_EQ(test::refusal_of([&] { picture_difference(a, b); }),
+            a.string() + " and " + b.string() +
+                ": the pictures have other channels: R, G, B and R, G, B, A");
+  test::cut_short(b, 0.5);
+  EXPECT_NE(test::refusal_of([&] { picture_difference(a, b); }).find("b.png"), std::string::npos);
+  EXPECT_NE(test::refusal_of([&] { picture_difference(a, folder.path() / "c.png"); }).find("c.png"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien::render
