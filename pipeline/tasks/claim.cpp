@@ -39,6 +39,29 @@ void sign(const fs::path& file, const std::string& worker) {
   }
 }
 
+/// Whether a file system knows no second names for files.
+bool has_no_links(int error) {
+  return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
+}
+
+/// A claim that is signed from its first moment on, unless one is there already: a second name for
+/// a file that was written before, which only one process can give. Where there are no second
+/// names, nobody has signed it for a moment.
+bool create_signed(const fs::path& file, const std::string& worker) {
+  fs::path own = file;
+  own += "." + worker;
+  sign(own, worker);
+  const int error = ::link(own.c_str(), file.c_str()) == 0 ? 0 : errno;
+  std::error_code ignored;
+  fs::remove(own, ignored);
+  if (error == 0) return true;
+  if (error == EEXIST) return false;
+  if (!has_no_links(error)) throw std::system_error(error, std::generic_category(), file.string());
+  if (!create_alone(file)) return false;
+  sign(file, worker);
+  return true;
+}
+
 }  // namespace
 
 Claim::Claim(fs::path file, std::string worker)
@@ -54,15 +77,14 @@ std::unique_ptr<Claim> Claim::take(const fs::path& folder, const std::string& wh
   const fs::path claims = folder / ".mien" / "claims";
   make_folder(claims);
   const fs::path file = claims / hash_of(what);
-  if (!create_alone(file)) {
+  if (!create_signed(file, worker)) {
     // One that nobody has signed was left by a process that was killed at that moment, or will be
     // signed in the next one: then two make the same, which harms nothing.
     const std::string holder = claim_holder(file);
     if (holder != worker && !holder.empty() && watch.seems_alive(holder)) return nullptr;
     fs::remove_all(file);
-    if (!create_alone(file)) return nullptr;
+    if (!create_signed(file, worker)) return nullptr;
   }
-  sign(file, worker);
   return std::unique_ptr<Claim>(new Claim(file, worker));
 }
 
