@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -16,6 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Whether it does so in more than a comment.
+bool names_recordings(const std::string& manifest) {
+  std::istringstream lines(manifest);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with('#') && line.find("${MIEN_DATA") != std::string::npos) return true;
+  }
+  return false;
+}
+
 TEST(ShippedManifests, HaveNoFaults) {
   const auto data = test::real_data();
   const auto environment = [&](const std::string& name) -> std::optional<std::string> {
@@ -27,9 +37,9 @@ TEST(ShippedManifests, HaveNoFaults) {
        fs::directory_iterator(fs::path(MIEN_SOURCE_DIR) / "manifests")) {
     const fs::path& file = entry.path();
     if (file.extension() != ".yaml") continue;
-    if (kind_of_document(read_file(file), file.filename().string()) != DocumentKind::manifest)
-      continue;
-    if (file.filename().string().starts_with("real-") && !data) continue;
+    const std::string text = read_file(file);
+    if (kind_of_document(text, file.filename().string()) != DocumentKind::manifest) continue;
+    if (names_recordings(text) && !data) continue;
     for (const Fault& fault : check_manifest(file, environment).faults)
       ADD_FAILURE() << to_string(fault);
     ++checked;
