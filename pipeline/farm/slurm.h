@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/tasks/command_run.h"
 #include "pipeline/farm/slurm_text.h"
+#include "pipeline/tasks/command_run.h"
 
 namespace mien::pipeline {
 
