@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "pipeline/tasks/command_run.h"
 #include "pipeline/farm/fake_programs.h"
+#include "pipeline/tasks/command_run.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
