@@ -107,8 +107,11 @@ Scratch::~Scratch() {
 }
 
 std::filesystem::path Scratch::write(const std::string& name, const std::string& text) const {
-  std::ofstream(path_ / name, std::ios::binary) << text;
-  return path_ / name;
+  const std::filesystem::path file = path_ / name;
+  std::filesystem::create_directories(file.parent_path());
+  if (!(std::ofstream(file, std::ios::binary) << text))
+    throw std::runtime_error("cannot write " + file.string());
+  return file;
 }
 
 std::string text_of(const std::filesystem::path& file) {

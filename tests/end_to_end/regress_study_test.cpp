@@ -108,6 +108,46 @@ TEST_F(RegressStudy, RefusesWhatHoldsNoBaseline) {
   }
 }
 
+// A report that is put into a study's folder by mistake would replace its frames, videos and
+// report.
+TEST_F(RegressStudy, WritesOverNothingThatIsNotItsOwn) {
+  ASSERT_EQ(approve().code, 0);
+  const fs::path precious = scratch_.path() / "precious";
+  for (const char* file : {"frames/a.png", "videos/a.mp4", "report.html"})
+    scratch_.write(std::string("precious/") + file, "kept");
+  const Ended report = regress({"--report", precious.string()});
+  EXPECT_EQ(report.code, 2);
+  EXPECT_NE(report.errors.find("--report"), std::string::npos) << report.errors;
+  const Ended baseline = run_mien({"regress", "approve", manifest().string(), "--why", "w",
+                                   "--without-videos", "--baseline", precious.string()});
+  EXPECT_EQ(baseline.code, 2);
+  EXPECT_NE(baseline.errors.find("--baseline"), std::string::npos) << baseline.errors;
+  for (const char* file : {"frames/a.png", "videos/a.mp4", "report.html"})
+    EXPECT_EQ(text_of(precious / file), "kept") << file;
+  EXPECT_FALSE(fs::exists(precious / "stimuli"));
+}
+
+TEST_F(RegressStudy, ReplacesItsOwnReport) {
+  ASSERT_EQ(approve().code, 0);
+  const std::string report = (scratch_.path() / "report").string();
+  write_manifest(0.5);
+  EXPECT_EQ(regress({"--report", report}).code, 1);
+  EXPECT_FALSE(fs::is_empty(fs::path(report) / "frames"));
+  write_manifest(0.4);
+  EXPECT_EQ(regress({"--report", report}).code, 0);
+  EXPECT_FALSE(fs::exists(fs::path(report) / "frames"));
+}
+
+// Making a study may take hours.
+TEST_F(RegressStudy, MakesNothingBeforeItKnowsWhatToCompareWith) {
+  const Ended none = run_mien({"regress", manifest().string(), "--out", out()});
+  EXPECT_EQ(none.code, 2);
+  const Ended unknown = run_mien(
+      {"regress", "approve", manifest().string(), "--why", "w", "--only", "blent", "--out", out()});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_FALSE(fs::exists(out()));
+}
+
 /// As a runner of a CI does: another folder, and nothing but what is committed.
 TEST_F(RegressStudy, HoldsInAnotherCheckout) {
   ASSERT_EQ(approve().code, 0);

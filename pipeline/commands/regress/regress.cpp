@@ -103,11 +103,10 @@ constexpr char approve_footer[] =
     "  mien regress approve study.yaml --why \"first version\"\n"
     "  mien regress approve study.yaml --only sad-walk --why \"arms swing less, as asked\"";
 
-void add_study_options(CLI::App& command, StudyArguments& arguments) {
+void add_study_options(CLI::App& command, StudyArguments& arguments, const char* baseline) {
   command
       .add_option("--baseline", arguments.baseline,
-                  "Folder of the baseline, or a branch, tag or commit of git (default: "
-                  "baselines/<study> beside the manifest)")
+                  std::string(baseline) + " (default: baselines/<study> beside the manifest)")
       ->group("Of a study");
   command.add_option("--out", arguments.production.out, "Folder in which studies are made")
       ->capture_default_str()
@@ -138,7 +137,7 @@ void add_approve_command(CLI::App& regress, Command& chosen) {
   command->add_flag("--keep-videos", arguments->keep_videos,
                     "Keep the videos too, for reports to show them beside those of then; the "
                     "baseline grows by their size");
-  add_study_options(*command, *arguments);
+  add_study_options(*command, *arguments, "Folder of the baseline, new or one of the study");
   command->footer(approve_footer);
   command->callback([&chosen, arguments] {
     chosen = [arguments](const Console& console) { return approve_study(*arguments, console); };
@@ -157,7 +156,7 @@ void add_regress_command(CLI::App& app, Command& chosen) {
       "before", options->before,
       "Manifest of a study; or a motion, picture, video or folder of pictures as it was");
   command->add_option("now", options->now, "The same as it is now");
-  add_study_options(*command, *study);
+  add_study_options(*command, *study, "Folder of the baseline, or a branch, tag or commit of git");
   command
       ->add_option("--report,-o", study->report,
                    "Folder of the report (default: "

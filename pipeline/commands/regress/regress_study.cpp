@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
-#include <thread>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -59,15 +58,14 @@ void make(MadeStudy& study, const StudyArguments& arguments, const Console& cons
     study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
 }
 
-/// With `--only` it is a production of some stimuli, and yet all of the manifest is known.
-MadeStudy made(const StudyArguments& arguments, const Console& console) {
+/// Read and planned; nothing is made yet.
+MadeStudy planned(const StudyArguments& arguments, const Console& console) {
   const fs::path file = manifest_meant(arguments.production.manifest, console);
   MadeStudy study;
   study.production = std::make_unique<Production>(
       load_manifest(file, process_environment(), arguments.production.out),
       options_of(arguments.production));
   study.folder = folder_of(arguments.production, study.production->manifest());
-  if (!arguments.without_videos) make(study, arguments, console);
   return study;
 }
 
@@ -100,16 +98,42 @@ class Editions {
   std::map<std::string, std::unique_ptr<Edition>> editions_;
 };
 
-fs::path report_folder(const StudyArguments& arguments, const Manifest& manifest) {
-  if (!arguments.report.empty()) return arguments.report;
-  return fs::path(arguments.production.out) / (manifest.study + "-regression");
+/// In a folder that reports may be written to, and written over.
+constexpr char report_mark[] = ".mien-regression";
+
+/// Makes the folder of the report and leaves nothing of an earlier one in it. Throws Error for a
+/// folder that holds anything else: it would be written over.
+fs::path cleared_report_folder(const StudyArguments& arguments, const Manifest& manifest) {
+  const fs::path folder = !arguments.report.empty() ? fs::path(arguments.report)
+                                                    : fs::path(arguments.production.out) /
+                                                          (manifest.study + "-regression");
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw Error({folder.string()}, "is no folder", "name one for the report with --report");
+  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / report_mark))
+    throw Error({folder.string()}, "holds something else than a report of mien regress",
+                "name a new folder with --report");
+  make_folder(folder);
+  write_file(folder / report_mark, "");
+  for (const char* old : {"frames", "videos"}) fs::remove_all(folder / old);
+  return folder;
+}
+
+/// Throws Error for a folder that holds anything else than a baseline, whole or begun.
+void refuse_other_folder(const fs::path& folder) {
+  if (!fs::exists(folder) || is_baseline(folder)) return;
+  const bool is_folder = fs::is_directory(folder);
+  const auto is_ours = [](const fs::directory_entry& entry) {
+    return entry.path().filename() == "editions" || entry.path().filename() == "stimuli";
+  };
+  if (is_folder && std::ranges::all_of(fs::directory_iterator(folder), is_ours)) return;
+  throw Error({folder.string()},
+              is_folder ? "holds something else than a baseline" : "is no folder",
+              "name a new folder with --baseline");
 }
 
 /// `made` is the study's folder, or empty where none was made.
 void write_reports(const Regression& regression, const ComparedStudy& study, const fs::path& folder,
                    const fs::path& made) {
-  make_folder(folder);
-  fs::remove_all(folder / "videos");
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   write_file(folder / "report.html",
              regression_report(regression, study, ReportVideos(made, folder)));
@@ -147,16 +171,16 @@ void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifes
 }  // namespace
 
 int regress_study(const StudyArguments& arguments, const Console& console) {
-  const MadeStudy made_study = made(arguments, console);
+  MadeStudy made_study = planned(arguments, console);
   const Manifest& manifest = made_study.production->manifest();
   const FoundBaseline found = find_baseline(arguments.baseline, manifest);
   const Baseline baseline = read_baseline(found.folder);
+  const fs::path folder = cleared_report_folder(arguments, manifest);
+  if (!arguments.without_videos) make(made_study, arguments, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
   Rendition now(manifest, scratch.path(), threads, console.stop);
   Editions editions(baseline, threads, console.stop);
-  const fs::path folder = report_folder(arguments, manifest);
-  fs::remove_all(folder / "frames");
   const ComparedPictures pictures(folder / "frames");
   const ComparedStudy study{
       .baseline = baseline,
@@ -189,11 +213,13 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
     throw Error({"--keep-videos"}, "there are none with --without-videos", "leave one of them out");
   StudyArguments whole = arguments;
   whole.production.only.clear();
-  const MadeStudy made_study = made(whole, console);
+  MadeStudy made_study = planned(whole, console);
   const Manifest& manifest = made_study.production->manifest();
   refuse_unknown(arguments.production.only, manifest);
   const fs::path folder =
       arguments.baseline.empty() ? usual_baseline(manifest) : fs::path(arguments.baseline);
+  refuse_other_folder(folder);
+  if (!arguments.without_videos) make(made_study, arguments, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
   Rendition now(manifest, scratch.path(), threads, console.stop);

@@ -44,10 +44,8 @@ FoundBaseline baseline_of_commit(const std::string& commit, const Manifest& mani
   const fs::path folder = manifest.file.parent_path();
   const CommandEnd top = git(folder, {"rev-parse", "--show-toplevel"});
   const fs::path root = first_line(top.output);
-  const fs::path path = fs::proximate(fs::absolute(usual_baseline(manifest)), root);
-  FoundBaseline found{.folder = {},
-                      .told = path.generic_string() + " of " + commit,
-                      .scratch = std::make_unique<ScratchFolder>()};
+  const fs::path path = fs::proximate(fs::weakly_canonical(usual_baseline(manifest)), root);
+  FoundBaseline found{.folder = {}, .scratch = std::make_unique<ScratchFolder>()};
   const fs::path tree = found.scratch->path() / "tree";
   link_surroundings(root / path, tree);
   const fs::path files = tree / root.relative_path();
@@ -76,7 +74,7 @@ fs::path usual_baseline(const Manifest& manifest) {
 
 FoundBaseline find_baseline(const std::string& given, const Manifest& manifest) {
   const fs::path folder = given.empty() ? usual_baseline(manifest) : fs::path(given);
-  if (is_baseline(folder)) return {folder, folder.string(), nullptr};
+  if (is_baseline(folder)) return {folder, nullptr};
   if (!given.empty() && !fs::exists(folder) && is_commit(given, manifest)) {
     FoundBaseline found = baseline_of_commit(given, manifest);
     if (is_baseline(found.folder)) return found;

@@ -12,7 +12,6 @@ namespace mien::pipeline {
 /// A baseline on disk; one from git is there as long as this lives.
 struct FoundBaseline {
   std::filesystem::path folder;
-  std::string told;  ///< how people call it: "baselines/walks", "baselines/walks of main"
   std::unique_ptr<ScratchFolder> scratch;
 };
 
