@@ -69,13 +69,14 @@ void put_files(StimulusFacts& facts, Rendition& now, const fs::path& folder,
   const StagedFilm film = staged(facts.id, {&now, &now, &now}, options.threads);
   const std::vector<int> frames = key_frames_of(film.shot.frame_count(), options.key_frames);
   const std::vector<render::Image8> pictures = drawn(film, frames, stop);
+  const std::vector<BlockStatistics> noise = measured_blocks(film, frames, stop);
   Baseline names;
   names.folder = folder.parent_path().parent_path();
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const fs::path picture = folder / "frames" / names.picture_file(facts.id, frames[i]).filename();
     const fs::path blocks = folder / "frames" / names.blocks_file(facts.id, frames[i]).filename();
     render::write_png(picture, pictures[i]);
-    write_blocks(blocks, measured_blocks(film, frames[i], stop));
+    write_blocks(blocks, noise[i]);
     facts.key_frames.push_back({frames[i], hash_of_pixels(pictures[i])});
   }
 }

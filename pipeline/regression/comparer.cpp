@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "motion/error.h"
+#include "pipeline/archive/parallel.h"
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/regression/attribution.h"
 #include "pipeline/regression/stimulus_facts.h"
@@ -106,18 +107,35 @@ class StimulusComparer {
       if (key.frame < film.shot.frame_count()) frames.push_back(key.frame);
     }
     const std::vector<render::Image8> pictures = drawn(film, frames, study_.stop);
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      const render::Image8 before = approved_picture(frames[i]);
-      FrameComparison frame = compare_pictures(frames[i], before, pictures[i]);
-      if (!frame.same && frame.same_size) {
-        frame.noise = noise_test(approved_blocks(frames[i]),
-                                 measured_blocks(film, frames[i], study_.stop), suite_pictures());
-        if (study_.pictures != nullptr)
-          study_.pictures->put(now_.id, frames[i], before, pictures[i], frame.perceived_map);
-        frame.perceived_map = {};
-        if (result_.motion) frame.shares = shares_of(film, frames[i], before, pictures[i]);
-      }
-      result_.frames.push_back(std::move(frame));
+    result_.frames.resize(frames.size());
+    for_each_of(frames.size(), study_.threads, study_.stop, [&](std::size_t i) {
+      result_.frames[i] =
+          compare_pictures(frames[i], approved_picture(frames[i]), pictures[i], /*threads=*/1);
+    });
+    for (std::size_t i = 0; i < frames.size(); ++i) keep(film, pictures[i], result_.frames[i]);
+    test_for_noise(film);
+  }
+
+  /// Puts away what a changed frame looks like, and whose doing it is.
+  void keep(const StagedFilm& film, const render::Image8& now, FrameComparison& frame) {
+    if (frame.same || !frame.same_size) return;
+    const render::Image8 before = approved_picture(frame.frame);
+    if (study_.pictures != nullptr)
+      study_.pictures->put(now_.id, frame.frame, before, now, frame.perceived_map);
+    frame.perceived_map = {};
+    if (result_.motion) frame.shares = shares_of(film, frame.frame, before, now);
+  }
+
+  void test_for_noise(const StagedFilm& film) {
+    std::vector<int> changed;
+    for (const FrameComparison& frame : result_.frames) {
+      if (!frame.same && frame.same_size) changed.push_back(frame.frame);
+    }
+    const std::vector<BlockStatistics> now = measured_blocks(film, changed, study_.stop);
+    auto blocks = now.begin();
+    for (FrameComparison& frame : result_.frames) {
+      if (!frame.same && frame.same_size)
+        frame.noise = noise_test(approved_blocks(frame.frame), *blocks++, suite_pictures());
     }
   }
 
@@ -157,7 +175,8 @@ class StimulusComparer {
 
   /// An approved motion that was read from its file is a little off, and so is what is drawn of it.
   bool is_redrawn_with_bias(int frame) {
-    return noise_test(approved_blocks(frame), measured_blocks(staged_as({}), frame, study_.stop),
+    return noise_test(approved_blocks(frame),
+                      measured_blocks(staged_as({}), {frame}, study_.stop).front(),
                       suite_pictures())
         .is_bias;
   }

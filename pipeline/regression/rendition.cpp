@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "pipeline/archive/parallel.h"
 #include "pipeline/film/film.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/manifest/own_seed.h"
@@ -131,14 +132,23 @@ std::vector<render::Image8> drawn(const StagedFilm& film, const std::vector<int>
   return pictures;
 }
 
-BlockStatistics measured_blocks(const StagedFilm& film, int frame, const std::stop_token& stop) {
-  std::vector<render::Film> patterns;
-  for (std::uint64_t k = 1; k <= noise_patterns; ++k) {
+std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::vector<int>& frames,
+                                             const std::stop_token& stop) {
+  if (frames.empty()) return {};
+  std::vector<std::vector<render::Film>> patterns(frames.size());
+  for (std::vector<render::Film>& of_frame : patterns) of_frame.resize(noise_patterns);
+  // One thread a pattern: small pictures leave more of them little to do.
+  for_each_of(noise_patterns, film.settings.threads, stop, [&](std::size_t k) {
     StagedFilm pattern{film.shot, film.settings};
-    pattern.settings.seed = own_seed(film.settings.seed, "pattern " + std::to_string(k));
-    patterns.push_back(as_light(drawn(pattern, {frame}, stop).front()));
-  }
-  return block_statistics(patterns);
+    pattern.settings.seed = own_seed(film.settings.seed, "pattern " + std::to_string(k + 1));
+    pattern.settings.threads = 1;
+    const std::vector<render::Image8> pictures = drawn(pattern, frames, stop);
+    for (std::size_t i = 0; i < frames.size(); ++i) patterns[i][k] = as_light(pictures[i]);
+  });
+  std::vector<BlockStatistics> blocks;
+  for (const std::vector<render::Film>& of_frame : patterns)
+    blocks.push_back(block_statistics(of_frame));
+  return blocks;
 }
 
 }  // namespace mien::pipeline

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "motion/skeleton/clip.h"
+#include "pipeline/comparison/noise_test.h"
 #include "pipeline/film/film.h"
 #include "pipeline/film/film_equalized.h"
 #include "pipeline/manifest/artifact_keys.h"
-#include "pipeline/regression/noise_test.h"
 #include "pipeline/synthesis/motions.h"
 #include "pipeline/tasks/hash.h"
 #include "render/image/image.h"
@@ -73,8 +73,9 @@ StagedFilm staged(const std::string& id, const FrameSources& sources, int thread
 std::vector<render::Image8> drawn(const StagedFilm& film, const std::vector<int>& frames,
                                   const std::stop_token& stop);
 
-/// How much of a frame is noise: the light of its blocks, as a display shows it, under several
+/// How much of each frame is noise: the light of its blocks, as a display shows it, under several
 /// patterns of it. Throws Interrupted.
-BlockStatistics measured_blocks(const StagedFilm& film, int frame, const std::stop_token& stop);
+std::vector<BlockStatistics> measured_blocks(const StagedFilm& film, const std::vector<int>& frames,
+                                             const std::stop_token& stop);
 
 }  // namespace mien::pipeline

@@ -5,6 +5,7 @@
 
 #include "motion/skeleton/clip.h"
 #include "pipeline/synthesis/synthesis.h"
+#include "pipeline/tasks/hash.h"
 
 namespace mien::pipeline {
 

@@ -1,5 +1,6 @@
 #include "render/math/filter.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -38,12 +39,25 @@ double inverse_cumulated(double share) {
   return 0.5 * (low + high);
 }
 
+constexpr int table_intervals = 1024;
+
+// Ends of equal shares of the area of a window on −½ … ½.
+const std::array<double, table_intervals + 1>& window_shares() {
+  static const auto shares = [] {
+    std::array<double, table_intervals + 1> result{};
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = inverse_cumulated(static_cast<double>(i) / table_intervals);
+    return result;
+  }();
+  return shares;
+}
+
 }  // namespace
 
 Filter::Filter(float width) {
-  for (int i = 0; i <= intervals; ++i)
-    offsets_[static_cast<std::size_t>(i)] =
-        width * static_cast<float>(inverse_cumulated(static_cast<double>(i) / intervals));
+  static_assert(intervals == table_intervals);
+  for (std::size_t i = 0; i < offsets_.size(); ++i)
+    offsets_[i] = width * static_cast<float>(window_shares()[i]);
   offsets_.front() = -0.5f * width;
   offsets_.back() = 0.5f * width;
 }

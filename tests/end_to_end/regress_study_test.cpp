@@ -1,3 +1,5 @@
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -105,6 +107,39 @@ TEST_F(RegressStudy, RefusesWhatHoldsNoBaseline) {
     EXPECT_NE(refused.code, 0) << name;
     EXPECT_NE(refused.errors, "") << name;
     EXPECT_EQ(refused.errors.find("terminate"), std::string::npos) << refused.errors;
+  }
+}
+
+// Videos and all: in chunks of any number that workers make in any order, by runs that are killed
+// and go on, with one thread or two.
+TEST_F(RegressStudy, HoldsHoweverTheStudyIsMadeAgain) {
+  const Ended approved = run_mien({"regress", "approve", manifest().string(), "--why",
+                                   "it is right", "--keep-videos", "--out", out()});
+  ASSERT_EQ(approved.code, 0) << approved.errors;
+  const char* asked = std::getenv("MIEN_UNCHANGED_RERUNS");
+  const int reruns = asked != nullptr ? std::atoi(asked) : 3;
+  for (int k = 0; k < reruns; ++k) {
+    const std::string again = (scratch_.path() / "again").string();
+    const std::string jobs = std::to_string(1 + k / 2 % 2);
+    fs::remove_all(again);
+    if (k % 3 == 1) {
+      run_mien({"run", manifest().string(), "--out", again, "--jobs", jobs}, 0.05 * (k % 20),
+               SIGKILL);
+    } else {
+      const int chunks = 1 + k % 5;
+      for (int chunk = chunks; chunk > chunks / 2; --chunk) {
+        const std::string piece =
+            "film:blend[" + std::to_string(chunk) + "/" + std::to_string(chunks) + "]";
+        const Ended end = run_mien({"farm", "worker", manifest().string(), "--out", again, "--jobs",
+                                    jobs, "--tasks", piece});
+        ASSERT_EQ(end.code, 0) << end.errors;
+      }
+    }
+    const Ended end =
+        run_mien({"regress", manifest().string(), "--out", again, "--jobs", jobs, "--json"});
+    EXPECT_EQ(end.code, 0) << k << end.output << end.errors;
+    EXPECT_NE(end.output.find("\"verdict\": \"same\""), std::string::npos) << k << end.output;
+    EXPECT_EQ(end.output.find("\"verdict\": \"alike\""), std::string::npos) << k << end.output;
   }
 }
 

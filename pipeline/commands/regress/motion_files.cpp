@@ -1,5 +1,5 @@
 #include "pipeline/commands/regress/regress.h"
-#include "pipeline/regression/compared_motions.h"
+#include "pipeline/comparison/compared_motions.h"
 
 namespace mien::pipeline {
 

@@ -10,7 +10,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/math/geometry.h"
 #include "pipeline/commands/regress/regress_study.h"
-#include "pipeline/regression/compared_media.h"
+#include "pipeline/comparison/compared_media.h"
 
 namespace mien::pipeline {
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/regression/regression_texts.h"
+#include "pipeline/regression/report/regression_texts.h"
 
 namespace mien::pipeline {
 namespace {

@@ -1,16 +1,16 @@
-#include "pipeline/regression/regression_report.h"
+#include "pipeline/regression/report/regression_report.h"
 
 #include <fstream>
 #include <regex>
 
 #include <gtest/gtest.h>
 
+#include "pipeline/comparison/frame_comparison.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/documents/html.h"
 #include "pipeline/film/film_tables.h"
-#include "pipeline/regression/frame_comparison.h"
-#include "pipeline/regression/report_pictures.h"
+#include "pipeline/regression/report/report_pictures.h"
 #include "pipeline/temporary_folder.h"
 #include "render/image/image_io.h"
 #include "render/image/resize.h"

@@ -1,4 +1,4 @@
-#include "pipeline/regression/compared_media.h"
+#include "pipeline/comparison/compared_media.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "pipeline/regression/regression_report.h"
+#include "pipeline/regression/report/regression_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/documents/html.h"
-#include "pipeline/regression/regression_texts.h"
-#include "pipeline/regression/report_pictures.h"
-#include "pipeline/regression/report_stimulus.h"
+#include "pipeline/regression/report/regression_texts.h"
+#include "pipeline/regression/report/report_pictures.h"
+#include "pipeline/regression/report/report_stimulus.h"
 
 #include "embedded/distance_chart_js.h"
 #include "embedded/motion_view_js.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/regression/compared_media.h"
+#include "pipeline/comparison/compared_media.h"
 
 namespace mien::pipeline {
 

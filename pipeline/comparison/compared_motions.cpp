@@ -1,4 +1,4 @@
-#include "pipeline/regression/compared_motions.h"
+#include "pipeline/comparison/compared_motions.h"
 
 #include "motion/examples/make_example.h"
 #include "motion/formats/motion_file.h"

@@ -1,4 +1,4 @@
-#include "pipeline/regression/noise_test.h"
+#include "pipeline/comparison/noise_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,9 @@
 namespace mien::pipeline {
 
 namespace {
+
+/// Quadruple the speed of long doubles, and enough digits for a p value.
+using Doubles = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 constexpr double relative_floor = 1e-4;
 constexpr double absolute_floor = 1e-5;
@@ -56,7 +59,8 @@ ColourTest tested(const BlockStatistics& a, const BlockStatistics& b, std::size_
   const double degrees =
       both * both / (of_a * of_a / (a.patterns - 1) + of_b * of_b / (b.patterns - 1));
   const double t = difference / std::sqrt(both);
-  return {i, t, 2.0 * cdf(boost::math::students_t(degrees), -std::abs(t))};
+  return {i, t,
+          2.0 * cdf(boost::math::students_t_distribution<double, Doubles>(degrees), -std::abs(t))};
 }
 
 bool has_noise(const BlockStatistics& blocks, std::size_t i) {
@@ -66,7 +70,8 @@ bool has_noise(const BlockStatistics& blocks, std::size_t i) {
 /// The square of the normal score of a two-sided p.
 double squared_score(double p) {
   constexpr double least = 1e-300;
-  const double z = quantile(boost::math::normal(), std::max(p, least) / 2.0);
+  const double z =
+      quantile(boost::math::normal_distribution<double, Doubles>(), std::max(p, least) / 2.0);
   return z * z;
 }
 
@@ -95,7 +100,8 @@ double p_of_all(const std::vector<ColourTest>& colours) {
       block += squared_score(colours[end++].p);
     scores += block / static_cast<double>(end - first);
   }
-  return cdf(complement(boost::math::chi_squared(static_cast<double>(blocks)), scores));
+  return cdf(complement(
+      boost::math::chi_squared_distribution<double, Doubles>(static_cast<double>(blocks)), scores));
 }
 
 }  // namespace

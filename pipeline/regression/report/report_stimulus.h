@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/regression/comparer.h"
-#include "pipeline/regression/report_pictures.h"
+#include "pipeline/regression/report/report_pictures.h"
 
 namespace mien::pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/regression/compared_media.h"
+#include "pipeline/comparison/compared_media.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "pipeline/regression/frame_alignment.h"
+#include "pipeline/comparison/frame_alignment.h"
 #include "pipeline/tasks/bounded_queue.h"
 #include "render/image/channels.h"
 #include "render/image/tone.h"

@@ -1,4 +1,4 @@
-#include "pipeline/regression/report_videos.h"
+#include "pipeline/regression/report/report_videos.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "pipeline/regression/frame_alignment.h"
+#include "pipeline/comparison/frame_alignment.h"
 
 #include <random>
 

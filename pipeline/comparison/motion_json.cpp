@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "motion/measures/difference_sentence.h"
-#include "pipeline/regression/compared_motions.h"
+#include "pipeline/comparison/compared_motions.h"
 
 namespace mien::pipeline {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "pipeline/regression/body_shares.h"
-#include "pipeline/regression/noise_test.h"
+#include "pipeline/comparison/body_shares.h"
+#include "pipeline/comparison/noise_test.h"
 #include "render/compare/perceptual_error.h"
 #include "render/compare/picture_difference.h"
 
@@ -23,8 +23,8 @@ struct FrameComparison {
   std::vector<BodyShare> shares;  ///< when the motion has changed
 };
 
-/// All but `noise` and `shares`.
-FrameComparison compare_pictures(int frame, const render::Image8& before,
-                                 const render::Image8& now);
+/// All but `noise` and `shares`. `threads` 0 takes one a core.
+FrameComparison compare_pictures(int frame, const render::Image8& before, const render::Image8& now,
+                                 int threads = 0);
 
 }  // namespace mien::pipeline

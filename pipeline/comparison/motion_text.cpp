@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "motion/measures/difference_sentence.h"
-#include "pipeline/regression/compared_motions.h"
+#include "pipeline/comparison/compared_motions.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/regression/frame_comparison.h"
+#include "pipeline/comparison/frame_comparison.h"
 
 namespace mien::pipeline {
 

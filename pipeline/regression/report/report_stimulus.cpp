@@ -1,4 +1,4 @@
-#include "pipeline/regression/report_stimulus.h"
+#include "pipeline/regression/report/report_stimulus.h"
 
 #include <algorithm>
 #include <cmath>

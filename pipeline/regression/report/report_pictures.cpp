@@ -1,4 +1,4 @@
-#include "pipeline/regression/report_pictures.h"
+#include "pipeline/regression/report/report_pictures.h"
 
 #include <algorithm>
 

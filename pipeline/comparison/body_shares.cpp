@@ -1,4 +1,4 @@
-#include "pipeline/regression/body_shares.h"
+#include "pipeline/comparison/body_shares.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "pipeline/regression/regression_texts.h"
+#include "pipeline/regression/report/regression_texts.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "pipeline/regression/noise_test.h"
+#include "pipeline/comparison/noise_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,7 +178,7 @@ TEST(NoiseOfTheTracer, RaisesNoMoreFalseAlarmsThanItSays) {
   std::vector<render::Image8> pictures;
   for (int k = 0; k < seeds; ++k) {
     film.settings.seed = 7000 + static_cast<std::uint64_t>(k);
-    drawn_blocks.push_back(measured_blocks(film, 3, {}));
+    drawn_blocks.push_back(measured_blocks(film, {3}, {}).front());
     pictures.push_back(drawn(film, {3}, {}).front());
   }
   constexpr double rate = 0.05;

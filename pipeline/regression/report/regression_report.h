@@ -4,7 +4,7 @@
 
 #include "pipeline/regression/comparer.h"
 #include "pipeline/regression/regression.h"
-#include "pipeline/regression/report_videos.h"
+#include "pipeline/regression/report/report_videos.h"
 
 namespace mien::pipeline {
 
