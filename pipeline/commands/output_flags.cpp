@@ -60,7 +60,7 @@ std::string limits_of(const json& schema) {
       words += (words.empty() ? "" : ", ") + word.get<std::string>();
     return fmt::format(" ({})", words);
   }
-  if (!schema.contains("minimum")) return "";
+  if (!schema.contains("minimum") || !schema.contains("maximum")) return "";
   return fmt::format(" ({} to {})", schema["minimum"].dump(), schema["maximum"].dump());
 }
 

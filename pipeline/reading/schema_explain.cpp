@@ -156,9 +156,13 @@ class Explainer {
     const bool low = node_.contains("minimum") && value < node_["minimum"].get<double>();
     const bool high = node_.contains("maximum") && value > node_["maximum"].get<double>();
     if (!low && !high) return;
-    add(shown(value_) + " is out of range", "use " + named(node_["type"]) + " from " +
-                                                shown(node_["minimum"]) + " to " +
-                                                shown(node_["maximum"]));
+    add(shown(value_) + " is out of range", "use " + named(node_["type"]) + " " + range());
+  }
+
+  std::string range() const {
+    if (!node_.contains("maximum")) return "of " + shown(node_["minimum"]) + " or more";
+    if (!node_.contains("minimum")) return "of " + shown(node_["maximum"]) + " or less";
+    return "from " + shown(node_["minimum"]) + " to " + shown(node_["maximum"]);
   }
 
   void explain_text() {

@@ -19,14 +19,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Hash hash_of_folder(const fs::path& folder) {
+std::map<std::string, Hash> hashes_of_files(const fs::path& folder) {
   std::map<std::string, Hash> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_regular_file())
       files[fs::relative(entry.path(), folder).generic_string()] = hash_of_file(entry.path());
   }
+  return files;
+}
+
+Hash hash_of_folder(const fs::path& folder) {
   KeyBuilder key;
-  for (const auto& [path, hash] : files) key.add(path, hash);
+  for (const auto& [path, hash] : hashes_of_files(folder)) key.add(path, hash);
   return key.key();
 }
 
@@ -111,15 +115,15 @@ bool is_wanted(const std::string& id, const Approval& approval) {
   return approval.only.empty() || std::ranges::find(approval.only, id) != approval.only.end();
 }
 
-/// Stimuli in the manifest's order; what it has no more goes when everything is approved.
-void put_in_order(Baseline& baseline, const Manifest& manifest, bool all) {
+/// Stimuli in the manifest's order; what it has no more goes when that is approved.
+void put_in_order(Baseline& baseline, const Manifest& manifest, const Approval& approval) {
   std::vector<StimulusFacts> ordered;
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (const StimulusFacts* facts = baseline.find(stimulus.id)) ordered.push_back(*facts);
   }
   for (StimulusFacts& facts : baseline.stimuli) {
     if (find_stimulus(manifest, facts.id) != nullptr) continue;
-    if (all)
+    if (is_wanted(facts.id, approval))
       fs::remove_all(baseline.folder / "stimuli" / facts.id);
     else
       ordered.push_back(std::move(facts));
@@ -154,12 +158,13 @@ Baseline approve(Rendition& now, const fs::path& folder, const Approval& approva
     fs::remove_all(next);
     put_files(facts, now, next, options, stop);
     put_videos(facts, options.videos_from, next);
+    facts.files = hashes_of_files(next);
     write_facts(facts, next);
     exchange(next, folder / "stimuli" / stimulus.id);
     put(baseline, std::move(facts));
     if (done) done(share);
   }
-  put_in_order(baseline, manifest, approval.only.empty());
+  put_in_order(baseline, manifest, approval);
   baseline.approvals.push_back(approval);
   write_baseline(baseline);
   remove_unused(baseline);

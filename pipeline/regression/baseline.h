@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/film/film_record.h"
+#include "pipeline/manifest/regression_limits.h"
 #include "pipeline/manifest/stimulus.h"
 #include "pipeline/regression/settings.h"
 #include "pipeline/tasks/hash.h"
@@ -56,8 +57,11 @@ struct StimulusFacts {
   Hash drawing;
   int frames = 0;
   double fps = 0.0;
+  RegressionLimits limits;           ///< that it was approved with
   std::vector<KeyFrame> key_frames;  ///< ascending
   std::vector<VideoFacts> videos;    ///< none where none were made
+  /// Of all that the baseline keeps of it beside these facts: "frames/00012.png".
+  std::map<std::string, Hash> files = {};
 };
 
 /// A decision to let a study look as it does now.
@@ -98,6 +102,10 @@ bool is_baseline(const std::filesystem::path& folder);
 
 /// Throws Error, with the file that is missing or damaged, and how to mend it.
 Baseline read_baseline(const std::filesystem::path& folder);
+
+/// Whether all that is kept is there as it was approved, to the byte. Throws Faults: what is
+/// missing or damaged, and how to mend it.
+void check_files(const Baseline& baseline);
 
 /// stimulus.json, in the folder of the stimulus.
 void write_facts(const StimulusFacts& facts, const std::filesystem::path& folder);

@@ -64,6 +64,26 @@ std::vector<Setting> settings_of(const Json& json) {
   return settings;
 }
 
+Json json_of(const RegressionLimits& limits) {
+  return {{"position_mm", limits.position_mm},   {"turn_degrees", limits.turn_degrees},
+          {"speed_m_s", limits.speed_m_s},       {"contact_seconds", limits.contact_seconds},
+          {"slide_mm", limits.slide_mm},         {"findings", limits.findings},
+          {"perceptual", limits.perceptual},     {"psnr_db", limits.psnr_db},
+          {"parts_mm", json_of(limits.parts_mm)}};
+}
+
+RegressionLimits limits_of(const Json& json) {
+  return {.position_mm = json.at("position_mm"),
+          .turn_degrees = json.at("turn_degrees"),
+          .speed_m_s = json.at("speed_m_s"),
+          .contact_seconds = json.at("contact_seconds"),
+          .slide_mm = json.at("slide_mm"),
+          .findings = json.at("findings"),
+          .perceptual = json.at("perceptual"),
+          .psnr_db = json.at("psnr_db"),
+          .parts_mm = values_of(json.at("parts_mm"))};
+}
+
 Json json_of(const StimulusFacts& facts) {
   Json frames = Json::object();
   for (const KeyFrame& frame : facts.key_frames) frames[std::to_string(frame.frame)] = frame.pixels;
@@ -87,8 +107,10 @@ Json json_of(const StimulusFacts& facts) {
           {"drawing", facts.drawing},
           {"frames", facts.frames},
           {"fps", facts.fps},
+          {"limits", json_of(facts.limits)},
           {"key_frames", frames},
-          {"videos", videos}};
+          {"videos", videos},
+          {"files", facts.files}};
 }
 
 StimulusFacts stimulus_facts_of(const Json& json) {
@@ -105,8 +127,10 @@ StimulusFacts stimulus_facts_of(const Json& json) {
                       .drawing = json.at("drawing"),
                       .frames = json.at("frames"),
                       .fps = json.at("fps"),
+                      .limits = limits_of(json.at("limits")),
                       .key_frames = {},
-                      .videos = {}};
+                      .videos = {},
+                      .files = json.at("files")};
   for (const auto& [frame, pixels] : json.at("key_frames").items())
     facts.key_frames.push_back({std::stoi(frame), pixels});
   for (const Json& video : json.at("videos"))
@@ -143,6 +167,20 @@ auto from_document(const fs::path& file, const Make& make) {
   }
 }
 
+/// What stands for a large file until git LFS fetches it.
+bool is_pointer(const fs::path& file) {
+  constexpr std::uintmax_t most = 1024;
+  return fs::file_size(file) < most &&
+         read_file(file).starts_with("version https://git-lfs.github.com/spec/");
+}
+
+/// Empty when a kept file is as it was approved.
+std::string damage_of(const fs::path& file, const Hash& hash) {
+  if (!fs::is_regular_file(file)) return "is missing";
+  if (is_pointer(file)) return "was not fetched by git LFS";
+  return hash_of_file(file) == hash ? "" : "is not what was approved";
+}
+
 void write_json(const fs::path& file, const Json& json) {
   make_folder(file.parent_path());
   fs::path next = file;
@@ -168,6 +206,23 @@ Baseline read_baseline(const fs::path& folder) {
     baseline.stimuli.push_back(
         from_document(folder / "stimuli" / id / "stimulus.json", stimulus_facts_of));
   return baseline;
+}
+
+void check_files(const Baseline& baseline) {
+  std::vector<Fault> faults;
+  for (const StimulusFacts& facts : baseline.stimuli) {
+    for (const auto& [name, hash] : facts.files) {
+      const fs::path file = baseline.folder / "stimuli" / facts.id / name;
+      const std::string damage = damage_of(file, hash);
+      if (!damage.empty())
+        faults.push_back(
+            {{file.string()},
+             damage,
+             "take it from where the baseline is kept (git checkout, git lfs pull), or "
+             "approve the stimulus again"});
+    }
+  }
+  if (!faults.empty()) throw Faults(std::move(faults));
 }
 
 void write_facts(const StimulusFacts& facts, const fs::path& folder) {

@@ -5,6 +5,7 @@
 #include "pipeline/manifest/own_seed.h"
 #include "pipeline/regression/stimulus_facts.h"
 #include "pipeline/regression/verdict.h"
+#include "pipeline/regression/wider_limits.h"
 
 namespace mien::pipeline {
 
@@ -31,9 +32,11 @@ void add_to_groups(std::vector<CauseGroup>& groups, const StimulusComparison& co
 
 StimulusComparison one_sided(const std::string& id, Verdict verdict) {
   StimulusComparison comparison{.id = id, .verdict = verdict};
-  comparison.reasons.emplace_back(verdict == Verdict::appeared
-                                      ? "is not in the baseline; approve it"
-                                      : "is in the baseline, and not in the manifest any more");
+  comparison.reasons.emplace_back(
+      verdict == Verdict::appeared
+          ? "is not in the baseline; approve it"
+          : "is in the baseline, and not in the manifest any more: approve "
+            "it too, and it goes");
   return comparison;
 }
 
@@ -75,6 +78,9 @@ Regression regress(const ComparedStudy& study,
       const bool audit = is_audited(study.baseline, stimulus.id, options.audit_share);
       result.stimuli.push_back(compare(facts, study, audit));
       judge(result.stimuli.back(), stimulus.regression);
+      const RegressionLimits& approved = study.baseline.find(stimulus.id)->limits;
+      for (const std::string& wider : wider_limits(approved, stimulus.regression))
+        result.wider[wider].push_back(stimulus.id);
       result.audited += int{audit};
     }
     if (done)

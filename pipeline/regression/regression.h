@@ -29,6 +29,8 @@ struct Regression {
   std::vector<CauseGroup> groups;           ///< the largest first, those that differ before others
   Gate gate;
   Repetitions repetitions;
+  /// Of each sentence of wider_limits the stimuli that it is said of.
+  std::map<std::string, std::vector<std::string>> wider;
   int audited = 0;  ///< stimuli that were drawn although they cannot have changed
 
   int count(Verdict verdict) const;

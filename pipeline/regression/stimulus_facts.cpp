@@ -40,6 +40,7 @@ StimulusFacts facts_of(const std::string& id, Rendition& rendition) {
                       .drawing = rendition.drawing_key(id),
                       .frames = clip.frame_count(),
                       .fps = clip.frames_per_second,
+                      .limits = stimulus.regression,
                       .key_frames = {},
                       .videos = {}};
   if (made.weights.size() > 0) facts.weights = weights_of(made, rendition.motions().repertoire());

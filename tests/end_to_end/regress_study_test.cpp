@@ -180,7 +180,106 @@ TEST_F(RegressStudy, MakesNothingBeforeItKnowsWhatToCompareWith) {
   const Ended unknown = run_mien(
       {"regress", "approve", manifest().string(), "--why", "w", "--only", "blent", "--out", out()});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_FALSE(fs::exists(out()));
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "small"));
+}
+
+// A file of the baseline that nobody looks at until something has changed would be missed then.
+TEST_F(RegressStudy, SeesADamagedBaselineBeforeItMakesAnything) {
+  ASSERT_EQ(approve().code, 0);
+  const fs::path kept = root() / "studies" / "baselines" / "small" / "stimuli";
+  fs::copy_file(kept / "file" / "motion.bvh", kept / "blend" / "motion.bvh",
+                fs::copy_options::overwrite_existing);
+  fs::remove_all(out());
+  const Ended end = run_mien({"regress", manifest().string(), "--out", out()});
+  EXPECT_EQ(end.code, 2);
+  EXPECT_NE(end.errors.find("blend/motion.bvh: is not what was approved"), std::string::npos)
+      << end.errors;
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "small"));
+}
+
+TEST_F(RegressStudy, RefusesTheBaselineOfAnotherStudy) {
+  ASSERT_EQ(approve().code, 0);
+  const fs::path document = root() / "studies" / "baselines" / "small" / "baseline.json";
+  json other = json::parse(text_of(document));
+  other["study"] = "other";
+  scratch_.write("repository/studies/baselines/small/baseline.json", other.dump());
+  const Ended end = regress({});
+  EXPECT_EQ(end.code, 2);
+  EXPECT_NE(end.errors.find("of the study \"other\""), std::string::npos) << end.errors;
+}
+
+TEST_F(RegressStudy, LeavesNoGreenReportBehindWhenItFails) {
+  ASSERT_EQ(approve().code, 0);
+  ASSERT_EQ(regress({}).code, 0);
+  const fs::path report = fs::path(out()) / "small-regression";
+  ASSERT_NE(text_of(report / "summary.md").find("✅"), std::string::npos);
+  fs::remove(root() / "studies" / "baselines" / "small" / "stimuli" / "file" / "motion.bvh");
+  EXPECT_EQ(regress({}).code, 2);
+  EXPECT_NE(text_of(report / "summary.md").find("❌"), std::string::npos);
+  EXPECT_FALSE(fs::exists(report / "report.html"));
+  EXPECT_FALSE(fs::exists(report / "junit.xml"));
+}
+
+TEST_F(RegressStudy, ApprovesThatAStimulusIsGone) {
+  ASSERT_EQ(approve().code, 0);
+  scratch_.write("repository/studies/small.yaml",
+                 "mien: 1\nstudy: small\nexamples: {set: builtin:walks-10}\n"
+                 "output: {size: [96, 54], fps: 10, cycles: 1, quality: draft, frames: none,"
+                 " video: [gif]}\nstimuli:\n  - {id: file, clip: ../walk.bvh}\n");
+  EXPECT_EQ(regress({}).code, 1);
+  const Ended end = run_mien({"regress", "approve", manifest().string(), "--why", "not needed",
+                              "--only", "blend", "--without-videos", "--out", out()});
+  EXPECT_EQ(end.code, 0) << end.errors;
+  EXPECT_NE(end.output.find("blend is not in the baseline any more"), std::string::npos);
+  EXPECT_EQ(regress({}).code, 0);
+}
+
+TEST_F(RegressStudy, TellsThatALimitIsWiderThanApproved) {
+  ASSERT_EQ(approve().code, 0);
+  scratch_.write("repository/studies/small.yaml",
+                 text_of(manifest()) + "regression: {position_mm: 50}\n");
+  const Ended end = regress({});
+  EXPECT_EQ(end.code, 0);
+  EXPECT_NE(end.output.find("limit wider than approved: position_mm 1 → 50"), std::string::npos)
+      << end.output;
+}
+
+TEST_F(RegressStudy, RefusesOptionsThatWouldDoNothing) {
+  ASSERT_EQ(approve().code, 0);
+  const Ended study = regress({"--position", "0.02"});
+  EXPECT_EQ(study.code, 2);
+  EXPECT_NE(study.errors.find("--position: is for two files"), std::string::npos) << study.errors;
+  const std::string walk = (root() / "walk.bvh").string();
+  const Ended files = run_mien({"regress", walk, walk, "--repeat", "2"});
+  EXPECT_EQ(files.code, 2);
+  EXPECT_NE(files.errors.find("--repeat: is for studies"), std::string::npos) << files.errors;
+}
+
+// With large files in git LFS, a commit has no more than pointers to them.
+TEST_F(RegressStudy, ComparesWithTheBaselineOfACommitThatKeepsFilesInLfs) {
+  if (run_program({"git", "lfs", "version"}).code != 0) GTEST_SKIP() << "git LFS is not installed";
+  ASSERT_EQ(git({"lfs", "install", "--local"}).code, 0);
+  scratch_.write("repository/.gitattributes",
+                 "*.exr filter=lfs diff=lfs merge=lfs -text\n"
+                 "*.png filter=lfs diff=lfs merge=lfs -text\n"
+                 "motion.bvh filter=lfs diff=lfs merge=lfs -text\n");
+  ASSERT_EQ(approve().code, 0);
+  commit();
+  const Ended kept = git({"lfs", "ls-files"});
+  ASSERT_NE(kept.output.find("motion.bvh"), std::string::npos) << kept.output << kept.errors;
+  const Ended end = regress({"--baseline", "HEAD"});
+  EXPECT_EQ(end.code, 0) << end.output << end.errors;
+  // And where nobody fetched them, that is what is said.
+  const fs::path motion =
+      root() / "studies" / "baselines" / "small" / "stimuli" / "file" / "motion.bvh";
+  fs::remove(motion);
+  ASSERT_EQ(git({"-c", "filter.lfs.smudge=cat", "-c", "filter.lfs.process=", "-c",
+                 "filter.lfs.required=false", "checkout", "--", motion.string()})
+                .code,
+            0);
+  const Ended pointer = regress({});
+  EXPECT_EQ(pointer.code, 2);
+  EXPECT_NE(pointer.errors.find("was not fetched by git LFS"), std::string::npos) << pointer.errors;
 }
 
 /// As a runner of a CI does: another folder, and nothing but what is committed.

@@ -11,10 +11,39 @@
 #include "motion/math/geometry.h"
 #include "pipeline/commands/regress/regress_study.h"
 #include "pipeline/comparison/compared_media.h"
+#include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+constexpr char study_group[] = "Of a study";
+constexpr char files_group[] = "How much is no difference between two files";
+
+/// What is of no use there must not seem to be of use.
+void refuse_options(const CLI::App& command, const std::string& group, const std::string& remedy) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group() == group && option->count() > 0)
+      throw Error({option->get_name()},
+                  group == study_group ? "is for studies, not for two files"
+                                       : "is for two files, not for a study",
+                  remedy);
+  }
+}
+
+/// 1 means that something differs: whatever keeps it from being known is 2.
+int compared(const Command& comparison, const Console& console) {
+  try {
+    return comparison(console);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    console.err << "mien: could not be compared: " << error.what() << '\n';
+    return exit_bad_input;
+  }
+}
 
 void require_file(const std::string& file) {
   if (std::filesystem::exists(file)) return;
@@ -43,7 +72,7 @@ CLI::Option* add_tolerance(CLI::App& command, const std::string& flag, double& v
   return command.add_option(flag, value, help)
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str()
-      ->group("How much is no difference");
+      ->group(files_group);
 }
 
 /// In degrees on the command line, in radians inside.
@@ -57,7 +86,7 @@ void add_rotation_tolerance(CLI::App& command, motion::MotionTolerance& toleranc
           "Degrees that a joint may turn otherwise on its parent")
       ->check(CLI::Range(0.0, 180.0))
       ->default_str("0.1")
-      ->group("How much is no difference");
+      ->group(files_group);
 }
 
 void add_tolerances(CLI::App& command, motion::MotionTolerance& tolerance) {
@@ -73,11 +102,11 @@ void add_tolerances(CLI::App& command, motion::MotionTolerance& tolerance) {
   add_tolerance(command, "--duration", tolerance.duration_seconds,
                 "Seconds that one may last longer");
   command.add_flag("--any-rate", tolerance.any_rate, "Another frame rate is no difference")
-      ->group("How much is no difference");
+      ->group(files_group);
   command
       .add_flag("--any-lint", tolerance.any_lint,
                 "New faults that mien motion lint calls errors are no difference")
-      ->group("How much is no difference");
+      ->group(files_group);
 }
 
 constexpr char footer[] =
@@ -87,9 +116,9 @@ constexpr char footer[] =
     "along; "
     "a shift by frames, exchanged sides, another path), distances with and without alignment, "
     "velocities, foot contacts, faults that came or went, and motion features.\n\n"
-    "Identical motions always pass. Exit code: 0 when they are alike, 1 when they differ, 2 for "
-    "bad "
-    "input.\n\n"
+    "Of a study, how much is no difference stands in its manifest (regression:).\n\n"
+    "Identical motions always pass. Exit code: 0 when they are alike, 1 when they differ, 2 when "
+    "that could not be found out: bad input, a damaged baseline, no room for the report.\n\n"
     "Examples:\n"
     "  mien regress approved/walk.bvh walk.bvh\n"
     "  mien regress approved/walk.bvh walk.glb --position 0.005 --rotation 0.5 --json";
@@ -107,17 +136,17 @@ void add_study_options(CLI::App& command, StudyArguments& arguments, const char*
   command
       .add_option("--baseline", arguments.baseline,
                   std::string(baseline) + " (default: baselines/<study> beside the manifest)")
-      ->group("Of a study");
+      ->group(study_group);
   command.add_option("--out", arguments.production.out, "Folder in which studies are made")
       ->capture_default_str()
-      ->group("Of a study");
+      ->group(study_group);
   command.add_option("--jobs,-j", arguments.production.jobs, "Threads (default: one a processor)")
       ->check(CLI::Range(1, 1024))
-      ->group("Of a study");
+      ->group(study_group);
   command
       .add_flag("--without-videos", arguments.without_videos,
                 "Make and compare motions and key frames alone")
-      ->group("Of a study");
+      ->group(study_group);
 }
 
 void add_approve_command(CLI::App& regress, Command& chosen) {
@@ -161,25 +190,25 @@ void add_regress_command(CLI::App& app, Command& chosen) {
       ->add_option("--report,-o", study->report,
                    "Folder of the report (default: "
                    "<out>/<study>-regression)")
-      ->group("Of a study");
+      ->group(study_group);
   command
       ->add_option("--repeat", study->repeat,
                    "Make motions and key frames so many times, and tell what differs")
       ->check(CLI::Range(1, 100))
-      ->group("Of a study");
+      ->group(study_group);
   command
       ->add_option("--audits", study->audits,
                    "Share of the stimuli that are drawn although nothing about them has changed")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str()
-      ->group("Of a study");
+      ->group(study_group);
   add_tolerances(*command, options->tolerance);
   command
       ->add_option("--perceptual", options->perceptual,
                    "Mean FLIP, 0 to 1, that a picture or frame of a video may have")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str()
-      ->group("How much is no difference");
+      ->group(files_group);
   command->add_flag("--json", options->json, "Everything that is known, as JSON");
   command->footer(footer);
   add_approve_command(*command, chosen);
@@ -189,9 +218,17 @@ void add_regress_command(CLI::App& app, Command& chosen) {
     if (options->now.empty()) {
       study->production.manifest = options->before;
       study->production.json = options->json;
-      chosen = [study](const Console& console) { return regress_study(*study, console); };
+      chosen = [command, study](const Console& console) {
+        refuse_options(*command, files_group, "set regression: in the manifest");
+        return compared([&](const Console& where) { return regress_study(*study, where); },
+                        console);
+      };
     } else {
-      chosen = [options](const Console& console) { return regress_files(*options, console); };
+      chosen = [command, options](const Console& console) {
+        refuse_options(*command, study_group, "leave it out");
+        return compared([&](const Console& where) { return regress_files(*options, where); },
+                        console);
+      };
     }
   });
 }

@@ -114,7 +114,11 @@ fs::path cleared_report_folder(const StudyArguments& arguments, const Manifest& 
                 "name a new folder with --report");
   make_folder(folder);
   write_file(folder / report_mark, "");
-  for (const char* old : {"frames", "videos"}) fs::remove_all(folder / old);
+  for (const char* old : {"frames", "videos", "report.html", "regression.json", "junit.xml"})
+    fs::remove_all(folder / old);
+  // What stays if this run does not come to its end.
+  write_file(folder / "summary.md",
+             "## ❌ " + manifest.study + "\n\nThe comparison did not come to its end.\n");
   return folder;
 }
 
@@ -161,9 +165,11 @@ std::string own_name(const Manifest& manifest) {
   return user != nullptr && *user != '\0' ? user : "unknown";
 }
 
-void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifest) {
+/// What the manifest has no more can be approved too: then it goes.
+void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifest,
+                    const Baseline& baseline) {
   for (const std::string& id : ids) {
-    if (find_stimulus(manifest, id) == nullptr)
+    if (find_stimulus(manifest, id) == nullptr && baseline.find(id) == nullptr)
       throw Error({"--only"}, "the study has no stimulus \"" + id + "\"", "mien plan lists them");
   }
 }
@@ -173,9 +179,13 @@ void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifes
 int regress_study(const StudyArguments& arguments, const Console& console) {
   MadeStudy made_study = planned(arguments, console);
   const Manifest& manifest = made_study.production->manifest();
+  const fs::path folder = cleared_report_folder(arguments, manifest);
   const FoundBaseline found = find_baseline(arguments.baseline, manifest);
   const Baseline baseline = read_baseline(found.folder);
-  const fs::path folder = cleared_report_folder(arguments, manifest);
+  if (baseline.study != manifest.study)
+    throw Error({found.folder.string()}, "is the baseline of the study \"" + baseline.study + "\"",
+                "name that of \"" + manifest.study + "\" with --baseline");
+  check_files(baseline);
   if (!arguments.without_videos) make(made_study, arguments, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
@@ -215,10 +225,11 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
   whole.production.only.clear();
   MadeStudy made_study = planned(whole, console);
   const Manifest& manifest = made_study.production->manifest();
-  refuse_unknown(arguments.production.only, manifest);
   const fs::path folder =
       arguments.baseline.empty() ? usual_baseline(manifest) : fs::path(arguments.baseline);
   refuse_other_folder(folder);
+  const Baseline before = is_baseline(folder) ? read_baseline(folder) : Baseline{};
+  refuse_unknown(arguments.production.only, manifest, before);
   if (!arguments.without_videos) make(made_study, arguments, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
@@ -239,6 +250,10 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
                                                                  : arguments.production.only.size();
   console.out << fmt::format("{}: {} {} approved by {}\n", folder.string(), approved,
                              approved == 1 ? "stimulus" : "stimuli", baseline.approvals.back().who);
+  for (const StimulusFacts& facts : before.stimuli) {
+    if (baseline.find(facts.id) == nullptr)
+      console.out << facts.id << " is not in the baseline any more\n";
+  }
   return exit_done;
 }
 

@@ -49,11 +49,16 @@ FoundBaseline baseline_of_commit(const std::string& commit, const Manifest& mani
   const fs::path tree = found.scratch->path() / "tree";
   link_surroundings(root / path, tree);
   const fs::path files = tree / root.relative_path();
-  const CommandEnd end =
-      run_command({"env", "GIT_INDEX_FILE=" + (found.scratch->path() / "index").string(), "git",
-                   "-C", root.string(), "--work-tree=" + files.string(), "checkout", commit, "--",
-                   path.generic_string()},
-                  git_limit);
+  const auto with_own_index = [&](std::vector<std::string> words) {
+    const std::string index = (found.scratch->path() / "index").string();
+    words.insert(words.begin(), {"env", "GIT_INDEX_FILE=" + index, "git", "-C", root.string(),
+                                 "--work-tree=" + files.string()});
+    return run_command(words, git_limit);
+  };
+  // All of the commit, for .gitattributes say which files are kept elsewhere.
+  CommandEnd end = with_own_index({"read-tree", commit});
+  if (end.is_done())
+    end = with_own_index({"checkout", "--force", commit, "--", path.generic_string()});
   if (!end.is_done())
     throw Error({commit}, "has no baseline: " + first_line(end.errors),
                 "commit the folder that mien regress approve wrote, or name another commit");

@@ -152,6 +152,8 @@ std::string summary_text(const Regression& regression) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count,
                         verdict == Verdict::differs && count != 1 ? "differ" : std::string(word));
   }
+  for (const auto& [wider, ids] : regression.wider)
+    text += fmt::format("; limit wider than approved: {} ({})", wider, names_text(ids));
   return fmt::format(
       "{}; {}", text.empty() ? "no stimuli" : text,
       regression.gate.holds() ? "the gate holds" : "THE GATE FAILS: a planted defect was not seen");
@@ -267,6 +269,7 @@ nlohmann::ordered_json as_json(const Regression& regression) {
            {{"times", regression.repetitions.times},
             {"differing", regression.repetitions.differing},
             {"largest", regression.repetitions.largest}}},
+          {"wider_limits", regression.wider},
           {"audited", regression.audited},
           {"stimuli", stimuli}};
 }

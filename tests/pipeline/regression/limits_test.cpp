@@ -54,7 +54,8 @@ TEST_F(Limits, ThatAreWrongAreToldWithTheirPlace) {
     const char* words;
   };
   const Wrong wrong_ones[] = {
-      {"regression: {position_mm: -1}", "", "m.yaml:4:27: regression.position_mm", "0"},
+      {"regression: {position_mm: -1}", "", "m.yaml:4:27: regression.position_mm",
+       "use a number of 0 or more"},
       {"", "regression: {perceptual: 2}", "m.yaml:8:30: stimuli[0].regression.perceptual", "1"},
       {"regression: {positon_mm: 1}", "", "m.yaml:4:14: regression", "position_mm"},
       {"regression: {findings: 3}", "", "m.yaml:4:24: regression.findings", "true"},
@@ -63,7 +64,8 @@ TEST_F(Limits, ThatAreWrongAreToldWithTheirPlace) {
        "left hand"},
       {"", "regression: {parts_mm: {left hnad: 1}}", "m.yaml:8:29: stimuli[0].regression.parts_mm",
        "left hand"},
-      {"regression: {parts_mm: {left hand: -1}}", "", "m.yaml:4:36: regression.parts_mm", "0"},
+      {"regression: {parts_mm: {left hand: -1}}", "", "m.yaml:4:36: regression.parts_mm",
+       "use a number of 0 or more"},
   };
   for (const Wrong& wrong : wrong_ones) {
     const std::string said = refusal(wrong.limits, wrong.own);
