@@ -11,6 +11,25 @@ if (!folder) {
   process.exit(2);
 }
 
+/** Of a package that names it and does not bring its text. */
+const mit_licence = (author) => `Copyright (c) ${author ?? "the authors"}
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and
+associated documentation files (the "Software"), to deal in the Software without restriction,
+including without limitation the rights to use, copy, modify, merge, publish, distribute, sublicense,
+and/or sell copies of the Software, and to permit persons to whom the Software is furnished to do so,
+subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial
+portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT
+LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN
+NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY,
+WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE
+SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+`;
+
 await rm(folder, { recursive: true, force: true });
 await mkdir(folder, { recursive: true });
 const result = await build({
@@ -41,6 +60,7 @@ for (const name of [...packages].sort()) {
   const { version, license, author } = JSON.parse(await readFile(join(place, "package.json"), "utf8"));
   const file = (await readdir(place)).find((entry) => /^licen[cs]e/i.test(entry));
   licences += `\n${"-".repeat(72)}\n${name} ${version} (${license})\n\n`;
-  licences += file ? await readFile(join(place, file), "utf8") : `${author?.name ?? author ?? ""}\n`;
+  if (!file && license !== "MIT") throw new Error(`${name} comes without its licence`);
+  licences += file ? await readFile(join(place, file), "utf8") : mit_licence(author?.name ?? author);
 }
 await writeFile(join(folder, "LICENSES.txt"), licences);

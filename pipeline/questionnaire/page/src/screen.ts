@@ -39,8 +39,10 @@ export function video_screen(url: string, media: Media, told: ScreenEvents): Scr
     if (video.requestVideoFrameCallback) video.requestVideoFrameCallback(() => told.began());
     else told.began();
   });
+  // The last frames may be waited for as well, on no account of the network.
+  const is_over = () => video.ended || video.duration - video.currentTime < 0.1;
   video.addEventListener("waiting", () => {
-    if (state === "running" && !video.ended) told.stalled();
+    if (state === "running" && !is_over()) told.stalled();
   });
   video.addEventListener("ended", () => {
     state = "still";

@@ -83,6 +83,8 @@ class TrialAtWork {
     this.answers.append(element("h2", { class: "question-text" }, this.question()), rows,
       ...this.comment_parts(),
       element("div", { class: "buttons" }, this.next, this.note));
+    for (const legend of rows.querySelectorAll("legend"))
+      if (legend.textContent === this.question()) legend.classList.add("unseen");
     page.append(this.answers);
     this.display.replaceChildren(page);
     scrollTo(0, 0);

@@ -128,14 +128,14 @@ export async function take(page, { by_keys = false, each = async () => false } =
   throw new Error("the questionnaire has no end");
 }
 
-/** Texts of the files that the page saves, by what their names begin with. */
+/** Texts of the files that the page saves: "answers", "participant", "records". */
 export function downloads_of(page) {
   const saved = {};
   page.on("download", async (download) => {
     const stream = await download.createReadStream();
     let text = "";
     for await (const part of stream) text += part;
-    saved[download.suggestedFilename().split("-")[0]] = text;
+    saved[download.suggestedFilename().match(/answers|participant|records/)[0]] = text;
   });
   return saved;
 }
