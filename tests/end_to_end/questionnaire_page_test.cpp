@@ -203,6 +203,20 @@ TEST_F(QuestionnairePage, RunsOnJatos) {
   EXPECT_FALSE(rows_in(run.at("answers").get<std::string>()).empty());
 }
 
+TEST_F(QuestionnairePage, SendsEachRecordUntilTheServerHasIt) {
+  const json run = played("served");
+  EXPECT_EQ(run.at("troubles"), json::array());
+  EXPECT_EQ(run.at("wrong"), json::array());
+  EXPECT_EQ(run.at("saved"), json::array());
+  EXPECT_EQ(run.at("reloads"), 1);
+  const json experiment = json::parse(text_of(folder() / "experiment.json"));
+  json records = {"consent", "demographics"};
+  for (const json& trial : experiment.at("sessions")[0].at("trials"))
+    records.push_back("trial-" + std::to_string(trial.at("number").get<int>()));
+  records.push_back("ending");
+  EXPECT_EQ(run.at("kept"), records);
+}
+
 TEST_F(QuestionnairePage, HasNoFaultOfAccessibility) {
   const json checked = played("accessibility");
   EXPECT_EQ(checked.at("faults"), json::array());
