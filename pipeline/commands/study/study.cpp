@@ -42,6 +42,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
   add_study_analyze_command(*study, chosen);
   add_study_design_command(*study, chosen);
   add_study_evaluate_command(*study, chosen);
+  add_study_export_command(*study, chosen);
   add_study_features_command(*study, chosen);
   add_study_interfaces_command(*study, chosen);
   add_study_methods_command(*study, chosen);

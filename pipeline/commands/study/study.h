@@ -12,6 +12,7 @@ void add_subject_options(CLI::App& command, StudySubject& subject);
 void add_study_analyze_command(CLI::App& study, Command& chosen);
 void add_study_design_command(CLI::App& study, Command& chosen);
 void add_study_evaluate_command(CLI::App& study, Command& chosen);
+void add_study_export_command(CLI::App& study, Command& chosen);
 void add_study_features_command(CLI::App& study, Command& chosen);
 void add_study_interfaces_command(CLI::App& study, Command& chosen);
 void add_study_methods_command(CLI::App& study, Command& chosen);
