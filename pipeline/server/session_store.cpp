@@ -19,6 +19,7 @@ constexpr const char* store_tables = R"(
 CREATE TABLE facts(name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT, WITHOUT ROWID;
 CREATE TABLE sessions(
   number INTEGER PRIMARY KEY,
+  plan INTEGER NOT NULL,
   participant TEXT NOT NULL UNIQUE,
   link TEXT NOT NULL UNIQUE,
   begun_at TEXT NOT NULL DEFAULT '',
@@ -49,6 +50,16 @@ std::vector<StoredRecord> read_records(Statement& statement) {
                        .kept_at = statement.text(4)});
   }
   return records;
+}
+
+void insert_session(Database& database, const StoredSession& session) {
+  Statement statement(database,
+                      "INSERT INTO sessions(number, plan, participant, link, begun_at, came_by) "
+                      "VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
+  statement
+      .with(session.index, session.plan, session.participant, session.link, session.begun_at,
+            session.came_by)
+      .finish();
 }
 
 }  // namespace
@@ -88,25 +99,28 @@ void SessionStore::begin(const std::vector<std::pair<std::string, std::string>>&
   Transaction transaction(database_);
   Statement fact(database_, "INSERT INTO facts(name, value) VALUES(?1, ?2)");
   for (const auto& [name, value] : facts) fact.with(name, value).finish();
-  Statement session(database_,
-                    "INSERT INTO sessions(number, participant, link) VALUES(?1, ?2, ?3)");
-  for (const StoredSession& one : sessions)
-    session.with(one.index, one.participant, one.link).finish();
+  for (const StoredSession& one : sessions) insert_session(database_, one);
   transaction.commit();
+}
+
+void SessionStore::add(const StoredSession& session) {
+  const std::lock_guard lock(mutex_);
+  insert_session(database_, session);
 }
 
 std::vector<StoredSession> SessionStore::sessions() {
   const std::lock_guard lock(mutex_);
   Statement statement(
       database_,
-      "SELECT number, participant, link, begun_at, came_by FROM sessions ORDER BY number");
+      "SELECT number, plan, participant, link, begun_at, came_by FROM sessions ORDER BY number");
   std::vector<StoredSession> sessions;
   while (statement.step()) {
     sessions.push_back({.index = static_cast<int>(statement.number(0)),
-                        .participant = statement.text(1),
-                        .link = statement.text(2),
-                        .begun_at = statement.text(3),
-                        .came_by = statement.text(4)});
+                        .plan = static_cast<int>(statement.number(1)),
+                        .participant = statement.text(2),
+                        .link = statement.text(3),
+                        .begun_at = statement.text(4),
+                        .came_by = statement.text(5)});
   }
   return sessions;
 }

@@ -13,7 +13,8 @@ namespace mien::pipeline {
 
 /// A participant's place in a study.
 struct StoredSession {
-  int index = 0;            ///< of the plan
+  int index = 0;            ///< from 0
+  int plan = 0;             ///< which of the study's plans it follows
   std::string participant;  ///< "p001"
   std::string link;         ///< that nobody can guess
   std::string begun_at;     ///< ISO time; empty: nobody has come yet
@@ -54,6 +55,7 @@ class SessionStore {
              const std::vector<StoredSession>& sessions);
 
   std::vector<StoredSession> sessions();
+  void add(const StoredSession& session);
 
   /// Notes that somebody has come; false when somebody had before.
   bool come(int session, const std::string& came_by, const std::string& now);
