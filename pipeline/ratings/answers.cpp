@@ -1,6 +1,8 @@
 #include "pipeline/ratings/answers.h"
 
 #include "pipeline/documents/csv.h"
+#include "pipeline/ratings/answer_row.h"
+#include "pipeline/ratings/counted_answers.h"
 #include "pipeline/ratings/study_answers.h"
 #include "pipeline/ratings/unknown_names.h"
 #include "pipeline/ratings/word_answers.h"
@@ -56,6 +58,12 @@ Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSu
                           .left_out = about.left_out};
   std::vector<StudyWarning> warnings;
   Answers answers;
+  if (holds_answer_rows(table)) {
+    CountedAnswers counted = counted_answers(table);
+    answers = answers_of(counted.table, scales, about);
+    answers.warnings.insert(answers.warnings.begin(), counted.told.begin(), counted.told.end());
+    return answers;
+  }
   if (holds_words(table)) {
     const CsvTable rows = rows_about(table, about, rules, warnings);
     answers = answers_from_words(rows, scales, Unmentioned::neutral).answers;

@@ -41,7 +41,8 @@ struct AnswerSubjects {
 /// Reads a tidy CSV: columns stimulus, scale, value and, unless the values are means, participant;
 /// others (rt_s, order, comment …) are ignored. A column `simulated` with anything but 0 (or
 /// nothing) marks answers that nobody gave. A table of words (word_answers.h) is turned into
-/// answers, what is not mentioned counting as neutral.
+/// answers, what is not mentioned counting as neutral. The answers of a questionnaire
+/// (answer_row.h) are read as they are: counted_answers says which count.
 ///
 /// An empty value or "NA" is a missing answer.
 ///

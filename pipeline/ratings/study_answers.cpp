@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/ratings/answer_row.h"
+#include "pipeline/ratings/counted_answers.h"
 #include "pipeline/ratings/unknown_names.h"
 #include "pipeline/ratings/word_answers.h"
 
@@ -145,6 +147,13 @@ class RowReader {
 
 StudyAnswers study_answers(const CsvTable& table, const ScaleSet& scales,
                            const std::vector<RatedExample>& examples, const AnswerRules& rules) {
+  if (holds_answer_rows(table)) {
+    CountedAnswers counted = counted_answers(table);
+    StudyAnswers study = study_answers(counted.table, scales, examples, rules);
+    for (std::string& sentence : counted.told)
+      study.warnings.push_back({"left-out", {}, std::move(sentence)});
+    return study;
+  }
   if (holds_words(table)) {
     throw Error(place_of(table, table.header.front()), "words, not answers on scales",
                 "turn them into answers with mien study words");

@@ -12,7 +12,8 @@ namespace mien::pipeline {
 
 /// Reads a tidy CSV: columns stimulus, scale, value; participant unless the values are means;
 /// optional rt_ms (milliseconds, ≥ 0), order (a number), comment, simulated; others are ignored. An
-/// empty value or "NA" is a missing answer. Stimuli are examples by name or by file stem.
+/// empty value or "NA" is a missing answer. The answers of a questionnaire (answer_row.h) are read
+/// as they are: counted_answers says which count. Stimuli are examples by name or by file stem.
 ///
 /// Missing is also what a participant did not answer about a stimulus that he saw, and, when at
 /// least half of the participants saw every example, an example that he did not see. Constant is a

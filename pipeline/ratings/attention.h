@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/ratings/answer_row.h"
+
+namespace mien::pipeline {
+
+/// Whose answers are left out for want of attention.
+struct AttentionRule {
+  /// The least share of a participant's checks that must be passed, 0 (nobody is left out) to 1.
+  /// Two thirds: one check of three may be missed, by an oversight, and whoever chooses at random
+  /// among five answers passes two of three checks in one case of ten.
+  double least_passed = 2.0 / 3.0;
+};
+
+/// How a participant did.
+struct Attention {
+  std::string participant;
+  int checks = 0;  ///< those with an expected answer that were answered
+  int passed = 0;
+  bool is_excluded = false;
+};
+
+/// Of every participant, in the order of the rows. Without checks nobody is excluded.
+std::vector<Attention> attention_of(const std::vector<AnswerRow>& rows,
+                                    const AttentionRule& rule = {});
+
+/// The rule in a plain sentence.
+std::string to_sentence(const AttentionRule& rule);
+
+}  // namespace mien::pipeline

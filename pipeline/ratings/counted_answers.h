@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/documents/csv.h"
+
+namespace mien::pipeline {
+
+/// The ratings in a table of answer rows (answer_row.h), as the tidy table participant, stimulus,
+/// scale, value, rt_ms, comment, simulated that other answers come as; fields keep their places.
+struct CountedAnswers {
+  CsvTable table;
+  std::vector<std::string> told;  ///< sentences: what was left out
+};
+
+/// Passed over are practice, warm-up, checks, repeated stimuli, what was left empty, choices
+/// (which emotion, which of two) and all of participants who are excluded by the usual
+/// AttentionRule. Throws Faults as answer_rows, and Error when nothing is left.
+CountedAnswers counted_answers(const CsvTable& answer_rows);
+
+}  // namespace mien::pipeline
