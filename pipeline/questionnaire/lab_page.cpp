@@ -13,14 +13,11 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Whoever's page has asked for nothing that long is away.
-constexpr std::int64_t away_seconds = 300;
-
 std::string state_word(const SessionState& state, std::int64_t now) {
   if (state.has_refused) return "refused";
   if (state.has_finished()) return "done";
   if (state.session.begun_at.empty()) return "waiting";
-  return state.last_seen != 0 && now - state.last_seen <= away_seconds ? "here" : "away";
+  return state.is_here(now) ? "here" : "away";
 }
 
 nlohmann::ordered_json status_of(const SessionState& state, std::int64_t now) {

@@ -135,8 +135,8 @@ std::optional<StoredSession> StudySessions::further_session() const {
   std::vector<int> given(study_.plans.size()), finished(study_.plans.size());
   for (const SessionState& state : states_) {
     const auto plan = static_cast<std::size_t>(state.session.plan);
-    ++given[plan];
     finished[plan] += state.has_finished() ? 1 : 0;
+    given[plan] += state.has_finished() || state.is_here(clock_()) ? 1 : 0;
   }
   const bool all_finished = std::ranges::all_of(finished, [](int count) { return count > 0; });
   if (all_finished || states_.size() >= most_sessions_a_plan * study_.plans.size())
@@ -157,6 +157,7 @@ std::optional<SessionState> StudySessions::join() {
     store_.come(free->session.index, "join", now);
     free->session.begun_at = now;
     free->session.came_by = "join";
+    free->last_seen = clock_();
     return *free;
   }
   std::optional<StoredSession> further = further_session();
@@ -165,6 +166,7 @@ std::optional<SessionState> StudySessions::join() {
   further->came_by = "join";
   store_.add(*further);
   add_state(*further);
+  states_.back().last_seen = clock_();
   return states_.back();
 }
 

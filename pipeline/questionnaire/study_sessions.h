@@ -29,6 +29,8 @@ struct SessionState {
   bool has_refused = false;
 
   bool has_finished() const { return kept == names.size(); }
+  /// The page has asked for something within the last five minutes.
+  bool is_here(std::int64_t now) const { return last_seen != 0 && now - last_seen <= 300; }
 };
 
 /// What became of a record that was given.
@@ -58,8 +60,8 @@ class StudySessions {
   GivenRecord give(int session, const PageRecord& record, const std::string& content);
 
   /// The session of somebody who comes by the link of all: the next that nobody has, or, once all
-  /// are given out, a further one with the plan that is filled least. Nothing when all plans are
-  /// finished, or too many have come.
+  /// are given out, a further one with the plan that is filled least, where those who have left
+  /// do not count. Nothing when all plans are finished, or too many have come.
   std::optional<SessionState> join();
 
   std::string lab_link() const { return lab_link_; }

@@ -33,8 +33,8 @@ HttpSettings quick_settings() {
 
 TEST(HttpServer, AnswersWhatItIsAsked) {
   const HttpServer server(HttpSettings{}, echo);
-  EXPECT_EQ(body_in(exchange(server.port(), get_request("/a/b-1.x/?q=2"))), "GET a b-1.x  ");
-  EXPECT_EQ(body_in(exchange(server.port(), post_request("/a", "given"))), "POST a given");
+  EXPECT_EQ(body_in(reply_of(server.port(), get_request("/a/b-1.x/?q=2"))), "GET a b-1.x  ");
+  EXPECT_EQ(body_in(reply_of(server.port(), post_request("/a", "given"))), "POST a given");
 }
 
 TEST(HttpServer, AnswersSeveralRequestsOverOneConnectionEachWithItsOwnBody) {
@@ -52,7 +52,7 @@ TEST(HttpServer, GuardsEveryAnswer) {
   for (const std::string& request :
        {get_request("/a"), get_request("/../a"), std::string("nonsense\r\n\r\n"),
         post_request("/a", std::string(70'000, 'x'))}) {
-    const std::string answer = exchange(server.port(), request);
+    const std::string answer = reply_of(server.port(), request);
     EXPECT_NE(header_in(answer, "Content-Security-Policy").find("default-src 'none'"),
               std::string::npos)
         << answer;
@@ -72,7 +72,7 @@ TEST(HttpServer, LetsOnlyPlainPathsThrough) {
   for (const char* target : {"/../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/a/..%2f..%2fetc",
                              "/a//b", "/.git", "/a/./b", "/a%00b", "/a\\..\\b", "/%252e%252e/",
                              "/a;b", "/~root", "/a+b", "/%c0%ae%c0%ae/"}) {
-    EXPECT_EQ(status_in(exchange(server.port(), get_request(target))), 404) << target;
+    EXPECT_EQ(status_in(reply_of(server.port(), get_request(target))), 404) << target;
   }
   EXPECT_EQ(asked, 0);
 }
@@ -80,7 +80,7 @@ TEST(HttpServer, LetsOnlyPlainPathsThrough) {
 TEST(HttpServer, RefusesWhatIsNoRequest) {
   const HttpServer server(quick_settings(), echo);
   const auto status = [&](const std::string& bytes) {
-    return status_in(exchange(server.port(), bytes));
+    return status_in(reply_of(server.port(), bytes));
   };
   EXPECT_EQ(status("GET / HTTP/2.0\r\n\r\n"), 400);
   EXPECT_EQ(status("GET http://elsewhere/ HTTP/1.1\r\n\r\n"), 400);
@@ -101,12 +101,12 @@ TEST(HttpServer, RefusesTooMuch) {
   const HttpServer server(quick_settings(), echo);
   std::string flood = "GET / HTTP/1.1\r\n";
   for (int line = 0; line < 200; ++line) flood += "A" + std::to_string(line) + ": b\r\n";
-  EXPECT_EQ(status_in(exchange(server.port(), flood + "\r\n")), 431);
-  EXPECT_EQ(status_in(exchange(server.port(), "GET / HTTP/1.1\r\nA: " + std::string(20'000, 'b'))),
+  EXPECT_EQ(status_in(reply_of(server.port(), flood + "\r\n")), 431);
+  EXPECT_EQ(status_in(reply_of(server.port(), "GET / HTTP/1.1\r\nA: " + std::string(20'000, 'b'))),
             431);
-  EXPECT_EQ(status_in(exchange(server.port(), get_request("/" + std::string(17'000, 'a')))), 431);
-  EXPECT_EQ(status_in(exchange(server.port(), post_request("/a", std::string(65'537, 'a')))), 413);
-  EXPECT_EQ(status_in(exchange(server.port(), post_request("/a", std::string(65'536, 'a')))), 200);
+  EXPECT_EQ(status_in(reply_of(server.port(), get_request("/" + std::string(17'000, 'a')))), 431);
+  EXPECT_EQ(status_in(reply_of(server.port(), post_request("/a", std::string(65'537, 'a')))), 413);
+  EXPECT_EQ(status_in(reply_of(server.port(), post_request("/a", std::string(65'536, 'a')))), 200);
 }
 
 TEST(HttpServer, WaitsForNoSlowClient) {
@@ -135,12 +135,12 @@ TEST(HttpServer, RefusesMoreConnectionsThanItHasRoomForAndRecovers) {
     second.send("GET /a HTTP/1.1\r\n\r\n");
     first.receive_answer();
     second.receive_answer();
-    EXPECT_EQ(status_in(exchange(server.port(), get_request("/a"))), 503);
+    EXPECT_EQ(status_in(reply_of(server.port(), get_request("/a"))), 503);
   }
   int status = 0;
   for (int attempt = 0; attempt < 50 && status != 200; ++attempt) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    status = status_in(exchange(server.port(), get_request("/a")));
+    status = status_in(reply_of(server.port(), get_request("/a")));
   }
   EXPECT_EQ(status, 200);
 }
@@ -150,8 +150,8 @@ TEST(HttpServer, LimitsHowOftenAnAddressAsks) {
   settings.requests = {.burst = 3, .per_second = 0.001};
   const HttpServer server(settings, echo);
   for (int count = 0; count < 3; ++count)
-    EXPECT_EQ(status_in(exchange(server.port(), get_request("/a"))), 200);
-  EXPECT_EQ(status_in(exchange(server.port(), get_request("/a"))), 429);
+    EXPECT_EQ(status_in(reply_of(server.port(), get_request("/a"))), 200);
+  EXPECT_EQ(status_in(reply_of(server.port(), get_request("/a"))), 429);
 }
 
 TEST(HttpServer, SendsTheRangesOfAFileThatAreAskedFor) {
@@ -164,9 +164,9 @@ TEST(HttpServer, SendsTheRangesOfAFileThatAreAskedFor) {
     return http_file(request, folder.path() / request.path.at(0), "video/mp4");
   });
   const auto answer = [&](const std::string& range) {
-    return exchange(server.port(), get_request("/film", "Range: " + range + "\r\n"));
+    return reply_of(server.port(), get_request("/film", "Range: " + range + "\r\n"));
   };
-  EXPECT_EQ(body_in(exchange(server.port(), get_request("/film"))), bytes);
+  EXPECT_EQ(body_in(reply_of(server.port(), get_request("/film"))), bytes);
   EXPECT_EQ(body_in(answer("bytes=5-9")), bytes.substr(5, 5));
   EXPECT_EQ(header_in(answer("bytes=5-9"), "Content-Range"), "bytes 5-9/200000");
   EXPECT_EQ(status_in(answer("bytes=5-9")), 206);
@@ -179,10 +179,10 @@ TEST(HttpServer, SendsTheRangesOfAFileThatAreAskedFor) {
                             "bytes=0-99999999999999999999999", "bytes=--5", "bytes="}) {
     EXPECT_EQ(status_in(answer(abuse)), 200) << abuse;
   }
-  EXPECT_EQ(status_in(exchange(server.port(), get_request("/empty"))), 200);
-  EXPECT_EQ(status_in(exchange(server.port(), get_request("/none"))), 404);
+  EXPECT_EQ(status_in(reply_of(server.port(), get_request("/empty"))), 200);
+  EXPECT_EQ(status_in(reply_of(server.port(), get_request("/none"))), 404);
   const std::string head =
-      exchange(server.port(), "HEAD /film HTTP/1.1\r\nConnection: close\r\n\r\n");
+      reply_of(server.port(), "HEAD /film HTTP/1.1\r\nConnection: close\r\n\r\n");
   EXPECT_EQ(header_in(head, "Content-Length"), "200000");
   EXPECT_EQ(body_in(head), "");
 }
@@ -193,7 +193,7 @@ TEST(HttpServer, TellsAClientNothingOfAFailure) {
       HttpSettings{},
       [](const HttpRequest&) -> HttpResponse { throw std::runtime_error("/a/secret/place"); },
       [&](const std::string& failure) { told = failure; });
-  const std::string answer = exchange(server.port(), get_request("/a"));
+  const std::string answer = reply_of(server.port(), get_request("/a"));
   EXPECT_EQ(status_in(answer), 500);
   EXPECT_EQ(answer.find("secret"), std::string::npos);
   EXPECT_EQ(told, "/a/secret/place");

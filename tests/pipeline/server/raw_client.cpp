@@ -67,7 +67,7 @@ std::string RawClient::receive_answer() {
   return answer;
 }
 
-std::string exchange(int port, const std::string& bytes) {
+std::string reply_of(int port, const std::string& bytes) {
   RawClient client(port);
   client.send(bytes);
   return client.receive();

@@ -29,7 +29,7 @@ class RawClient {
 };
 
 /// What the server answers to these bytes until it closes.
-std::string exchange(int port, const std::string& bytes);
+std::string reply_of(int port, const std::string& bytes);
 
 /// "GET /x HTTP/1.1" with what has to be there, and the connection to be closed.
 std::string get_request(const std::string& target, const std::string& headers = "");
