@@ -1,0 +1,60 @@
+#include "pipeline/questionnaire/export.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "pipeline/commands/study/made_questionnaire.h"
+#include "pipeline/commands/study/study.h"
+#include "pipeline/questionnaire/page_bundle.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportOptions {
+  ProductionArguments study;
+  std::string folder;
+};
+
+int export_questionnaire(const ExportOptions& options, const Console& console) {
+  // What would stop it later is told before anything is drawn.
+  const fs::path pages = page_bundle();
+  refuse_foreign_folder(options.folder);
+  const MadeQuestionnaire made = made_questionnaire(options.study, console);
+  write_export(exported_questionnaire(made.manifest, made.plans, made.media, pages),
+               options.folder);
+  const fs::path folder = options.folder;
+  console.out << fmt::format(
+      "{}: {} participants, {} {}\n{}\n{}\n", folder.string(), made.plans.size(), made.media.size(),
+      made.media.size() == 1 ? "stimulus" : "stimuli", (folder / "index.html").string(),
+      (folder / (made.manifest.study + ".jzip")).string());
+  return exit_done;
+}
+
+}  // namespace
+
+void add_study_export_command(CLI::App& study, Command& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "export", "The questionnaire as a folder that any browser opens, and for JATOS");
+  const auto options = std::make_shared<ExportOptions>();
+  add_questionnaire_options(*command, options->study);
+  command
+      ->add_option("--folder,-o", options->folder,
+                   "Folder to write, new or of an earlier export; answers put there stay")
+      ->required();
+  command->footer(
+      "\nMakes the study first, as mien run does. The folder works offline by a double click on\n"
+      "index.html, on any web server, and on JATOS (.jzip); its README.txt tells how.\n"
+      "\nExample:\n  mien study export study.yaml -o questionnaire");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return export_questionnaire(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

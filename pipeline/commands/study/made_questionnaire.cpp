@@ -1,0 +1,68 @@
+#include "pipeline/commands/study/made_questionnaire.h"
+
+#include <CLI/CLI.hpp>
+
+#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/production/run.h"
+#include "pipeline/tasks/progress.h"
+#include "pipeline/tasks/task_graph.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Throws for the first task that failed.
+void make_study(Production& production, const fs::path& folder,
+                const ProductionArguments& arguments, const Console& console) {
+  RunResult result;
+  {
+    Progress progress(console.err, console.err_is_terminal, production.graph(),
+                      glance(production.graph(), folder), steady_seconds);
+    result = run(production, folder, jobs_of(arguments), console.stop, progress.observer());
+  }
+  if (result.was_interrupted) throw Interrupted{};
+  for (const TaskOutcome& outcome : result.outcomes) {
+    if (outcome.state != TaskState::failed) continue;
+    if (outcome.is_bad_input)
+      throw Error({outcome.error}, "the study cannot be made", "mend it; mien run tells all");
+    throw std::runtime_error(outcome.error);
+  }
+}
+
+}  // namespace
+
+MadeQuestionnaire made_questionnaire(const ProductionArguments& arguments, const Console& console) {
+  const fs::path file = manifest_meant(arguments.manifest, console);
+  Manifest manifest = load_manifest(file, process_environment(), arguments.out);
+  questionnaire_of(manifest);
+  Production production(with_media(std::move(manifest)), options_of(arguments));
+  MadeQuestionnaire made;
+  made.manifest = production.manifest();
+  made.folder = folder_of(arguments, made.manifest);
+  make_study(production, made.folder, arguments, console);
+  made.plans = plan_sessions(made.manifest);
+  made.media = media_of(made.manifest, made.plans, made.folder);
+  VideoSeconds seconds;
+  for (const auto& [stimulus, media] : made.media) seconds[stimulus] = media.seconds;
+  made.plans = plan_sessions(made.manifest, seconds);
+  return made;
+}
+
+void add_questionnaire_options(CLI::App& command, ProductionArguments& arguments) {
+  command
+      .add_option("manifest", arguments.manifest,
+                  "Manifest (YAML) with a questionnaire, or the name of one of mien manifests")
+      ->required();
+  command.add_option("--out", arguments.out, "Folder in which studies are made")
+      ->capture_default_str();
+  command.add_option("--quality", arguments.quality, "Instead of the manifest's quality")
+      ->check(CLI::IsMember({"draft", "standard", "final"}));
+  command.add_option("--jobs,-j", arguments.jobs, "Tasks at a time (default: one a processor)")
+      ->check(CLI::Range(1, 1024));
+}
+
+}  // namespace mien::pipeline

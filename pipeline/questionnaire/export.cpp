@@ -1,0 +1,141 @@
+#include "pipeline/questionnaire/export.h"
+
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/documents/csv.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/questionnaire/balance.h"
+#include "pipeline/questionnaire/experiment.h"
+#include "pipeline/questionnaire/export_texts.h"
+#include "pipeline/questionnaire/jatos_archive.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// A text with one piece of it replaced; the piece must be there.
+std::string with(std::string text, std::string_view piece, std::string_view other) {
+  const std::size_t at = text.find(piece);
+  if (at == text.npos)
+    throw std::logic_error(fmt::format("the page has no \"{}\" to replace", piece));
+  return text.replace(at, piece.size(), other);
+}
+
+/// The page as JATOS shows it: with its script, and without a policy that would keep it from
+/// talking to its server.
+std::string page_of_jatos(std::string page) {
+  const std::size_t policy = page.find("<meta http-equiv=\"Content-Security-Policy\"");
+  if (policy != page.npos) page.erase(policy, page.find('\n', policy) + 1 - policy);
+  page = with(std::move(page), "content=\"static\"", "content=\"jatos\"");
+  return with(std::move(page), "<script src=\"questionnaire.js\"",
+              "<script src=\"jatos.js\"></script>\n<script src=\"questionnaire.js\"");
+}
+
+std::string in_base64(std::string_view bytes) {
+  constexpr std::string_view letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto at = [&](std::size_t k) -> std::uint32_t {
+      return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;
+    };
+    const std::uint32_t three = at(0) << 16U | at(1) << 8U | at(2);
+    for (int k = 0; k < 4; ++k)
+      text += letters[three >> (18U - 6U * static_cast<unsigned>(k)) & 63U];
+  }
+  for (std::size_t i = bytes.size(); i % 3 != 0; ++i) text[text.size() - (3 - i % 3)] = '=';
+  return text;
+}
+
+/// A page that was opened from a disk cannot read a motion beside it, but run it as a script.
+std::string as_script(const MediaFile& file, std::string_view bytes) {
+  return fmt::format("(globalThis.mienMedia ??= {{}})[\"{}\"] = \"{}\";\n", file.token,
+                     in_base64(bytes));
+}
+
+ZipFiles page_files(const fs::path& pages, bool is_turned) {
+  ZipFiles files;
+  for (const char* name : {"LICENSES.txt", "index.html", "questionnaire.css", "questionnaire.js"})
+    files[name] = read_file(pages / name);
+  if (is_turned) files["turn_view.js"] = read_file(pages / "turn_view.js");
+  return files;
+}
+
+}  // namespace
+
+ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                                const MediaFiles& media, const fs::path& pages) {
+  const ordered_json experiment = experiment_json(manifest, plans, media);
+  ZipFiles files = page_files(pages, questionnaire_of(manifest).view == ShownAs::turn);
+  files["experiment.js"] = "globalThis.mienExperiment = " + experiment.dump() + ";\n";
+  for (const auto& [stimulus, file] : media) {
+    std::string bytes = read_file(file.file);
+    if (file.ending == ".glb") files["media/" + file.token + ".js"] = as_script(file, bytes);
+    files["media/" + file.token + file.ending] = std::move(bytes);
+  }
+  // What participants need is all that JATOS is given.
+  ZipFiles assets = files;
+  assets["index.html"] = page_of_jatos(std::move(assets["index.html"]));
+  const std::string title = title_of(manifest);
+  files[manifest.study + ".jzip"] =
+      jatos_archive({.title = title,
+                     .description = fmt::format("Questionnaire of the study {}, {} participants",
+                                                manifest.study, plans.size()),
+                     .folder = manifest.study,
+                     .key = fmt::format("{}/{}", manifest.study, manifest.seed)},
+                    assets);
+  files["experiment.json"] = experiment.dump(1) + "\n";
+  files["plans.csv"] = plans_csv(plans);
+  files["answers/dataset_description.json"] = dataset_description(manifest).dump(2) + "\n";
+  files["answers/data/README.md"] = data_folder_text();
+  files["README.txt"] = lab_text(manifest, plans);
+  return files;
+}
+
+void refuse_foreign_folder(const fs::path& folder) {
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw Error({folder.string()}, "is no folder", "name one for the questionnaire with -o");
+  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / export_mark))
+    throw Error({folder.string()}, "holds something else than an exported questionnaire",
+                "name a new folder with -o");
+}
+
+void write_export(const ZipFiles& files, const fs::path& folder) {
+  refuse_foreign_folder(folder);
+  make_folder(folder);
+  std::set<std::string> ours;
+  if (fs::exists(folder / export_mark)) {
+    std::istringstream lines(read_file(folder / export_mark));
+    for (std::string line; std::getline(lines, line);) ours.insert(line);
+  }
+  const auto put_mark = [&] {
+    std::string mark;
+    for (const std::string& path : ours) mark += path + "\n";
+    write_file(folder / export_mark, mark);
+  };
+  // Should this be interrupted, the next export knows the files of both.
+  for (const auto& [path, bytes] : files) ours.insert(path);
+  put_mark();
+  for (const std::string& path : ours) {
+    const fs::path relative = fs::path(path).lexically_normal();
+    if (!files.contains(path) && relative.is_relative() && *relative.begin() != "..")
+      fs::remove(folder / relative);
+  }
+  for (const auto& [path, bytes] : files) {
+    make_folder((folder / path).parent_path());
+    write_file(folder / path, bytes);
+  }
+  std::erase_if(ours, [&](const std::string& path) { return !files.contains(path); });
+  put_mark();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,210 @@
+import type { Experiment, Item, Response, Trial } from "./experiment";
+import { element } from "./elements";
+import { degree_of, meaning_of, type Texts } from "./texts";
+
+/** One thing that is asked and its answer, if any. */
+export interface Asked {
+  root: HTMLElement;
+  /** Focuses where an answer is given. */
+  focus(): void;
+  /** Nothing until it is answered. */
+  answer(): { item: string; value_raw: number | string; at: number } | null;
+}
+
+/** Told when an answer has been given; `is_key` where it was a digit, after which one goes on. */
+type Answered = (asked: Asked, is_key: boolean) => void;
+
+interface Choice {
+  value: string;
+  text: string;
+  /** Smaller, below it. */
+  note?: string;
+  /** What is read aloud. */
+  meaning?: string;
+  look?: string;
+}
+
+let names = 0;
+
+/** Buttons of which one is chosen: arrows move, digits choose. */
+function choices_of(
+  item: string, title: string, left: string, right: string, choices: Choice[],
+  raw: (value: string) => number | string, chosen: string | null, answered: Answered,
+): Asked {
+  const name = `asked-${(names += 1)}`;
+  let at = performance.now();
+  let value = chosen;
+  const row = element("div", { class: "choices" });
+  const inputs = choices.map((choice, index) => {
+    const input = element("input", { type: "radio", name, value: choice.value, id: `${name}-${index}` });
+    if (choice.value === chosen) input.checked = true;
+    if (choice.meaning) input.setAttribute("aria-label", choice.meaning);
+    const label = element("label", { for: input.id, class: choice.look ?? "" },
+      element("span", { class: "choice-text" }, choice.text));
+    if (choice.note) label.append(element("span", { class: "choice-note", "aria-hidden": "true" }, choice.note));
+    row.append(element("div", { class: "choice" }, input, label));
+    return input;
+  });
+  const legend = element("legend", {}, title);
+  const root = element("fieldset", { class: "asked" }, legend);
+  if (left || right) {
+    legend.classList.add("unseen");
+    root.append(element("div", { class: "scale" },
+      element("span", { class: "pole low", "aria-hidden": "true" }, left), row,
+      element("span", { class: "pole high", "aria-hidden": "true" }, right)));
+  } else {
+    root.append(row);
+  }
+  const asked: Asked = {
+    root,
+    focus: () => (inputs.find((input) => input.checked) ?? inputs[0])?.focus(),
+    answer: () => (value === null ? null : { item, value_raw: raw(value), at }),
+  };
+  const choose = (input: HTMLInputElement, is_key: boolean) => {
+    input.checked = true;
+    value = input.value;
+    at = performance.now();
+    answered(asked, is_key);
+  };
+  for (const input of inputs) input.addEventListener("change", () => choose(input, false));
+  root.addEventListener("keydown", (event) => {
+    const input = /^[1-9]$/.test(event.key) ? inputs[Number(event.key) - 1] : undefined;
+    if (!input || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    input.focus();
+    choose(input, true);
+  });
+  return asked;
+}
+
+/** The further from the middle the stronger, one hue a side: sides tell nothing of poles. */
+function look_of(place: number, points: number): string {
+  const middle = (points + 1) / 2;
+  const depth = Math.round((3 * Math.abs(place - middle)) / (middle - 1));
+  if (place === middle) return "middle";
+  return `${place < middle ? "left" : "right"}-${Math.max(1, depth)}`;
+}
+
+function points_of(
+  id: string, item: Item, flipped: boolean, language: string, texts: Texts, answered: Answered,
+): Asked {
+  const left = flipped ? item.high : item.low;
+  const right = flipped ? item.low : item.high;
+  const choices = Array.from({ length: item.points }, (_, index): Choice => {
+    const place = index + 1;
+    return { value: String(place), text: String(place), look: look_of(place, item.points),
+      note: item.anchors ? degree_of(texts, place, item.points) : undefined,
+      meaning: `${place}: ${meaning_of(texts, language, place, item.points, left, right)}` };
+  });
+  const middle = (item.points + 1) / 2;
+  const start = item.default === "middle" && Number.isInteger(middle) ? String(middle) : null;
+  return choices_of(id, `${left} – ${right}`, left, right, choices, Number, start, answered);
+}
+
+function slider_of(id: string, item: Item, flipped: boolean, answered: Answered): Asked {
+  const left = flipped ? item.high : item.low;
+  const right = flipped ? item.low : item.high;
+  let is_given = item.default === "middle";
+  let at = performance.now();
+  const input = element("input", { type: "range", min: "0", max: "100", step: "1",
+    "aria-label": `${left} – ${right}`, class: is_given ? "" : "untouched" });
+  input.value = "50";
+  const tell = () =>
+    input.setAttribute("aria-valuetext", is_given ? `${input.value} / 100` : "–");
+  tell();
+  const asked: Asked = {
+    root: element("div", { class: "asked slider" },
+      element("div", { class: "poles", "aria-hidden": "true" },
+        element("span", { class: "pole low" }, left), element("span", { class: "pole high" }, right)),
+      input),
+    focus: () => input.focus(),
+    answer: () => (is_given ? { item: id, value_raw: Number(input.value), at } : null),
+  };
+  const given = () => {
+    is_given = true;
+    at = performance.now();
+    input.classList.remove("untouched");
+    tell();
+    answered(asked, false);
+  };
+  input.addEventListener("input", given);
+  // Where the knob lies already may be what is meant.
+  input.addEventListener("pointerup", given);
+  input.addEventListener("keydown", (event) => {
+    if (/^(Arrow|Page|Home|End)/.test(event.key)) setTimeout(given);
+  });
+  return asked;
+}
+
+function words_of(id: string, title: string, answered: Answered): Asked {
+  let at = performance.now();
+  const input = element("textarea", { rows: "2", maxlength: "2000", id: `asked-${(names += 1)}` });
+  const asked: Asked = {
+    root: element("div", { class: "asked words" },
+      element("label", { for: input.id }, title), input),
+    focus: () => input.focus(),
+    answer: () => (input.value.trim() ? { item: id, value_raw: input.value.trim(), at } : null),
+  };
+  input.addEventListener("input", () => {
+    at = performance.now();
+    answered(asked, false);
+  });
+  return asked;
+}
+
+function pair_of(id: string, item: Item | undefined, texts: Texts, answered: Answered): Asked {
+  const title = item ? texts.more(item.high) : id;
+  return choices_of(id, title, "", "",
+    [{ value: "left", text: texts.left, look: "left-2" }, { value: "right", text: texts.right, look: "right-2" }],
+    String, null, answered);
+}
+
+/** The check that an answer is chosen as told: on points, whatever the scales are. */
+function check_of(trial: Trial, experiment: Experiment, texts: Texts, answered: Answered): Asked {
+  const asked_item = trial.items[0];
+  const item = asked_item && experiment.items[asked_item.item];
+  const id = asked_item?.item ?? "attention";
+  if (item?.slider && asked_item) return slider_of(id, item, asked_item.flipped, answered);
+  if (item && asked_item && !item.words)
+    return points_of(id, { ...item, default: null }, asked_item.flipped, experiment.language, texts, answered);
+  const choices = [1, 2, 3, 4, 5].map((place): Choice => ({ value: String(place), text: String(place),
+    look: look_of(place, 5) }));
+  return choices_of(id, texts.attention, "", "", choices, Number, null, answered);
+}
+
+/** What a check asks for. */
+export function check_text(trial: Trial, experiment: Experiment, texts: Texts): string {
+  const item = trial.items[0] && experiment.items[trial.items[0].item];
+  const place = Number(trial.expected);
+  if (item?.slider) return texts.put_slider(place);
+  const points = item && !item.words ? item.points : 5;
+  return place === 1 ? texts.press_leftmost : place === points ? texts.press_rightmost
+    : texts.press_number(place);
+}
+
+/** All that a trial asks, in its order. */
+export function asked_of(
+  trial: Trial, choices_in_order: string[], experiment: Experiment, texts: Texts, answered: Answered,
+): Asked[] {
+  if (trial.kind === "attention") return [check_of(trial, experiment, texts, answered)];
+  if (trial.kind === "emotion") {
+    const choices = choices_in_order.map((id, index): Choice =>
+      ({ value: id, text: experiment.choices?.[id] ?? id, note: index < 9 ? String(index + 1) : undefined, look: "plain" }));
+    return [choices_of("emotion", texts.which_emotion, "", "", choices, String, null, answered)];
+  }
+  return trial.items.map(({ item: id, flipped }) => {
+    const item = experiment.items[id];
+    if (trial.kind === "pair") return pair_of(id, item, texts, answered);
+    if (!item || item.words) return words_of(id, item ? `${item.low} – ${item.high}` : texts.describe, answered);
+    return item.slider ? slider_of(id, item, flipped, answered)
+      : points_of(id, item, flipped, experiment.language, texts, answered);
+  });
+}
+
+/** Answers in the order in which they were asked; times from `since`. */
+export const responses_of = (asked: Asked[], since: number): Response[] =>
+  asked.flatMap((one) => {
+    const answer = one.answer();
+    return answer ? [{ item: answer.item, value_raw: answer.value_raw,
+      rt_ms: Math.max(0, Math.round(answer.at - since)) }] : [];
+  });

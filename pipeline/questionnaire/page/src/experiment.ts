@@ -1,0 +1,130 @@
+/** What a questionnaire shows, as `mien study export` and `serve` write it. */
+export interface Experiment {
+  format: "mien-questionnaire-1";
+  study: string;
+  title: string;
+  language: "en" | "ja";
+  design: string;
+  simulated: boolean;
+  texts: { consent: string[]; instructions: string[]; ending: string[] };
+  settings: Settings;
+  items: Record<string, Item>;
+  /** Of "which emotion" trials: as they are shown. */
+  choices?: Record<string, string>;
+  demographics: Demographic[];
+  media: Record<string, Media>;
+  /** Which stimulus a token stands for; never sent by a server. */
+  stimuli?: Record<string, string>;
+  sessions: Session[];
+  /** Records that the server has already. */
+  kept?: string[];
+}
+
+export interface Settings {
+  /** "counted": as often as is liked; "none"; or how often at most. */
+  replays: "counted" | "none" | number;
+  watch: "full" | "free";
+  comments: boolean;
+  phones: "refused" | "served";
+  view: "video" | "turn";
+  /** Above the items of a trial, in place of the usual question. */
+  question?: string;
+}
+
+/** A scale. */
+export interface Item {
+  low: string;
+  high: string;
+  points: number;
+  slider: boolean;
+  words?: boolean;
+  anchors: boolean;
+  /** What is chosen before an answer is given. */
+  default: "middle" | null;
+  least: number;
+  most: number;
+}
+
+export interface Demographic {
+  id: string;
+  ask: string;
+  answer: "number" | "text" | string[];
+  required?: boolean;
+}
+
+export interface Media {
+  /** Relative to the page. */
+  file: string;
+  type: string;
+  sha256: string;
+  seconds: number;
+  width: number;
+  height: number;
+}
+
+export interface Session {
+  participant: string;
+  /** Digits: more of them than a number of JavaScript holds. */
+  seed: string | number;
+  /** Ids of what emotion trials offer, as they stand there. */
+  choices?: string[];
+  trials: Trial[];
+}
+
+export interface Trial {
+  number: number;
+  block: string;
+  kind: "rating" | "emotion" | "pair" | "attention";
+  media: string[];
+  reference: string;
+  items: { item: string; flipped: boolean }[];
+  practice: boolean;
+  warm_up: boolean;
+  catch: boolean;
+  expected?: string;
+}
+
+export interface Response {
+  item: string;
+  value_raw: number | string;
+  rt_ms: number;
+}
+
+/** What is kept of a page: of the consent, the demographics, a trial or the ending. */
+export interface PageRecord {
+  record: string;
+  session: string;
+  responses: Response[];
+  comment: string;
+  started_at: string;
+  replays?: number;
+  trial_ms?: number;
+  play_start_ms?: number | null;
+  ended_ms?: number | null;
+  stalls?: number;
+  stall_ms?: number;
+  dropped_frames?: number | null;
+  blurs?: number;
+  viewport_width?: number;
+  viewport_height?: number;
+  refresh_hz?: number | null;
+  media_sha256?: string[];
+}
+
+/** Throws with words for whoever runs the study. */
+export function checked(experiment: unknown): Experiment {
+  const given = experiment as Partial<Experiment> | null | undefined;
+  if (given?.format !== "mien-questionnaire-1" || !given.sessions?.length)
+    throw new Error("This is no questionnaire that this page understands; export it again.");
+  return given as Experiment;
+}
+
+/** The records of a session in their order. */
+export function records_of(experiment: Experiment, session: Session): string[] {
+  return [
+    "consent",
+    ...(experiment.demographics.length ? ["demographics"] : []),
+    ...session.trials.map((trial) => `trial-${trial.number}`),
+    "ending",
+  ];
+}

@@ -1,0 +1,38 @@
+import type { Experiment } from "./experiment";
+import { answers_csv, participants_csv } from "./rows";
+import type { Store } from "./store";
+
+export interface SavedFile {
+  name: string;
+  save(): void;
+}
+
+function download(name: string, type: string, text: string): void {
+  const link = document.createElement("a");
+  const url = URL.createObjectURL(new Blob([text], { type }));
+  link.href = url;
+  link.download = name;
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(url), 60000);
+}
+
+/** Saves the answers of a session among the downloads, and says how to do so again. */
+export function save_files(experiment: Experiment, store: Store): SavedFile[] {
+  const { session, records, name } = store;
+  // As Psych-DS likes its files to be named.
+  const begin = `subject-${session.participant}_session-${name.slice(0, 8)}`;
+  const everything = { format: "mien-session-1", study: experiment.study, design: experiment.design,
+    participant: session.participant, session: name, seed: String(session.seed), trials: session.trials,
+    records };
+  const files = [
+    { name: `${begin}_description-answers_data.csv`, type: "text/csv", text: answers_csv(experiment, session, records) },
+    { name: `${begin}_description-participant_data.csv`, type: "text/csv", text: participants_csv(experiment, session, records) },
+    { name: `${begin}_records.json`, type: "application/json", text: JSON.stringify(everything, null, 1) },
+  ];
+  const saved = files.map((file) => ({ name: file.name,
+    save: () => download(file.name, file.type, file.text) }));
+  saved.forEach(({ save }, index) => setTimeout(save, 300 * index));
+  return saved;
+}

@@ -1,0 +1,99 @@
+import type { Experiment, PageRecord } from "./experiment";
+import { answers_csv, participants_csv } from "./rows";
+import { least_taken, named_session, pause, random_name, type Remembered, type Store } from "./store";
+
+/** What is used of jatos.js. */
+interface Jatos {
+  onLoad(ready: () => void): void;
+  studySessionData: { mien?: Remembered };
+  urlQueryParameters?: Record<string, string>;
+  batchSession?: {
+    get(name: string): Record<string, number> | undefined;
+    set(name: string, value: unknown): Promise<unknown>;
+  };
+  setStudySessionData(value: unknown): Promise<unknown>;
+  submitResultData(text: string): Promise<unknown>;
+  uploadResultFile?(text: string, name: string): Promise<unknown>;
+  endStudyWithoutRedirect?(): Promise<unknown>;
+  endStudy(): Promise<unknown>;
+}
+
+const jatos_of_window = (): Jatos | undefined => (globalThis as { jatos?: Jatos }).jatos;
+
+/** Once jatos.js has loaded what JATOS knows of this run. */
+export function loaded_jatos(): Promise<Jatos> {
+  const jatos = jatos_of_window();
+  if (!jatos) throw new Error("This questionnaire must be opened by JATOS.");
+  return new Promise((ready) => jatos.onLoad(() => ready(jatos)));
+}
+
+/**
+ * Counts the session that is taken in the batch session, which all participants of a batch share.
+ * JATOS refuses a change that was made on an old state; then another one is chosen.
+ */
+async function least_taken_of_batch(experiment: Experiment, jatos: Jatos): Promise<string> {
+  for (let tries = 0; ; tries += 1) {
+    const taken = jatos.batchSession?.get("mien_taken") ?? {};
+    const { participant } = least_taken(experiment.sessions, taken);
+    if (!jatos.batchSession || tries === 8) return participant;
+    try {
+      await jatos.batchSession.set("mien_taken",
+        { ...taken, [participant]: (taken[participant] ?? 0) + 1 });
+      return participant;
+    } catch {
+      await pause(100 + 300 * Math.random());
+    }
+  }
+}
+
+/** The result data is the CSV of the answers so far; a reload goes on from the study session. */
+export async function jatos_store(experiment: Experiment): Promise<Store> {
+  const jatos = await loaded_jatos();
+  let own = jatos.studySessionData?.mien;
+  if (!own) {
+    const wanted = jatos.urlQueryParameters?.participant;
+    const participant = wanted ? named_session(experiment.sessions, wanted).participant
+                               : await least_taken_of_batch(experiment, jatos);
+    own = { participant, name: random_name(), records: {} };
+  }
+  const kept = own;
+  const session = named_session(experiment.sessions, kept.participant);
+  const send = async (does: () => Promise<unknown>, wait: (why: "saving" | "failed") => void) => {
+    for (let tries = 0; ; tries += 1) {
+      const slow = setTimeout(() => wait("saving"), 400);
+      try {
+        await does();
+        return;
+      } catch {
+        wait("failed");
+        await pause(Math.min(500 * 1.6 ** tries, 10000));
+      } finally {
+        clearTimeout(slow);
+      }
+    }
+  };
+  const store: Store = {
+    session,
+    name: kept.name,
+    records: kept.records,
+    kept: new Set(Object.keys(kept.records)),
+    async keep(record: PageRecord, wait) {
+      kept.records[record.record] = record;
+      store.kept.add(record.record);
+      await send(() => jatos.setStudySessionData({ ...jatos.studySessionData, mien: kept }), wait);
+      await send(() => jatos.submitResultData(answers_csv(experiment, session, kept.records)), wait);
+    },
+    async finish() {
+      const files: [string, string][] = [
+        ["participants.csv", participants_csv(experiment, session, kept.records)],
+        ["records.json", JSON.stringify(kept)],
+      ];
+      if (jatos.uploadResultFile) {
+        for (const [name, text] of files)
+          await send(() => jatos.uploadResultFile!(text, `${session.participant}-${name}`), () => {});
+      }
+      await (jatos.endStudyWithoutRedirect ?? jatos.endStudy).call(jatos);
+    },
+  };
+  return store;
+}

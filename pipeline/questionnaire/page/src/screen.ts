@@ -1,0 +1,83 @@
+import type { Media } from "./experiment";
+import { plays_through, release, run_script, video_of } from "./media";
+
+/** Something that is shown from its beginning to its end. */
+export interface Screen {
+  element: HTMLElement;
+  /** Once it can be played without a stop. */
+  ready: Promise<void>;
+  /** From the beginning. */
+  play(): void;
+  /** Whether it has been played to its end. */
+  has_ended(): boolean;
+  /** Frames that were not shown since the screen was made; null where that is unknown. */
+  dropped_frames(): number | null;
+  release(): void;
+}
+
+/** What a screen tells while it plays. */
+export interface ScreenEvents {
+  began(): void;
+  stalled(): void;
+  went_on(): void;
+  ended(): void;
+}
+
+export function video_screen(url: string, media: Media, told: ScreenEvents): Screen {
+  const video = video_of(url);
+  if (media.width && media.height) {
+    video.width = media.width;
+    video.height = media.height;
+  }
+  // Seeking to the beginning makes a video wait too, which is no stall.
+  let state: "still" | "starting" | "running" = "still";
+  video.addEventListener("playing", () => {
+    if (state === "still") return;
+    state = "running";
+    told.went_on();
+    // The moment at which a first frame is on the screen, where the browser tells it.
+    if (video.requestVideoFrameCallback) video.requestVideoFrameCallback(() => told.began());
+    else told.began();
+  });
+  // The last frames may be waited for as well, on no account of the network.
+  const is_over = () => video.ended || video.duration - video.currentTime < 0.1;
+  video.addEventListener("waiting", () => {
+    if (state === "running" && !is_over()) told.stalled();
+  });
+  video.addEventListener("ended", () => {
+    state = "still";
+    told.ended();
+  });
+  return {
+    element: video,
+    ready: plays_through(video),
+    play() {
+      state = "starting";
+      if (video.currentTime > 0) video.currentTime = 0;
+      video.play().catch(() => told.stalled());
+    },
+    has_ended: () => video.ended,
+    dropped_frames: () => video.getVideoPlaybackQuality?.().droppedVideoFrames ?? null,
+    release: () => release(video),
+  };
+}
+
+/** What turn_view.js puts beside the page's own script. */
+export interface TurnView {
+  (url: string, label: string, colour: string, told: ScreenEvents): Screen;
+}
+
+const turn_view = (): TurnView | undefined =>
+  (globalThis as { mienTurnView?: TurnView }).mienTurnView;
+
+/** Brings three.js, which is needed only where figures are turned. */
+export async function load_turn_view(): Promise<void> {
+  if (!turn_view()) await run_script("turn_view.js");
+}
+
+export function screen_of(
+  url: string, media: Media, label: string, colour: string, told: ScreenEvents,
+): Screen {
+  if (media.type.startsWith("video/")) return video_screen(url, media, told);
+  return turn_view()!(url, label, colour, told);
+}

@@ -1,0 +1,186 @@
+import type { Media, Settings } from "./experiment";
+import { screen_of, type Screen, type ScreenEvents } from "./screen";
+import { button, element } from "./elements";
+import type { Texts } from "./texts";
+
+export interface ShownMedia {
+  token: string;
+  url: string;
+  media: Media;
+  role: "alone" | "to_rate" | "reference" | "left" | "right";
+}
+
+/** What was seen, in milliseconds from when the trial began. */
+export interface Seen {
+  replays: number;
+  play_start_ms: number | null;
+  ended_ms: number | null;
+  stalls: number;
+  stall_ms: number;
+  dropped_frames: number | null;
+}
+
+/** How long a film may stand still before it may be started again. */
+const patience_ms = 6000;
+
+const colours = { alone: "#3d3d3d", to_rate: "#2e7d4f", reference: "#b3403a", left: "#3d3d3d", right: "#3d3d3d" };
+
+/**
+ * One or two stimuli beside each other, covered until they are played and after they have ended.
+ * They begin together; they have been seen when the last has ended.
+ */
+export class Stage {
+  readonly root: HTMLElement;
+  private screens: Screen[] = [];
+  private cover: HTMLElement;
+  private play_button: HTMLButtonElement;
+  private note: HTMLElement;
+  private state: "loading" | "covered" | "playing" = "loading";
+  private plays = 0;
+  private first_start: number | null = null;
+  private first_end: number | null = null;
+  private stalls = 0;
+  private stall_ms = 0;
+  private stalled_at: number | null = null;
+  private watch_dog = 0;
+
+  constructor(
+    shown: ShownMedia[], private settings: Settings, private texts: Texts,
+    private began_at: number, private told: { began(): void; ended(): void },
+  ) {
+    this.root = element("div", { class: `stage ${shown.length > 1 ? "two" : "one"}` });
+    const frames = element("div", { class: "frames" });
+    for (const one of shown) frames.append(this.frame_of(one));
+    this.play_button = button("", () => this.play(), "play");
+    this.note = element("p", { class: "stage-note", role: "status" });
+    this.cover = element("div", { class: "cover" }, this.play_button, this.note);
+    this.root.append(frames, this.cover);
+    this.show_cover();
+    Promise.all(this.screens.map(({ ready }) => ready)).then(
+      () => { this.state = "covered"; this.show_cover(); },
+      () => { this.note.textContent = texts.load_failed; });
+  }
+
+  private frame_of({ url, media, role }: ShownMedia): HTMLElement {
+    const label = { alone: "", to_rate: this.texts.to_rate, reference: this.texts.reference,
+      left: this.texts.left, right: this.texts.right }[role];
+    const events: ScreenEvents = {
+      began: () => this.began(),
+      stalled: () => this.stalled(),
+      went_on: () => this.went_on(),
+      ended: () => this.ended(),
+    };
+    const screen = screen_of(url, media, label || this.texts.figure, colours[role], events);
+    this.screens.push(screen);
+    screen.element.classList.add("screen");
+    if (screen.element instanceof HTMLVideoElement)
+      screen.element.setAttribute("aria-label", label || this.texts.video);
+    const frame = element("figure", { class: `frame ${role}` }, screen.element);
+    if (label) frame.append(element("figcaption", {}, label));
+    return frame;
+  }
+
+  private now = (): number => performance.now() - this.began_at;
+
+  /** Whether a participant may start it now. */
+  can_play(): boolean {
+    if (this.state !== "covered") return false;
+    const { replays } = this.settings;
+    if (this.plays === 0 || replays === "counted") return true;
+    return typeof replays === "number" && this.plays <= replays;
+  }
+
+  /** From the beginning, if that is allowed now. */
+  play(): void {
+    if (!this.can_play()) return;
+    this.plays += 1;
+    this.state = "playing";
+    this.show_cover();
+    for (const screen of this.screens) screen.play();
+    this.watch();
+  }
+
+  private watch(): void {
+    clearTimeout(this.watch_dog);
+    this.watch_dog = window.setTimeout(() => this.offer_restart(), patience_ms);
+  }
+
+  private began(): void {
+    if (this.first_start !== null) return;
+    this.first_start = this.now();
+    this.told.began();
+  }
+
+  private stalled(): void {
+    if (this.state !== "playing" || this.stalled_at !== null) return;
+    this.stalls += 1;
+    this.stalled_at = this.now();
+    this.watch();
+  }
+
+  private went_on(): void {
+    clearTimeout(this.watch_dog);
+    if (this.stalled_at === null) return;
+    this.stall_ms += this.now() - this.stalled_at;
+    this.stalled_at = null;
+  }
+
+  /** A film that does not go on by itself may be started again without its counting as a replay. */
+  private offer_restart(): void {
+    if (this.state !== "playing") return;
+    this.went_on();
+    this.plays -= 1;
+    this.state = "covered";
+    this.show_cover();
+    this.note.textContent = this.texts.stalled;
+    this.play_button.textContent = this.texts.restart;
+  }
+
+  private ended(): void {
+    if (this.state !== "playing" || !this.screens.every((screen) => screen.has_ended())) return;
+    this.went_on();
+    this.first_end ??= this.now();
+    this.state = "covered";
+    this.show_cover();
+    this.told.ended();
+  }
+
+  private show_cover(): void {
+    const { texts, plays } = this;
+    this.cover.hidden = this.state === "playing";
+    this.root.classList.toggle("playing", this.state === "playing");
+    this.play_button.hidden = this.state !== "covered" || !this.can_play();
+    this.play_button.replaceChildren(
+      element("span", { class: "triangle", "aria-hidden": "true" }),
+      plays === 0 ? texts.play : texts.replay,
+      element("kbd", {}, texts.play_key));
+    const { replays } = this.settings;
+    if (this.state === "loading") this.note.textContent = texts.wait_for_video;
+    else if (plays > 0 && typeof replays === "number" && this.can_play())
+      this.note.textContent = texts.replays_left(replays - plays + 1);
+    else this.note.textContent = "";
+  }
+
+  focus(): void {
+    if (!this.play_button.hidden) this.play_button.focus();
+  }
+
+  seen(): Seen {
+    const dropped = this.screens.map((screen) => screen.dropped_frames());
+    const rounded = (time: number | null) => (time === null ? null : Math.round(time));
+    return {
+      replays: Math.max(0, this.plays - 1),
+      play_start_ms: rounded(this.first_start),
+      ended_ms: rounded(this.first_end),
+      stalls: this.stalls,
+      stall_ms: Math.round(this.stall_ms),
+      dropped_frames: dropped.includes(null) ? null
+        : (dropped as number[]).reduce((sum, one) => sum + one, 0),
+    };
+  }
+
+  release(): void {
+    clearTimeout(this.watch_dog);
+    for (const screen of this.screens) screen.release();
+  }
+}

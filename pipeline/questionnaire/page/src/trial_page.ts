@@ -1,0 +1,225 @@
+import { ParameterType, type JsPsych, type JsPsychPlugin, type TrialType } from "jspsych";
+import { asked_of, check_text, responses_of, type Asked } from "./answers";
+import { button, element } from "./elements";
+import type { Experiment, PageRecord, Session, Trial } from "./experiment";
+import { count_blurs } from "./measures";
+import type { Stock } from "./media";
+import { Stage, type ShownMedia } from "./stage";
+import type { Texts } from "./texts";
+
+const info = {
+  name: "mien-trial-page",
+  version: "1.0.0",
+  parameters: {
+    asked: { type: ParameterType.OBJECT, default: null },
+    shown_in: { type: ParameterType.OBJECT, default: null },
+  },
+  data: {
+    record: { type: ParameterType.STRING },
+  },
+} as const;
+
+/** What all trials of a session share. */
+export interface TrialSurroundings {
+  experiment: Experiment;
+  session: Session;
+  texts: Texts;
+  stock: Stock;
+  name: string;
+  refresh_hz: number | null;
+  keep(record: PageRecord, page: HTMLElement): Promise<void>;
+}
+
+function shown_of(trial: Trial, { experiment, stock }: TrialSurroundings): ShownMedia[] {
+  const shown = (token: string, role: ShownMedia["role"]): ShownMedia =>
+    ({ token, url: stock.get(token)!, media: experiment.media[token]!, role });
+  const [first, second] = trial.media;
+  if (first && second) return [shown(first, "left"), shown(second, "right")];
+  if (first && trial.reference) return [shown(first, "to_rate"), shown(trial.reference, "reference")];
+  return first ? [shown(first, "alone")] : [];
+}
+
+/** One trial: stimuli, answers, a comment; done when all is answered. */
+class TrialAtWork {
+  private began = performance.now();
+  private started_at = new Date().toISOString();
+  private blurs = count_blurs();
+  private page = element("article", { class: "trial" });
+  private answers = element("div", { class: "answers" });
+  private note = element("p", { class: "note", role: "status" });
+  private next: HTMLButtonElement;
+  private comment = element("textarea", { rows: "2", maxlength: "4000", id: "comment" });
+  private asked: Asked[] = [];
+  private stage: Stage | null = null;
+  private answers_since = performance.now();
+  private is_open = false;
+  private is_done = false;
+
+  constructor(
+    private display: HTMLElement, private trial: Trial, private around: TrialSurroundings,
+    private done: (record: PageRecord) => void,
+  ) {
+    this.next = button(around.texts.next, () => void this.finish(), "main");
+  }
+
+  begin(): void {
+    const { trial, around, page } = this;
+    const { experiment, texts } = around;
+    const shown = shown_of(trial, around);
+    this.asked = asked_of(trial, around.session.choices ?? Object.keys(experiment.choices ?? {}),
+      experiment, texts, (asked, is_key) => this.answered(asked, is_key));
+    page.classList.add(trial.kind, shown.length > 1 ? "wide" : "narrow");
+    if (!shown.length) page.classList.add("bare");
+    page.append(this.head());
+    if (shown.length) {
+      this.stage = new Stage(shown, experiment.settings, texts, this.began, {
+        began: () => { if (experiment.settings.watch === "free") this.open(); },
+        ended: () => this.open(),
+      });
+      page.append(this.stage.root);
+    }
+    const rows = element("div", { class: this.asked.length > 3 ? "rows many" : "rows" },
+      ...this.asked.map(({ root }) => root));
+    this.answers.append(element("h2", { class: "question-text" }, this.question()), rows,
+      ...this.comment_parts(),
+      element("div", { class: "buttons" }, this.next, this.note));
+    for (const legend of rows.querySelectorAll("legend"))
+      if (legend.textContent === this.question()) legend.classList.add("unseen");
+    page.append(this.answers);
+    this.display.replaceChildren(page);
+    scrollTo(0, 0);
+    document.addEventListener("keydown", this.pressed);
+    if (this.stage) this.lock();
+    else this.open();
+  }
+
+  private head(): HTMLElement {
+    const { trial, around } = this;
+    const { texts, session } = around;
+    const all = session.trials.length;
+    const bar = element("progress", { max: String(all), value: String(trial.number - 1),
+      "aria-label": texts.trial_of(trial.number, all) });
+    const place = element("h1", { tabindex: "-1" }, texts.trial_of(trial.number, all));
+    const head = element("header", { class: "trial-head" }, place, bar);
+    if (trial.practice) place.append(" ", element("span", { class: "badge" }, texts.practice));
+    return head;
+  }
+
+  private question(): string {
+    const { trial, around } = this;
+    const { texts, experiment } = around;
+    if (trial.kind === "attention") return check_text(trial, experiment, texts);
+    if (experiment.settings.question) return experiment.settings.question;
+    return trial.kind === "emotion" ? texts.which_emotion
+      : trial.kind === "pair" ? texts.which_of_two : texts.rate;
+  }
+
+  private comment_parts(): HTMLElement[] {
+    const { experiment, texts } = this.around;
+    if (!experiment.settings.comments || this.trial.kind === "attention") return [];
+    return [element("div", { class: "asked comment" },
+      element("label", { for: this.comment.id }, `${texts.comment} (${texts.optional})`), this.comment)];
+  }
+
+  /** No answers before the film was seen. */
+  private lock(): void {
+    const { texts, experiment } = this.around;
+    this.answers.inert = true;
+    this.answers.classList.add("locked");
+    this.note.textContent = experiment.settings.watch === "full" ? texts.watch_first : texts.play_first;
+    // The play button may be loading still; it has the focus once it can be pressed.
+    const focus = () => {
+      if (this.is_done || this.is_open) return;
+      this.stage!.focus();
+      if (!this.page.contains(document.activeElement)) setTimeout(focus, 50);
+    };
+    focus();
+  }
+
+  private open(): void {
+    if (this.is_open) return;
+    this.is_open = true;
+    this.answers_since = performance.now();
+    this.answers.inert = false;
+    this.answers.classList.remove("locked");
+    this.note.textContent = "";
+    this.asked[0]?.focus();
+  }
+
+  private answered(asked: Asked, is_key: boolean): void {
+    if (!this.missing().length) this.note.textContent = "";
+    if (!is_key) return;
+    const after = this.asked[this.asked.indexOf(asked) + 1];
+    if (after) after.focus();
+    else this.next.focus();
+  }
+
+  private missing = (): Asked[] => this.asked.filter((one) => one.answer() === null);
+
+  /** Space plays, wherever no text is written and no button waits; Enter confirms. */
+  private pressed = (event: KeyboardEvent): void => {
+    const at = event.target as HTMLElement;
+    const writes = at instanceof HTMLTextAreaElement ||
+      (at instanceof HTMLInputElement && at.type === "text");
+    const is_button = at instanceof HTMLButtonElement;
+    if (event.key === " " && !writes && !is_button) {
+      event.preventDefault();
+      this.stage?.play();
+    } else if (event.key === "Enter" && !writes && !is_button && this.is_open) {
+      event.preventDefault();
+      if (at instanceof HTMLInputElement && at.type === "radio" && !at.checked) return at.click();
+      const [first] = this.missing();
+      if (first) first.focus();
+      else this.next.focus();
+    }
+  };
+
+  private async finish(): Promise<void> {
+    const missing = this.missing();
+    if (this.is_done || !this.is_open) return;
+    if (missing.length) {
+      this.note.textContent = this.around.texts.missing(missing.length);
+      for (const one of this.asked) one.root.classList.toggle("missing", missing.includes(one));
+      missing[0]!.focus();
+      return;
+    }
+    this.is_done = true;
+    this.next.disabled = true;
+    document.removeEventListener("keydown", this.pressed);
+    const record = this.record();
+    await this.around.keep(record, this.page);
+    this.stage?.release();
+    this.done(record);
+  }
+
+  private record(): PageRecord {
+    const { trial, around } = this;
+    const tokens = trial.reference ? [...trial.media, trial.reference] : trial.media;
+    const seen = this.stage?.seen() ?? { replays: 0, play_start_ms: null, ended_ms: null, stalls: 0,
+      stall_ms: 0, dropped_frames: null };
+    return {
+      record: `trial-${trial.number}`,
+      session: around.name,
+      responses: responses_of(this.asked, this.answers_since),
+      comment: this.comment.value.trim(),
+      ...seen,
+      trial_ms: Math.round(performance.now() - this.began),
+      blurs: this.blurs(),
+      viewport_width: innerWidth,
+      viewport_height: innerHeight,
+      refresh_hz: around.refresh_hz,
+      media_sha256: tokens.map((token) => around.experiment.media[token]!.sha256),
+      started_at: this.started_at,
+    };
+  }
+}
+
+export class TrialPage implements JsPsychPlugin<typeof info> {
+  static info = info;
+  constructor(private jsPsych: JsPsych) {}
+
+  trial(display: HTMLElement, trial: TrialType<typeof info>): void {
+    new TrialAtWork(display, trial.asked as Trial, trial.shown_in as TrialSurroundings,
+      ({ record }) => this.jsPsych.finishTrial({ record })).begin();
+  }
+}

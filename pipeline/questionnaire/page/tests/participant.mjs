@@ -1,0 +1,141 @@
+// Somebody who takes a questionnaire in a browser, by mouse or by keyboard alone.
+import { chromium } from "playwright-core";
+
+export async function open_browser() {
+  return chromium.launch({
+    executablePath: process.env.MIEN_CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--disable-gpu", "--mute-audio", "--enable-unsafe-swiftshader"],
+  });
+}
+
+/** What is on the page: "text", "load", "trial" or "end". */
+const sight = (page) => page.evaluate(() => {
+  if (document.querySelector(".trial")) return "trial";
+  if (document.querySelector(".page progress")) return "load";
+  if (document.querySelector(".page .buttons .main")) return "text";
+  return document.querySelector(".page") ? "end" : "nothing";
+});
+
+/** Tells pages apart: a new one has another element. */
+const mark = (page) => page.evaluate(() => {
+  const shown = document.querySelector(".page, .trial");
+  if (shown && !shown.dataset.mark) shown.dataset.mark = String(Math.random());
+  return shown?.dataset.mark ?? "";
+});
+
+async function is_past(page, before) {
+  await page.waitForFunction((old) => {
+    const shown = document.querySelector(".page, .trial");
+    return shown && shown.dataset.mark !== old;
+  }, before, { timeout: 30000 });
+}
+
+const open_answers = (page) =>
+  page.waitForFunction(() => !document.querySelector(".answers").inert, null, { timeout: 30000 });
+
+/** Answers of a trial by clicks: place (index + number of the trial) of each scale. */
+async function answer_by_mouse(page, number) {
+  if (await page.locator(".stage").count()) {
+    await page.locator(".play").click();
+    await open_answers(page);
+  }
+  const wanted = await page.locator(".question-text").textContent();
+  const asked = page.locator("fieldset.asked");
+  for (let i = 0; i < (await asked.count()); i += 1) {
+    const inputs = asked.nth(i).locator("input");
+    const place = /leftmost/.test(wanted) ? 0 : (i + number) % (await inputs.count());
+    await inputs.nth(place).click({ force: true });
+  }
+  for (const slider of await page.locator('.asked input[type="range"]').all()) {
+    const box = await slider.boundingBox();
+    await slider.click({ position: { x: box.width * 0.7, y: box.height / 2 } });
+  }
+  for (const words of await page.locator(".asked.words textarea").all()) await words.fill("slow, heavy");
+  if (await page.locator("#comment").count()) await page.locator("#comment").fill(`comment, "${number}"`);
+  await page.locator(".answers .main").click();
+}
+
+/** The same without a mouse: whatever has the focus is used. */
+async function answer_by_keys(page, number) {
+  const focus = (what) => page.waitForFunction((css) => document.activeElement?.matches(css), what, { timeout: 30000 });
+  if (await page.locator(".stage").count()) {
+    await focus(".play");
+    await page.keyboard.press("Space");
+    await open_answers(page);
+  }
+  const wanted = await page.locator(".question-text").textContent();
+  const asked = await page.locator("fieldset.asked").count();
+  for (let i = 0; i < asked; i += 1) {
+    await focus("fieldset.asked input");
+    const all = await page.evaluate(() =>
+      document.activeElement.closest("fieldset").querySelectorAll("input").length);
+    const place = /leftmost/.test(wanted) ? 0 : (i + number) % all;
+    if (i % 2 === 0 || all > 9) {
+      await page.keyboard.press(String(place + 1));
+    } else {
+      await page.keyboard.press("Enter");  // the first
+      for (let step = 0; step < place; step += 1) await page.keyboard.press("ArrowRight");
+      await page.keyboard.press("Enter");
+    }
+  }
+  for (let i = 0; i < (await page.locator('.asked input[type="range"]').count()); i += 1) {
+    await focus('input[type="range"]');
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Tab");
+  }
+  if (await page.locator(".asked.words").count()) await page.keyboard.type("slow, heavy");
+  for (let i = 0; i < 4 && !(await page.evaluate(() => document.activeElement.matches(".answers .main"))); i += 1)
+    await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+}
+
+async function pass_text(page, by_keys) {
+  const number = page.locator("#about-age");
+  if (await number.count()) {
+    if (by_keys) {
+      await page.keyboard.type("31");
+      await page.keyboard.press("Tab");
+      await page.keyboard.press("Space");
+    } else {
+      await number.fill("27");
+      const choice = page.locator(".question .line input").first();
+      if (await choice.count()) await choice.check();
+    }
+  }
+  if (!by_keys) return page.locator(".page .buttons .main").click();
+  for (let i = 0; i < 8 && !(await page.evaluate(() => document.activeElement.matches(".main"))); i += 1)
+    await page.keyboard.press("Tab");
+  return page.keyboard.press("Enter");
+}
+
+/**
+ * Takes the questionnaire that is open to its end. `each(sight, number)` is told of every page
+ * before it is answered; it may reload, and then returns true.
+ */
+export async function take(page, { by_keys = false, each = async () => false } = {}) {
+  for (let pages = 0; pages < 500; pages += 1) {
+    await page.waitForSelector(".page, .trial", { timeout: 30000 });
+    const seen = await sight(page);
+    const number = seen === "trial"
+      ? Number((await page.locator(".trial-head h1").textContent()).match(/\d+/)[0]) : 0;
+    if (await each(seen, number)) continue;
+    if (seen === "end") return;
+    const before = await mark(page);
+    if (seen === "text") await pass_text(page, by_keys);
+    if (seen === "trial") await (by_keys ? answer_by_keys : answer_by_mouse)(page, number);
+    await is_past(page, before);
+  }
+  throw new Error("the questionnaire has no end");
+}
+
+/** Texts of the files that the page saves: "answers", "participant", "records". */
+export function downloads_of(page) {
+  const saved = {};
+  page.on("download", async (download) => {
+    const stream = await download.createReadStream();
+    let text = "";
+    for await (const part of stream) text += part;
+    saved[download.suggestedFilename().match(/answers|participant|records/)[0]] = text;
+  });
+  return saved;
+}

@@ -1,0 +1,220 @@
+// Participants of an exported questionnaire in a real browser.
+//   node scenarios.mjs NAME FOLDER
+// prints what came of it as JSON: the files that were saved, and whatever the browser complained of.
+import { readFileSync } from "node:fs";
+import { basename, join, resolve } from "node:path";
+import { createRequire } from "node:module";
+import { files_of, files_of_zip, serve } from "./http_server.mjs";
+import { downloads_of, open_browser, take } from "./participant.mjs";
+
+const [name, given] = process.argv.slice(2);
+const folder = resolve(given);
+const on_disk = `file://${folder}/index.html`;
+const desktop = { viewport: { width: 1366, height: 768 } };
+const phone = { viewport: { width: 390, height: 844 }, screen: { width: 390, height: 844 },
+  hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
+
+const browser = await open_browser();
+
+async function open(url, how = desktop) {
+  const context = await browser.newContext({ acceptDownloads: true, ...how });
+  const page = await context.newPage();
+  const troubles = [];
+  page.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });
+  page.on("pageerror", (error) => troubles.push(error.message));
+  const saved = downloads_of(page);
+  await page.goto(url);
+  return { page, troubles, saved };
+}
+
+/** Until all three files are there. */
+async function with_files({ saved, troubles }, more = {}) {
+  for (let i = 0; i < 100 && Object.keys(saved).length < 3; i += 1)
+    await new Promise((done) => setTimeout(done, 100));
+  return { ...saved, troubles, ...more };
+}
+
+/** A reload in the middle of trial 3, while its film runs. */
+async function reload() {
+  const opened = await open(`${on_disk}?participant=p002`);
+  const seen = [];
+  let reloads = 0;
+  await take(opened.page, { each: async (sight, number) => {
+    if (sight === "trial" && number === 3 && reloads === 0) {
+      await opened.page.locator(".play").click();
+      await opened.page.waitForTimeout(200);
+      reloads += 1;
+      await opened.page.reload();
+      return true;
+    }
+    if (sight === "trial") seen.push(number);
+    return false;
+  } });
+  return with_files(opened, { seen, reloads });
+}
+
+async function keys() {
+  const opened = await open(`${on_disk}?participant=p001`);
+  await opened.page.mouse.move(0, 0);
+  await take(opened.page, { by_keys: true });
+  return with_files(opened);
+}
+
+/**
+ * From a web server that sends one film late and another one broken at first; later a film stops on
+ * its way. A blob that is here cannot really stop, so its events are what is made.
+ */
+async function stall() {
+  const asked = {};
+  let late = "";
+  let late_ms = 0;
+  const began = Date.now();
+  const server = await serve(await files_of(folder), async (path, answer) => {
+    if (!path.startsWith("/media/")) return false;
+    asked[path] = (asked[path] ?? 0) + 1;
+    late ||= path;
+    if (path === late) {
+      await new Promise((done) => setTimeout(done, 2500));
+      late_ms = Date.now() - began;
+    } else if (asked[path] === 1 && Object.keys(asked).length === 2) {
+      answer.writeHead(200, { "Content-Type": "video/mp4" }).end("no video");
+      return true;
+    }
+    return false;
+  });
+  const opened = await open(`${server.base}/index.html?participant=p003`);
+  const { page } = opened;
+  let first_trial_ms = 0;
+  let again = 0;
+  await take(page, { each: async (sight, number) => {
+    if (sight === "load") {
+      await page.waitForFunction(() => !document.querySelector(".page progress") ||
+        document.querySelector(".page .main"));
+      const button = page.locator(".page .main");
+      if (await page.locator(".page progress").count() && await button.count()) {
+        again += 1;
+        await button.click();
+      }
+      await page.waitForFunction(() => !document.querySelector(".page progress") ||
+        document.querySelector(".page .main"));
+      return true;
+    }
+    if (sight === "trial") first_trial_ms ||= Date.now() - began;
+    if (sight === "trial" && number === 2)
+      await page.evaluate(() => {
+        const video = document.querySelector("video");
+        video.addEventListener("playing", () => setTimeout(() => {
+          video.pause();
+          video.dispatchEvent(new Event("waiting"));
+          setTimeout(() => void video.play(), 500);
+        }, 150), { once: true });
+      });
+    return false;
+  } });
+  const given = await with_files(opened, { first_trial_ms, late_ms, again });
+  server.close();
+  return given;
+}
+
+/** On a phone, in a questionnaire that refuses them. */
+async function refused_phone() {
+  const { page, troubles } = await open(on_disk, phone);
+  const text = await page.locator("main").innerText();
+  return { text, trials: await page.locator(".trial, .button").count(), troubles };
+}
+
+/** Whoever does not agree leaves nothing behind. */
+async function refusal() {
+  const { page, troubles } = await open(on_disk);
+  await page.locator(".page .button").nth(1).click();
+  await page.waitForFunction(() => !document.querySelector(".button"));
+  const kept = await page.evaluate(() =>
+    Object.keys(localStorage).filter((key) => key.endsWith("/session")).length);
+  return { text: await page.locator("main").innerText(), kept, troubles };
+}
+
+/** Faults of accessibility on every page, at the size of a laptop and of a phone. */
+async function accessibility() {
+  const script = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+  const faults = [];
+  let checked = 0;
+  for (const how of [desktop, phone]) {
+    const { page } = await open(on_disk, { ...how, bypassCSP: true });
+    const check = async (where) => {
+      if (!(await page.evaluate(() => !!window.axe))) await page.evaluate(script);
+      const { violations } = await page.evaluate(() => window.axe.run());
+      checked += 1;
+      for (const { id, impact, nodes } of violations)
+        faults.push(`${impact} ${id} on ${where}: ${nodes[0].html.slice(0, 120)}`);
+    };
+    await take(page, { each: async (sight, number) => {
+      if (sight === "load") return false;
+      await check(`${sight} ${number}`);
+      if (sight === "trial" && number < 3 && await page.locator(".stage").count()) {
+        await page.locator(".play").click();
+        await page.waitForFunction(() => !document.querySelector(".answers").inert);
+        await check(`answers of trial ${number}`);
+      }
+      return false;
+    } });
+  }
+  return { faults, checked };
+}
+
+/** In the place of JATOS's own script: what it keeps outlives a reload. */
+const jatos_script = `
+const kept = JSON.parse(sessionStorage.jatos ?? "{}");
+const keep = () => { sessionStorage.jatos = JSON.stringify(kept); };
+globalThis.jatos = {
+  urlQueryParameters: {},
+  studySessionData: kept.session ?? {},
+  onLoad: (ready) => setTimeout(ready, 20),
+  batchSession: {
+    get: (name) => (kept.batch ?? { mien_taken: { p001: 1, p003: 1 } })[name],
+    set: async (name, value) => {
+      if (!kept.refused) { kept.refused = true; keep(); throw new Error("an old state"); }
+      kept.batch = { [name]: value }; keep();
+    },
+  },
+  setStudySessionData: async (value) => { kept.session = value; keep(); },
+  submitResultData: async (text) => { kept.result = text; keep(); },
+  uploadResultFile: async (text, name) => { (kept.files ??= {})[name] = text; keep(); },
+  endStudyWithoutRedirect: async () => { kept.ended = true; keep(); },
+};
+`;
+
+/** As JATOS unpacks and shows it, with a reload on the way. */
+async function jatos() {
+  const archive = join(folder, given_study());
+  const files = await files_of_zip(archive);
+  const described = Object.keys(files).find((path) => path.endsWith(".jas"));
+  const { dirName } = JSON.parse(files[described]).data;
+  files[`/${dirName}/jatos.js`] = Buffer.from(jatos_script);
+  const server = await serve(files);
+  const { page, troubles } = await open(`${server.base}/${dirName}/index.html`);
+  let reloads = 0;
+  await take(page, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 2 || reloads > 0) return false;
+    reloads += 1;
+    await page.reload();
+    return true;
+  } });
+  await page.waitForFunction(() => JSON.parse(sessionStorage.jatos).ended);
+  const kept = await page.evaluate(() => JSON.parse(sessionStorage.jatos));
+  server.close();
+  return { answers: kept.result, files: Object.keys(kept.files ?? {}).sort(), taken: kept.batch.mien_taken,
+    troubles, reloads };
+}
+
+const given_study = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
+
+const scenarios = { reload, keys, stall, refused_phone, refusal, accessibility, jatos };
+if (!scenarios[name]) {
+  console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
+  process.exit(2);
+}
+try {
+  console.log(JSON.stringify(await scenarios[name]()));
+} finally {
+  await browser.close();
+}
