@@ -43,7 +43,7 @@ void add_poles(nlohmann::ordered_json& histogram, const ServedStudy& study) {
 }
 
 nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions& sessions,
-                                  std::int64_t now) {
+                                  const std::string& trouble, std::int64_t now) {
   nlohmann::ordered_json participants = nlohmann::ordered_json::array();
   for (const SessionState& state : sessions.states()) participants.push_back(status_of(state, now));
   nlohmann::ordered_json histograms = sessions.histograms();
@@ -51,6 +51,7 @@ nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions&
   return {{"study", study.experiment.at("study")},
           {"title", study.experiment.at("title")},
           {"design", study.facts.design},
+          {"trouble", trouble},
           {"planned", study.plans.size()},
           {"join", "/join/" + sessions.join_link() + "/"},
           {"participants", std::move(participants)},
@@ -78,8 +79,10 @@ std::string base_of(const HttpRequest& request) {
 }  // namespace
 
 std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedStudy& study,
-                                       const StudySessions& sessions, std::int64_t now) {
+                                       const StudySessions& sessions, const std::string& trouble,
+                                       std::int64_t now) {
   const std::string& name = request.path.at(2);
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   const std::string csv = "text/csv; charset=utf-8";
   const std::string file = study.experiment.at("study").get<std::string>() + "-" + name;
   if (name.empty())
@@ -88,7 +91,8 @@ std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedS
     return HttpResponse{.type = "text/css; charset=utf-8", .body = embedded_lab_css};
   if (name == "lab.js")
     return HttpResponse{.type = "text/javascript; charset=utf-8", .body = embedded_lab_js};
-  if (name == "status.json") return http_json(lab_status(study, sessions, now).dump());
+  if (name == "status.json")
+    return http_json(lab_status(study, sessions, trouble, now).dump(-1, ' ', false, replace));
   if (name == "answers.csv") return saved_as(file, csv, answers_csv(study, sessions));
   if (name == "participants.csv") return saved_as(file, csv, participants_csv(study, sessions));
   if (name == "links.csv") return saved_as(file, csv, links_csv(sessions, base_of(request)));

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "pipeline/documents/files.h"
+#include "pipeline/questionnaire/experiment.h"
 
 namespace mien::pipeline {
 
@@ -39,6 +40,22 @@ std::set<std::string> tokens_of(const nlohmann::ordered_json& session) {
 }
 
 }  // namespace
+
+ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                         const MediaFiles& media, const fs::path& pages) {
+  ServedStudy study{.experiment = experiment_json(manifest, plans, media),
+                    .plans = plans,
+                    .page = served_page(pages)};
+  for (const auto& [stimulus, file] : media) study.media[file.token] = {file.file, file.type};
+  study.facts = asked_facts(study.experiment);
+  return study;
+}
+
+Hash media_hash(const ServedStudy& study) {
+  std::string all;
+  for (const auto& [stimulus, sha256] : study.facts.sha256) all += stimulus + " " + sha256 + "\n";
+  return hash_of(all);
+}
 
 std::map<std::string, ServedFile> served_page(const fs::path& folder) {
   std::map<std::string, ServedFile> page;

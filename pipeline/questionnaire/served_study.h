@@ -7,8 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/questionnaire/media.h"
 #include "pipeline/questionnaire/record.h"
 #include "pipeline/questionnaire/session_plan.h"
+#include "pipeline/tasks/hash.h"
 
 namespace mien::pipeline {
 
@@ -33,6 +35,13 @@ struct ServedStudy {
   std::map<std::string, ServedFile> page;    ///< by name; "index.html" is the page itself
   AskedFacts facts;                          ///< of `experiment`
 };
+
+/// A study that has been made, to be served with the pages of that folder (page_bundle).
+ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                         const MediaFiles& media, const std::filesystem::path& pages);
+
+/// A hash of what participants are shown: other videos are another study.
+Hash media_hash(const ServedStudy& study);
 
 /// The files of a folder that a browser needs, as they are served: the page says in its
 /// `mien-mode` that it is. Throws Error when there is no index.html.

@@ -64,7 +64,26 @@ QuestionnaireService::QuestionnaireService(const ServedStudy& study, SessionStor
       wrong_rate_(rates.wrong),
       joining_rate_(rates.joining) {}
 
+std::string QuestionnaireService::trouble() const {
+  const std::lock_guard lock(trouble_mutex_);
+  return trouble_;
+}
+
+void QuestionnaireService::set_trouble(const std::string& trouble) {
+  const std::lock_guard lock(trouble_mutex_);
+  trouble_ = trouble;
+}
+
 HttpResponse QuestionnaireService::answer(const HttpRequest& request) {
+  try {
+    return answer_kind(request);
+  } catch (const WriteFailure& failure) {
+    set_trouble(failure.what());
+    return http_refusal(507, "full", "the answer could not be kept", "send it again in a while");
+  }
+}
+
+HttpResponse QuestionnaireService::answer_kind(const HttpRequest& request) {
   const std::string& kind = request.path.front();
   if (kind == "s") return answer_session(request);
   if (kind == "media") return answer_media(request);
@@ -133,12 +152,8 @@ HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int s
 
 HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& record,
                                                const std::string& content) {
-  GivenRecord given;
-  try {
-    given = sessions_.give(session, record, content);
-  } catch (const WriteFailure&) {
-    return http_refusal(507, "full", "the answer could not be kept", "send it again in a while");
-  }
+  const GivenRecord given = sessions_.give(session, record, content);
+  set_trouble("");
   if (given.has_refused)
     return http_refusal(409, "refused", "the participant has not agreed", "nothing more is taken");
   if (given.keeping == Keeping::other)
@@ -187,7 +202,8 @@ HttpResponse QuestionnaireService::answer_lab(const HttpRequest& request) {
   if (!is_reading(request)) return wrong_method("GET, HEAD");
   if (request.path.size() == 2) return redirect(308, "/lab/" + sessions_.lab_link() + "/");
   std::optional<HttpResponse> answer;
-  if (request.path.size() == 3) answer = lab_answer(request, study_, sessions_, clock_());
+  if (request.path.size() == 3)
+    answer = lab_answer(request, study_, sessions_, trouble(), clock_());
   return answer ? *answer : unknown(request);
 }
 

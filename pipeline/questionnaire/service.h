@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mutex>
 #include <string>
 
 #include "pipeline/questionnaire/study_sessions.h"
@@ -32,11 +33,16 @@ class QuestionnaireService {
   QuestionnaireService(const ServedStudy& study, SessionStore& store, ServiceRates rates = {},
                        ClockSeconds clock = system_seconds);
 
+  /// What could not be kept is answered with 507 and told to the laboratory (`trouble`).
   HttpResponse answer(const HttpRequest& request);
+
+  /// What the machine failed at last; empty when nothing has failed since something was kept.
+  std::string trouble() const;
 
   const StudySessions& sessions() const { return sessions_; }
 
  private:
+  HttpResponse answer_kind(const HttpRequest& request);
   HttpResponse answer_session(const HttpRequest& request);
   HttpResponse answer_own(const HttpRequest& request, int session);
   HttpResponse take_record(const HttpRequest& request, int session);
@@ -44,11 +50,14 @@ class QuestionnaireService {
   HttpResponse answer_media(const HttpRequest& request) const;
   HttpResponse answer_join(const HttpRequest& request);
   HttpResponse answer_lab(const HttpRequest& request);
+  void set_trouble(const std::string& trouble);
   HttpResponse unknown(const HttpRequest& request);
 
   const ServedStudy& study_;
   ClockSeconds clock_;
   StudySessions sessions_;
+  mutable std::mutex trouble_mutex_;
+  std::string trouble_;
   RateLimit link_rate_, wrong_rate_, joining_rate_;
 };
 

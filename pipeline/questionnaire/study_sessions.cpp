@@ -17,6 +17,7 @@ constexpr std::size_t most_sessions_a_plan = 4;
 
 constexpr char study_fact[] = "study";
 constexpr char design_fact[] = "design";
+constexpr char media_fact[] = "media";
 constexpr char lab_fact[] = "lab link";
 constexpr char join_fact[] = "join link";
 
@@ -40,12 +41,15 @@ StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, Cloc
     throw Error({store_.file().string()},
                 fmt::format("holds answers of the study \"{}\"", *store_.fact(study_fact)),
                 "name another file with --store");
-  if (store_.fact(design_fact) != study_.facts.design)
+  const bool has_same_design = store_.fact(design_fact) == study_.facts.design;
+  if (!has_same_design || store_.fact(media_fact) != media_hash(study_))
     throw Error({store_.file().string()},
-                "was begun with another questionnaire: stimuli, texts, plans or participants have "
-                "changed since",
-                "serve the manifest as it was, or begin anew with --store and another file; "
-                "`mien study report` takes the answers of both");
+                has_same_design
+                    ? "was begun with other videos"
+                    : "was begun with another questionnaire: its texts, plans or participants have "
+                      "changed since",
+                "serve the study as it was, or begin anew with --store and another file: "
+                "mien study report takes the answers of several");
   lab_link_ = store_.fact(lab_fact).value();
   join_link_ = store_.fact(join_fact).value();
   load();
@@ -61,6 +65,7 @@ void StudySessions::begin() {
   }
   store_.begin({{study_fact, study_.experiment.at("study").get<std::string>()},
                 {design_fact, study_.facts.design},
+                {media_fact, media_hash(study_)},
                 {lab_fact, random_link()},
                 {join_fact, random_link()}},
                sessions);

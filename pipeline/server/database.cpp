@@ -28,12 +28,17 @@ std::string true_place(const std::filesystem::path& file) {
 Database::Database(const std::filesystem::path& file) : file_(file) {
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX;
+  const bool is_new = !std::filesystem::exists(file);
   if (sqlite3_open_v2(true_place(file).c_str(), &database_, flags, nullptr) != SQLITE_OK) {
     const std::string reason = sqlite3_errmsg(database_);
     sqlite3_close(database_);
     throw Error({file.string()}, "cannot be opened: " + reason, "name another file with --store");
   }
   try {
+    // Nobody else's business; the log beside it gets the same rights.
+    if (is_new)
+      std::filesystem::permissions(
+          file, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     take();
   } catch (...) {
     sqlite3_close(database_);

@@ -174,8 +174,10 @@ async function refresh() {
   try {
     const answer = await fetch("status.json", { cache: "no-store" });
     if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
-    show(await answer.json());
-    trouble.hidden = true;
+    const status = await answer.json();
+    show(status);
+    set_text(trouble, `Answers cannot be kept; participants' pages try again: ${status.trouble}`);
+    trouble.hidden = status.trouble === "";
   } catch (error) {
     set_text(trouble, "The server cannot be reached; what is below may be old. " +
       "Answers that were given are kept; start mien study serve again to go on.");
