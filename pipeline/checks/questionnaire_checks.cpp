@@ -162,6 +162,9 @@ class QuestionnaireCheck {
     if (asked_.trials == TrialForm::pair && asked_.answer.words)
       list_.add(member_path(at("answer"), "words"), "one of two is chosen without words",
                 "leave it out");
+    if (asked_.trials == TrialForm::pair && asked_.practice.size() % 2 == 1)
+      list_.add(at("practice"), "stimuli of pairs are practised two by two",
+                "name an even number of them");
     for (std::size_t i = 0; i < asked_.pairs.size(); ++i)
       check_ids(element_path(at("pairs"), i), asked_.pairs[i], "stimulus", ids_);
   }
