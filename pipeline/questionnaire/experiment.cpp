@@ -14,8 +14,8 @@ using nlohmann::ordered_json;
 
 /// In the language of the questionnaire, if the scale has words in it.
 const std::string& shown_end(const std::string& english, const std::string& japanese,
-                             Language language) {
-  return language == Language::japanese && !japanese.empty() ? japanese : english;
+                             InterfaceLanguage language) {
+  return language == InterfaceLanguage::japanese && !japanese.empty() ? japanese : english;
 }
 
 ordered_json items_json(const Manifest& manifest) {
@@ -124,7 +124,7 @@ void add_media(ordered_json& experiment, const MediaFiles& media) {
 
 }  // namespace
 
-std::vector<std::string> paragraphs_of(std::string_view text, Language language) {
+std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage language) {
   std::vector<std::string> paragraphs;
   std::string current;
   const auto put = [&] {
@@ -142,7 +142,7 @@ std::vector<std::string> paragraphs_of(std::string_view text, Language language)
       continue;
     }
     // Japanese is written without blanks.
-    if (!current.empty() && language != Language::japanese) current += ' ';
+    if (!current.empty() && language != InterfaceLanguage::japanese) current += ' ';
     current += line;
   }
   put();

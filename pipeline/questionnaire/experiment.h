@@ -21,6 +21,6 @@ nlohmann::ordered_json experiment_json(const Manifest& manifest,
                                        const MediaFiles& media);
 
 /// A text as its paragraphs, which blank lines part; lines within a paragraph are joined.
-std::vector<std::string> paragraphs_of(std::string_view text, Language language);
+std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage language);
 
 }  // namespace mien::pipeline

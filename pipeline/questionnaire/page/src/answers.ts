@@ -49,7 +49,7 @@ function choices_of(
   const root = element("fieldset", { class: "asked" }, legend);
   if (left || right) {
     legend.classList.add("unseen");
-    root.append(element("div", { class: "scale" },
+    root.append(element("div", { class: choices.length > 5 ? "scale dense" : "scale" },
       element("span", { class: "pole low", "aria-hidden": "true" }, left), row,
       element("span", { class: "pole high", "aria-hidden": "true" }, right)));
   } else {

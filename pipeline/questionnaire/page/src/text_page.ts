@@ -128,6 +128,7 @@ export class TextPage implements JsPsychPlugin<typeof info> {
     display.replaceChildren(page);
     scrollTo(0, 0);
     if (questions[0]) questions[0].focus();
+    else if (buttons.length > 1) title.focus();  // no choice is made by a key too many
     else buttons[0]?.focus({ preventScroll: true });
   }
 }

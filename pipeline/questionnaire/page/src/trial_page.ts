@@ -84,7 +84,8 @@ class TrialAtWork {
       ...this.comment_parts(),
       element("div", { class: "buttons" }, this.next, this.note));
     for (const legend of rows.querySelectorAll("legend"))
-      if (legend.textContent === this.question()) legend.classList.add("unseen");
+      if (legend.textContent === this.question() || (trial.kind === "pair" && trial.items.length === 1))
+        legend.classList.add("unseen");
     page.append(this.answers);
     this.display.replaceChildren(page);
     scrollTo(0, 0);
@@ -110,6 +111,9 @@ class TrialAtWork {
     const { texts, experiment } = around;
     if (trial.kind === "attention") return check_text(trial, experiment, texts);
     if (experiment.settings.question) return experiment.settings.question;
+    const [only, other] = trial.items;
+    if (trial.kind === "pair" && only && !other && experiment.items[only.item])
+      return texts.which_is_more(experiment.items[only.item]!.high);
     return trial.kind === "emotion" ? texts.which_emotion
       : trial.kind === "pair" ? texts.which_of_two : texts.rate;
   }

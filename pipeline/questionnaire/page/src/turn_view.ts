@@ -68,7 +68,7 @@ class TurnScreen implements Screen {
   readonly ready: Promise<void>;
   private renderer: WebGLRenderer;
   private camera = new PerspectiveCamera(35, 4 / 3, 0.05, 60);
-  private turn: Turn = { azimuth: Math.PI / 2, elevation: 0.12, distance: 4.2 };
+  private turn: Turn = { azimuth: Math.PI / 2, elevation: 0.12, distance: 3.7 };
   private scene: Scene | null = null;
   private mixer: AnimationMixer | null = null;
   private action: AnimationAction | null = null;
