@@ -37,7 +37,7 @@ nlohmann::ordered_json status_of(const SessionState& state, std::int64_t now) {
 void add_poles(nlohmann::ordered_json& histogram, const ServedStudy& study) {
   const auto& items = study.experiment.at("items");
   const auto item = items.find(histogram.at("item").get<std::string>());
-  if (item == items.end()) return;
+  if (item == items.end() || histogram.at("is_pair")) return;
   histogram["low"] = item->value("low", "");
   histogram["high"] = item->value("high", "");
 }

@@ -36,7 +36,8 @@ std::size_t bin_of(const AskedScale& scale, double value) {
 }  // namespace
 
 LiveResults::Tally& LiveResults::tally_of(const AnswerRow& row) {
-  const auto [found, is_new] = tallies_.try_emplace(row.item);
+  const bool is_pair = row.kind == "pair";
+  const auto [found, is_new] = tallies_.try_emplace({row.item, is_pair});
   if (!is_new) return found->second;
   if (row.kind == "emotion") found->second.labels = facts_.choices;
   const auto scale = facts_.scales.find(row.item);
@@ -76,11 +77,14 @@ void LiveResults::add(const std::vector<AnswerRow>& rows) {
 
 nlohmann::ordered_json LiveResults::histograms() const {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& [item, tally] : tallies_) {
+  for (const auto& [asked, tally] : tallies_) {
     nlohmann::ordered_json bins = nlohmann::ordered_json::array();
     for (std::size_t at = 0; at < tally.labels.size(); ++at)
       bins.push_back({{"label", tally.labels[at]}, {"count", tally.counts[at]}});
-    nlohmann::ordered_json one = {{"item", item}, {"answers", tally.answers}, {"mean", nullptr}};
+    nlohmann::ordered_json one = {{"item", asked.first},
+                                  {"is_pair", asked.second},
+                                  {"answers", tally.answers},
+                                  {"mean", nullptr}};
     if (tally.is_measured) one["mean"] = tally.sum / tally.answers;
     one["bins"] = std::move(bins);
     list.push_back(std::move(one));

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -18,7 +19,8 @@ class LiveResults {
 
   void add(const std::vector<AnswerRow>& rows);
 
-  /// [{"item": …, "answers": 12, "mean": 0.5 or null, "bins": [{"label": "-2", "count": 3}, …]}, …]
+  /// [{"item": …, "is_pair": false, "answers": 12, "mean": 0.5 or null, "bins": [{"label": "-2",
+  /// "count": 3}, …]}, …]
   nlohmann::ordered_json histograms() const;
 
   /// {"passed": 3, "failed": 1}
@@ -37,7 +39,7 @@ class LiveResults {
   static void count(Tally& tally, const std::string& label);
 
   const AskedFacts& facts_;
-  std::map<std::string, Tally> tallies_;
+  std::map<std::pair<std::string, bool>, Tally> tallies_;  ///< by item, and whether of pairs
   int passed_ = 0;
   int failed_ = 0;
 };

@@ -147,6 +147,8 @@ class HttpServer::Listener : private httplib::Server {
     new_task_queue = [this] { return new ConnectionThreads(settings_.connections); };
     set_socket_options(reuse_port_of_the_dead);
     set_tcp_nodelay(true);
+    set_keep_alive_timeout(settings_.limits.idle.count() / 1000);  // told to clients
+    set_keep_alive_max_count(requests_a_connection);
     set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
       respond(request, response);
       return HandlerResponse::Handled;

@@ -95,26 +95,38 @@ function new_row(participant) {
   return row;
 }
 
+const rows = new Map();
+const order = ["here", "away", "waiting", "done", "refused"];
+
+function show_participant(participant) {
+  const row = rows.get(participant.participant) ?? new_row(participant);
+  rows.set(participant.participant, row);
+  const [, state, progress, now, seen] = row.children;
+  set_text(state.firstChild, states[participant.state] ?? participant.state);
+  state.firstChild.className = `state ${participant.state}`;
+  const [bar, count] = progress.children;
+  bar.max = participant.records;
+  bar.value = participant.kept;
+  set_text(count, `${participant.kept} of ${participant.records}`);
+  const is_under_way = participant.state === "here" || participant.state === "away";
+  set_text(now, is_under_way ? page_text(participant.next) : "");
+  set_text(seen, seen_text(participant.seen_seconds_ago));
+  return row;
+}
+
+/** Those who are here come first. */
 function show_participants(participants) {
+  const place = ({ state }) => order.indexOf(state);
+  const sorted = [...participants].sort((one, other) => place(one) - place(other));
   const body = at("participants");
-  participants.forEach((participant, index) => {
-    if (!body.children[index]) body.append(new_row(participant));
-    const [, state, progress, now, seen] = body.children[index].children;
-    set_text(state.firstChild, states[participant.state] ?? participant.state);
-    state.firstChild.className = `state ${participant.state}`;
-    const [bar, count] = progress.children;
-    bar.max = participant.records;
-    bar.value = participant.kept;
-    set_text(count, `${participant.kept} of ${participant.records}`);
-    const is_under_way = participant.state === "here" || participant.state === "away";
-    set_text(now, is_under_way ? page_text(participant.next) : "");
-    set_text(seen, seen_text(participant.seen_seconds_ago));
+  sorted.map(show_participant).forEach((row, index) => {
+    if (body.children[index] !== row) body.insertBefore(row, body.children[index] ?? null);
   });
 }
 
 function histogram(one) {
   const figure = element("figure");
-  const caption = element("figcaption", one.item);
+  const caption = element("figcaption", one.is_pair ? `${one.item} (which of two)` : one.item);
   const mean = one.mean === null ? "" : `, mean ${one.mean.toFixed(2)}`;
   caption.append(element("small", `${one.answers} ${one.answers === 1 ? "answer" : "answers"}${mean}`));
   figure.append(caption);

@@ -217,11 +217,14 @@ TEST_F(Service, ShowsHistogramsOfWhatIsAnalysed) {
   const nlohmann::json now = status();
   EXPECT_EQ(now.at("checks"), nlohmann::json({{"passed", 2}, {"failed", 0}}));
   std::map<std::string, nlohmann::json> items;
-  for (const nlohmann::json& one : now.at("histograms")) items[one.at("item")] = one;
+  for (const nlohmann::json& one : now.at("histograms"))
+    items[one.at("item").get<std::string>() + (one.at("is_pair") ? " of two" : "")] = one;
   EXPECT_EQ(items.at("calm-wild").at("answers"), 2);
   EXPECT_EQ(items.at("calm-wild").at("mean"), 1.2);
   EXPECT_EQ(items.at("calm-wild").at("bins").at(7).at("count"), 2);
   EXPECT_EQ(items.at("emotion").at("bins").at(1).at("count"), 2);
+  EXPECT_EQ(items.at("sad-happy").at("answers"), 2);
+  EXPECT_EQ(items.at("sad-happy of two").at("bins").at(0).at("label"), "walk-sad");
   EXPECT_EQ(items.at("words").at("bins").size(), 0u);
 }
 
