@@ -1,0 +1,181 @@
+#include <condition_variable>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/study/made_questionnaire.h"
+#include "pipeline/commands/study/study.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/questionnaire/collected_answers.h"
+#include "pipeline/questionnaire/page_bundle.h"
+#include "pipeline/questionnaire/service.h"
+#include "pipeline/server/http_server.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ServeOptions {
+  ProductionArguments study;
+  std::string listen = "127.0.0.1";
+  int port = 8080;
+  std::string store;  ///< empty: <out>/<study>-answers.db
+  std::string url;    ///< empty: http://<listen>:<port>
+  bool json = false;
+};
+
+/// Where answers are kept and the links are told.
+struct ServedFiles {
+  fs::path answers;
+  fs::path links;
+};
+
+ServedFiles served_files(const ServeOptions& options, const Manifest& manifest) {
+  const fs::path out = options.study.out;
+  if (options.store.empty())
+    return {out / (manifest.study + "-answers.db"), out / (manifest.study + "-links.csv")};
+  fs::path links = options.store;
+  links.replace_filename(links.stem().string() + "-links.csv");
+  return {options.store, links};
+}
+
+/// As participants reach the server. Throws Error for what is no address.
+std::string base_url(const ServeOptions& options, int port) {
+  if (!options.url.empty()) {
+    const bool is_web = options.url.starts_with("http://") || options.url.starts_with("https://");
+    if (!is_web || options.url.find_first_of(" \"<>\r\n") != std::string::npos)
+      throw Error({"--url"}, "\"" + options.url + "\" is no address of a web server",
+                  "write it like https://lab.example.org");
+    return options.url.substr(0, options.url.find_last_not_of('/') + 1);
+  }
+  const bool is_v6 = options.listen.find(':') != std::string::npos;
+  return fmt::format(is_v6 ? "http://[{}]:{}" : "http://{}:{}", options.listen, port);
+}
+
+bool is_loopback(const std::string& address) {
+  return address.starts_with("127.") || address == "::1" || address == "localhost";
+}
+
+/// For the experimenter's eyes alone.
+void write_links(const fs::path& file, const std::string& text) {
+  write_file(file, "");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  write_file(file, text);
+}
+
+void tell_places(const ServeOptions& options, const ServedFiles& files, const std::string& base,
+                 const StudySessions& sessions, const Console& console) {
+  const std::string lab = base + "/lab/" + sessions.lab_link() + "/";
+  const std::string join = base + "/join/" + sessions.join_link() + "/";
+  if (options.json) {
+    const nlohmann::ordered_json places = {{"lab", lab},
+                                           {"join", join},
+                                           {"links", files.links.string()},
+                                           {"answers", files.answers.string()}};
+    console.out << places.dump() << std::endl;
+    return;
+  }
+  console.out << fmt::format(
+      "laboratory       {}\nfor all who come {}\na link for each  {}\nanswers          {}\n"
+      "Ctrl-C ends it. What was given is kept, and the same command goes on from there.\n",
+      lab, join, files.links.string(), files.answers.string());
+  if (!is_loopback(options.listen))
+    console.out << "Answers travel unencrypted: use a network that you trust, or a web server "
+                   "with TLS before this one (--url).\n";
+  console.out.flush();
+}
+
+/// Until Ctrl-C. What the server fails at is told once, until it is something else.
+class Troubles {
+ public:
+  explicit Troubles(const Console& console) : console_(console) {}
+
+  void tell(const std::string& trouble) {
+    const std::lock_guard lock(mutex_);
+    if (trouble == last_) return;
+    last_ = trouble;
+    if (!trouble.empty()) console_.err << "mien: " << trouble << std::endl;
+  }
+
+  void wait(const QuestionnaireService& service) {
+    while (!console_.stop.stop_requested()) {
+      tell(service.trouble());
+      std::unique_lock lock(wait_mutex_);
+      std::condition_variable_any().wait_for(lock, console_.stop, std::chrono::seconds(1),
+                                             [] { return false; });
+    }
+  }
+
+ private:
+  const Console& console_;
+  std::mutex mutex_, wait_mutex_;
+  std::string last_;
+};
+
+int serve(const ServeOptions& options, const Console& console) {
+  // What would stop it later is told before anything is drawn.
+  const fs::path pages = page_bundle();
+  base_url(options, options.port);
+  const MadeQuestionnaire made = made_questionnaire(options.study, console);
+  const ServedStudy study = served_study(made.manifest, made.plans, made.media, pages);
+  const ServedFiles files = served_files(options, made.manifest);
+  SessionStore store(files.answers);
+  QuestionnaireService service(study, store);
+  Troubles troubles(console);
+  const HttpSettings settings{.listen = options.listen, .port = options.port};
+  {
+    const HttpServer server(
+        settings, [&](const HttpRequest& request) { return service.answer(request); },
+        [&](const std::string& failure) { troubles.tell(failure); });
+    const std::string base = base_url(options, server.port());
+    write_links(files.links, links_csv(service.sessions(), base));
+    tell_places(options, files, base, service.sessions(), console);
+    troubles.wait(service);
+  }
+  int finished = 0;
+  for (const SessionState& state : service.sessions().states())
+    finished += state.has_finished() ? 1 : 0;
+  console.err << fmt::format("{} of {} participants have finished; {} records are kept\n", finished,
+                             service.sessions().states().size(), store.records().size());
+  return exit_done;
+}
+
+}  // namespace
+
+void add_study_serve_command(CLI::App& study, Command& chosen) {
+  CLI::App* command =
+      study.add_subcommand("serve", "The questionnaire from this machine, for a laboratory");
+  const auto options = std::make_shared<ServeOptions>();
+  add_questionnaire_options(*command, options->study);
+  command->add_option("--port", options->port, "Port to listen at; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  command
+      ->add_option("--listen", options->listen,
+                   "Address of this machine to listen at; 0.0.0.0 for all of them")
+      ->capture_default_str();
+  command->add_option("--store", options->store,
+                      "File in which answers are kept (default: <out>/<study>-answers.db)");
+  command->add_option("--url", options->url,
+                      "How participants reach this server, if not at its address and port");
+  command->add_flag("--json", options->json, "Tell the links as JSON");
+  command->footer(
+      "\nMakes the study first, as mien run does. Each participant has a link of their own, each\n"
+      "answer is on the disk before the page goes on, and the experimenter's page shows who is\n"
+      "where and gives the answers out as CSV. Other machines reach it with --listen only.\n"
+      "\nExamples:\n"
+      "  mien study serve study.yaml\n"
+      "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return serve(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

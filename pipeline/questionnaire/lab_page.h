@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "pipeline/questionnaire/study_sessions.h"
+#include "pipeline/server/http_message.h"
+
+namespace mien::pipeline {
+
+/// What the experimenter's page and its exports are: the page itself (""), its parts, status.json
+/// (with what troubles the server), answers.csv, answers.json, participants.csv and links.csv.
+/// Nothing for other names. The path has three parts, the last of which is the name.
+std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedStudy& study,
+                                       const StudySessions& sessions, const std::string& trouble,
+                                       std::int64_t now);
+
+}  // namespace mien::pipeline

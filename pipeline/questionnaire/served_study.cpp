@@ -1,0 +1,98 @@
+#include "pipeline/questionnaire/served_study.h"
+
+#include <set>
+
+#include "pipeline/documents/files.h"
+#include "pipeline/questionnaire/experiment.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, std::string> page_types = {{".html", "text/html; charset=utf-8"},
+                                                       {".css", "text/css; charset=utf-8"},
+                                                       {".js", "text/javascript; charset=utf-8"},
+                                                       {".json", "application/json; charset=utf-8"},
+                                                       {".txt", "text/plain; charset=utf-8"},
+                                                       {".svg", "image/svg+xml"},
+                                                       {".woff2", "font/woff2"}};
+
+constexpr std::string_view folder_mode = "name=\"mien-mode\" content=\"static\"";
+constexpr std::string_view served_mode = "name=\"mien-mode\" content=\"served\"";
+
+std::string in_served_mode(std::string page, const fs::path& file) {
+  const std::size_t at = page.find(folder_mode);
+  if (at == page.npos)
+    throw Error({file.string()}, "does not say that it is a page of questionnaires",
+                "build the pages again");
+  return page.replace(at, folder_mode.size(), served_mode);
+}
+
+std::set<std::string> tokens_of(const nlohmann::ordered_json& session) {
+  std::set<std::string> tokens;
+  for (const auto& trial : session.at("trials")) {
+    for (const auto& token : trial.at("media")) tokens.insert(token.get<std::string>());
+    tokens.insert(trial.value("reference", ""));
+  }
+  return tokens;
+}
+
+}  // namespace
+
+ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                         const MediaFiles& media, const fs::path& pages) {
+  ServedStudy study{.experiment = experiment_json(manifest, plans, media),
+                    .plans = plans,
+                    .page = served_page(pages)};
+  for (const auto& [stimulus, file] : media) study.media[file.token] = {file.file, file.type};
+  study.facts = asked_facts(study.experiment);
+  return study;
+}
+
+Hash media_hash(const ServedStudy& study) {
+  std::string all;
+  for (const auto& [stimulus, sha256] : study.facts.sha256) all += stimulus + " " + sha256 + "\n";
+  return hash_of(all);
+}
+
+std::map<std::string, ServedFile> served_page(const fs::path& folder) {
+  std::map<std::string, ServedFile> page;
+  if (fs::is_directory(folder)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      const auto type = page_types.find(entry.path().extension().string());
+      if (entry.is_regular_file() && type != page_types.end())
+        page[entry.path().filename().string()] = {read_file(entry.path()), type->second};
+    }
+  }
+  const auto index = page.find("index.html");
+  if (index == page.end())
+    throw Error({folder.string()}, "holds no page for participants",
+                "start with ./mien, which builds the pages, or build them first");
+  index->second.bytes = in_served_mode(std::move(index->second.bytes), folder / "index.html");
+  return page;
+}
+
+std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
+                         const std::vector<std::string>& kept) {
+  nlohmann::ordered_json own;
+  for (const auto& [name, value] : study.experiment.items()) {
+    if (name != "sessions" && name != "media" && name != "stimuli") own[name] = value;
+  }
+  nlohmann::ordered_json session =
+      study.experiment.at("sessions").at(static_cast<std::size_t>(plan));
+  session["participant"] = participant;
+  own["media"] = nlohmann::ordered_json::object();
+  const std::set<std::string> tokens = tokens_of(session);
+  for (const auto& [token, media] : study.experiment.at("media").items()) {
+    if (!tokens.contains(token)) continue;
+    own["media"][token] = media;
+    own["media"][token]["file"] = "../../media/" + token;
+  }
+  own["sessions"] = nlohmann::ordered_json::array({std::move(session)});
+  own["kept"] = kept;
+  return own.dump();
+}
+
+}  // namespace mien::pipeline

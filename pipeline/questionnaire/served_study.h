@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/questionnaire/media.h"
+#include "pipeline/questionnaire/record.h"
+#include "pipeline/questionnaire/session_plan.h"
+#include "pipeline/tasks/hash.h"
+
+namespace mien::pipeline {
+
+/// A video, or a clip that is turned.
+struct ServedMedia {
+  std::filesystem::path file;
+  std::string type;
+};
+
+/// A file of the page that participants see.
+struct ServedFile {
+  std::string bytes;
+  std::string type;
+};
+
+/// All that is served of a study. Requests name media by tokens and pages by names; no file is
+/// sought by what a request says.
+struct ServedStudy {
+  nlohmann::ordered_json experiment;         ///< experiment.json, with all sessions
+  std::vector<SessionPlan> plans;            ///< of the same sessions, in the same order
+  std::map<std::string, ServedMedia> media;  ///< by token
+  std::map<std::string, ServedFile> page;    ///< by name; "index.html" is the page itself
+  AskedFacts facts;                          ///< of `experiment`
+};
+
+/// A study that has been made, to be served with the pages of that folder (page_bundle).
+ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                         const MediaFiles& media, const std::filesystem::path& pages);
+
+/// A hash of what participants are shown: other videos are another study.
+Hash media_hash(const ServedStudy& study);
+
+/// The files of a folder that a browser needs, as they are served: the page says in its
+/// `mien-mode` that it is. Throws Error when there is no index.html.
+std::map<std::string, ServedFile> served_page(const std::filesystem::path& folder);
+
+/// What one participant's page is given: experiment.json of one session, without what tells the
+/// conditions or belongs to others. `kept` names the records that were given already.
+std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
+                         const std::vector<std::string>& kept);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace mien::pipeline {
+
+/// How much a client may send, and how long it may take. Times are of the whole, not of a piece: a
+/// byte now and then holds nobody up.
+struct RequestLimits {
+  std::size_t head_bytes = 16 * 1024;  ///< request line and headers
+  std::size_t header_lines = 100;
+  std::size_t body_bytes = 64 * 1024;
+  std::chrono::milliseconds idle{10'000};  ///< between requests
+  std::chrono::milliseconds head{10'000};
+  std::chrono::milliseconds body{20'000};
+  std::chrono::milliseconds answer{300'000};
+};
+
+/// Request line and headers.
+struct RequestHead {
+  int refused = 0;  ///< HTTP status with which it is refused; 0: it is not
+  std::string method;
+  std::string target;        ///< visible ASCII, from '/'
+  bool stays = true;         ///< the client may ask more over the same connection
+  bool awaits_word = false;  ///< sends its body only when told to
+  std::size_t body_length = 0;
+  std::map<std::string, std::string> headers;  ///< names in lower case; of twins, the first
+};
+
+/// Refuses malformed lines, a body whose length is not told plainly once, a compressed or too long
+/// one. `text` ends with the empty line.
+RequestHead parse_request_head(std::string_view text, const RequestLimits& limits);
+
+/// A request as it came.
+struct RawRequest {
+  RequestHead head;
+  std::string body;
+  bool is_over = false;  ///< nothing came, and nothing more is to be expected
+};
+
+/// Reads one request after the other from a socket.
+class RequestReader {
+ public:
+  /// `is_stopping` is asked a few times a second while nothing comes.
+  RequestReader(int socket, const RequestLimits& limits, std::function<bool()> is_stopping)
+      : socket_(socket), limits_(limits), is_stopping_(std::move(is_stopping)) {}
+
+  RawRequest next();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  enum class Reading { some, ended, late };
+
+  Reading read_more(Clock::time_point deadline);
+  bool wait_for_first_byte();
+  RequestHead read_head();
+  int read_body(std::size_t length, std::string& body);
+
+  int socket_;
+  const RequestLimits& limits_;
+  std::function<bool()> is_stopping_;
+  std::string buffer_;
+};
+
+}  // namespace mien::pipeline
