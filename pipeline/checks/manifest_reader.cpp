@@ -8,6 +8,7 @@
 #include "motion/text/file_contents.h"
 #include "pipeline/checks/document_checks.h"
 #include "pipeline/checks/manifest_checks.h"
+#include "pipeline/checks/questionnaire_checks.h"
 #include "pipeline/look/look_checks.h"
 #include "pipeline/manifest/manifest_builder.h"
 #include "pipeline/manifest/recipes.h"
@@ -82,7 +83,12 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   add_at_new_paths(reading.faults, check_meaning(reading.manifest));
   add_at_new_paths(reading.faults, complete_looks(reading.manifest));
   std::vector<Fault> in_scales = complete_scales(reading.manifest.scales);
+  const bool has_scales = in_scales.empty();
   reading.faults.insert(reading.faults.end(), in_scales.begin(), in_scales.end());
+  std::vector<Fault> in_texts = complete_questionnaire(reading.manifest);
+  const bool has_all = has_scales && in_texts.empty();
+  add_at_new_paths(reading.faults, std::move(in_texts));
+  if (has_all) add_at_new_paths(reading.faults, check_questionnaire(reading.manifest));
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
 }

@@ -10,6 +10,7 @@
 #include "pipeline/documents/places.h"
 #include "pipeline/manifest/examples.h"
 #include "pipeline/manifest/output.h"
+#include "pipeline/manifest/questionnaire.h"
 #include "pipeline/manifest/sheet.h"
 #include "pipeline/manifest/stimulus.h"
 
@@ -93,6 +94,7 @@ struct Manifest {
   std::vector<Stimulus> stimuli;
   std::vector<Overlay> overlays;
   std::vector<Sheet> sheets;
+  std::optional<Questionnaire> questionnaire;
   Places places;
 };
 
@@ -126,6 +128,7 @@ void fields_of(Field&& field, M& manifest) {
   field.each("overlays", manifest.overlays, concerns::nothing,
              [&] { return plain_overlay(manifest); });
   field.each("sheets", manifest.sheets, concerns::page, [] { return Sheet(); });
+  field("questionnaire", manifest.questionnaire, concerns::nothing);
 }
 
 /// All that films are made of: the stimuli, then the overlays.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/documents/fault.h"
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+/// Reads the texts and the scales that the questionnaire names by their files. Faults: what cannot
+/// be read.
+std::vector<Fault> complete_questionnaire(Manifest& manifest);
+
+/// Stimuli, scales and factors that are not there, and settings that exclude each other. The
+/// study's scales must have been read.
+std::vector<Fault> check_questionnaire(const Manifest& manifest);
+
+}  // namespace mien::pipeline

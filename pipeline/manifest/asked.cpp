@@ -1,0 +1,99 @@
+#include "pipeline/manifest/asked.h"
+
+#include <algorithm>
+
+#include "pipeline/ratings/emotion_scales.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+bool is_among(const std::string& name, const std::vector<std::string>& names) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+bool has_levels(const Stimulus& stimulus, const StimulusChoice& choice) {
+  return std::ranges::all_of(choice.levels, [&](const auto& wanted) {
+    return is_among(level_of(stimulus, wanted.first), wanted.second);
+  });
+}
+
+}  // namespace
+
+const Questionnaire& questionnaire_of(const Manifest& manifest) {
+  if (manifest.questionnaire) return *manifest.questionnaire;
+  throw Error(manifest.file.string() + " has no questionnaire",
+              "add questionnaire: {participants: …, scales: […]}");
+}
+
+std::string title_of(const Manifest& manifest) {
+  const std::string& title = questionnaire_of(manifest).title;
+  return title.empty() ? manifest.study : title;
+}
+
+ScaleSet scales_to_choose(const Manifest& manifest) {
+  const ScaleChoice& choice = questionnaire_of(manifest).scales;
+  if (!choice.file.empty()) return choice.own;
+  ScaleSet scales = scales_of(manifest.scales);
+  for (Scale& scale : emotion_scales().scales) {
+    if (find_scale(scales, scale.id) == nullptr) scales.scales.push_back(std::move(scale));
+  }
+  return scales;
+}
+
+ScaleSet asked_scales(const Manifest& manifest) {
+  const ScaleChoice& choice = questionnaire_of(manifest).scales;
+  if (choice.emotions) return emotion_scales();
+  if (choice.all) return choice.file.empty() ? scales_of(manifest.scales) : choice.own;
+  const ScaleSet known = scales_to_choose(manifest);
+  ScaleSet asked;
+  asked.name = known.name;
+  for (const std::string& id : choice.ids) {
+    if (const Scale* scale = find_scale(known, id)) asked.scales.push_back(*scale);
+  }
+  return asked;
+}
+
+std::vector<std::string> asked_stimuli(const Manifest& manifest) {
+  const StimulusChoice& choice = questionnaire_of(manifest).stimuli;
+  if (!choice.ids.empty()) return choice.ids;
+  std::vector<std::string> ids;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (!stimulus.id.empty() && has_levels(stimulus, choice)) ids.push_back(stimulus.id);
+  }
+  return ids;
+}
+
+std::vector<std::pair<std::string, std::string>> asked_pairs(const Manifest& manifest) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::vector<std::string>& pair : questionnaire_of(manifest).pairs) {
+    if (pair.size() == 2) pairs.emplace_back(pair[0], pair[1]);
+  }
+  if (!pairs.empty()) return pairs;
+  const std::vector<std::string> ids = asked_stimuli(manifest);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    for (std::size_t j = i + 1; j < ids.size(); ++j) pairs.emplace_back(ids[i], ids[j]);
+  }
+  return pairs;
+}
+
+std::vector<std::pair<std::string, std::string>> asked_choices(const Manifest& manifest) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  if (!asked.choices.empty()) return asked.choices;
+  std::vector<std::pair<std::string, std::string>> choices;
+  for (const std::string& id : asked_stimuli(manifest)) {
+    const std::string level = level_of(manifest, id, "emotion");
+    const bool is_new =
+        std::ranges::none_of(choices, [&](const auto& choice) { return choice.first == level; });
+    if (!level.empty() && is_new) choices.emplace_back(level, level);
+  }
+  return choices;
+}
+
+std::string level_of(const Manifest& manifest, const std::string& stimulus,
+                     const std::string& factor) {
+  const auto found = std::ranges::find(manifest.stimuli, stimulus, &Stimulus::id);
+  return found == manifest.stimuli.end() ? "" : level_of(*found, factor);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+// What a manifest's questionnaire asks, with what it leaves open filled in. The manifest must have
+// one.
+
+/// The questionnaire. Throws Error where the manifest has none.
+const Questionnaire& questionnaire_of(const Manifest& manifest);
+
+/// Its title, or the study's name.
+std::string title_of(const Manifest& manifest);
+
+/// The scales that it may choose from: its own file's, else those of the study and then the six of
+/// the emotions that the study does not have under the same ids.
+ScaleSet scales_to_choose(const Manifest& manifest);
+
+/// The scales that are asked, in the order in which they are. Ids that are unknown are left out
+/// (the checks tell them).
+ScaleSet asked_scales(const Manifest& manifest);
+
+/// Ids of the stimuli that are asked about, in the order of the manifest, or of the questionnaire
+/// where it names them.
+std::vector<std::string> asked_stimuli(const Manifest& manifest);
+
+/// The pairs of a questionnaire of pairs; all of its stimuli where it names none.
+std::vector<std::pair<std::string, std::string>> asked_pairs(const Manifest& manifest);
+
+/// What may be chosen in an emotion trial: id → as shown. Those that are named, else the levels of
+/// the factor emotion.
+std::vector<std::pair<std::string, std::string>> asked_choices(const Manifest& manifest);
+
+/// The level of a factor of a stimulus by its id; empty where it has none.
+std::string level_of(const Manifest& manifest, const std::string& stimulus,
+                     const std::string& factor);
+
+/// The item of an emotion trial, in answers and plans.
+inline constexpr char emotion_item[] = "emotion";
+
+}  // namespace mien::pipeline

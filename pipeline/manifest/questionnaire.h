@@ -1,0 +1,182 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/documents/concerns.h"
+#include "pipeline/manifest/questionnaire_forms.h"
+
+namespace mien::pipeline {
+
+/// What participants are asked about a stimulus.
+enum class TrialForm { rating, emotion, pair };
+enum class InterfaceLanguage { english, japanese };
+enum class StartsAt { none, middle };
+enum class PoleSide { random, fixed };
+enum class Watching { full, free };
+enum class ShownAs { video, turn };
+enum class Phones { served, refused };
+enum class TestCorrection { holm, benjamini_hochberg, none };
+
+inline constexpr Words<TrialForm> trial_form_words = {
+    {"rating", TrialForm::rating}, {"emotion", TrialForm::emotion}, {"pair", TrialForm::pair}};
+inline constexpr Words<InterfaceLanguage> language_words = {{"en", InterfaceLanguage::english},
+                                                            {"ja", InterfaceLanguage::japanese}};
+inline constexpr Words<StartsAt> starts_at_words = {{"none", StartsAt::none},
+                                                    {"middle", StartsAt::middle}};
+inline constexpr Words<PoleSide> pole_side_words = {{"random", PoleSide::random},
+                                                    {"fixed", PoleSide::fixed}};
+inline constexpr Words<Watching> watching_words = {{"full", Watching::full},
+                                                   {"free", Watching::free}};
+inline constexpr Words<ShownAs> shown_as_words = {{"video", ShownAs::video},
+                                                  {"turn", ShownAs::turn}};
+inline constexpr Words<Phones> phones_words = {{"served", Phones::served},
+                                               {"refused", Phones::refused}};
+inline constexpr Words<TestCorrection> correction_words = {
+    {"holm", TestCorrection::holm},
+    {"bh", TestCorrection::benjamini_hochberg},
+    {"none", TestCorrection::none}};
+
+/// How a scale is answered: on points, unless it is a slider or in words.
+struct AnswerSettings {
+  int points = 5;       ///< from one end of a scale to the other, both counted
+  bool slider = false;  ///< raw answers 0 … 100 from the left
+  bool words = false;   ///< free words; the raw answer is the text
+  bool anchors = true;  ///< each point has its words ("very sad"), and not the ends alone
+  StartsAt starts_at = StartsAt::none;  ///< what is chosen before an answer is given
+  PoleSide side = PoleSide::random;     ///< of the high end: by participant and item, or right
+  friend bool operator==(const AnswerSettings&, const AnswerSettings&) = default;
+};
+
+template <class Field, MaybeConst<AnswerSettings> A>
+void fields_of(Field&& field, A& answer) {
+  field("points", answer.points, concerns::nothing);
+  field("slider", answer.slider, concerns::nothing);
+  field("words", answer.words, concerns::nothing);
+  field("anchors", answer.anchors, concerns::nothing);
+  field("default", answer.starts_at, concerns::nothing, starts_at_words);
+  field("side", answer.side, concerns::nothing, pole_side_words);
+}
+
+/// A question about the participant.
+struct Demographic {
+  std::string id;       ///< column of the table of participants
+  std::string ask;      ///< the question
+  AnswerChoice answer;  ///< a number, a text, or one of a list
+  bool required = false;
+};
+
+template <class Field, MaybeConst<Demographic> D>
+void fields_of(Field&& field, D& question) {
+  field("id", question.id, concerns::required);
+  field("ask", question.ask, concerns::required);
+  field.by("answer", question.answer, concerns::required, AnswerChoiceForm());
+  field("required", question.required, concerns::nothing);
+}
+
+/// What a session is reckoned to take beside its videos; seconds.
+struct Pace {
+  double words_per_minute = 200.0;  ///< of texts that are read
+  double answer = 3.5;              ///< an item of a trial, read and answered
+  double comment = 5.0;             ///< a trial with a place for one, on the average
+  double between = 1.5;             ///< from one trial to the next
+  double demographic = 8.0;         ///< a question about the participant
+  friend bool operator==(const Pace&, const Pace&) = default;
+};
+
+template <class Field, MaybeConst<Pace> P>
+void fields_of(Field&& field, P& pace) {
+  field("words_per_minute", pace.words_per_minute, concerns::nothing);
+  field("answer", pace.answer, concerns::nothing);
+  field("comment", pace.comment, concerns::nothing);
+  field("between", pace.between, concerns::nothing);
+  field("demographic", pace.demographic, concerns::nothing);
+}
+
+/// What is said before the answers are seen about how they will be looked at.
+struct AnalysisPlan {
+  TextSource plan;      ///< in words; part of the preregistration
+  double alpha = 0.05;  ///< level of every test
+  TestCorrection correction = TestCorrection::holm;
+  int most_failed = 1;  ///< a participant who fails more attention checks is excluded
+};
+
+template <class Field, MaybeConst<AnalysisPlan> A>
+void fields_of(Field&& field, A& analysis) {
+  field.by("plan", analysis.plan, concerns::nothing, TextForm());
+  field("alpha", analysis.alpha, concerns::nothing);
+  field("correction", analysis.correction, concerns::nothing, correction_words);
+  field("most_failed", analysis.most_failed, concerns::nothing);
+}
+
+/// What is asked of participants about the stimuli of a manifest, in which order, and how it is
+/// shown. It has no influence on the stimuli.
+struct Questionnaire {
+  std::string title;  ///< empty: the study's name
+  InterfaceLanguage language =
+      InterfaceLanguage::english;            ///< of the interface, and of the scales' ends
+  int participants = 0;                      ///< planned
+  TextSource consent, instructions, ending;  ///< empty where nothing is said
+  std::string question;                      ///< above the items of a trial; empty for a usual one
+  StimulusChoice stimuli;
+  int per_participant = 0;  ///< trials that are analysed; 0: all
+  TrialForm trials = TrialForm::rating;
+  ScaleChoice scales;
+  std::vector<std::pair<std::string, std::string>> choices;  ///< of emotion trials: id → as shown
+  std::vector<std::vector<std::string>> pairs;  ///< of pair trials: two stimuli each; empty: all
+  AnswerSettings answer;
+  TrialOrder order;
+  std::vector<std::string> apart;     ///< factors in which no two trials in a row are alike
+  std::vector<std::string> practice;  ///< stimuli of trials before the main part
+  int warm_up = 0;          ///< trials more at the beginning of the main part, not analysed
+  int attention_every = 0;  ///< a check after so many trials; 0: none
+  int repeated = 0;         ///< catch trials: stimuli that are shown a second time
+  Replays replays;
+  Watching watch = Watching::full;
+  bool comments = false;
+  std::string reference;  ///< stimulus that is shown beside; empty for none
+  ShownAs view = ShownAs::video;
+  Phones phones = Phones::refused;
+  std::vector<Demographic> demographics;
+  Pace pace;
+  AnalysisPlan analysis;
+};
+
+template <class Field, MaybeConst<Questionnaire> Q>
+void fields_of(Field&& field, Q& asked) {
+  field("title", asked.title, concerns::nothing);
+  field("language", asked.language, concerns::nothing, language_words);
+  field("participants", asked.participants, concerns::required);
+  field.by("consent", asked.consent, concerns::nothing, TextForm());
+  field.by("instructions", asked.instructions, concerns::nothing, TextForm());
+  field.by("ending", asked.ending, concerns::nothing, TextForm());
+  field("question", asked.question, concerns::nothing);
+  field.by("stimuli", asked.stimuli, concerns::nothing, StimulusChoiceForm());
+  field("per_participant", asked.per_participant, concerns::nothing);
+  field("trials", asked.trials, concerns::nothing, trial_form_words);
+  field.by("scales", asked.scales, concerns::nothing, ScaleChoiceForm());
+  field.by("choices", asked.choices, concerns::nothing, ChoicesForm());
+  field("pairs", asked.pairs, concerns::nothing);
+  field("answer", asked.answer, concerns::nothing);
+  field.by("order", asked.order, concerns::nothing, TrialOrderForm());
+  field("apart", asked.apart, concerns::nothing);
+  field("practice", asked.practice, concerns::nothing);
+  field("warm_up", asked.warm_up, concerns::nothing);
+  field.group("attention",
+              [&](auto& checks) { checks("every", asked.attention_every, concerns::nothing); });
+  field.group("catch", [&](auto& trials) { trials("repeat", asked.repeated, concerns::nothing); });
+  field.by("replays", asked.replays, concerns::nothing, ReplaysForm());
+  field("watch", asked.watch, concerns::nothing, watching_words);
+  field("comments", asked.comments, concerns::nothing);
+  field("reference", asked.reference, concerns::nothing);
+  field("view", asked.view, concerns::nothing, shown_as_words);
+  field("phones", asked.phones, concerns::nothing, phones_words);
+  field.each("demographics", asked.demographics, concerns::nothing, [] { return Demographic(); });
+  field("pace", asked.pace, concerns::nothing);
+  field("analysis", asked.analysis, concerns::nothing);
+}
+
+}  // namespace mien::pipeline

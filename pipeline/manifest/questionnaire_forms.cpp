@@ -1,0 +1,114 @@
+#include "pipeline/manifest/questionnaire_forms.h"
+
+#include "pipeline/reading/field_reader.h"
+#include "pipeline/reading/field_writer.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using OrderKind = TrialOrder::Kind;
+
+constexpr Words<OrderKind> order_words = {
+    {"full", OrderKind::full}, {"fixed", OrderKind::fixed}, {"latin", OrderKind::latin}};
+
+/// A member of a map, if it is there.
+template <class Value>
+void read_member(const Given& given, const char* key, Value& value) {
+  const nlohmann::json* found = member(given.value, key);
+  if (found != nullptr) read({*found, member_path(given.path, key), given.context}, value);
+}
+
+}  // namespace
+
+void TextForm::read(const Given& given, TextSource& source) {
+  assign(&given.value, source.text);
+  read_member(given, "file", source.file);
+}
+
+OrderedJson TextForm::write(const TextSource& source, const Writing& how) {
+  if (!source.file.empty()) return {{"file", written(source.file, how)}};
+  return source.text.empty() ? OrderedJson() : OrderedJson(source.text);
+}
+
+void StimulusChoiceForm::read(const Given& given, StimulusChoice& choice) {
+  pipeline::read(given, choice.ids);
+  pipeline::read(given, choice.levels);
+}
+
+OrderedJson StimulusChoiceForm::write(const StimulusChoice& choice, const Writing& how) {
+  return choice.levels.empty() ? written(choice.ids, how) : written(choice.levels, how);
+}
+
+void ScaleChoiceForm::read(const Given& given, ScaleChoice& choice) {
+  choice.all = given.value == "all";
+  choice.emotions = given.value == "emotions";
+  pipeline::read(given, choice.ids);
+  read_member(given, "ask", choice.ids);
+  read_member(given, "file", choice.file);
+  if (!choice.file.empty() && choice.ids.empty()) choice.all = true;
+}
+
+OrderedJson ScaleChoiceForm::write(const ScaleChoice& choice, const Writing& how) {
+  if (!choice.file.empty()) {
+    OrderedJson map = {{"file", written(choice.file, how)}};
+    if (!choice.all) map["ask"] = written(choice.ids, how);
+    return map;
+  }
+  if (choice.all) return "all";
+  return choice.emotions ? OrderedJson("emotions") : written(choice.ids, how);
+}
+
+void ChoicesForm::read(const Given& given,
+                       std::vector<std::pair<std::string, std::string>>& choices) {
+  if (given.value.is_object()) return pipeline::read(given, choices);
+  std::vector<std::string> ids;
+  pipeline::read(given, ids);
+  choices.clear();
+  for (const std::string& id : ids) choices.emplace_back(id, id);
+}
+
+OrderedJson ChoicesForm::write(const std::vector<std::pair<std::string, std::string>>& choices,
+                               const Writing& how) {
+  std::vector<std::string> ids;
+  for (const auto& [id, shown] : choices) {
+    if (shown != id) return written(choices, how);
+    ids.push_back(id);
+  }
+  return written(ids, how);
+}
+
+void AnswerChoiceForm::read(const Given& given, AnswerChoice& answer) {
+  answer.is_number = given.value == "number";
+  pipeline::read(given, answer.choices);
+}
+
+OrderedJson AnswerChoiceForm::write(const AnswerChoice& answer, const Writing& how) {
+  if (!answer.choices.empty()) return written(answer.choices, how);
+  return answer.is_number ? "number" : "text";
+}
+
+void TrialOrderForm::read(const Given& given, TrialOrder& order) {
+  order = {};
+  assign(&given.value, order.kind, order_words);
+  assign(member(given.value, "blocked"), order.factor);
+  if (given.value.is_object()) order.kind = OrderKind::blocked;
+}
+
+OrderedJson TrialOrderForm::write(const TrialOrder& order, const Writing&) {
+  if (order.kind == OrderKind::blocked) return {{"blocked", order.factor}};
+  return word_of(order_words, order.kind);
+}
+
+void ReplaysForm::read(const Given& given, Replays& replays) {
+  replays.most.reset();
+  if (given.value == "none") replays.most = 0;
+  if (given.value.is_number_integer()) assign(&given.value, replays.most);
+}
+
+OrderedJson ReplaysForm::write(const Replays& replays, const Writing&) {
+  if (!replays.most) return "counted";
+  return *replays.most == 0 ? OrderedJson("none") : OrderedJson(*replays.most);
+}
+
+}  // namespace mien::pipeline
