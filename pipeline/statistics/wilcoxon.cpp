@@ -107,7 +107,7 @@ Wilcoxon wilcoxon(const std::vector<double>& differences, WilcoxonMode mode, Wil
     return result;
   }
   if (split) squares += squares_of_zeros;
-  const double departure = result.w_plus - 0.25 * doubled_all;
+  const double departure = 0.5 * (result.w_plus - result.w_minus);
   const double correction =
       mode == WilcoxonMode::corrected && departure != 0.0 ? std::copysign(0.5, departure) : 0.0;
   result.z = (departure - correction) / std::sqrt(0.25 * squares);
