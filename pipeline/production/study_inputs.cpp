@@ -23,6 +23,13 @@ void for_each_document(M& manifest, const Visit& visit) {
   const auto visit_set = [&](auto& look) {
     if (!look.scene_file.empty()) visit(look.scene_file);
   };
+  if (manifest.questionnaire) {
+    auto& asked = *manifest.questionnaire;
+    for (auto* text : {&asked.consent, &asked.instructions, &asked.ending, &asked.analysis.plan}) {
+      if (!text->file.empty()) visit(text->file);
+    }
+    if (!asked.scales.file.empty()) visit(asked.scales.file);
+  }
   visit_set(manifest.look);
   for (auto& stimulus : manifest.stimuli) visit_set(stimulus.look);
   for (auto& overlay : manifest.overlays) visit_set(overlay.film.look);

@@ -1,11 +1,11 @@
 #include "pipeline/questionnaire/session_duration.h"
 
 #include <algorithm>
-#include <set>
 
 #include "pipeline/documents/utf8.h"
 #include "pipeline/film/film_presentation.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/questionnaire/shown_media.h"
 #include "pipeline/synthesis/motions.h"
 
 namespace mien::pipeline {
@@ -18,17 +18,6 @@ bool is_blank(char letter) { return letter == ' ' || letter == '\n' || letter ==
 bool is_wide(std::string_view word) {
   return std::ranges::any_of(word,
                              [](char byte) { return static_cast<unsigned char>(byte) >= 0xE2U; });
-}
-
-std::set<std::string> shown_stimuli(const Manifest& manifest) {
-  const Questionnaire& asked = questionnaire_of(manifest);
-  std::set<std::string> ids(asked.practice.begin(), asked.practice.end());
-  for (const std::string& id : asked_stimuli(manifest)) ids.insert(id);
-  if (asked.trials == TrialForm::pair) {
-    for (const auto& [one, other] : asked_pairs(manifest)) ids.insert({one, other});
-  }
-  if (!asked.reference.empty()) ids.insert(asked.reference);
-  return ids;
 }
 
 }  // namespace

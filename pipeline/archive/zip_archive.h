@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace mien::pipeline {
+
+/// Files of a zip archive: path with '/' → bytes.
+using ZipFiles = std::map<std::string, std::string>;
+
+/// A zip archive of them, in the order of their paths, stored as they are. No dates: the same files
+/// give the same bytes.
+std::string zip_of(const ZipFiles& files);
+
+/// All files of a zip archive. Throws Error for what is none, for damage, for paths that lead out
+/// of it and for more than 4 GiB of content.
+ZipFiles read_zip(const std::filesystem::path& archive);
+ZipFiles unzipped(const std::string& bytes, const std::string& name);
+
+}  // namespace mien::pipeline

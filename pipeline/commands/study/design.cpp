@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "pipeline/commands/study/asked_manifest.h"
+#include "pipeline/commands/study/study.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/questionnaire/balance.h"
+#include "pipeline/questionnaire/frozen_design.h"
+#include "pipeline/questionnaire/power.h"
+#include "pipeline/questionnaire/session_duration.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DesignCommand {
+  std::string manifest;
+  int participants = 0;
+  std::string plans;
+  std::string balance;
+  bool power = false;
+  std::string ratings;
+  std::vector<double> spread;
+  std::vector<std::string> between;
+  PowerQuestion question;
+  std::string frozen;
+  std::string out = "out";
+};
+
+/// "made=acted,modified" has come in as "made=acted" and "modified".
+void take_between(const std::vector<std::string>& parts, PowerQuestion& question) {
+  if (parts.empty()) return;
+  const std::size_t equals = parts[0].find('=');
+  if (parts.size() != 2 || equals == std::string::npos)
+    throw Error("--between takes a factor and two of its levels",
+                "for example made=acted,modified");
+  question.factor = parts[0].substr(0, equals);
+  question.level = parts[0].substr(equals + 1);
+  question.other_level = parts[1];
+}
+
+RatingSpread spread_of(const DesignCommand& command, const Manifest& manifest) {
+  if (!command.ratings.empty() && !command.spread.empty())
+    throw Error("--ratings and --spread both say how ratings differ", "give one of the two");
+  if (!command.ratings.empty())
+    return spread_of(read_answers(command.ratings, scales_to_choose(manifest)));
+  if (command.spread.empty()) return {};
+  return {command.spread[0], command.spread[1], command.spread[2]};
+}
+
+void tell_power(const DesignCommand& command, const Manifest& manifest, std::ostream& out) {
+  PowerQuestion question = command.question;
+  question.seed = manifest.seed;
+  question.spread = spread_of(command, manifest);
+  take_between(command.between, question);
+  out << '\n';
+  for (const std::string& sentence : power_sentences(question, estimate_power(manifest, question)))
+    out << sentence << '\n';
+}
+
+std::string minutes(double seconds) { return fmt::format("{:.1f} min", seconds / 60.0); }
+
+void tell_duration(const std::vector<SessionPlan>& plans, const Console& console,
+                   std::ostream& out) {
+  const auto [shortest, longest] =
+      std::ranges::minmax_element(plans, {}, &SessionPlan::expected_seconds);
+  out << "Expected duration of a session: " << minutes(shortest->expected_seconds) << " to "
+      << minutes(longest->expected_seconds) << ".\n";
+  if (longest->expected_seconds <= longest_good_session_seconds) return;
+  console.err << "warning: a session of more than " << minutes(longest_good_session_seconds)
+              << " is long; show each participant fewer stimuli (questionnaire.per_participant) or "
+                 "ask fewer scales\n";
+}
+
+void tell_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                 const Balance& balance, const Console& console, std::ostream& out) {
+  const auto is_analysed = [](const Trial& trial) { return trial.is_analysed(); };
+  out << fmt::format("{}: {} participants, {} trials each, {} of them analysed\n",
+                     title_of(manifest), plans.size(), plans[0].trials.size(),
+                     std::ranges::count_if(plans[0].trials, is_analysed));
+  for (const std::string& sentence :
+       balance_sentences(manifest, balance, static_cast<int>(plans.size())))
+    out << sentence << '\n';
+  tell_duration(plans, console, out);
+}
+
+void freeze(const DesignCommand& command, const Manifest& manifest,
+            const std::vector<SessionPlan>& plans, std::ostream& out) {
+  ZipFiles files = frozen_design(manifest, plans, fs::path(command.out) / manifest.study);
+  add_dummy_answers(files, manifest, plans);
+  const std::string bytes = zip_of(files);
+  const fs::path next = command.frozen + ".part";
+  replace_file(command.frozen, next, bytes);
+  out << command.frozen << ": " << files.size() << " files\n";
+}
+
+int design(const DesignCommand& command, const Console& console) {
+  Manifest manifest = asked_manifest(command.manifest, console);
+  if (command.participants > 0) manifest.questionnaire->participants = command.participants;
+  const std::vector<SessionPlan> plans = plan_sessions(manifest, video_seconds(manifest));
+  const Balance balance = balance_of(manifest, plans);
+  // The plans go to standard output unless a file takes them, and what is told about them beside.
+  std::ostream& out = command.plans.empty() ? console.err : console.out;
+  if (command.plans.empty()) console.out << plans_csv(plans);
+  tell_design(manifest, plans, balance, console, out);
+  if (command.power) tell_power(command, manifest, out);
+  if (!command.frozen.empty()) freeze(command, manifest, plans, out);
+  const auto put = [&](const std::string& file, const std::string& csv) {
+    if (file.empty()) return;
+    write_file(file, csv);
+    out << file << '\n';
+  };
+  put(command.plans, plans_csv(plans));
+  put(command.balance, balance_csv(balance));
+  return exit_done;
+}
+
+void add_power_options(CLI::App& command, DesignCommand& options) {
+  command.add_flag("--power", options.power,
+                   "Estimate how many participants find a difference, with simulated raters");
+  command.add_option("--ratings", options.ratings,
+                     "With --power: answers (CSV) whose variances the raters have");
+  command
+      .add_option("--spread", options.spread,
+                  "With --power: standard deviations of participants, stimuli and what is left, in "
+                  "the scale's points [0.5,0.5,0.8]")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(0.0, 1000.0));
+  command
+      .add_option("--difference", options.question.difference,
+                  "With --power: the true difference, in the scale's points")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--between", options.between,
+                  "With --power: a factor and two levels to compare, as made=acted,modified; any "
+                  "two stimuli without it")
+      ->delimiter(',');
+  command.add_option("--studies", options.question.studies, "With --power: how many are simulated")
+      ->check(CLI::Range(100, 1000000))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_study_design_command(CLI::App& study, Command& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "design", "Lay out a questionnaire's sessions: plans, balance, duration, power");
+  const auto options = std::make_shared<DesignCommand>();
+  command->add_option("manifest", options->manifest, asked_manifest_help)->required();
+  command->add_option("-o,--output", options->plans,
+                      "CSV of every participant's plan; standard output without it");
+  command->add_option("--balance", options->balance,
+                      "CSV to write of how often each stimulus comes, where and after which");
+  command
+      ->add_option("--participants", options->participants,
+                   "How many take part; as the questionnaire plans without it")
+      ->check(CLI::Range(1, 10000));
+  add_power_options(*command, *options);
+  command->add_option("--freeze", options->frozen,
+                      "Archive (.zip) to write for a preregistration: the plans, the manifest, the "
+                      "analysis plan and the hashes of all media");
+  command
+      ->add_option("--out", options->out,
+                   "With --freeze: folder of all studies, where this one was made")
+      ->capture_default_str();
+  command->footer(
+      "\nThe same manifest gives the same plans; more participants change none of the earlier "
+      "ones.\n\nExamples:\n"
+      "  mien study design emotion-study -o plans.csv --balance balance.csv\n"
+      "  mien study design study.yaml -o plans.csv --power --ratings pilot.csv\n"
+      "  mien study design study.yaml -o plans.csv --freeze preregistration.zip");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return design(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,131 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "pipeline/commands/study/asked_manifest.h"
+#include "pipeline/commands/study/study.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/example_source.h"
+#include "pipeline/questionnaire/simulated_sessions.h"
+#include "pipeline/synthesis/repertoire.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct SimulateCommand {
+  std::string manifest;
+  std::string examples;
+  std::string scales;
+  std::string truth;
+  std::string out;
+  int raters = 14;
+  std::uint64_t seed = 0;
+  int participants = 0;
+  SimulatedPeople people;
+};
+
+/// Writes the file, or to standard output without one, and says whose answers they are.
+int put_answers(const SimulateCommand& command, const std::string& csv, const std::string& whose,
+                const Console& console) {
+  if (command.out.empty()) {
+    console.out << csv;
+  } else {
+    write_file(command.out, csv);
+    console.out << command.out << ": answers of " << whose << '\n';
+  }
+  return exit_done;
+}
+
+int simulate_examples(const SimulateCommand& command, const Console& console) {
+  Manifest manifest;
+  manifest.examples = parse_examples(command.examples);
+  if (!command.scales.empty()) manifest.scales = scales_in(command.scales);
+  manifest.ratings.source = Ratings::Source::simulated;
+  manifest.ratings.raters = command.raters;
+  manifest.seed = command.seed;
+  return put_answers(command, to_csv(simulated_answers(manifest)),
+                     fmt::format("{} simulated raters", command.raters), console);
+}
+
+/// Emotions and choices in words alone need no truth.
+StatedTruth truth_of(const SimulateCommand& command, const Manifest& manifest) {
+  if (!command.truth.empty()) return read_truth(manifest, command.truth);
+  return asked_scales(manifest).scales.empty() ? StatedTruth{} : measured_truth(manifest);
+}
+
+int simulate_questionnaire(const SimulateCommand& command, const Console& console) {
+  const Manifest manifest = asked_manifest(command.manifest, console);
+  const std::vector<SessionPlan> plans = plan_sessions(manifest, {}, command.participants);
+  const std::vector<AnswerRow> rows =
+      simulated_sessions(manifest, plans, truth_of(command, manifest), command.people);
+  return put_answers(command, to_csv(rows),
+                     fmt::format("{} simulated participants, {} rows", plans.size(), rows.size()),
+                     console);
+}
+
+int simulate(const SimulateCommand& command, const Console& console) {
+  if (command.manifest.empty() == command.examples.empty())
+    throw Error("simulate takes a manifest with a questionnaire, or --examples",
+                "give one of the two");
+  return command.manifest.empty() ? simulate_examples(command, console)
+                                  : simulate_questionnaire(command, console);
+}
+
+void add_people_options(CLI::App& command, SimulateCommand& options) {
+  command.add_option("--truth", options.truth,
+                     "CSV (stimulus, scale, value) of what people would answer on the average; "
+                     "without it, what simulated raters see in the motions");
+  command
+      .add_option("--participants", options.participants,
+                  "How many take part; as the questionnaire plans without it")
+      ->check(CLI::Range(1, 10000));
+  command
+      .add_option("--lean", options.people.spread.participant,
+                  "Standard deviation of a participant's lean to one end, in the scale's points")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command
+      .add_option("--residual", options.people.spread.residual,
+                  "Standard deviation of what is left of an answer, likewise")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command.add_option("--attentive", options.people.attentive, "Share of attention checks passed")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_study_simulate_command(CLI::App& study, Command& chosen) {
+  CLI::App* command = study.add_subcommand(
+      "simulate", "Answers that nobody gave: to a questionnaire, or about examples");
+  const auto options = std::make_shared<SimulateCommand>();
+  command->add_option("manifest", options->manifest, asked_manifest_help);
+  add_people_options(*command, *options);
+  command->add_option("--examples", options->examples,
+                      std::string("Instead of a questionnaire, examples: ") + examples_help);
+  command->add_option("--scales", options->scales,
+                      "With --examples: scales file (YAML); the 41 built-in adjective pairs "
+                      "without one");
+  command->add_option("--raters", options->raters, "With --examples: how many raters")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "With --examples: seed")->capture_default_str();
+  command->add_option("-o,--output", options->out, "CSV to write; standard output without it");
+  command->footer(
+      "\nEvery row is marked as simulated. Examples:\n"
+      "  mien study simulate emotion-study -o answers.csv\n"
+      "  mien study simulate study.yaml --truth truth.csv --participants 40 -o answers.csv\n"
+      "  mien study simulate --examples builtin:walks-27 -o answers.csv\n"
+      "  mien study simulate --examples 'captures/*walk*.bvh' --scales five.scales.yaml");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return simulate(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline
