@@ -69,8 +69,7 @@ void set_tests(Comparison& result, const std::vector<double>& own,
   result.pratt = wilcoxon(differences, WilcoxonMode::exact, WilcoxonZeros::pratt);
   result.wilcoxon_normal = wilcoxon(differences, WilcoxonMode::published).p;
   result.wilcoxon_normal_corrected = wilcoxon(differences, WilcoxonMode::corrected).p;
-  result.wilcoxon_zsplit =
-      wilcoxon(differences, WilcoxonMode::published, WilcoxonZeros::zsplit).p;
+  result.wilcoxon_zsplit = wilcoxon(differences, WilcoxonMode::published, WilcoxonZeros::zsplit).p;
   result.location = hodges_lehmann(differences);
 }
 
@@ -184,8 +183,7 @@ std::vector<Comparison> compare(const Gathered& gathered) {
       }
     }
   }
-  for (const auto& [word, family] : family_words)
-    correct_family(all, family, gathered.correction);
+  for (const auto& [word, family] : family_words) correct_family(all, family, gathered.correction);
   std::ranges::stable_sort(all, {}, [](const Comparison& c) {
     return std::pair(static_cast<int>(c.family), c.stimulus);
   });

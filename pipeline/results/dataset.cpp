@@ -73,11 +73,10 @@ std::string stimuli_csv(const Gathered& gathered) {
   header.insert(header.end(), further.begin(), further.end());
   CsvWriter writer(header);
   for (const ReportedStimulus& stimulus : gathered.stimuli) {
-    std::vector<std::string> row = {stimulus.id, stimulus.made, stimulus.emotion,
-                                    stimulus.setting};
+    std::vector<std::string> row = {stimulus.id, stimulus.made, stimulus.emotion, stimulus.setting};
     for (const std::string& factor : further) {
-      const auto found = std::ranges::find(stimulus.factors, factor,
-                                           &std::pair<std::string, std::string>::first);
+      const auto found =
+          std::ranges::find(stimulus.factors, factor, &std::pair<std::string, std::string>::first);
       row.push_back(found == stimulus.factors.end() ? "" : found->second);
     }
     writer.row(row);
@@ -99,9 +98,8 @@ std::string participants_csv(const CsvTable& table) {
 
 /// A column as PropertyValue of schema.org.
 ordered_json variable_of(const Column& column) {
-  ordered_json variable = {{"@type", "PropertyValue"},
-                           {"name", column.name},
-                           {"description", column.meaning}};
+  ordered_json variable = {
+      {"@type", "PropertyValue"}, {"name", column.name}, {"description", column.meaning}};
   if (!column.unit.empty()) variable["unitText"] = column.unit;
   return variable;
 }
@@ -112,9 +110,7 @@ class Variables {
   void add(const Column& column) {
     if (names_.insert(std::string(column.name)).second) list_.push_back(variable_of(column));
   }
-  void add(const std::string& name, const std::string& meaning) {
-    add(Column{name, "", meaning});
-  }
+  void add(const std::string& name, const std::string& meaning) { add(Column{name, "", meaning}); }
   const ordered_json& list() const { return list_; }
 
  private:
@@ -223,8 +219,9 @@ std::vector<DatasetFile> dataset_files(const Results& results, const std::vector
                                     {"codebook.csv", codebook_of(results, tables)},
                                     {"README.md", readme_of(results)},
                                     // What the validator need not look at.
-                                    {".psychdsignore", "report.html\ncodebook.csv\n"
-                                                       "results/\nfigures/\nanalysis/\n"}};
+                                    {".psychdsignore",
+                                     "report.html\ncodebook.csv\n"
+                                     "results/\nfigures/\nanalysis/\n"}};
   if (!results.demographics.empty())
     files.push_back({paths.participants, participants_csv(results.demographics.table)});
   return files;

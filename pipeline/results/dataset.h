@@ -26,8 +26,8 @@ struct DatasetPaths {
 /// Names after Psych-DS: keywords and values of letters and figures alone.
 DatasetPaths dataset_paths(const std::string& study);
 
-/// The folder's data as a Psych-DS dataset (psych-ds.github.io): the answers as they were read, with
-/// whom the report leaves out; the stimuli and their factors; the participants, where they are
+/// The folder's data as a Psych-DS dataset (psych-ds.github.io): the answers as they were read,
+/// with whom the report leaves out; the stimuli and their factors; the participants, where they are
 /// known; dataset_description.json (JSON-LD, schema.org) that tells every column of them, and
 /// codebook.csv that tells those of the tables of results too.
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,

@@ -95,9 +95,10 @@ class AnswerSorter {
     // A study of pairs may ask to rate by how much, too.
     if (row.kind == asked || (asked == "pair" && row.kind == "rating")) return true;
     if (told_.insert("kind " + row.kind).second)
-      fault(row, fmt::format("an answer of the kind {}, where the questionnaire has trials of "
-                             "the kind {}",
-                             row.kind, asked),
+      fault(row,
+            fmt::format("an answer of the kind {}, where the questionnaire has trials of "
+                        "the kind {}",
+                        row.kind, asked),
             "give the manifest that these answers are of");
     return false;
   }
@@ -117,7 +118,8 @@ class AnswerSorter {
 
   void add_rating(const AnswerRow& row, std::size_t stimulus) {
     if (asked_.answer.words) {
-      if (counts(row)) result_.words.push_back({row.participant, row.stimulus, row.item, row.value});
+      if (counts(row))
+        result_.words.push_back({row.participant, row.stimulus, row.item, row.value});
       return;
     }
     const auto scale = known_scale(row);
@@ -144,8 +146,9 @@ class AnswerSorter {
     const double from_low = row.pole_left == "low" ? share : 1.0 - share;
     const double expected = scale.least + from_low * (scale.most - scale.least);
     if (std::abs(expected - value) <= 1e-6 * (scale.most - scale.least)) return;
-    fault(row, fmt::format("the raw answer {} with the {} pole at the left is {:g}, not {}",
-                           row.value_raw, row.pole_left, expected, row.value),
+    fault(row,
+          fmt::format("the raw answer {} with the {} pole at the left is {:g}, not {}",
+                      row.value_raw, row.pole_left, expected, row.value),
           "give the file as the questionnaire wrote it, and its manifest");
   }
 

@@ -44,11 +44,9 @@ void draw_cell(Canvas& canvas, const Box& box, const HeatCell& cell) {
   const Box inner = {box.x + 0.75, box.y + 0.75, box.width - 1.5, box.height - 1.5};
   canvas.fill(inner, cell.colour, 1.5);
   if (cell.is_outlined) canvas.outline(inner, {.width = 1.3, .colour = ink}, 1.5);
-  canvas.text({inner.x + 0.5 * inner.width, inner.middle() + 2.8}, cell.text,
-              {.size = 8.0,
-               .colour = ink_on(cell.colour),
-               .bold = cell.is_bold,
-               .align = Align::centre});
+  canvas.text(
+      {inner.x + 0.5 * inner.width, inner.middle() + 2.8}, cell.text,
+      {.size = 8.0, .colour = ink_on(cell.colour), .bold = cell.is_bold, .align = Align::centre});
 }
 
 }  // namespace
@@ -72,8 +70,7 @@ Plot heat_map_plot(const HeatMap& map) {
                            cell_width, cell_height},
                           map.cells[r][c]);
             }
-            if (map.simulated)
-              draw_simulated_mark(canvas, {width - map_margin, map_margin + 32.0});
+            if (map.simulated) draw_simulated_mark(canvas, {width - map_margin, map_margin + 32.0});
           }};
 }
 
@@ -82,8 +79,6 @@ Colour signed_colour(double value) {
                std::abs(value));
 }
 
-Colour share_colour(double value) {
-  return mixed(from_hex(0xf7f7f7), created_colours.line, value);
-}
+Colour share_colour(double value) { return mixed(from_hex(0xf7f7f7), created_colours.line, value); }
 
 }  // namespace mien::pipeline

@@ -22,7 +22,8 @@ std::string decimal(double value, int digits = 2) {
 }
 
 std::string interval_text(double low, double high, int digits = 2) {
-  return std::isnan(low) ? "–" : fmt::format("{} … {}", decimal(low, digits), decimal(high, digits));
+  return std::isnan(low) ? "–"
+                         : fmt::format("{} … {}", decimal(low, digits), decimal(high, digits));
 }
 
 std::string percent_text(double share) {
@@ -162,12 +163,27 @@ std::string comparisons_html(const Results& results, ComparisonFamily family,
     const bool is_shown = !has_own || c.own_end != 0;
     if (c.family == family && is_asked && is_shown) rows += comparison_html(gathered, c);
   }
-  return wide_table(
-      {"video", "against", "scale", "mean", "mean against", "Welch t (df)", "p", "n",
-       "difference within persons", "95 % interval", "t", "p", "p, corrected", "g<sub>z</sub>", "V",
-       "n ≠ 0, zeros, tied", "p, Wilcoxon", "p, corrected", "Hodges–Lehmann",
-       "rank-biserial"},
-      rows);
+  return wide_table({"video",
+                     "against",
+                     "scale",
+                     "mean",
+                     "mean against",
+                     "Welch t (df)",
+                     "p",
+                     "n",
+                     "difference within persons",
+                     "95 % interval",
+                     "t",
+                     "p",
+                     "p, corrected",
+                     "g<sub>z</sub>",
+                     "V",
+                     "n ≠ 0, zeros, tied",
+                     "p, Wilcoxon",
+                     "p, corrected",
+                     "Hodges–Lehmann",
+                     "rank-biserial"},
+                    rows);
 }
 
 std::string recall_html(const Results& results) {
@@ -215,8 +231,8 @@ std::string agreement_html(const Results& results) {
                 .number(decimal(r.alpha))
                 .html();
   }
-  return wide_table({"scale", "videos", "people", "k", "ICC(1)", "ICC(1,k)", "ICC(2,1)",
-                     "ICC(2,k)", "ICC(3,1)", "ICC(3,k)", "saw all", "Cronbach’s α"},
+  return wide_table({"scale", "videos", "people", "k", "ICC(1)", "ICC(1,k)", "ICC(2,1)", "ICC(2,k)",
+                     "ICC(3,1)", "ICC(3,k)", "saw all", "Cronbach’s α"},
                     rows);
 }
 

@@ -103,8 +103,8 @@ ParticipantTable joined(const std::vector<ParticipantTable>& tables) {
       all = part;
       continue;
     }
-    const bool alike = std::ranges::equal(all.table.header, part.table.header, {},
-                                          &CsvField::text, &CsvField::text);
+    const bool alike = std::ranges::equal(all.table.header, part.table.header, {}, &CsvField::text,
+                                          &CsvField::text);
     if (!alike)
       throw Error(place_of(part.table, part.table.header.front()),
                   "has other columns than " + all.table.file,

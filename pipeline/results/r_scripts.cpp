@@ -82,9 +82,8 @@ for (scale in unique(counted$item)) {
   print(anova(without, model))
 }
 )script";
-  scripts.ordinal =
-      head_of(gathered, "Cumulative link mixed models", "ordinal", answers, stimuli) +
-      R"script(
+  scripts.ordinal = head_of(gathered, "Cumulative link mixed models", "ordinal", answers, stimuli) +
+                    R"script(
 # The same as ordered answers, without the assumption that their steps are equal.
 for (scale in unique(counted$item)) {
   d <- droplevels(subset(counted, item == scale))

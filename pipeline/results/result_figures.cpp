@@ -74,7 +74,8 @@ void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
 
 void add_rating_figures(const Results& results, std::vector<ResultFigure>& figures) {
   for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
-    ResultFigure figure{named(group.histograms, "histograms-" + group.name), "histograms",
+    ResultFigure figure{named(group.histograms, "histograms-" + group.name),
+                        "histograms",
                         group.histograms,
                         "How the answers are spread; the line is the mean. On a yellow ground: "
                         "the scale of the emotion that was meant.",
@@ -84,7 +85,9 @@ void add_rating_figures(const Results& results, std::vector<ResultFigure>& figur
   }
   std::vector<std::size_t> every(results.gathered.stimuli.size());
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
-  ResultFigure means{"figure-40-means", "means", "40",
+  ResultFigure means{"figure-40-means",
+                     "means",
+                     "40",
                      "Mean answers with their 95 % intervals. On a yellow ground: the scale of the "
                      "emotion that was meant.",
                      {}};
@@ -198,7 +201,8 @@ void add_correlation_figure(const Results& results, std::vector<ResultFigure>& f
   if (results.correlations.empty() || ends.size() < 4 || ends.size() > most_ends) return;
   HeatMap map;
   map.title = "How the ends of the scales go together";
-  map.words = "Pearson's r over all judgements; bold: |r| > .5; outlined: |r| > .3; grey: one scale";
+  map.words =
+      "Pearson's r over all judgements; bold: |r| > .5; outlined: |r| > .3; grey: one scale";
   map.row_names = map.column_names = ends;
   map.simulated = results.gathered.simulated;
   map.cells.assign(ends.size(), std::vector<HeatCell>(ends.size(), HeatCell{"", hairline}));
@@ -211,8 +215,8 @@ void add_correlation_figure(const Results& results, std::vector<ResultFigure>& f
     if (std::abs(r) >= 0.995) cell.text = r < 0.0 ? "−1" : "1";
     map.cells[pair.one][pair.other] = map.cells[pair.other][pair.one] = cell;
   }
-  figures.push_back({"figure-44-correlations", "correlations", "44", map.words + ".",
-                     heat_map_plot(map)});
+  figures.push_back(
+      {"figure-44-correlations", "correlations", "44", map.words + ".", heat_map_plot(map)});
 }
 
 }  // namespace
@@ -224,7 +228,7 @@ std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered) {
   StimulusGroup others{"others", "other motions", {}, "43", "", ""};
   for (std::size_t i = 0; i < gathered.stimuli.size(); ++i) {
     const ReportedStimulus& stimulus = gathered.stimuli[i];
-    StimulusGroup& group = stimulus.is_neutral()             ? neutral
+    StimulusGroup& group = stimulus.is_neutral()         ? neutral
                            : stimulus.made == "acted"    ? acted
                            : stimulus.made == "modified" ? modified
                                                          : others;
@@ -248,8 +252,8 @@ std::vector<ResultFigure> result_figures(const Results& results) {
                   "Modified motions against acted ones", figures);
   add_differences(results, ComparisonFamily::modified_neutral, "36",
                   "Modified motions against neutral ones", figures);
-  add_differences(results, ComparisonFamily::acted_neutral, "", "Acted motions against neutral ones",
-                  figures);
+  add_differences(results, ComparisonFamily::acted_neutral, "",
+                  "Acted motions against neutral ones", figures);
   add_confusion_figures(results, figures);
   add_correlation_figure(results, figures);
   return figures;

@@ -74,20 +74,22 @@ std::vector<std::string> comparison_row(const Gathered& gathered, const Comparis
   std::vector<std::string> row = {std::string(word_of(family_words, c.family))};
   add(row, about(gathered, c.stimulus));
   add(row, {c.against ? gathered.stimuli[*c.against].id : "", gathered.scales[c.scale].id,
-            c.own_end == 0 ? "" : c.own_end > 0 ? "high" : "low"});
-  add(row, {whole(c.answers), field_of(c.mean), whole(c.answers_against),
-            field_of(c.mean_against), field_of(c.welch.mean), field_of(c.welch.low(0.95)),
-            field_of(c.welch.high(0.95)), field_of(c.welch.t), field_of(c.welch.degrees),
-            field_of(c.welch.p), field_of(c.welch_adjusted), field_of(c.d), field_of(c.g)});
+            c.own_end == 0  ? ""
+            : c.own_end > 0 ? "high"
+                            : "low"});
+  add(row, {whole(c.answers), field_of(c.mean), whole(c.answers_against), field_of(c.mean_against),
+            field_of(c.welch.mean), field_of(c.welch.low(0.95)), field_of(c.welch.high(0.95)),
+            field_of(c.welch.t), field_of(c.welch.degrees), field_of(c.welch.p),
+            field_of(c.welch_adjusted), field_of(c.d), field_of(c.g)});
   add(row, {whole(c.people), field_of(c.paired.mean), field_of(c.paired.low(0.95)),
             field_of(c.paired.high(0.95)), field_of(c.paired.t), field_of(c.paired.degrees),
             field_of(c.paired.p), field_of(c.paired_adjusted), field_of(c.dz), field_of(c.gz)});
-  add(row, {field_of(c.wilcoxon.w_plus), whole(c.wilcoxon.used), whole(c.wilcoxon.zeros),
-            whole(c.wilcoxon.tied), field_of(c.wilcoxon.p), field_of(c.wilcoxon_adjusted),
-            field_of(c.wilcoxon_normal), field_of(c.wilcoxon_normal_corrected),
-            field_of(c.pratt.w_plus), field_of(c.pratt.p), field_of(c.wilcoxon_zsplit),
-            field_of(c.location.estimate), field_of(c.location.low), field_of(c.location.high),
-            field_of(c.wilcoxon.rank_biserial)});
+  add(row,
+      {field_of(c.wilcoxon.w_plus), whole(c.wilcoxon.used), whole(c.wilcoxon.zeros),
+       whole(c.wilcoxon.tied), field_of(c.wilcoxon.p), field_of(c.wilcoxon_adjusted),
+       field_of(c.wilcoxon_normal), field_of(c.wilcoxon_normal_corrected), field_of(c.pratt.w_plus),
+       field_of(c.pratt.p), field_of(c.wilcoxon_zsplit), field_of(c.location.estimate),
+       field_of(c.location.low), field_of(c.location.high), field_of(c.wilcoxon.rank_biserial)});
   return row;
 }
 
@@ -108,9 +110,9 @@ void add_confusion_tables(const Results& results, std::vector<ResultTable>& tabl
                    field_of(row.points[i] / row.total)});
       if (row.own < 0) continue;
       recalls.row({by, confusion.of, row.emotion, whole(row.showings), whole(row.judged),
-                   field_of(row.total), field_of(row.recall), field_of(row.low),
-                   field_of(row.high), field_of(confusion.chance), whole(row.hits),
-                   field_of(row.p), field_of(row.adjusted)});
+                   field_of(row.total), field_of(row.recall), field_of(row.low), field_of(row.high),
+                   field_of(confusion.chance), whole(row.hits), field_of(row.p),
+                   field_of(row.adjusted)});
     }
   }
   cells.finish(tables);
@@ -153,10 +155,9 @@ void add_preferences(const Results& results, std::vector<ResultTable>& tables) {
 void add_people(const Results& results, std::vector<ResultTable>& tables) {
   ResultWriter people(people_form, results.gathered.simulated);
   for (const ParticipantSummary& p : results.participants)
-    people.row({p.participant, whole(p.trials), whole(p.answers), whole(p.checks),
-                whole(p.passed), p.is_excluded ? "1" : "0", field_of(p.median_rt_ms),
-                whole(p.stalls), whole(p.dropped_frames), whole(p.blurs),
-                p.is_constant ? "1" : "0"});
+    people.row({p.participant, whole(p.trials), whole(p.answers), whole(p.checks), whole(p.passed),
+                p.is_excluded ? "1" : "0", field_of(p.median_rt_ms), whole(p.stalls),
+                whole(p.dropped_frames), whole(p.blurs), p.is_constant ? "1" : "0"});
   people.finish(tables);
   ResultWriter demographics(demographics_form, results.gathered.simulated);
   for (const DemographicSummary& d : demographics_of(results.demographics, results.gathered))

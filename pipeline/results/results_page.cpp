@@ -21,9 +21,9 @@ class PageParts {
   void section(const std::string& id, const std::string& title, const std::string& html) {
     if (html.empty()) return;
     nav_ += fmt::format("<a href=\"#{}\">{}</a>\n", id, html_escaped(title));
-    body_ += fmt::format("<section id=\"{}\">\n<h2>{}{}</h2>\n{}</section>\n", id,
-                         html_escaped(title),
-                         simulated_ ? " <span class=\"mark\">simulated</span>" : "", html);
+    body_ +=
+        fmt::format("<section id=\"{}\">\n<h2>{}{}</h2>\n{}</section>\n", id, html_escaped(title),
+                    simulated_ ? " <span class=\"mark\">simulated</span>" : "", html);
   }
 
   /// The figures of a section.
@@ -32,12 +32,11 @@ class PageParts {
     for (const ResultFigure& figure : figures_) {
       if (figure.section != section) continue;
       html += "<figure>\n" + embedded_svg(as_svg(figure.plot), figure.plot.title);
-      html += fmt::format("<figcaption>{}{} Files: {}</figcaption>\n</figure>\n",
-                          html_escaped(figure.caption),
-                          figure.thesis.empty()
-                              ? ""
-                              : fmt::format(" After figure {} of the thesis.", figure.thesis),
-                          links(figure.name));
+      html += fmt::format(
+          "<figcaption>{}{} Files: {}</figcaption>\n</figure>\n", html_escaped(figure.caption),
+          figure.thesis.empty() ? ""
+                                : fmt::format(" After figure {} of the thesis.", figure.thesis),
+          links(figure.name));
     }
     return html;
   }
@@ -77,8 +76,8 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   html += fmt::format("<p class=\"quiet\">Study {}: {} answers of {} people about {} videos",
                       html_escaped(gathered.study), answers, gathered.people.size(),
                       gathered.stimuli.size());
-  html += gathered.design.empty() ? ".</p>\n"
-                                  : ", design " + html_escaped(gathered.design) + ".</p>\n";
+  html +=
+      gathered.design.empty() ? ".</p>\n" : ", design " + html_escaped(gathered.design) + ".</p>\n";
   if (!frozen.sentence.empty())
     html += paragraph(frozen.sentence) + html_list("warnings", frozen.differences);
   return html;
@@ -87,15 +86,14 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
 std::string people_html(const Results& results) {
   const Gathered& gathered = results.gathered;
   const auto excluded = std::ranges::count_if(gathered.attention, &Attention::is_excluded);
-  std::string html = paragraph(fmt::format(
-      "{} of {} people count. {}", gathered.people.size(), gathered.attention.size(),
-      to_sentence(gathered.rule)));
+  std::string html = paragraph(fmt::format("{} of {} people count. {}", gathered.people.size(),
+                                           gathered.attention.size(), to_sentence(gathered.rule)));
   if (excluded > 0) {
     std::vector<std::string> names;
     for (const Attention& own : gathered.attention)
       if (own.is_excluded)
-        names.push_back(fmt::format("{} ({} of {} checks passed)", own.participant, own.passed,
-                                    own.checks));
+        names.push_back(
+            fmt::format("{} ({} of {} checks passed)", own.participant, own.passed, own.checks));
     html += paragraph("Left out:") + html_list("", names);
   }
   html += html_list("", gathered.notes);

@@ -28,8 +28,7 @@ std::string figure_list(const std::vector<ResultFigure>& figures, const Results&
     writer.row({figure.thesis, "figures/" + figure.name, figure.plot.title, simulated});
   const auto has = [&](ComparisonFamily family, const std::string& made) {
     for (const Comparison& c : results.comparisons)
-      if (c.family == family &&
-          (made.empty() || results.gathered.stimuli[c.stimulus].made == made))
+      if (c.family == family && (made.empty() || results.gathered.stimuli[c.stimulus].made == made))
         return true;
     return false;
   };
@@ -40,11 +39,11 @@ std::string figure_list(const std::vector<ResultFigure>& figures, const Results&
                   "Table: what is seen best in the " + group.words, simulated});
   }
   if (has(ComparisonFamily::modified_acted, ""))
-    writer.row({"37", "results/comparisons.csv", "Table: modified against acted motions",
-                simulated});
+    writer.row(
+        {"37", "results/comparisons.csv", "Table: modified against acted motions", simulated});
   if (has(ComparisonFamily::modified_neutral, ""))
-    writer.row({"38", "results/comparisons.csv", "Table: modified against neutral motions",
-                simulated});
+    writer.row(
+        {"38", "results/comparisons.csv", "Table: modified against neutral motions", simulated});
   return writer.text();
 }
 

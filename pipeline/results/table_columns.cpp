@@ -91,7 +91,10 @@ constexpr Column of_column = {"of", "", "level of the factor made that the rows 
 constexpr Column shown_column = {"shown", "", "emotion that was shown"};
 
 constexpr std::array confusion_columns = {
-    by_column, of_column, shown_column, Column{"seen", "", "emotion that was seen"},
+    by_column,
+    of_column,
+    shown_column,
+    Column{"seen", "", "emotion that was seen"},
     Column{"points", "",
            "points: 2 for an answer at the end of a scale, 1 half way, in proportion; of choices "
            "their number"},
