@@ -135,11 +135,17 @@ std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
   return std::nullopt;
 }
 
-void correct_family(std::vector<Comparison>& all, ComparisonFamily family,
+/// What a hypothesis is about (the scale of the emotion that was meant) is corrected by itself.
+bool is_of_hypothesis(const Comparison& comparison) {
+  return comparison.family != ComparisonFamily::best_seen && comparison.own_end != 0;
+}
+
+void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool of_hypothesis,
                     TestCorrection correction) {
   std::vector<Comparison*> members;
   for (Comparison& comparison : all)
-    if (comparison.family == family) members.push_back(&comparison);
+    if (comparison.family == family && is_of_hypothesis(comparison) == of_hypothesis)
+      members.push_back(&comparison);
   const auto correct = [&](auto get_p, auto set_p) {
     std::vector<double> p_values;
     for (const Comparison* member : members) p_values.push_back(get_p(*member));

@@ -12,7 +12,9 @@
 
 namespace mien::pipeline {
 
-/// What is compared with what; p values are corrected within a family.
+/// What is compared with what; p values are corrected within a family: comparisons on the scale of
+/// the emotion that was meant by themselves, those on other scales by themselves, and those of
+/// best_seen all together.
 enum class ComparisonFamily {
   best_seen,         ///< a video with the videos of the same setting
   modified_acted,    ///< a modified motion with the acted one of the same emotion and setting

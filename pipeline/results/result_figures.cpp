@@ -149,7 +149,7 @@ void add_recall_figure(const Results& results, const Confusion& confusion,
   for (const ConfusionRow& row : confusion.rows)
     if (row.own >= 0)
       chart.bars.push_back({row.emotion, row.recall, row.low, row.high,
-                            fmt::format("n = {}", row.judged), std::nullopt});
+                            fmt::format("n = {}", row.judged), created_colours.light});
   if (chart.bars.empty()) return;
   const std::string by = confusion.by_points ? "" : "-choices";
   figures.push_back({"recall-" + confusion.of + by, "confusion", "",
@@ -186,7 +186,7 @@ void add_differences(const Results& results, ComparisonFamily family, const std:
     const bool is_found = c.paired_adjusted < gathered.alpha;
     chart.bars.push_back({stimulus.emotion + (is_found ? " *" : ""), c.own_end * c.paired.mean,
                           c.own_end > 0 ? low : -high, c.own_end > 0 ? high : -low,
-                          stimulus.setting, std::nullopt});
+                          stimulus.setting, created_colours.light});
   }
   if (chart.bars.empty()) return;
   const std::string name(word_of(family_words, family));
@@ -209,7 +209,7 @@ void add_correlation_figure(const Results& results, std::vector<ResultFigure>& f
   for (const EndCorrelation& pair : results.correlations) {
     const double r = pair.correlation.r;
     if (std::isnan(r)) continue;
-    HeatCell cell{(r < 0.0 ? "−" : "") + fmt::format("{:.2f}", std::abs(r)).substr(1),
+    HeatCell cell{(r <= -0.005 ? "−" : "") + fmt::format("{:.2f}", std::abs(r)).substr(1),
                   pair.same_scale ? hairline : signed_colour(r),
                   !pair.same_scale && std::abs(r) > 0.3, !pair.same_scale && std::abs(r) > 0.5};
     if (std::abs(r) >= 0.995) cell.text = r < 0.0 ? "−1" : "1";

@@ -105,7 +105,9 @@ std::string people_html(const Results& results) {
 std::string method_html(const Gathered& gathered) {
   return paragraph(fmt::format(
       "Level of all tests: {:g}, two-sided. Correction for their number: {}, within each kind of "
-      "comparison and over all scales. Rows marked * are below the level after it.",
+      "comparison; those on the scale of the emotion that was meant are corrected by themselves, "
+      "but here, where every end of every scale is looked at, all together. Rows marked * are "
+      "below the level after it.",
       gathered.alpha, name_of(gathered.correction)));
 }
 

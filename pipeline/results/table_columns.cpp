@@ -37,7 +37,8 @@ constexpr std::array histogram_columns = {
 constexpr std::array comparison_columns = {
     Column{"family", "",
            "best-seen (a video with all videos of its setting), modified-acted, modified-neutral "
-           "or acted-neutral; p values are corrected within a family"},
+           "or acted-neutral; p values are corrected within a family (but for best-seen: comparisons on "
+           "the scale of the emotion that was meant by themselves, and those on other scales)"},
     stimulus_column,
     made_column,
     emotion_column,
