@@ -55,7 +55,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
 
 std::map<std::string, std::string> written_report(const Reported& reported,
                                                   const FrozenVerdict& frozen = {}) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const fs::path report = folder.path() / "report";
   clear_results_folder(report);
   write_results(reported.results, reported.rows, frozen, report);
@@ -136,7 +136,7 @@ TEST(ResultsReport, EscapesWhatParticipantsWrote) {
 }
 
 TEST(ResultsReport, IsNotWrittenOverWhatItDidNotWrite) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const fs::path foreign = folder.path() / "foreign";
   make_folder(foreign);
   write_file(foreign / "thesis.tex", "mine");
