@@ -189,7 +189,9 @@ std::vector<Comparison> compare(const Gathered& gathered) {
       }
     }
   }
-  for (const auto& [word, family] : family_words) correct_family(all, family, gathered.correction);
+  for (const auto& [word, family] : family_words)
+    for (const bool of_hypothesis : {true, false})
+      correct_family(all, family, of_hypothesis, gathered.correction);
   std::ranges::stable_sort(all, {}, [](const Comparison& c) {
     return std::pair(static_cast<int>(c.family), c.stimulus);
   });
