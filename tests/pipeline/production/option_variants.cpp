@@ -45,7 +45,24 @@ constexpr char with_a_folder_or_set[] =
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
 constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
 
+constexpr char with_questions[] = R"({"questionnaire": {"participants": 4, "scales": "all"}})";
+constexpr char with_questions_and_factors[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all"}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}]})";
+constexpr char with_questions_and_glb[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"clips": ["bvh", "glb"]}})";
+
 const Surroundings surroundings[] = {
+    {"questionnaire.order", with_questions_and_factors, "{}"},
+    {"questionnaire.apart", with_questions_and_factors, "{}"},
+    {"questionnaire.view", with_questions_and_glb, "{}"},
+    {"questionnaire.choices", with_questions, R"({"trials": "emotion"})"},
+    {"questionnaire.pairs", with_questions, R"({"trials": "pair"})"},
+    {"questionnaire.scales.ask", R"({"questionnaire": {"participants": 4}})",
+     R"({"file": "my.scales.yaml"})"},
+    {"questionnaire.scales.file", R"({"questionnaire": {"participants": 4}})", "{}"},
+    {"questionnaire.demographics[].", with_questions,
+     R"({"id": "age", "ask": "How old?", "answer": "text"})"},
+    {"questionnaire.", with_questions, "{}"},
     {"interpolation.neighbours", with_wishes, R"({"method": "knn"})"},
     {"interpolation.blends", with_wishes, R"({"method": "knn"})"},
     {"interpolation.power", with_wishes, R"({"method": "inverse-distance"})"},
@@ -117,6 +134,46 @@ struct Values {
 };
 
 const Values chosen_values[] = {
+    {"questionnaire",
+     R"([{"participants": 4, "scales": "all"}, {"participants": 5, "scales": "emotions"}])"},
+    {"questionnaire.title", R"(["How?", "What?"])"},
+    {"questionnaire.consent", R"(["Yes.", "No."])"},
+    {"questionnaire.instructions", R"(["Look.", "Look well."])"},
+    {"questionnaire.ending", R"(["Thanks.", "The end."])"},
+    {"questionnaire.analysis.plan", R"(["One test.", "Two tests."])"},
+    {"questionnaire.consent.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"questionnaire.instructions.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"questionnaire.ending.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"questionnaire.analysis.plan.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"questionnaire.question", R"(["How?", "What?"])"},
+    {"questionnaire.stimuli", R"([["a"], ["b", "a"]])"},
+    {"questionnaire.per_participant", "[1, 2]"},
+    {"questionnaire.trials", R"(["rating", "pair"])"},
+    {"questionnaire.scales", R"([["sad-happy"], "emotions"])"},
+    {"questionnaire.scales.file", R"(["my.scales.yaml", "other.scales.yaml"])"},
+    {"questionnaire.scales.ask", R"([["slow-quick"], ["big-small"]])"},
+    {"questionnaire.choices", R"([["sad", "happy"], {"sad": "S", "happy": "H"}])"},
+    {"questionnaire.pairs", R"([[["a", "b"]], [["b", "a"]]])"},
+    {"questionnaire.answer", R"([{"points": 7}, {"slider": true}])"},
+    {"questionnaire.order", R"(["full", {"blocked": "actor"}])"},
+    {"questionnaire.order.blocked", R"(["actor", "mood"])"},
+    {"questionnaire.apart", R"([["actor"], ["mood"]])"},
+    {"questionnaire.practice", R"([["a"], ["b"]])"},
+    {"questionnaire.warm_up", "[1, 2]"},
+    {"questionnaire.attention", R"([{"every": 2}, {"every": 3}])"},
+    {"questionnaire.catch", R"([{"repeat": 1}, {"repeat": 2}])"},
+    {"questionnaire.catch.repeat", "[1, 2]"},
+    {"questionnaire.replays", R"(["none", 3])"},
+    {"questionnaire.reference", R"(["a", "b"])"},
+    {"questionnaire.demographics",
+     R"([[{"id": "age", "ask": "How old?", "answer": "number"}], [{"id": "sex", "ask": "Which?", "answer": ["f", "m"]}]])"},
+    {"questionnaire.demographics[].id", R"(["age", "sex"])"},
+    {"questionnaire.demographics[].ask", R"(["Who?", "Which?"])"},
+    {"questionnaire.demographics[].answer", R"(["number", ["f", "m"]])"},
+    {"questionnaire.pace", R"([{"answer": 2}, {"answer": 3}])"},
+    {"questionnaire.pace.words_per_minute", "[100, 200]"},
+    {"questionnaire.analysis", R"([{"alpha": 0.01}, {"alpha": 0.05}])"},
+    {"questionnaire.analysis.alpha", "[0.01, 0.05]"},
     {"stimuli[].hold", R"(["others", {"largeness": 0.6}])"},
     {"stimuli[].foil.of", R"(["b", "c"])"},
     {"stimuli[].foil.differ", R"(["posture", "path-length"])"},
@@ -387,7 +444,9 @@ void write_variant_files(const std::filesystem::path& folder) {
 name: mine
 scales:
   slow-quick: {low: slow, high: quick, loadings: {activeness: 0.6}}
+  big-small: {low: big, high: small, loadings: {largeness: -0.6}}
 )";
+  std::ofstream(folder / "other.scales.yaml") << "scales: {small-big: {low: small, high: big}}\n";
   const std::string figure = skinned_gltf(motion::standard_body(), {}).text();
   std::ofstream(folder / "one.gltf") << figure;
   std::ofstream(folder / "two.gltf") << figure << "\n";

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/results/asked_study.h"
 #include "pipeline/results/axis_correlations.h"
 #include "pipeline/results/best_seen.h"
 #include "pipeline/results/confusion.h"
 #include "pipeline/results/preferences.h"
 #include "pipeline/results/reliability.h"
 #include "pipeline/results/summaries.h"
+#include "pipeline/results/two_emotions.h"
 
 namespace mien::pipeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/documents/fault.h"
-#include "pipeline/results/asked_study.h"
+#include "pipeline/results/two_emotions.h"
 
 namespace mien::pipeline {
 namespace {
@@ -26,7 +26,7 @@ bool tells(const std::string& refusal, const std::string& words) {
 }
 
 TEST(Gathered, KnowsWhatStimuliAre) {
-  const Manifest manifest = asked_study(4);
+  const Manifest manifest = two_emotion_study(4);
   const Gathered gathered = gather(manifest, answers_to(manifest));
   ASSERT_EQ(gathered.stimuli.size(), 5u);
   EXPECT_TRUE(gathered.stimuli[0].is_neutral());
@@ -40,7 +40,7 @@ TEST(Gathered, KnowsWhatStimuliAre) {
 }
 
 TEST(Gathered, TellsEveryFaultWithItsPlace) {
-  const Manifest manifest = asked_study(2);
+  const Manifest manifest = two_emotion_study(2);
   std::vector<AnswerRow> rows = answers_to(manifest);
   rows[0].stimulus = "wlak";
   rows[1].item = "sad-hapy";
@@ -57,7 +57,7 @@ TEST(Gathered, TellsEveryFaultWithItsPlace) {
 }
 
 TEST(Gathered, RefusesValuesThatContradictTheRawAnswer) {
-  const Manifest manifest = asked_study(2);
+  const Manifest manifest = two_emotion_study(2);
   std::vector<AnswerRow> rows = answers_to(manifest);
   rows[0].pole_left = rows[0].pole_left == "low" ? "high" : "low";
   rows[0].value_raw = "100";
@@ -66,7 +66,7 @@ TEST(Gathered, RefusesValuesThatContradictTheRawAnswer) {
 }
 
 TEST(Gathered, RefusesAnswersOfAnotherDesignAndOfAnotherKind) {
-  const Manifest manifest = asked_study(2);
+  const Manifest manifest = two_emotion_study(2);
   std::vector<AnswerRow> rows = answers_to(manifest);
   rows.back().design = "ffff";
   EXPECT_TRUE(tells(gather_refusal(manifest, rows), "an answer of the design \"ffff\" among"));
@@ -76,14 +76,14 @@ TEST(Gathered, RefusesAnswersOfAnotherDesignAndOfAnotherKind) {
 }
 
 TEST(Gathered, RefusesWhatHoldsNothingThatCounts) {
-  const Manifest manifest = asked_study(2);
+  const Manifest manifest = two_emotion_study(2);
   std::vector<AnswerRow> rows = answers_to(manifest);
   for (AnswerRow& row : rows) row.is_practice = true;
   EXPECT_TRUE(tells(gather_refusal(manifest, rows), "a.csv:1:1: holds no answers that count"));
 }
 
 TEST(Gathered, LeavesOutWhoFailsChecksAndSaysSo) {
-  Manifest manifest = asked_study(6);
+  Manifest manifest = two_emotion_study(6);
   manifest.questionnaire->attention_every = 2;
   SimulatedPeople people = steady_people;
   std::vector<AnswerRow> rows = answers_to(manifest, {}, people);
@@ -102,7 +102,7 @@ TEST(Gathered, LeavesOutWhoFailsChecksAndSaysSo) {
 }
 
 TEST(Gathered, TakesChoicesAndPairs) {
-  Manifest manifest = asked_study(6);
+  Manifest manifest = two_emotion_study(6);
   manifest.questionnaire->trials = TrialForm::emotion;
   const Gathered chosen = gather(manifest, answers_to(manifest));
   EXPECT_EQ(chosen.chosen.size(), 6u * 5u);

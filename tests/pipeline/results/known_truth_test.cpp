@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/questionnaire/power.h"
-#include "pipeline/results/asked_study.h"
 #include "pipeline/results/comparisons.h"
+#include "pipeline/results/two_emotions.h"
 
 namespace mien::pipeline {
 namespace {
@@ -28,7 +28,8 @@ struct Findings {
 Findings findings_of(int studies, int participants, const StatedTruth& truth) {
   Findings found;
   for (int study = 0; study < studies; ++study) {
-    const Manifest manifest = asked_study(participants, 1000 + static_cast<std::uint64_t>(study));
+    const Manifest manifest =
+        two_emotion_study(participants, 1000 + static_cast<std::uint64_t>(study));
     bool any = false;
     for (const Comparison& c : compare(gather(manifest, answers_to(manifest, truth)))) {
       if (c.family != ComparisonFamily::modified_neutral) continue;
@@ -78,7 +79,7 @@ void expect_power_of_the_design(int studies) {
   question.spread = steady_people.spread;
   question.difference = difference;
   question.studies = 2000;
-  const PowerEstimate estimate = estimate_power(asked_study(participants), question);
+  const PowerEstimate estimate = estimate_power(two_emotion_study(participants), question);
   const double exact = paired_t_power(participants, difference,
                                       std::sqrt(2.0) * steady_people.spread.residual, level);
   EXPECT_NEAR(estimate.power.share, exact, 0.04);

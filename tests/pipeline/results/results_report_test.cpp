@@ -12,9 +12,9 @@
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/ratings/answers.h"
-#include "pipeline/results/asked_study.h"
 #include "pipeline/results/dataset.h"
 #include "pipeline/results/result_figures.h"
+#include "pipeline/results/two_emotions.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -29,7 +29,7 @@ struct Reported {
 
 /// Twelve people who see what was meant, and what some of them wrote.
 Reported reported_study(bool simulated = true) {
-  const Manifest manifest = asked_study(12);
+  const Manifest manifest = two_emotion_study(12);
   Reported reported;
   reported.rows = answers_to(manifest, {{{"sad", "sad-happy"}, -0.8},
                                         {{"happy", "sad-happy"}, 0.7},

@@ -11,7 +11,7 @@ namespace mien::pipeline {
 
 /// A study of five stimuli of one actor: neutral, acted and modified, sad and happy; two scales,
 /// answered on a slider so that hardly anything is rounded.
-inline Manifest asked_study(int participants = 20, std::uint64_t seed = 1) {
+inline Manifest two_emotion_study(int participants = 20, std::uint64_t seed = 1) {
   Manifest manifest;
   manifest.study = "two-emotions";
   manifest.seed = seed;
