@@ -1,6 +1,7 @@
 #include "pipeline/results/results_page.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -66,6 +67,17 @@ std::string part(const std::string& title, const std::string& html) {
   return html.empty() ? "" : heading(title) + html;
 }
 
+std::size_t judged_stimuli(const Gathered& gathered) {
+  std::set<std::size_t> judged;
+  for (const CountedRating& rating : gathered.ratings) judged.insert(rating.stimulus);
+  for (const CountedChoice& choice : gathered.chosen) judged.insert(choice.stimulus);
+  for (const CountedPreference& pair : gathered.preferences)
+    judged.insert({pair.chosen, pair.other});
+  std::set<std::string> in_words;
+  for (const Remark& words : gathered.words) in_words.insert(words.stimulus);
+  return std::max(judged.size(), in_words.size());
+}
+
 std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   const Gathered& gathered = results.gathered;
   std::string html = "<h1>" + html_escaped(gathered.title) + "</h1>\n";
@@ -75,7 +87,7 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
                               gathered.preferences.size() + gathered.words.size();
   html += fmt::format("<p class=\"quiet\">Study {}: {} answers of {} people about {} videos",
                       html_escaped(gathered.study), answers, gathered.people.size(),
-                      gathered.stimuli.size());
+                      judged_stimuli(gathered));
   html +=
       gathered.design.empty() ? ".</p>\n" : ", design " + html_escaped(gathered.design) + ".</p>\n";
   if (!frozen.sentence.empty())
