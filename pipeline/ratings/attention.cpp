@@ -18,17 +18,17 @@ std::vector<Attention> attention_of(const std::vector<AnswerRow>& rows, const At
     ++own.checks;
     own.passed += *row.passed ? 1 : 0;
   }
-  constexpr double rounding = 1e-9;
-  for (Attention& own : all)
-    own.is_excluded = own.passed < rule.least_passed * own.checks - rounding;
+  for (Attention& own : all) own.is_excluded = own.checks - own.passed > rule.most_failed;
   return all;
 }
 
 std::string to_sentence(const AttentionRule& rule) {
-  if (rule.least_passed <= 0.0) return "Nobody was left out for missing attention checks.";
+  if (rule.most_failed == 0)
+    return "Participants who failed any attention check were left out with all of their answers.";
   return fmt::format(
-      "Participants who passed less than {:.3g} % of their attention checks were left out.",
-      100.0 * rule.least_passed);
+      "Participants who failed more than {} attention check{} were left out with all of their "
+      "answers.",
+      rule.most_failed, rule.most_failed == 1 ? "" : "s");
 }
 
 }  // namespace mien::pipeline

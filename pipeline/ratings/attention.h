@@ -9,10 +9,7 @@ namespace mien::pipeline {
 
 /// Whose answers are left out for want of attention.
 struct AttentionRule {
-  /// The least share of a participant's checks that must be passed, 0 (nobody is left out) to 1.
-  /// Two thirds: one check of three may be missed, by an oversight, and whoever chooses at random
-  /// among five answers passes two of three checks in one case of ten.
-  double least_passed = 2.0 / 3.0;
+  int most_failed = 1;  ///< who fails more checks is left out: one may be missed by an oversight
 };
 
 /// How a participant did.

@@ -33,6 +33,17 @@ std::vector<Ranked> ranked(std::vector<double> differences) {
   return result;
 }
 
+/// Ranked differences that share their size with another.
+int tied_in(const std::vector<Ranked>& ranks) {
+  int tied = 0;
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    const bool before = i > 0 && ranks[i - 1].doubled_rank == ranks[i].doubled_rank;
+    const bool after = i + 1 < ranks.size() && ranks[i + 1].doubled_rank == ranks[i].doubled_rank;
+    tied += before || after ? 1 : 0;
+  }
+  return tied;
+}
+
 /// P(W+ ≤ w) and P(W+ ≥ w) when each rank has either sign with probability ½.
 double two_sided(const std::vector<Ranked>& ranks, int doubled_w) {
   std::vector<double> probability = {1.0};
@@ -62,8 +73,17 @@ Wilcoxon wilcoxon(const std::vector<double>& differences, WilcoxonMode mode, Wil
   std::vector<double> considered = differences;
   if (zeros == WilcoxonZeros::wilcox) std::erase(considered, 0.0);
   std::vector<Ranked> ranks = ranked(considered);
+  double squares_of_zeros = 0.0;
+  int doubled_zeros = 0;
+  for (const Ranked& r : ranks) {
+    if (r.difference != 0.0) break;  // they come first
+    squares_of_zeros += 0.25 * r.doubled_rank * r.doubled_rank;
+    doubled_zeros += r.doubled_rank;
+  }
   std::erase_if(ranks, [](const Ranked& r) { return r.difference == 0.0; });
   result.used = static_cast<int>(ranks.size());
+  result.zeros = result.pairs - result.used;
+  result.tied = tied_in(ranks);
   if (ranks.empty()) return result;
 
   int doubled_plus = 0;
@@ -77,11 +97,17 @@ Wilcoxon wilcoxon(const std::vector<double>& differences, WilcoxonMode mode, Wil
   result.w_plus = 0.5 * doubled_plus;
   result.w_minus = 0.5 * (doubled_all - doubled_plus);
   result.rank_biserial = (result.w_plus - result.w_minus) / (result.w_plus + result.w_minus);
+  const bool split = zeros == WilcoxonZeros::zsplit;
+  if (split) {
+    result.w_plus += 0.25 * doubled_zeros;
+    result.w_minus += 0.25 * doubled_zeros;
+  }
   if (mode == WilcoxonMode::exact) {
     result.p = two_sided(ranks, doubled_plus);
     return result;
   }
-  const double departure = result.w_plus - 0.25 * doubled_all;
+  if (split) squares += squares_of_zeros;
+  const double departure = 0.5 * (result.w_plus - result.w_minus);
   const double correction =
       mode == WilcoxonMode::corrected && departure != 0.0 ? std::copysign(0.5, departure) : 0.0;
   result.z = (departure - correction) / std::sqrt(0.25 * squares);

@@ -15,13 +15,16 @@ enum class WilcoxonMode {
 enum class WilcoxonZeros {
   wilcox,  ///< left out before ranking (Wilcoxon 1945)
   pratt,   ///< ranked with the others, then left out (Pratt 1959)
+  zsplit,  ///< ranked with the others, half of their ranks on either side
 };
 
 /// The signed-rank test of paired differences.
 struct Wilcoxon {
   int pairs = 0;               ///< all differences
   int used = 0;                ///< those that are not 0
-  double w_plus = 0.0;         ///< sum of the mid-ranks of the positive differences
+  int zeros = 0;               ///< those that are
+  int tied = 0;                ///< ranked differences that share their size with another
+  double w_plus = 0.0;         ///< sum of the mid-ranks of the positive differences: the V of R
   double w_minus = 0.0;        ///< likewise, negative
   double z = 0.0;              ///< of the normal modes; 0 for exact
   double p = 1.0;              ///< two-sided; 1 when every difference is 0
@@ -31,7 +34,9 @@ struct Wilcoxon {
 /// Tests whether the differences lie about 0. Mid-ranks for ties. The exact distribution is
 /// counted by dynamic programming over doubled ranks, in O(n³): some thousands of pairs are fine.
 /// With zeros::wilcox and ties the normal variance is n(n+1)(2n+1)/24 − Σ(t³ − t)/48; generally a
-/// quarter of the sum of the squared ranks of what is not 0. The differences must be finite.
+/// quarter of the sum of the squared ranks of what is not 0; with zeros::zsplit, as in SciPy, of
+/// all ranks. The exact distribution is conditional on ties and zeros: zsplit then has the p of
+/// Pratt. The differences must be finite.
 Wilcoxon wilcoxon(const std::vector<double>& differences, WilcoxonMode mode = WilcoxonMode::exact,
                   WilcoxonZeros zeros = WilcoxonZeros::wilcox);
 

@@ -49,6 +49,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
   add_study_predict_command(*study, chosen);
   add_scales_command(*study, chosen);
   add_study_serve_command(*study, chosen);
+  add_study_report_command(*study, chosen);
   add_study_simulate_command(*study, chosen);
   add_study_targets_command(*study, chosen);
   add_study_words_command(*study, chosen);

@@ -18,6 +18,7 @@ void add_study_interfaces_command(CLI::App& study, Command& chosen);
 void add_study_methods_command(CLI::App& study, Command& chosen);
 void add_study_predict_command(CLI::App& study, Command& chosen);
 void add_study_serve_command(CLI::App& study, Command& chosen);
+void add_study_report_command(CLI::App& study, Command& chosen);
 void add_study_simulate_command(CLI::App& study, Command& chosen);
 void add_study_targets_command(CLI::App& study, Command& chosen);
 void add_study_words_command(CLI::App& study, Command& chosen);

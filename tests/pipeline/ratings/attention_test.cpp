@@ -18,24 +18,22 @@ void add_checks(std::vector<AnswerRow>& rows, const std::string& participant, in
   }
 }
 
-TEST(Attention, LeavesOutWhoPassesLessThanTwoThirds) {
+TEST(Attention, LeavesOutWhoFailsMoreThanOneCheck) {
   std::vector<AnswerRow> rows;
   add_checks(rows, "all", 3, 3);
   add_checks(rows, "most", 2, 3);
   add_checks(rows, "few", 1, 3);
-  add_checks(rows, "half", 1, 2);
   rows.push_back({.participant = "unchecked", .trial = 1, .stimulus = "a", .item = "b"});
   const std::vector<Attention> all = attention_of(rows);
-  ASSERT_EQ(all.size(), 5u);
+  ASSERT_EQ(all.size(), 4u);
   EXPECT_FALSE(all[0].is_excluded);
   EXPECT_FALSE(all[1].is_excluded);
   EXPECT_TRUE(all[2].is_excluded);
-  EXPECT_TRUE(all[3].is_excluded);
-  EXPECT_FALSE(all[4].is_excluded);
+  EXPECT_FALSE(all[3].is_excluded);
   EXPECT_EQ(all[2].passed, 1);
   EXPECT_EQ(all[2].checks, 3);
-  for (const Attention& own : attention_of(rows, {.least_passed = 0.0}))
-    EXPECT_FALSE(own.is_excluded);
+  EXPECT_TRUE(attention_of(rows, {.most_failed = 0})[1].is_excluded);
+  for (const Attention& own : attention_of(rows, {.most_failed = 3})) EXPECT_FALSE(own.is_excluded);
 }
 
 TEST(Attention, ForgivesPractice) {

@@ -37,12 +37,14 @@ std::vector<AnswerRow> questionnaire() {
     rows.push_back(asked(participant, 4, "run", "0.5"));
     rows.push_back(asked(participant, 5, "walk", "2"));
     rows.back().is_catch = true;
-    rows.push_back({.participant = participant,
-                    .trial = 6,
-                    .kind = "attention",
-                    .is_catch = true,
-                    .expected = "1",
-                    .passed = participant != std::string("p3")});
+    for (int trial : {6, 7}) {
+      rows.push_back({.participant = participant,
+                      .trial = trial,
+                      .kind = "attention",
+                      .is_catch = true,
+                      .expected = "1",
+                      .passed = participant != std::string("p3")});
+    }
   }
   return rows;
 }
@@ -57,7 +59,7 @@ TEST(CountedAnswers, AreReadAsRatingsOfAManifest) {
   EXPECT_EQ(answers.answers[3].value, 0.5);
   EXPECT_FALSE(answers.simulated);
   ASSERT_EQ(answers.warnings.size(), 1u);
-  EXPECT_EQ(answers.warnings[0], "participant \"p3\" is left out: 0 of 1 attention checks passed");
+  EXPECT_EQ(answers.warnings[0], "participant \"p3\" is left out: 0 of 2 attention checks passed");
 }
 
 TEST(CountedAnswers, OfASimulationAreMarked) {

@@ -1,0 +1,35 @@
+#include "pipeline/results/best_seen.h"
+
+#include <algorithm>
+
+namespace mien::pipeline {
+
+std::vector<BestSeen> best_seen(const Gathered& gathered,
+                                const std::vector<Comparison>& comparisons) {
+  std::vector<std::string> settings;
+  for (const ReportedStimulus& stimulus : gathered.stimuli)
+    if (std::ranges::find(settings, stimulus.setting) == settings.end())
+      settings.push_back(stimulus.setting);
+  std::vector<BestSeen> all;
+  for (const std::string& setting : settings) {
+    for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
+      for (const bool high : {false, true}) {
+        const double sign = high ? 1.0 : -1.0;
+        const Comparison* best = nullptr;
+        for (const Comparison& c : comparisons) {
+          const bool is_here = c.family == ComparisonFamily::best_seen && c.scale == scale &&
+                               gathered.stimuli[c.stimulus].setting == setting && c.people >= 2;
+          if (is_here && (best == nullptr || sign * c.paired.mean > sign * best->paired.mean))
+            best = &c;
+        }
+        if (best == nullptr) continue;
+        const Scale& of = gathered.scales[scale];
+        all.push_back({setting, high ? of.high : of.low, high, *best,
+                       sign * best->paired.mean > 0.0 && best->paired_adjusted < gathered.alpha});
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,201 @@
+#include "pipeline/results/comparisons.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "pipeline/results/summaries.h"
+#include "pipeline/statistics/benjamini_hochberg.h"
+#include "pipeline/statistics/effect_size.h"
+#include "pipeline/statistics/holm.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Sum and number of a person's answers.
+struct PersonSum {
+  double sum = 0.0;
+  int count = 0;
+  double mean() const { return sum / count; }
+};
+using PersonSums = std::map<std::size_t, PersonSum>;
+
+PersonSums sums_of(const std::vector<CountedRating>& ratings) {
+  PersonSums sums;
+  for (const CountedRating& rating : ratings) {
+    PersonSum& own = sums[rating.person];
+    own.sum += rating.value;
+    ++own.count;
+  }
+  return sums;
+}
+
+std::vector<double> values_of(const std::vector<CountedRating>& ratings) {
+  std::vector<double> values;
+  for (const CountedRating& rating : ratings) values.push_back(rating.value);
+  return values;
+}
+
+std::vector<double> differences_of(const PersonSums& one, const PersonSums& other) {
+  std::vector<double> differences;
+  for (const auto& [person, own] : one) {
+    const auto found = other.find(person);
+    if (found != other.end()) differences.push_back(own.mean() - found->second.mean());
+  }
+  return differences;
+}
+
+double mean_of_values(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+void set_tests(Comparison& result, const std::vector<double>& own,
+               const std::vector<double>& against, const std::vector<double>& differences) {
+  result.answers = static_cast<int>(own.size());
+  result.answers_against = static_cast<int>(against.size());
+  result.mean = mean_of_values(own);
+  result.mean_against = mean_of_values(against);
+  result.welch = welch_t_test(own, against);
+  result.d = cohens_d(own, against);
+  result.g = hedges_g(own, against);
+  result.people = static_cast<int>(differences.size());
+  result.paired = paired_t_test(differences);
+  result.dz = cohens_dz(differences);
+  result.gz = hedges_gz(differences);
+  result.wilcoxon = wilcoxon(differences);
+  result.pratt = wilcoxon(differences, WilcoxonMode::exact, WilcoxonZeros::pratt);
+  result.wilcoxon_normal = wilcoxon(differences, WilcoxonMode::published).p;
+  result.wilcoxon_normal_corrected = wilcoxon(differences, WilcoxonMode::corrected).p;
+  result.wilcoxon_zsplit = wilcoxon(differences, WilcoxonMode::published, WilcoxonZeros::zsplit).p;
+  result.location = hodges_lehmann(differences);
+}
+
+/// What comparisons on one scale are made from.
+class ScaleComparisons {
+ public:
+  ScaleComparisons(const Gathered& gathered, std::size_t scale)
+      : gathered_(gathered), scale_(scale), ratings_(by_stimulus(gathered, scale)) {}
+
+  void add_best_seen(std::size_t stimulus, std::vector<Comparison>& all) const {
+    std::vector<CountedRating> of_setting;
+    std::vector<CountedRating> others;
+    for (std::size_t i = 0; i < ratings_.size(); ++i) {
+      if (gathered_.stimuli[i].setting != gathered_.stimuli[stimulus].setting) continue;
+      of_setting.insert(of_setting.end(), ratings_[i].begin(), ratings_[i].end());
+      if (i != stimulus) others.insert(others.end(), ratings_[i].begin(), ratings_[i].end());
+    }
+    if (others.empty()) return;
+    add(begun(ComparisonFamily::best_seen, stimulus), of_setting, others, all);
+  }
+
+  void add_pair(ComparisonFamily family, std::size_t stimulus, std::size_t against,
+                std::vector<Comparison>& all) const {
+    Comparison comparison = begun(family, stimulus);
+    comparison.against = against;
+    add(comparison, ratings_[against], ratings_[against], all);
+  }
+
+ private:
+  Comparison begun(ComparisonFamily family, std::size_t stimulus) const {
+    Comparison comparison;
+    comparison.family = family;
+    comparison.stimulus = stimulus;
+    comparison.scale = scale_;
+    comparison.own_end = end_of(gathered_.scales[scale_], gathered_.stimuli[stimulus].emotion);
+    return comparison;
+  }
+
+  void add(Comparison comparison, const std::vector<CountedRating>& against,
+           const std::vector<CountedRating>& within, std::vector<Comparison>& all) const {
+    const std::vector<CountedRating>& own = ratings_[comparison.stimulus];
+    if (own.size() < 2 || against.size() < 2) return;
+    const std::vector<double> differences = differences_of(sums_of(own), sums_of(within));
+    set_tests(comparison, values_of(own), values_of(against), differences);
+    all.push_back(comparison);
+  }
+
+  const Gathered& gathered_;
+  std::size_t scale_;
+  std::vector<std::vector<CountedRating>> ratings_;
+};
+
+std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
+                                          const ReportedStimulus& other) {
+  if (one.setting != other.setting || one.is_neutral()) return std::nullopt;
+  if (other.is_neutral()) {
+    if (one.made == "modified") return ComparisonFamily::modified_neutral;
+    if (one.made == "acted") return ComparisonFamily::acted_neutral;
+  }
+  const bool same_emotion = !one.emotion.empty() && one.emotion == other.emotion;
+  if (same_emotion && one.made == "modified" && other.made == "acted")
+    return ComparisonFamily::modified_acted;
+  return std::nullopt;
+}
+
+/// What a hypothesis is about (the scale of the emotion that was meant) is corrected by itself.
+bool is_of_hypothesis(const Comparison& comparison) {
+  return comparison.family != ComparisonFamily::best_seen && comparison.own_end != 0;
+}
+
+void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool of_hypothesis,
+                    TestCorrection correction) {
+  std::vector<Comparison*> members;
+  for (Comparison& comparison : all)
+    if (comparison.family == family && is_of_hypothesis(comparison) == of_hypothesis)
+      members.push_back(&comparison);
+  const auto correct = [&](auto get_p, auto set_p) {
+    std::vector<double> p_values;
+    for (const Comparison* member : members) p_values.push_back(get_p(*member));
+    const std::vector<double> adjusted = corrected(p_values, correction);
+    for (std::size_t i = 0; i < members.size(); ++i) set_p(*members[i], adjusted[i]);
+  };
+  correct([](const Comparison& c) { return c.welch.p; },
+          [](Comparison& c, double p) { c.welch_adjusted = p; });
+  correct([](const Comparison& c) { return c.paired.p; },
+          [](Comparison& c, double p) { c.paired_adjusted = p; });
+  correct([](const Comparison& c) { return c.people == 0 ? c.paired.p : c.wilcoxon.p; },
+          [](Comparison& c, double p) { c.wilcoxon_adjusted = p; });
+}
+
+}  // namespace
+
+int end_of(const Scale& scale, const std::string& emotion) {
+  if (emotion.empty()) return 0;
+  return emotion == scale.high ? 1 : emotion == scale.low ? -1 : 0;
+}
+
+std::vector<double> corrected(const std::vector<double>& p_values, TestCorrection correction) {
+  if (correction == TestCorrection::none) return p_values;
+  return correction == TestCorrection::holm ? holm(p_values) : benjamini_hochberg(p_values);
+}
+
+std::string name_of(TestCorrection correction) {
+  if (correction == TestCorrection::none) return "none";
+  return correction == TestCorrection::holm ? "Holm" : "Benjamini–Hochberg";
+}
+
+std::vector<Comparison> compare(const Gathered& gathered) {
+  std::vector<Comparison> all;
+  for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
+    const ScaleComparisons comparisons(gathered, scale);
+    for (std::size_t one = 0; one < gathered.stimuli.size(); ++one) {
+      comparisons.add_best_seen(one, all);
+      for (std::size_t other = 0; other < gathered.stimuli.size(); ++other) {
+        const auto family = family_of(gathered.stimuli[one], gathered.stimuli[other]);
+        if (family && one != other) comparisons.add_pair(*family, one, other, all);
+      }
+    }
+  }
+  for (const auto& [word, family] : family_words)
+    for (const bool of_hypothesis : {true, false})
+      correct_family(all, family, of_hypothesis, gathered.correction);
+  std::ranges::stable_sort(all, {}, [](const Comparison& c) {
+    return std::pair(static_cast<int>(c.family), c.stimulus);
+  });
+  return all;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/results/gathered.h"
+#include "pipeline/statistics/hodges_lehmann.h"
+#include "pipeline/statistics/t_test.h"
+#include "pipeline/statistics/wilcoxon.h"
+
+namespace mien::pipeline {
+
+/// What is compared with what; p values are corrected within a family: comparisons on the scale of
+/// the emotion that was meant by themselves, those on other scales by themselves, and those of
+/// best_seen all together.
+enum class ComparisonFamily {
+  best_seen,         ///< a video with the videos of the same setting
+  modified_acted,    ///< a modified motion with the acted one of the same emotion and setting
+  modified_neutral,  ///< a modified motion with the neutral one of its setting
+  acted_neutral,     ///< an acted motion with it
+};
+
+inline constexpr Words<ComparisonFamily> family_words = {
+    {"best-seen", ComparisonFamily::best_seen},
+    {"modified-acted", ComparisonFamily::modified_acted},
+    {"modified-neutral", ComparisonFamily::modified_neutral},
+    {"acted-neutral", ComparisonFamily::acted_neutral}};
+
+/// Three tests of one difference on one scale.
+struct Comparison {
+  ComparisonFamily family = ComparisonFamily::best_seen;
+  std::size_t stimulus = 0;
+  std::optional<std::size_t> against;  ///< none: the videos of the setting
+  std::size_t scale = 0;
+  /// Which end the emotion of the stimulus is of this scale: +1 high, −1 low, 0 neither.
+  int own_end = 0;
+
+  int answers = 0;  ///< about the stimulus
+  double mean = 0.0;
+  int answers_against = 0;
+  double mean_against = 0.0;
+
+  /// Welch's test of all answers as if they were independent. Of best_seen it is the thesis' test:
+  /// the video against all videos of the setting, itself among them.
+  TTest welch;
+  double d = 0.0;  ///< Cohen's d_s of the same two samples
+  double g = 0.0;  ///< Hedges' g
+
+  /// Within persons: of each who saw both, the difference; of best_seen that between the video and
+  /// the mean of the person's other videos of the setting.
+  int people = 0;
+  TTest paired;
+  double dz = 0.0;
+  double gz = 0.0;
+  Wilcoxon wilcoxon;             ///< exact, conditional on ties; differences of 0 left out
+  Wilcoxon pratt;                ///< exact, zeros ranked
+  double wilcoxon_normal = 1.0;  ///< p of the normal approximation without correction
+  double wilcoxon_normal_corrected = 1.0;  ///< p of the same with continuity correction
+  double wilcoxon_zsplit = 1.0;            ///< p of the normal approximation, zeros split
+  HodgesLehmann location;
+
+  double welch_adjusted = 1.0;  ///< p corrected for the number of comparisons of the family
+  double paired_adjusted = 1.0;
+  double wilcoxon_adjusted = 1.0;
+};
+
+/// All comparisons that the stimuli's factors make possible, family by family. Those without two
+/// persons or answers are left out.
+std::vector<Comparison> compare(const Gathered& gathered);
+
+/// +1 where `emotion` is the name of the scale's high end, −1 of its low end, else 0.
+int end_of(const Scale& scale, const std::string& emotion);
+
+/// The p values after the correction.
+std::vector<double> corrected(const std::vector<double>& p_values, TestCorrection correction);
+
+/// Its name in plain words: "Holm".
+std::string name_of(TestCorrection correction);
+
+}  // namespace mien::pipeline

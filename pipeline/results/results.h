@@ -1,0 +1,45 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "pipeline/results/axis_correlations.h"
+#include "pipeline/results/comparisons.h"
+#include "pipeline/results/confusion.h"
+#include "pipeline/results/gathered.h"
+#include "pipeline/results/participants.h"
+#include "pipeline/results/preferences.h"
+#include "pipeline/results/reliability.h"
+#include "pipeline/results/summaries.h"
+
+namespace mien::pipeline {
+
+/// All that is reckoned from the answers of a questionnaire.
+struct Results {
+  Gathered gathered;
+  std::vector<RatingSummary> summaries;
+  std::vector<Comparison> comparisons;
+  std::vector<Confusion> confusions;
+  std::vector<EndCorrelation> correlations;
+  std::vector<Reliability> reliability;
+  std::vector<PreferenceCount> preferences;
+  std::vector<ParticipantSummary> participants;
+  ParticipantTable demographics;  ///< empty where no table of participants was given
+};
+
+inline Results results_of(Gathered gathered, const std::vector<AnswerRow>& rows,
+                          ParticipantTable demographics) {
+  Results results;
+  results.gathered = std::move(gathered);
+  results.summaries = summaries_of(results.gathered);
+  results.comparisons = compare(results.gathered);
+  results.confusions = confusions_of(results.gathered);
+  results.correlations = end_correlations(results.gathered);
+  results.reliability = reliability_of(results.gathered);
+  results.preferences = preferences_of(results.gathered);
+  results.participants = participant_summaries(results.gathered, rows);
+  results.demographics = std::move(demographics);
+  return results;
+}
+
+}  // namespace mien::pipeline

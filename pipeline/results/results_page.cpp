@@ -1,0 +1,228 @@
+#include "pipeline/results/results_page.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "pipeline/documents/html.h"
+#include "pipeline/results/page_style.h"
+#include "pipeline/results/page_tables.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Gathers the sections that hold something.
+class PageParts {
+ public:
+  PageParts(const Results& results, const std::vector<ResultFigure>& figures)
+      : simulated_(results.gathered.simulated), figures_(figures) {}
+
+  void section(const std::string& id, const std::string& title, const std::string& html) {
+    if (html.empty()) return;
+    nav_ += fmt::format("<a href=\"#{}\">{}</a>\n", id, html_escaped(title));
+    body_ +=
+        fmt::format("<section id=\"{}\">\n<h2>{}{}</h2>\n{}</section>\n", id, html_escaped(title),
+                    simulated_ ? " <span class=\"mark\">simulated</span>" : "", html);
+  }
+
+  /// The figures of a section.
+  std::string figures(const std::string& section) const {
+    std::string html;
+    for (const ResultFigure& figure : figures_) {
+      if (figure.section != section) continue;
+      html += "<figure>\n" + embedded_svg(as_svg(figure.plot), figure.plot.title);
+      html += fmt::format(
+          "<figcaption>{}{} Files: {}</figcaption>\n</figure>\n", html_escaped(figure.caption),
+          figure.thesis.empty() ? ""
+                                : fmt::format(" After figure {} of the thesis.", figure.thesis),
+          links(figure.name));
+    }
+    return html;
+  }
+
+  std::string nav() const { return "<nav>\n" + nav_ + "</nav>\n"; }
+  const std::string& body() const { return body_; }
+
+ private:
+  static std::string links(const std::string& name) {
+    return fmt::format(
+        "<a href=\"figures/{0}.pdf\">PDF</a>, <a href=\"figures/{0}.svg\">SVG</a>, "
+        "<a href=\"figures/{0}.png\">PNG</a>.",
+        name);
+  }
+
+  bool simulated_;
+  const std::vector<ResultFigure>& figures_;
+  std::string nav_, body_;
+};
+
+std::string paragraph(const std::string& plain) { return "<p>" + html_escaped(plain) + "</p>\n"; }
+
+std::string heading(const std::string& plain) { return "<h3>" + html_escaped(plain) + "</h3>\n"; }
+
+/// A titled part, or nothing.
+std::string part(const std::string& title, const std::string& html) {
+  return html.empty() ? "" : heading(title) + html;
+}
+
+std::size_t judged_stimuli(const Gathered& gathered) {
+  std::set<std::size_t> judged;
+  for (const CountedRating& rating : gathered.ratings) judged.insert(rating.stimulus);
+  for (const CountedChoice& choice : gathered.chosen) judged.insert(choice.stimulus);
+  for (const CountedPreference& pair : gathered.preferences)
+    judged.insert({pair.chosen, pair.other});
+  std::set<std::string> in_words;
+  for (const Remark& words : gathered.words) in_words.insert(words.stimulus);
+  return std::max(judged.size(), in_words.size());
+}
+
+std::string head_html(const Results& results, const FrozenVerdict& frozen) {
+  const Gathered& gathered = results.gathered;
+  std::string html = "<h1>" + html_escaped(gathered.title) + "</h1>\n";
+  if (gathered.simulated)
+    html += "<p class=\"simulated\">Simulated: nobody gave these answers. 模擬評定</p>\n";
+  const std::size_t answers = gathered.ratings.size() + gathered.chosen.size() +
+                              gathered.preferences.size() + gathered.words.size();
+  html += fmt::format("<p class=\"quiet\">Study {}: {} answers of {} people about {} videos",
+                      html_escaped(gathered.study), answers, gathered.people.size(),
+                      judged_stimuli(gathered));
+  html +=
+      gathered.design.empty() ? ".</p>\n" : ", design " + html_escaped(gathered.design) + ".</p>\n";
+  if (!frozen.sentence.empty())
+    html += paragraph(frozen.sentence) + html_list("warnings", frozen.differences);
+  return html;
+}
+
+std::string people_html(const Results& results) {
+  const Gathered& gathered = results.gathered;
+  const auto excluded = std::ranges::count_if(gathered.attention, &Attention::is_excluded);
+  std::string html = paragraph(fmt::format("{} of {} people count. {}", gathered.people.size(),
+                                           gathered.attention.size(), to_sentence(gathered.rule)));
+  if (excluded > 0) {
+    std::vector<std::string> names;
+    for (const Attention& own : gathered.attention)
+      if (own.is_excluded)
+        names.push_back(
+            fmt::format("{} ({} of {} checks passed)", own.participant, own.passed, own.checks));
+    html += paragraph("Left out:") + html_list("", names);
+  }
+  html += html_list("", gathered.notes);
+  html += part("What they say about themselves", demographics_html(results));
+  html += "<details><summary>Every session</summary>\n" + sessions_html(results) + "</details>\n";
+  return html;
+}
+
+std::string method_html(const Gathered& gathered) {
+  return paragraph(fmt::format(
+      "Level of all tests: {:g}, two-sided. Correction for their number: {}, within each kind of "
+      "comparison; those on the scale of the emotion that was meant are corrected by themselves, "
+      "but here, where every end of every scale is looked at, all together. Rows marked * are "
+      "below the level after it.",
+      gathered.alpha, name_of(gathered.correction)));
+}
+
+std::string best_html(const Results& results) {
+  const std::string table = best_seen_html(results);
+  if (table.empty()) return "";
+  std::string html = method_html(results.gathered) +
+                     paragraph(
+                         "Of each end of a scale, the video in which it is seen most. “Thesis”: "
+                         "Welch’s test of the answers about the video against all answers about "
+                         "the videos of the same setting; the video is among these, and answers "
+                         "of one person are taken as independent. “Paired”: of each person, the "
+                         "answer about the video less the mean of the person’s other videos of "
+                         "the setting.") +
+                     table;
+  for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
+    if (group.table.empty()) continue;
+    const std::string rows = comparisons_html(results, ComparisonFamily::best_seen,
+                                              group.name == "all" ? "" : group.name);
+    if (rows.empty()) continue;
+    html += fmt::format(
+        "<details><summary>All {} (after figure {} of the thesis)</summary>\n{}</details>\n",
+        html_escaped(group.words), group.table, rows);
+  }
+  return html;
+}
+
+std::string differences_html(const Results& results, const PageParts& parts) {
+  std::string html = parts.figures("differences");
+  html += part("Modified against acted motions (after figure 37 of the thesis)",
+               comparisons_html(results, ComparisonFamily::modified_acted));
+  html += part("Modified against neutral motions (after figure 38 of the thesis)",
+               comparisons_html(results, ComparisonFamily::modified_neutral));
+  html += part("Acted against neutral motions",
+               comparisons_html(results, ComparisonFamily::acted_neutral));
+  if (html.empty()) return "";
+  return paragraph(
+             "Stimuli are compared within a setting (the levels of all factors but made, emotion "
+             "and strength) and within persons. Shown is the scale whose end the emotion is; "
+             "results/comparisons.csv has all scales.") +
+         html;
+}
+
+std::string confusion_html(const Results& results, const PageParts& parts) {
+  const std::string figures = parts.figures("confusion");
+  if (figures.empty()) return "";
+  return paragraph(
+             "Ratings become points: an answer at the end of a scale gives that end 2 points, one "
+             "half way 1, the middle none; a row’s shares are of all its points. The intervals "
+             "take each judged showing as one trial. “Seen most”: showings in which the emotion "
+             "itself got more points than any other end; the exact binomial test holds them "
+             "against chance, one of the ends.") +
+         recall_html(results) + figures;
+}
+
+std::string agreement_part(const Results& results) {
+  const std::string table = agreement_html(results);
+  if (table.empty()) return "";
+  return paragraph(
+             "Intraclass correlations after Shrout and Fleiss; k is the number of answers a "
+             "video. Where people saw a part of the videos, every answer counts and nothing is "
+             "filled in: ICC(1) from the one-way analysis of variance, ICC(2) and ICC(3) from "
+             "variance components by fitting constants (Henderson’s method 3), which in a full "
+             "table are the same mean squares. Cronbach’s α is of the people who saw all.") +
+         table;
+}
+
+std::string files_html(const std::vector<ResultTable>& tables) {
+  std::string html = "<ul>\n";
+  for (const ResultTable& table : tables)
+    html += fmt::format("<li><a href=\"{0}\">{0}</a>: {1} a row</li>\n", table.form->path,
+                        html_escaped(table.form->rows));
+  html +=
+      "<li><a href=\"codebook.csv\">codebook.csv</a>: what every column means; "
+      "<a href=\"dataset_description.json\">dataset_description.json</a>: the same of data/, for "
+      "machines (Psych-DS)</li>\n"
+      "<li><a href=\"analysis/lme4.R\">analysis/lme4.R</a>, "
+      "<a href=\"analysis/ordinal.R\">analysis/ordinal.R</a>: mixed models, to be run with R</li>\n"
+      "<li><a href=\"figures.csv\">figures.csv</a>: the figures, and those of the thesis that they "
+      "are like</li>\n</ul>\n";
+  return html;
+}
+
+}  // namespace
+
+std::string results_page(const Results& results, const std::vector<ResultFigure>& figures,
+                         const std::vector<ResultTable>& tables, const FrozenVerdict& frozen) {
+  PageParts parts(results, figures);
+  parts.section("people", "People", people_html(results));
+  parts.section("means", "Means", parts.figures("means"));
+  parts.section("histograms", "Answers", parts.figures("histograms"));
+  parts.section("best", "What is seen where", best_html(results));
+  parts.section("differences", "Modified, acted, neutral", differences_html(results, parts));
+  parts.section("confusion", "Confusion", confusion_html(results, parts));
+  parts.section("correlations", "Scales together", parts.figures("correlations"));
+  parts.section("agreement", "Agreement", agreement_part(results));
+  parts.section("preferences", "Pairs", preferences_html(results));
+  parts.section("comments", "Comments", remarks_html(results.gathered.remarks));
+  parts.section("words", "Answers in words", remarks_html(results.gathered.words));
+  parts.section("files", "Files", files_html(tables));
+  const std::string mark = results.gathered.simulated ? "Simulated: " : "";
+  return html_page(mark + results.gathered.title, results_style,
+                   head_html(results, frozen) + parts.nav() + parts.body());
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,199 @@
+#include "pipeline/results/table_columns.h"
+
+#include <array>
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr Column stimulus_column = {"stimulus", "", "the stimulus"};
+constexpr Column made_column = {"made", "", "level of the factor made: acted, modified, as-is"};
+constexpr Column emotion_column = {"emotion", "", "level of the factor emotion"};
+constexpr Column setting_column = {"setting", "",
+                                   "levels of the other factors, within which is compared"};
+constexpr Column scale_column = {"scale", "", "the scale"};
+constexpr Column item_column = {"item", "", "the scale or question"};
+constexpr Column adjusted_column = {"p_adjusted", "",
+                                    "p corrected for the number of rows of its kind"};
+
+constexpr std::array means_columns = {
+    stimulus_column,
+    made_column,
+    emotion_column,
+    setting_column,
+    scale_column,
+    Column{"answers", "", "number of answers"},
+    Column{"mean", "scale points", "mean answer; the high pole of the scale is positive"},
+    Column{"sd", "scale points", "standard deviation, n - 1"},
+    Column{"low", "scale points", "lower end of the 95 % interval of the mean (Student)"},
+    Column{"high", "scale points", "its upper end"},
+    Column{"median", "scale points", "median answer"}};
+
+constexpr std::array histogram_columns = {
+    stimulus_column, scale_column, Column{"value", "scale points", "place on the scale"},
+    Column{"answers", "", "number of answers there"},
+    Column{"share", "0–1", "share of the answers about the stimulus on this scale"}};
+
+constexpr std::array comparison_columns = {
+    Column{"family", "",
+           "best-seen (a video with all videos of its setting), modified-acted, modified-neutral "
+           "or acted-neutral; p values are corrected within a family (but for best-seen: comparisons on "
+           "the scale of the emotion that was meant by themselves, and those on other scales)"},
+    stimulus_column,
+    made_column,
+    emotion_column,
+    setting_column,
+    Column{"against", "", "the stimulus it is compared with; empty: all of the setting"},
+    scale_column,
+    Column{"own_end", "", "the pole of the scale that is the emotion of the stimulus, if any"},
+    Column{"answers", "", "answers about the stimulus"},
+    Column{"mean", "scale points", "their mean"},
+    Column{"answers_against", "", "answers about what it is compared with"},
+    Column{"mean_against", "scale points", "their mean"},
+    Column{"welch_difference", "scale points",
+           "difference of the two means, all answers as if independent (best-seen: the test of "
+           "the thesis, in which the video is one of those it is compared with)"},
+    Column{"welch_low", "scale points", "lower end of its 95 % interval"},
+    Column{"welch_high", "scale points", "upper end"},
+    Column{"welch_t", "", "Welch's t"},
+    Column{"welch_df", "", "its degrees of freedom"},
+    Column{"welch_p", "", "two-sided p"},
+    Column{"welch_p_adjusted", "", "p corrected within the family"},
+    Column{"cohens_d", "", "difference in units of the pooled standard deviation"},
+    Column{"hedges_g", "", "the same without bias"},
+    Column{"people", "", "persons who saw both (best-seen: the video and another of its setting)"},
+    Column{"paired_difference", "scale points", "mean of their own differences"},
+    Column{"paired_low", "scale points", "lower end of its 95 % interval"},
+    Column{"paired_high", "scale points", "upper end"},
+    Column{"paired_t", "", "t of the differences"},
+    Column{"paired_df", "", "its degrees of freedom"},
+    Column{"paired_p", "", "two-sided p"},
+    Column{"paired_p_adjusted", "", "p corrected within the family"},
+    Column{"cohens_dz", "", "mean difference in units of the differences' standard deviation"},
+    Column{"hedges_gz", "", "the same without bias"},
+    Column{"wilcoxon_v", "", "sum of the ranks of the positive differences, zeros left out"},
+    Column{"wilcoxon_n", "", "differences that are not 0"},
+    Column{"wilcoxon_zeros", "", "differences that are 0"},
+    Column{"wilcoxon_tied", "", "differences that share their size with another"},
+    Column{"wilcoxon_p", "", "two-sided, exact, conditional on ties; zeros left out"},
+    Column{"wilcoxon_p_adjusted", "", "p corrected within the family"},
+    Column{"wilcoxon_p_normal", "", "normal approximation without continuity correction"},
+    Column{"wilcoxon_p_normal_corrected", "", "normal approximation with continuity correction"},
+    Column{"pratt_v", "", "as wilcoxon_v, zeros ranked with the others (Pratt)"},
+    Column{"pratt_p", "", "two-sided, exact, of Pratt's ranks"},
+    Column{"zsplit_p", "", "normal approximation, half of the zeros' ranks on either side"},
+    Column{"hodges_lehmann", "scale points", "median of the means of any two differences"},
+    Column{"hodges_lehmann_low", "scale points", "lower end of its 95 % interval"},
+    Column{"hodges_lehmann_high", "scale points", "upper end"},
+    Column{"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation, zeros left out"}};
+
+constexpr Column by_column = {"by", "", "ratings (points rule) or choices"};
+constexpr Column of_column = {"of", "", "level of the factor made that the rows are of, or all"};
+constexpr Column shown_column = {"shown", "", "emotion that was shown"};
+
+constexpr std::array confusion_columns = {
+    by_column,
+    of_column,
+    shown_column,
+    Column{"seen", "", "emotion that was seen"},
+    Column{"points", "",
+           "points: 2 for an answer at the end of a scale, 1 half way, in proportion; of choices "
+           "their number"},
+    Column{"share", "0–1", "share of the row's points"}};
+
+constexpr std::array recall_columns = {
+    by_column,
+    of_column,
+    shown_column,
+    Column{"showings", "", "times that somebody judged such a stimulus"},
+    Column{"judged", "", "of these, those that got any points"},
+    Column{"points", "", "all points of the row"},
+    Column{"recall", "0–1", "share of the points at the emotion itself"},
+    Column{"low", "0–1", "lower end of Wilson's 95 % interval, a judged showing being one trial"},
+    Column{"high", "0–1", "upper end"},
+    Column{"chance", "0–1", "one of the emotions that can be seen"},
+    Column{"hits", "", "showings in which the emotion itself got the most points"},
+    Column{"p", "", "exact binomial test of the hits among the judged against chance, two-sided"},
+    adjusted_column};
+
+constexpr std::array correlation_columns = {
+    Column{"one", "", "end of a scale"},
+    Column{"other", "", "end of a scale"},
+    Column{"same_scale", "", "1 for the two ends of one scale, negative by their making"},
+    Column{"showings", "", "judgements in which both scales were answered"},
+    Column{"r", "-1–1", "Pearson's correlation of max(-a, 0) and max(a, 0)"},
+    Column{"low", "-1–1", "lower end of its 95 % interval (Fisher's z)"},
+    Column{"high", "-1–1", "upper end"},
+    Column{"p", "", "two-sided p, all judgements as if independent"},
+    adjusted_column};
+
+constexpr std::array agreement_columns = {
+    scale_column,
+    Column{"stimuli", "", "stimuli that were rated"},
+    Column{"people", "", "persons who rated"},
+    Column{"answers", "", "answers"},
+    Column{"answers_per_stimulus", "", "the k of the ICCs of means"},
+    Column{"icc_1", "", "ICC(1): reliability of one answer, one-way"},
+    Column{"icc_1_k", "", "ICC(1,k): of the mean of k answers"},
+    Column{"icc_2", "", "ICC(2,1): agreement, persons a random sample"},
+    Column{"icc_2_k", "", "ICC(2,k)"},
+    Column{"icc_3", "", "ICC(3,1): consistency of these persons"},
+    Column{"icc_3_k", "", "ICC(3,k)"},
+    Column{"complete_people", "", "persons who rated every stimulus"},
+    Column{"alpha", "", "Cronbach's alpha of these, persons as items"}};
+
+constexpr std::array preference_columns = {
+    item_column,
+    Column{"one", "", "a stimulus"},
+    Column{"other", "", "the one it was shown with"},
+    Column{"trials", "", "times that they were shown together"},
+    Column{"for_one", "", "times that the first was chosen"},
+    Column{"share", "0–1", "share of the first"},
+    Column{"low", "0–1", "lower end of Wilson's 95 % interval"},
+    Column{"high", "0–1", "upper end"},
+    Column{"p", "", "exact binomial test against one half, two-sided"},
+    adjusted_column};
+
+constexpr std::array people_columns = {
+    Column{"participant", "", "who answered"},
+    Column{"trials", "", "trials done, practice and checks among them"},
+    Column{"answers", "", "answers that are analysed, unless the participant is excluded"},
+    Column{"checks", "", "attention checks"},
+    Column{"passed", "", "of these passed"},
+    Column{"excluded", "", "1 for who is left out, by the rule of the report"},
+    Column{"median_rt_ms", "ms", "median time of an answer"},
+    Column{"stalls", "", "times that a video stopped for want of data"},
+    Column{"dropped_frames", "", "frames that were not shown"},
+    Column{"blurs", "", "times that the window was left"},
+    Column{"constant", "", "1 for who answered everything at the same place; kept"}};
+
+constexpr std::array demographics_columns = {
+    Column{"question", "", "the question"},
+    Column{"answer", "", "a word, or which number of numbers"},
+    Column{"value", "", "how many gave it, or the number"},
+    Column{"people", "", "who answered the question"}};
+
+constexpr std::array remark_columns = {Column{"participant", "", "who wrote it"}, stimulus_column,
+                                       item_column, Column{"text", "", "what was written"}};
+
+}  // namespace
+
+const TableForm means_form = {"results/means.csv", "a stimulus on a scale", means_columns};
+const TableForm histograms_form = {"results/histograms.csv", "a place on a scale of a stimulus",
+                                   histogram_columns};
+const TableForm comparisons_form = {"results/comparisons.csv", "a comparison", comparison_columns};
+const TableForm confusion_form = {"results/confusion.csv", "a cell of a confusion matrix",
+                                  confusion_columns};
+const TableForm recall_form = {"results/recall.csv", "an emotion that was shown", recall_columns};
+const TableForm correlations_form = {"results/correlations.csv", "a pair of ends of scales",
+                                     correlation_columns};
+const TableForm agreement_form = {"results/agreement.csv", "a scale", agreement_columns};
+const TableForm preferences_form = {"results/preferences.csv", "a pair of stimuli",
+                                    preference_columns};
+const TableForm people_form = {"results/sessions.csv", "a participant", people_columns};
+const TableForm demographics_form = {"results/demographics.csv", "an answer to a question",
+                                     demographics_columns};
+const TableForm comments_form = {"results/comments.csv", "a comment", remark_columns};
+const TableForm words_form = {"results/words.csv", "an answer in words", remark_columns};
+
+}  // namespace mien::pipeline

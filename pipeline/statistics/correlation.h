@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+namespace mien::pipeline {
+
+/// How two numbers go together (Pearson).
+struct Correlation {
+  int pairs = 0;
+  double r = 0.0;     ///< NaN where one of them does not vary
+  double t = 0.0;     ///< with pairs − 2 degrees of freedom
+  double p = 1.0;     ///< two-sided
+  double low = -1.0;  ///< interval by Fisher's z (1921); NaN below four pairs
+  double high = 1.0;
+};
+
+/// Both of the same length; what is NaN in either is left out.
+Correlation pearson(const std::vector<double>& a, const std::vector<double>& b,
+                    double confidence = 0.95);
+
+}  // namespace mien::pipeline

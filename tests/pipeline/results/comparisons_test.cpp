@@ -1,0 +1,207 @@
+#include "pipeline/results/comparisons.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/results/axis_correlations.h"
+#include "pipeline/results/best_seen.h"
+#include "pipeline/results/confusion.h"
+#include "pipeline/results/preferences.h"
+#include "pipeline/results/reliability.h"
+#include "pipeline/results/summaries.h"
+#include "pipeline/results/two_emotions.h"
+
+namespace mien::pipeline {
+namespace {
+
+Scale between(const std::string& low, const std::string& high) {
+  Scale scale;
+  scale.id = low + "-" + high;
+  scale.low = low;
+  scale.high = high;
+  return scale;
+}
+
+/// Three people, three stimuli of one setting, two scales; `values` by person, stimulus, scale.
+Gathered small_study(const std::vector<std::vector<std::vector<double>>>& values) {
+  Gathered gathered;
+  gathered.scales = {between("sad", "happy"), between("weak", "strong")};
+  gathered.stimuli = {{"walk", "as-is", "neutral", "woman", {}},
+                      {"sad", "modified", "sad", "woman", {}},
+                      {"acted-sad", "acted", "sad", "woman", {}}};
+  gathered.correction = TestCorrection::none;
+  for (std::size_t person = 0; person < values.size(); ++person) {
+    gathered.people.push_back("p" + std::to_string(person));
+    for (std::size_t stimulus = 0; stimulus < values[person].size(); ++stimulus)
+      for (std::size_t scale = 0; scale < values[person][stimulus].size(); ++scale)
+        gathered.ratings.push_back({person, stimulus, scale, values[person][stimulus][scale]});
+  }
+  return gathered;
+}
+
+const std::vector<std::vector<std::vector<double>>> answers_of_three = {
+    {{0, 1}, {-1, 0}, {-2, 0}}, {{1, 0}, {-2, 0}, {-1, 1}}, {{0, -1}, {0, 0}, {-2, -1}}};
+
+const Comparison* found(const std::vector<Comparison>& all, ComparisonFamily family,
+                        std::size_t stimulus, std::size_t scale) {
+  for (const Comparison& c : all)
+    if (c.family == family && c.stimulus == stimulus && c.scale == scale) return &c;
+  return nullptr;
+}
+
+TEST(Comparisons, AreMadeFromTheFactorsOfStimuli) {
+  const std::vector<Comparison> all = compare(small_study(answers_of_three));
+  EXPECT_EQ(all.size(), 3u * 2u + 2u + 2u + 2u);
+  const Comparison* modified = found(all, ComparisonFamily::modified_acted, 1, 0);
+  ASSERT_NE(modified, nullptr);
+  EXPECT_EQ(modified->against, 2u);
+  EXPECT_EQ(modified->own_end, -1);
+  EXPECT_EQ(modified->people, 3);
+  EXPECT_DOUBLE_EQ(modified->mean, -1.0);
+  EXPECT_DOUBLE_EQ(modified->mean_against, -5.0 / 3.0);
+  EXPECT_NEAR(modified->paired.mean, (1.0 - 1.0 + 2.0) / 3.0, 1e-12);
+  EXPECT_EQ(modified->wilcoxon.used, 3);
+  const Comparison* neutral = found(all, ComparisonFamily::modified_neutral, 1, 0);
+  ASSERT_NE(neutral, nullptr);
+  EXPECT_NEAR(neutral->paired.mean, (-1.0 - 3.0 + 0.0) / 3.0, 1e-12);
+  EXPECT_EQ(neutral->wilcoxon.zeros, 1);
+  EXPECT_EQ(found(all, ComparisonFamily::modified_acted, 1, 1)->own_end, 0);
+  EXPECT_NE(found(all, ComparisonFamily::acted_neutral, 2, 0), nullptr);
+}
+
+TEST(Comparisons, HoldAVideoAgainstItsSettingInBothWays) {
+  const std::vector<Comparison> all = compare(small_study(answers_of_three));
+  const Comparison* best = found(all, ComparisonFamily::best_seen, 2, 0);
+  ASSERT_NE(best, nullptr);
+  // The thesis' way: all nine answers, its own three among them.
+  EXPECT_EQ(best->answers_against, 9);
+  EXPECT_NEAR(best->mean_against, -7.0 / 9.0, 1e-12);
+  // Within persons: against the mean of the person's other two.
+  EXPECT_NEAR(best->paired.mean, ((-2 + 0.5) + (-1 + 0.5) + (-2 - 0)) / 3.0, 1e-12);
+}
+
+TEST(Comparisons, StayWithinASetting) {
+  Gathered gathered = small_study(answers_of_three);
+  gathered.stimuli[2].setting = "man";
+  const std::vector<Comparison> all = compare(gathered);
+  EXPECT_EQ(found(all, ComparisonFamily::modified_acted, 1, 0), nullptr);
+  EXPECT_EQ(found(all, ComparisonFamily::best_seen, 2, 0), nullptr);  // alone there
+  EXPECT_EQ(found(all, ComparisonFamily::best_seen, 1, 0)->answers_against, 6);
+}
+
+TEST(Comparisons, AreCorrectedWithinTheirFamily) {
+  Gathered gathered = small_study(answers_of_three);
+  gathered.correction = TestCorrection::holm;
+  for (const Comparison& c : compare(gathered)) {
+    const bool is_alone = c.family != ComparisonFamily::best_seen;  // one own scale, one other
+    if (is_alone) {
+      EXPECT_DOUBLE_EQ(c.paired_adjusted, c.paired.p);
+    } else {
+      EXPECT_GE(c.welch_adjusted, c.welch.p);
+    }
+  }
+}
+
+TEST(BestSeen, NamesTheVideoFarthestTowardsEachEnd) {
+  const Gathered gathered = small_study(answers_of_three);
+  const std::vector<BestSeen> best = best_seen(gathered, compare(gathered));
+  ASSERT_EQ(best.size(), 4u);
+  EXPECT_EQ(best[0].end, "sad");
+  EXPECT_EQ(best[0].comparison.stimulus, 2u);
+  EXPECT_EQ(best[1].end, "happy");
+  EXPECT_EQ(best[1].comparison.stimulus, 0u);
+}
+
+TEST(PointsRule, GivesOnePointHalfWayAndTwoAtTheEnd) {
+  const Scale scale = between("sad", "happy");
+  EXPECT_EQ(points_of(scale, -2).low, 2.0);
+  EXPECT_EQ(points_of(scale, -1).low, 1.0);
+  EXPECT_EQ(points_of(scale, -1).high, 0.0);
+  EXPECT_EQ(points_of(scale, 0).low + points_of(scale, 0).high, 0.0);
+  EXPECT_EQ(points_of(scale, 2).high, 2.0);
+  Scale seven = scale;
+  seven.least = 1;
+  seven.most = 7;
+  EXPECT_EQ(points_of(seven, 7).high, 2.0);
+  EXPECT_EQ(points_of(seven, 2.5).low, 1.0);
+}
+
+TEST(Confusion, IsTheShareOfPointsAsReckonedByHand) {
+  const std::vector<Confusion> all = confusions_of(small_study(answers_of_three));
+  ASSERT_EQ(all.size(), 3u);  // acted, modified, all
+  const Confusion& acted = all[0];
+  EXPECT_EQ(acted.of, "acted");
+  ASSERT_EQ(acted.rows.size(), 1u);
+  const ConfusionRow& sad = acted.rows[0];
+  // sad 2 + 1 + 2; weak 0 + 0 + 1; strong 0 + 1 + 0
+  EXPECT_EQ(sad.points, (std::vector<double>{5, 0, 1, 1}));
+  EXPECT_DOUBLE_EQ(sad.recall, 5.0 / 7.0);
+  EXPECT_EQ(sad.judged, 3);
+  EXPECT_EQ(sad.hits, 2);  // of the second person, sad and strong have a point each
+  EXPECT_DOUBLE_EQ(acted.chance, 0.25);
+  EXPECT_NEAR(sad.p, 9.0 / 64.0 + 1.0 / 64.0, 1e-12);
+  // The modified one: sad 1 + 2 + 0, nothing of the third.
+  EXPECT_EQ(all[1].rows[0].showings, 3);
+  EXPECT_EQ(all[1].rows[0].judged, 2);
+  EXPECT_DOUBLE_EQ(all[1].rows[0].recall, 1.0);
+  // All: the neutral row has no column of its own.
+  EXPECT_EQ(all[2].rows[0].own, -1);
+  EXPECT_EQ(all[2].rows[1].showings, 6);
+}
+
+TEST(Confusion, OfChoicesCountsThem) {
+  Gathered gathered = small_study({});
+  gathered.people = {"p", "q"};
+  gathered.choices = {{"sad", "sad"}, {"happy", "happy"}};
+  gathered.chosen = {{0, 1, "sad"}, {1, 1, "happy"}, {0, 2, "sad"}, {1, 2, "sad"}};
+  const std::vector<Confusion> all = confusions_of(gathered);
+  ASSERT_FALSE(all.empty());
+  EXPECT_FALSE(all.back().by_points);
+  EXPECT_EQ(all.back().rows[0].points, (std::vector<double>{3, 1}));
+  EXPECT_EQ(all.back().rows[0].hits, 3);
+}
+
+TEST(EndCorrelations, SplitTheScalesAtTheirMiddle) {
+  const Gathered gathered = small_study(answers_of_three);
+  const std::vector<EndCorrelation> all = end_correlations(gathered);
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_TRUE(all[0].same_scale);
+  EXPECT_LT(all[0].correlation.r, 0.0);
+  EXPECT_EQ(all[0].correlation.pairs, 9);
+  const Correlation direct = pearson({0, 1, 2, 0, 2, 1, 0, 0, 2}, {0, 0, 0, 0, 0, 0, 1, 0, 1});
+  EXPECT_NEAR(all[1].correlation.r, direct.r, 1e-12);  // sad, weak
+}
+
+TEST(Summaries, CountTheAnswersAtEachPlace) {
+  const std::vector<RatingSummary> all = summaries_of(small_study(answers_of_three));
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_EQ(all[2].stimulus, 1u);
+  EXPECT_EQ(all[2].counts, (std::vector<int>{1, 1, 1, 0, 0}));
+  EXPECT_DOUBLE_EQ(all[2].mean, -1.0);
+  EXPECT_DOUBLE_EQ(all[2].median, -1.0);
+  EXPECT_DOUBLE_EQ(all[2].deviation, 1.0);
+}
+
+TEST(Reliability, UsesWhatEverybodySaw) {
+  Gathered gathered = small_study(answers_of_three);
+  const std::vector<Reliability> full = reliability_of(gathered);
+  ASSERT_EQ(full.size(), 2u);
+  EXPECT_EQ(full[0].complete_people, 3);
+  EXPECT_NEAR(full[0].alpha, full[0].intraclass.three_k, 1e-12);
+  gathered.ratings.erase(gathered.ratings.begin());
+  EXPECT_EQ(reliability_of(gathered)[0].complete_people, 2);
+  EXPECT_EQ(reliability_of(gathered)[0].intraclass.answers, 8);
+}
+
+TEST(Preferences, AreCountedWhicheverSideTheyStoodOn) {
+  Gathered gathered = small_study({});
+  gathered.preferences = {{0, 1, 0, "sad-happy"}, {1, 0, 1, "sad-happy"}, {2, 1, 0, "sad-happy"}};
+  const std::vector<PreferenceCount> counts = preferences_of(gathered);
+  ASSERT_EQ(counts.size(), 1u);
+  EXPECT_EQ(counts[0].one, 0u);
+  EXPECT_EQ(counts[0].for_one, 1);
+  EXPECT_EQ(counts[0].trials, 3);
+  EXPECT_DOUBLE_EQ(counts[0].p, 1.0);
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,257 @@
+#include "pipeline/results/results_report.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/documents/csv.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/ratings/answers.h"
+#include "pipeline/results/dataset.h"
+#include "pipeline/results/result_figures.h"
+#include "pipeline/results/two_emotions.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Reported {
+  Results results;
+  std::vector<AnswerRow> rows;
+};
+
+/// Twelve people who see what was meant, and what some of them wrote.
+Reported reported_study(bool simulated = true) {
+  const Manifest manifest = two_emotion_study(12);
+  Reported reported;
+  reported.rows = answers_to(manifest, {{{"sad", "sad-happy"}, -0.8},
+                                        {{"happy", "sad-happy"}, 0.7},
+                                        {{"acted-sad", "sad-happy"}, -1.2},
+                                        {{"acted-happy", "sad-happy"}, 1.1}});
+  for (AnswerRow& row : reported.rows) row.simulated = simulated;
+  reported.rows[0].comment = "<script>alert('x')</script> & \"tired\", 疲れた";
+  ParticipantTable people{
+      parse_csv("participant,session,design,consented_at,finished,age,gender\n"
+                "p001,s,d,,1,20,woman\np002,s,d,,1,30,man\np003,s,d,,1,40,woman\n",
+                "participants.csv")};
+  reported.results = results_of(gather(manifest, reported.rows), reported.rows, people);
+  return reported;
+}
+
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), folder).generic_string()] = read_file(entry.path());
+  return files;
+}
+
+std::map<std::string, std::string> written_report(const Reported& reported,
+                                                  const FrozenVerdict& frozen = {}) {
+  const test::TemporaryFolder folder;
+  const fs::path report = folder.path() / "report";
+  clear_results_folder(report);
+  write_results(reported.results, reported.rows, frozen, report);
+  return files_in(report);
+}
+
+TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
+  const Reported reported = reported_study();
+  const auto files = written_report(reported);
+  for (const char* name : {"report.html",
+                           "results/means.csv",
+                           "results/histograms.csv",
+                           "results/comparisons.csv",
+                           "results/confusion.csv",
+                           "results/recall.csv",
+                           "results/correlations.csv",
+                           "results/agreement.csv",
+                           "results/sessions.csv",
+                           "results/demographics.csv",
+                           "results/comments.csv",
+                           "figures/figure-32-histograms-acted.pdf",
+                           "figures/figure-33-confusion-acted.svg",
+                           "figures/figure-34-confusion-modified.png",
+                           "figures/figure-35-differences-modified-acted.svg",
+                           "figures/figure-36-differences-modified-neutral.svg",
+                           "figures/figure-40-means.svg",
+                           "figures/figure-44-correlations.svg",
+                           "analysis/lme4.R",
+                           "analysis/ordinal.R",
+                           "codebook.csv",
+                           "dataset_description.json",
+                           "README.md"})
+    EXPECT_TRUE(files.contains(name)) << name;
+  EXPECT_EQ(written_report(reported), files);
+}
+
+TEST(ResultsReport, NamesTheFiguresOfTheThesisThatItsOwnAreLike) {
+  const CsvTable list =
+      parse_csv(written_report(reported_study()).at("figures.csv"), "figures.csv");
+  std::set<std::string> numbers;
+  for (const auto& row : list.rows) numbers.insert(row[0].text);
+  for (const char* number :
+       {"31", "32", "33", "34", "35", "36", "37", "38", "39", "40", "41", "42", "44"})
+    EXPECT_TRUE(numbers.contains(number)) << number;
+}
+
+TEST(ResultsReport, MarksWhatIsSimulatedEverywhere) {
+  const auto files = written_report(reported_study());
+  const std::string& page = files.at("report.html");
+  EXPECT_NE(page.find("<title>Simulated: "), std::string::npos);
+  const auto count = [](const std::string& text, const std::string& word) {
+    std::size_t times = 0;
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++times;
+    return times;
+  };
+  EXPECT_EQ(count(page, "<h2>"), count(page, "<span class=\"mark\">simulated</span>"));
+  for (const auto& [name, bytes] : files) {
+    if (!name.starts_with("results/")) continue;
+    const CsvTable table = parse_csv(bytes, name);
+    EXPECT_EQ(table.header.back().text, "simulated") << name;
+    for (const auto& row : table.rows) EXPECT_EQ(row.back().text, "1") << name;
+  }
+  EXPECT_NE(files.at("dataset_description.json").find("SIMULATED"), std::string::npos);
+  EXPECT_NE(files.at("analysis/lme4.R").find("SIMULATED"), std::string::npos);
+  EXPECT_NE(files.at("README.md").find("Simulated"), std::string::npos);
+}
+
+TEST(ResultsReport, SaysNothingOfSimulationWhereAnswersWereGiven) {
+  const auto files = written_report(reported_study(false));
+  EXPECT_EQ(files.at("report.html").find("imulated"), std::string::npos);
+  EXPECT_EQ(files.at("results/means.csv").find("simulated"), std::string::npos);
+}
+
+TEST(ResultsReport, EscapesWhatParticipantsWrote) {
+  const std::string page = written_report(reported_study()).at("report.html");
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_NE(page.find("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; &amp;"), std::string::npos);
+}
+
+TEST(ResultsReport, IsNotWrittenOverWhatItDidNotWrite) {
+  const test::TemporaryFolder folder;
+  const fs::path foreign = folder.path() / "foreign";
+  make_folder(foreign);
+  write_file(foreign / "thesis.tex", "mine");
+  EXPECT_THROW(clear_results_folder(foreign), Error);
+  EXPECT_THROW(clear_results_folder(foreign / "thesis.tex"), Error);
+  const fs::path own = folder.path() / "own";
+  clear_results_folder(own);
+  make_folder(own / "figures");
+  write_file(own / "figures/old.png", "old");
+  clear_results_folder(own);
+  EXPECT_FALSE(fs::exists(own / "figures/old.png"));
+}
+
+TEST(ResultsReport, TellsWhatDiffersFromAFrozenDesign) {
+  const std::string page =
+      written_report(reported_study(), {"What was run differs:", {"scales: <one> more"}})
+          .at("report.html");
+  EXPECT_NE(page.find("What was run differs:"), std::string::npos);
+  EXPECT_NE(page.find("scales: &lt;one&gt; more"), std::string::npos);
+}
+
+// The rules of the Psych-DS validator that bear on such a folder (psych-ds.github.io, schema 0.4):
+// names of data files, columns that the metadata lack, metadata without a column, the JSON-LD.
+TEST(ResultsReport, IsADatasetByTheRulesOfPsychDs) {
+  const auto files = written_report(reported_study());
+  const nlohmann::json description = nlohmann::json::parse(files.at("dataset_description.json"));
+  EXPECT_EQ(description.at("@type"), "Dataset");
+  EXPECT_EQ(std::string(description.at("@context")).rfind("https://schema.org", 0), 0u);
+  for (const char* key : {"name", "description"})
+    EXPECT_FALSE(std::string(description.at(key)).empty());
+  std::set<std::string> told;
+  for (const auto& variable : description.at("variableMeasured")) {
+    EXPECT_EQ(variable.at("@type"), "PropertyValue");
+    EXPECT_FALSE(std::string(variable.at("description")).empty());
+    EXPECT_TRUE(told.insert(variable.at("name")).second) << variable.at("name");
+  }
+  const std::set<std::string> keywords = {"study",     "site",  "subject",  "session",    "task",
+                                          "condition", "trial", "stimulus", "description"};
+  const std::regex form("([a-z]+-[a-zA-Z0-9]+)(_[a-z]+-[a-zA-Z0-9]+)*_data\\.csv");
+  const std::regex keyword("([a-z]+)-[a-zA-Z0-9]+");
+  std::set<std::string> there;
+  int data_files = 0;
+  for (const auto& [name, bytes] : files) {
+    if (!name.starts_with("data/")) continue;
+    ++data_files;
+    const std::string own = name.substr(5);
+    EXPECT_TRUE(std::regex_match(own, form)) << own;
+    for (std::sregex_iterator match(own.begin(), own.end(), keyword), end; match != end; ++match)
+      EXPECT_TRUE(keywords.contains((*match)[1])) << own;
+    const CsvTable table = parse_csv(bytes, name);
+    EXPECT_FALSE(table.rows.empty());
+    for (const CsvField& field : table.header) {
+      EXPECT_TRUE(told.contains(field.text)) << name << ": " << field.text;
+      there.insert(field.text);
+    }
+  }
+  EXPECT_EQ(data_files, 3);
+  EXPECT_EQ(there, told);
+  EXPECT_TRUE(files.contains("README.md"));
+}
+
+TEST(ResultsReport, TellsEveryColumnOfItsTablesInTheCodebook) {
+  const auto files = written_report(reported_study());
+  const CsvTable codebook = parse_csv(files.at("codebook.csv"), "codebook.csv");
+  std::set<std::pair<std::string, std::string>> told;
+  for (const auto& row : codebook.rows) {
+    told.emplace(row[0].text, row[2].text);
+    EXPECT_FALSE(row[4].text.empty()) << row[2].text;
+  }
+  for (const auto& [name, bytes] : files) {
+    if (!name.starts_with("data/") && !name.starts_with("results/")) continue;
+    for (const CsvField& field : parse_csv(bytes, name).header)
+      EXPECT_TRUE(told.contains({name, field.text})) << name << ": " << field.text;
+  }
+}
+
+TEST(ResultsReport, KeepsAnswersThatGoBackInAsRatings) {
+  const Reported reported = reported_study();
+  const auto files = written_report(reported);
+  const std::string& csv = files.at(dataset_paths("two-emotions").answers);
+  ScaleSet scales;
+  scales.scales = reported.results.gathered.scales;
+  const Answers answers = parse_answers(csv, "answers.csv", scales);
+  EXPECT_EQ(answers.answers.size(), 12u * 5u * 2u);
+  EXPECT_TRUE(answers.simulated);
+}
+
+TEST(ResultsReport, FindsWhatWasPutIn) {
+  const Reported reported = reported_study();
+  int found = 0;
+  for (const Comparison& c : reported.results.comparisons)
+    if (c.family == ComparisonFamily::modified_neutral && c.own_end != 0)
+      found += c.paired_adjusted < 0.05 && c.own_end * c.paired.mean > 0.0 ? 1 : 0;
+  EXPECT_EQ(found, 2);
+  EXPECT_GT(reported.results.reliability[0].intraclass.two_k, 0.8);
+}
+
+TEST(Demographics, AreMeansOfNumbersAndCountsOfWords) {
+  const Reported reported = reported_study();
+  const auto all = demographics_of(reported.results.demographics, reported.results.gathered);
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_EQ(all[0].question, "age");
+  EXPECT_DOUBLE_EQ(all[0].value, 30.0);
+  EXPECT_DOUBLE_EQ(all[1].value, 10.0);
+  EXPECT_EQ(all[4].answer, "man");
+  EXPECT_EQ(all[5].value, 2.0);
+  EXPECT_EQ(all[5].people, 3);
+}
+
+TEST(Demographics, OfDifferentQuestionnairesAreNotJoined) {
+  const ParticipantTable one{parse_csv("participant,age\np,1\n", "a.csv")};
+  const ParticipantTable other{parse_csv("participant,height\np,1\n", "b.csv")};
+  EXPECT_EQ(joined({one, one}).table.rows.size(), 2u);
+  EXPECT_THROW(joined({one, other}), Error);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
