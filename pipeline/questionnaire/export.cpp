@@ -58,7 +58,7 @@ std::string in_base64(std::string_view bytes) {
 
 /// A page that was opened from a disk cannot read a motion beside it, but run it as a script.
 std::string as_script(const MediaFile& file, std::string_view bytes) {
-  return fmt::format("(globalThis.mienMedia ??= {{}})[\"{}\"] = \"{}\";\n", file.token,
+  return fmt::format("(globalThis.mienMedia ?\?= {{}})[\"{}\"] = \"{}\";\n", file.token,
                      in_base64(bytes));
 }
 

@@ -56,7 +56,8 @@ std::string base_url(const ServeOptions& options, int port) {
     return options.url.substr(0, options.url.find_last_not_of('/') + 1);
   }
   const bool is_v6 = options.listen.find(':') != std::string::npos;
-  return fmt::format(is_v6 ? "http://[{}]:{}" : "http://{}:{}", options.listen, port);
+  return is_v6 ? fmt::format("http://[{}]:{}", options.listen, port)
+               : fmt::format("http://{}:{}", options.listen, port);
 }
 
 bool is_loopback(const std::string& address) {
