@@ -230,6 +230,14 @@ TEST_F(QuestionnairePage, SendsPhonesAwayAndKeepsNothingOfWhoRefuses) {
   EXPECT_EQ(played("refusal").at("kept"), 0);
 }
 
+/// That C++ makes the same rows of the same records is tested beside the file.
+TEST_F(QuestionnairePage, MakesTheRowsThatAreExpected) {
+  const fs::path there = fs::path(MIEN_SOURCE_DIR) / "tests/pipeline/questionnaire";
+  const Ended ended = run_program(
+      {"node", (page_tests() / "rows.mjs").string(), (there / "page_session.json").string()});
+  EXPECT_EQ(ended.output, text_of(there / "page_answers.csv")) << ended.errors;
+}
+
 TEST_F(QuestionnairePage, IsWrittenIntoNoFolderOfOthers) {
   const Scratch other;
   other.write("thesis.tex", "mine");

@@ -82,7 +82,7 @@ export function rows_of(
 
 /** Quoted where it must be. */
 const field = (text: string): string =>
-  /[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+  /[",\r\n]|^ | $/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 
 export const csv = (columns: readonly string[], rows: Record<string, string>[]): string =>
   [columns, ...rows.map((row) => columns.map((column) => row[column] ?? ""))]
