@@ -85,7 +85,9 @@ TEST(Export, TellsNoConditionInWhatParticipantsAreGiven) {
   for (const auto& [path, bytes] : study.files()) {
     for (const char* id : {"sad", "proud", "usual"}) {
       EXPECT_EQ(path.find(id), path.npos) << path;
-      if (path == "index.html") EXPECT_EQ(bytes.find(id), bytes.npos);
+      if (path == "index.html") {
+        EXPECT_EQ(bytes.find(id), bytes.npos);
+      }
     }
   }
 }
