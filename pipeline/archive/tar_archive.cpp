@@ -6,10 +6,10 @@
 
 #include <archive.h>
 #include <archive_entry.h>
-#include <locale.h>
 #include <unistd.h>
 
 #include "motion/error.h"
+#include "pipeline/archive/utf8_names.h"
 #include "pipeline/documents/files.h"
 
 namespace mien::pipeline {
@@ -23,25 +23,6 @@ struct FreeEntry {
 };
 
 constexpr char zstd_level[] = "9";
-
-/// Names of files are UTF-8 for as long as this lives, whatever the user's language.
-class Utf8Names {
- public:
-  Utf8Names() : names_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
-    if (names_ != nullptr) before_ = ::uselocale(names_);
-  }
-  ~Utf8Names() {
-    if (names_ == nullptr) return;
-    ::uselocale(before_);
-    ::freelocale(names_);
-  }
-  Utf8Names(const Utf8Names&) = delete;
-  Utf8Names& operator=(const Utf8Names&) = delete;
-
- private:
-  locale_t names_;
-  locale_t before_ = nullptr;
-};
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
+#include "pipeline/archive/utf8_names.h"
 
 namespace mien::pipeline {
 
@@ -35,7 +36,7 @@ la_ssize_t append_bytes(archive*, void* text, const void* bytes, std::size_t cou
 
 void write_entry(archive* zip, const std::string& path, const std::string& bytes) {
   const ZipEntry entry(archive_entry_new());
-  archive_entry_set_pathname_utf8(entry.get(), path.c_str());
+  archive_entry_set_pathname(entry.get(), path.c_str());
   archive_entry_set_filetype(entry.get(), AE_IFREG);
   archive_entry_set_perm(entry.get(), 0644);
   archive_entry_set_size(entry.get(), static_cast<la_int64_t>(bytes.size()));
@@ -75,10 +76,11 @@ std::string content_of(archive* zip, const std::string& name, std::size_t& total
 }  // namespace
 
 std::string zip_of(const ZipFiles& files) {
+  const Utf8Names names;
   std::string text;
   const ZipHandle zip(archive_write_new());
   require_written(zip.get(), archive_write_set_format_zip(zip.get()));
-  // In UTF-8 whatever the user's language, and the same bytes whatever zlib there is.
+  // The same bytes whatever zlib there is.
   require_written(zip.get(), archive_write_set_options(
                                  zip.get(), "zip:compression=store,zip:hdrcharset=UTF-8"));
   archive_write_set_bytes_in_last_block(zip.get(), 1);
@@ -89,6 +91,7 @@ std::string zip_of(const ZipFiles& files) {
 }
 
 ZipFiles unzipped(const std::string& bytes, const std::string& name) {
+  const Utf8Names names;
   const ZipHandle zip(archive_read_new());
   archive_read_support_format_zip(zip.get());
   archive_read_set_options(zip.get(), "zip:hdrcharset=UTF-8");
@@ -100,7 +103,7 @@ ZipFiles unzipped(const std::string& bytes, const std::string& name) {
     const int code = archive_read_next_header(zip.get(), &entry);
     if (code == ARCHIVE_EOF) return files;
     if (code != ARCHIVE_OK && code != ARCHIVE_WARN) refuse_zip(name, zip.get());
-    const char* given = archive_entry_pathname_utf8(entry);
+    const char* given = archive_entry_pathname(entry);
     const std::string path = given != nullptr ? given : "";
     if (leads_out(path))
       throw Error({name}, "a path in it leads out of it", "give the archive that mien wrote");

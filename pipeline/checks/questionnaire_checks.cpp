@@ -97,6 +97,15 @@ class QuestionnaireCheck {
     return levels;
   }
 
+  bool are_levels_known() const {
+    return std::ranges::all_of(asked_.stimuli.levels, [&](const auto& wanted) {
+      const Names known = levels_of_factor(wanted.first);
+      return std::ranges::all_of(wanted.second, [&](const std::string& level) {
+        return std::ranges::find(known, level) != known.end();
+      });
+    });
+  }
+
   void check_stimuli() {
     const std::string path = at("stimuli");
     check_ids(path, asked_.stimuli.ids, "stimulus", ids_);
@@ -111,14 +120,14 @@ class QuestionnaireCheck {
     check_ids(at("practice"), asked_.practice, "stimulus", ids_);
     if (!asked_.reference.empty())
       list_.check_word(at("reference"), asked_.reference, "stimulus", ids_);
-    if (!ids_.empty() && asked_stimuli(manifest_).empty())
+    if (!ids_.empty() && are_levels_known() && asked_stimuli(manifest_).empty())
       list_.add(path, "no stimulus has these levels", "name levels that go together");
   }
 
   void check_scales() {
     const ScaleChoice& choice = asked_.scales;
     const bool is_asked = choice.all || choice.emotions || !choice.ids.empty();
-    if (!is_asked && asked_.trials != TrialForm::emotion) {
+    if (!is_asked && asked_.trials != TrialForm::emotion && !list_.was_given(at("scales"))) {
       list_.add("questionnaire", "asks on no scales",
                 "add scales: all, scales: emotions or scales: [sad-happy]");
     }
@@ -153,7 +162,8 @@ class QuestionnaireCheck {
       list_.add_at_key(at("choices"), "only emotion trials have choices", "add trials: emotion");
     if (asked_.trials != TrialForm::pair && !asked_.pairs.empty())
       list_.add_at_key(at("pairs"), "only pair trials have pairs", "add trials: pair");
-    if (asked_.trials == TrialForm::emotion && asked_choices(manifest_).size() < 2) {
+    if (asked_.trials == TrialForm::emotion && asked_.choices.empty() &&
+        asked_choices(manifest_).size() < 2) {
       list_.add(at("trials"), "there are no two emotions to choose from",
                 "add choices: [sad, happy], or the factor emotion to the stimuli");
     }

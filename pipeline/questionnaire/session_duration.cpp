@@ -14,10 +14,10 @@ namespace {
 
 bool is_blank(char letter) { return letter == ' ' || letter == '\n' || letter == '\t'; }
 
-/// Letters from U+2E80 on, which are written without blanks, have three bytes or more.
+/// Letters from U+3000 on are written without blanks.
 bool is_wide(std::string_view word) {
   return std::ranges::any_of(word,
-                             [](char byte) { return static_cast<unsigned char>(byte) >= 0xE2U; });
+                             [](char byte) { return static_cast<unsigned char>(byte) >= 0xE3U; });
 }
 
 }  // namespace

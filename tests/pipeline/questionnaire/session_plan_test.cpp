@@ -97,7 +97,7 @@ TEST(SessionPlan, KeepsWhatItPromisesOverManyRandomDesigns) {
 
 TEST(SessionPlan, SaysWhenNoOrderKeepsApartWhatHasToBe) {
   const Manifest manifest = asked_study(
-      6, "participants: 2, scales: [sad-happy], stimuli: [a1, a4, b2, c3], apart: [emotion]");
+      6, "participants: 2, scales: [sad-happy], stimuli: [a1, b2, c3, b5], apart: [emotion]");
   try {
     plan_sessions(manifest);
     FAIL() << "three of four are sad";
