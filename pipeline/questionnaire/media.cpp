@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/documents/files.h"
+#include "pipeline/documents/places.h"
 #include "pipeline/film/film_record.h"
 #include "pipeline/film/film_tables.h"
 #include "pipeline/manifest/asked.h"
@@ -97,7 +98,7 @@ Manifest with_media(Manifest manifest) {
     if (!shown.contains(stimulus.id)) continue;
     if (asked.view == ShownAs::turn) stimulus.output.clips.glb = true;
     if (asked.view == ShownAs::video && !web_video_of(stimulus.output))
-      throw Error({manifest.file.string(), stimulus.path},
+      throw Error(place_of(manifest.places, stimulus.path),
                   fmt::format("{} has no video that browsers play", stimulus.id),
                   "add mp4 or webm to output: video:");
   }

@@ -34,6 +34,7 @@ struct NotRun {
 const std::vector<NotRun> not_run = {
     {"./mien test", "the launcher's, not the program's: it would run this test again"},
     {"./mien package", "the launcher's: it builds"},
+    {"./mien study export", "needs pages, which Node.js builds (questionnaire_page_test.cpp)"},
     {"./mien farm submit", "needs Slurm"},
     {"./mien farm resume", "needs Slurm"},
     {"./mien farm cancel", "needs Slurm"},

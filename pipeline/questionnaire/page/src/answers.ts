@@ -159,14 +159,27 @@ function pair_of(id: string, item: Item | undefined, texts: Texts, answered: Ans
     String, null, answered);
 }
 
-/** The check that an answer is chosen as told: on points, whatever the scales are. */
-function check_of(trial: Trial, experiment: Experiment, texts: Texts, answered: Answered): Asked {
-  const asked_item = trial.items[0];
-  const item = asked_item && experiment.items[asked_item.item];
-  const id = asked_item?.item ?? "attention";
-  if (item?.slider && asked_item) return slider_of(id, item, asked_item.flipped, answered);
-  if (item && asked_item && !item.words)
-    return points_of(id, { ...item, default: null }, asked_item.flipped, experiment.language, texts, answered);
+/** Words of which one is chosen. */
+function emotion_of(
+  ids: string[], experiment: Experiment, texts: Texts, answered: Answered,
+): Asked {
+  const choices = ids.map((id, index): Choice => ({ value: id, text: experiment.choices?.[id] ?? id,
+    note: index < 9 ? String(index + 1) : undefined, look: "plain" }));
+  return choices_of("emotion", texts.which_emotion, "", "", choices, String, null, answered);
+}
+
+/** The check that an answer is given as told, in the way in which all trials are answered. */
+function check_of(
+  trial: Trial, ids: string[], experiment: Experiment, texts: Texts, answered: Answered,
+): Asked {
+  const id = trial.items[0]?.item ?? "attention";
+  const flipped = trial.items[0]?.flipped ?? false;
+  const item = experiment.items[id];
+  if (id === "emotion") return emotion_of(ids, experiment, texts, answered);
+  if (trial.expected === "left" || trial.expected === "right") return pair_of(id, item, texts, answered);
+  if (item?.words) return words_of(id, texts.attention, answered);
+  if (item?.slider) return slider_of(id, { ...item, default: null }, flipped, answered);
+  if (item) return points_of(id, { ...item, default: null }, flipped, experiment.language, texts, answered);
   const choices = [1, 2, 3, 4, 5].map((place): Choice => ({ value: String(place), text: String(place),
     look: look_of(place, 5) }));
   return choices_of(id, texts.attention, "", "", choices, Number, null, answered);
@@ -174,11 +187,16 @@ function check_of(trial: Trial, experiment: Experiment, texts: Texts, answered: 
 
 /** What a check asks for. */
 export function check_text(trial: Trial, experiment: Experiment, texts: Texts): string {
-  const item = trial.items[0] && experiment.items[trial.items[0].item];
-  const place = Number(trial.expected);
-  if (item?.slider) return texts.put_slider(place);
-  const points = item && !item.words ? item.points : 5;
-  return place === 1 ? texts.press_leftmost : place === points ? texts.press_rightmost
+  const expected = trial.expected ?? "";
+  const id = trial.items[0]?.item ?? "";
+  const item = experiment.items[id];
+  if (id === "emotion") return texts.choose_word(experiment.choices?.[expected] ?? expected);
+  if (expected === "left" || expected === "right") return texts.choose_word(texts[expected]);
+  if (item?.words) return texts.write_word(expected);
+  const place = Number(expected);
+  if (item?.slider)
+    return place === 0 ? texts.put_left : place === 100 ? texts.put_right : texts.put_slider(place);
+  return place === 1 ? texts.press_leftmost : place === (item?.points ?? 5) ? texts.press_rightmost
     : texts.press_number(place);
 }
 
@@ -186,12 +204,9 @@ export function check_text(trial: Trial, experiment: Experiment, texts: Texts): 
 export function asked_of(
   trial: Trial, choices_in_order: string[], experiment: Experiment, texts: Texts, answered: Answered,
 ): Asked[] {
-  if (trial.kind === "attention") return [check_of(trial, experiment, texts, answered)];
-  if (trial.kind === "emotion") {
-    const choices = choices_in_order.map((id, index): Choice =>
-      ({ value: id, text: experiment.choices?.[id] ?? id, note: index < 9 ? String(index + 1) : undefined, look: "plain" }));
-    return [choices_of("emotion", texts.which_emotion, "", "", choices, String, null, answered)];
-  }
+  if (trial.kind === "attention")
+    return [check_of(trial, choices_in_order, experiment, texts, answered)];
+  if (trial.kind === "emotion") return [emotion_of(choices_in_order, experiment, texts, answered)];
   return trial.items.map(({ item: id, flipped }) => {
     const item = experiment.items[id];
     if (trial.kind === "pair") return pair_of(id, item, texts, answered);

@@ -22,6 +22,10 @@ export function value_of(item: Item, flipped: boolean, raw: number): number {
   return Number(value.toFixed(6)) + 0;
 }
 
+/** What a table cannot hold is a space there. */
+const table_text = (text: string): string =>
+  text.replace(/[\x00-\x08\x0b-\x1f\x7f]/g, " ");
+
 /** One row a response, in the order of the responses. */
 export function rows_of(
   experiment: Experiment, session: Session, trial: Trial, record: PageRecord,
@@ -33,7 +37,8 @@ export function rows_of(
     const asked = trial.items.find(({ item }) => item === response.item);
     const item = experiment.items[response.item];
     const has_poles = trial.kind === "rating" && !!item && !item.words;
-    let value = String(response.value_raw);
+    const raw = table_text(String(response.value_raw));
+    let value = raw;
     if (has_poles && asked && typeof response.value_raw === "number")
       value = String(value_of(item, asked.flipped, response.value_raw));
     if (trial.kind === "pair") value = stimulus(response.value_raw === "left" ? shown : other);
@@ -47,7 +52,7 @@ export function rows_of(
       stimulus_sha256: record.media_sha256?.[0] ?? "",
       against: stimulus(trial.kind === "pair" ? other : trial.reference),
       item: response.item,
-      value_raw: String(response.value_raw),
+      value_raw: raw,
       value,
       pole_left: has_poles ? (asked?.flipped ? "high" : "low") : "",
       rt_ms: number_text(response.rt_ms),
@@ -67,7 +72,7 @@ export function rows_of(
       viewport_width: number_text(record.viewport_width),
       viewport_height: number_text(record.viewport_height),
       refresh_hz: number_text(record.refresh_hz),
-      comment: index === 0 ? record.comment : "",
+      comment: index === 0 ? table_text(record.comment) : "",
       seed: String(session.seed),
       design: experiment.design,
       simulated: truth(experiment.simulated),
@@ -77,7 +82,7 @@ export function rows_of(
 
 /** Quoted where it must be. */
 const field = (text: string): string =>
-  /[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+  /[",\r\n]|^ | $/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 
 export const csv = (columns: readonly string[], rows: Record<string, string>[]): string =>
   [columns, ...rows.map((row) => columns.map((column) => row[column] ?? ""))]

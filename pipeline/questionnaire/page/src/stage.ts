@@ -97,6 +97,8 @@ export class Stage {
     this.state = "playing";
     this.show_cover();
     for (const screen of this.screens) screen.play();
+    // Arrow keys turn what is turned.
+    if (this.settings.view === "turn") this.screens[0]?.element.focus({ preventScroll: true });
     this.watch();
   }
 
@@ -149,6 +151,8 @@ export class Stage {
     const { texts, plays } = this;
     this.cover.hidden = this.state === "playing";
     this.root.classList.toggle("playing", this.state === "playing");
+    // What is turned may be looked at from all sides when it stands still again.
+    this.root.classList.toggle("open", this.settings.view === "turn" && plays > 0);
     this.play_button.hidden = this.state !== "covered" || !this.can_play();
     this.play_button.replaceChildren(
       element("span", { class: "triangle", "aria-hidden": "true" }),

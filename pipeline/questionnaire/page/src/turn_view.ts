@@ -1,6 +1,6 @@
 import {
-  AnimationMixer, Color, DirectionalLight, GridHelper, HemisphereLight, LoopOnce, Mesh,
-  MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer, type AnimationAction, type Object3D,
+  AnimationMixer, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, HemisphereLight,
+  LineBasicMaterial, LineSegments, LoopOnce, Mesh, MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer, type AnimationAction, type Object3D,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import type { Screen, ScreenEvents, TurnView } from "./screen";
@@ -47,6 +47,18 @@ function let_turn(canvas: HTMLCanvasElement, turn: Turn, changed: () => void): v
   });
 }
 
+/** Squares of half a metre, in short pieces: some drivers lose lines that begin behind the camera. */
+function floor(): LineSegments {
+  const points: number[] = [];
+  for (let across = -10; across <= 10; across += 0.5) {
+    for (let along = -10; along < 10; along += 0.5)
+      points.push(across, 0, along, across, 0, along + 0.5, along, 0, across, along + 0.5, 0, across);
+  }
+  const lines = new BufferGeometry();
+  lines.setAttribute("position", new Float32BufferAttribute(points, 3));
+  return new LineSegments(lines, new LineBasicMaterial({ color: "#727272" }));
+}
+
 /** A floor to walk on, light from above, a figure of one colour. */
 function scene_of(figure: Object3D, colour: string): Scene {
   const scene = new Scene();
@@ -54,7 +66,7 @@ function scene_of(figure: Object3D, colour: string): Scene {
   scene.add(new HemisphereLight("#ffffff", "#777777", 2.2));
   const sun = new DirectionalLight("#ffffff", 1.6);
   sun.position.set(2, 4, 3);
-  scene.add(sun, new GridHelper(20, 40, "#6c6c6c", "#747474"), figure);
+  scene.add(sun, floor(), figure);
   figure.traverse((part) => {
     if (!(part instanceof Mesh)) return;
     part.material = new MeshStandardMaterial({ color: colour, roughness: 0.75, flatShading: true });

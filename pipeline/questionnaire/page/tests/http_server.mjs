@@ -37,11 +37,11 @@ export async function files_of_zip(archive) {
   return files;
 }
 
-/** `before(path, answer)` may take its time, or answer by itself and then returns true. */
+/** `before(path, answer, request)` may take its time, or answer by itself and then returns true. */
 export async function serve(files, before = async () => false) {
   const server = createServer(async (request, answer) => {
     const path = new URL(request.url, "http://localhost").pathname;
-    if (await before(path, answer)) return;
+    if (await before(path, answer, request)) return;
     const bytes = files[path];
     if (!bytes) return answer.writeHead(404).end();
     answer.writeHead(200, { "Content-Type": types[path.split(".").pop()] ?? "text/plain" });

@@ -33,6 +33,10 @@ async function is_past(page, before) {
 const open_answers = (page) =>
   page.waitForFunction(() => !document.querySelector(".answers").inert, null, { timeout: 30000 });
 
+/** Checks are answered as they say. */
+const place_of = (wanted, turn, all) =>
+  /leftmost/.test(wanted) ? 0 : /rightmost/.test(wanted) ? all - 1 : turn % all;
+
 /** Answers of a trial by clicks: place (index + number of the trial) of each scale. */
 async function answer_by_mouse(page, number) {
   if (await page.locator(".stage").count()) {
@@ -43,7 +47,7 @@ async function answer_by_mouse(page, number) {
   const asked = page.locator("fieldset.asked");
   for (let i = 0; i < (await asked.count()); i += 1) {
     const inputs = asked.nth(i).locator("input");
-    const place = /leftmost/.test(wanted) ? 0 : (i + number) % (await inputs.count());
+    const place = place_of(wanted, i + number, await inputs.count());
     await inputs.nth(place).click({ force: true });
   }
   for (const slider of await page.locator('.asked input[type="range"]').all()) {
@@ -69,7 +73,7 @@ async function answer_by_keys(page, number) {
     await focus("fieldset.asked input");
     const all = await page.evaluate(() =>
       document.activeElement.closest("fieldset").querySelectorAll("input").length);
-    const place = /leftmost/.test(wanted) ? 0 : (i + number) % all;
+    const place = place_of(wanted, i + number, all);
     if (i % 2 === 0 || all > 9) {
       await page.keyboard.press(String(place + 1));
     } else {

@@ -206,9 +206,72 @@ async function jatos() {
     troubles, reloads };
 }
 
+/**
+ * From a server that keeps records, in their order and each once, and that breaks off every first
+ * try: before it has kept the record, or (of even trials) after. The policy is that of mien study
+ * serve.
+ */
+async function served() {
+  const policy = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; " +
+    "media-src 'self' blob:; connect-src 'self' blob:; base-uri 'none'; form-action 'none'";
+  const files = await files_of(folder);
+  const experiment = JSON.parse(files["/experiment.json"]);
+  delete experiment.stimuli;
+  experiment.sessions = experiment.sessions.slice(0, 1);
+  for (const media of Object.values(experiment.media)) media.file = `../../${media.file}`;
+  const kept = new Map();
+  const tried = new Set();
+  const wrong = [];
+  const page_of = { "/s/link/": "index.html", "/s/link/questionnaire.js": "questionnaire.js",
+    "/s/link/questionnaire.css": "questionnaire.css" };
+  const server = await serve(files, async (path, answer, request) => {
+    answer.setHeader("Content-Security-Policy", policy);
+    if (path === "/s/link/session.json") {
+      answer.setHeader("Content-Type", "application/json");
+      answer.end(JSON.stringify({ ...experiment, kept: [...kept.keys()] }));
+      return true;
+    }
+    if (path.startsWith("/s/link/records/")) {
+      let body = "";
+      for await (const part of request) body += part;
+      const record = path.split("/").pop();
+      const is_first = !tried.has(record);
+      tried.add(record);
+      const keeps_first = /[02468]$/.test(record);
+      if (!is_first || keeps_first) {
+        if (kept.has(record) && kept.get(record) !== body) wrong.push(`${record} came otherwise`);
+        kept.set(record, body);
+      }
+      if (is_first) request.socket.destroy();
+      else answer.writeHead(200, { "Content-Type": "application/json" }).end(JSON.stringify({ kept: record }));
+      return true;
+    }
+    const file = page_of[path];
+    if (!file) return false;
+    const text = String(files[`/${file}`]).replace('name="mien-mode" content="static"', 'name="mien-mode" content="served"');
+    answer.setHeader("Content-Type", file.endsWith("html") ? "text/html" : file.endsWith("css") ? "text/css" : "text/javascript");
+    answer.end(text);
+    return true;
+  });
+  const opened = await open(`${server.base}/s/link/`);
+  let reloads = 0;
+  await take(opened.page, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 2 || reloads > 0) return false;
+    reloads += 1;
+    await opened.page.reload();
+    return true;
+  } });
+  const text = await opened.page.locator("main").innerText();
+  server.close();
+  // Connections that were cut are told by the browser, and meant.
+  const troubles = opened.troubles.filter((one) => !/net::ERR/.test(one));
+  return { kept: [...kept.keys()], wrong, troubles, reloads, text, saved: Object.keys(opened.saved) };
+}
+
 const given_study = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
-const scenarios = { reload, keys, stall, refused_phone, refusal, accessibility, jatos };
+const scenarios = { reload, keys, stall, refused_phone, refusal, accessibility, jatos,
+  served };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);

@@ -1,0 +1,252 @@
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/browser.h"
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr char study_text[] = R"(mien: 1
+study: gaits
+seed: 7
+examples: {set: builtin:walks-10}
+output: {size: [96, 72], fps: 15, cycles: 1, quality: draft, video: [mp4], frames: none}
+stimuli:
+  - {id: usual, weights: {normal: 1}}
+  - {id: sad, weights: {normal: 0.4, sad: 0.6}}
+  - {id: proud, weights: {normal: 0.4, proud: 0.6}}
+questionnaire:
+  title: How does this person walk?
+  participants: 3
+  consent: Taking part is voluntary.
+  instructions: Watch each video, then say how the movement looks to you.
+  ending: Thank you.
+  stimuli: [sad, proud]
+  scales: emotions
+  practice: [usual]
+  warm_up: 1
+  attention: {every: 2}
+  comments: true
+  reference: usual
+  demographics:
+    - {id: age, ask: How old are you?, answer: number, required: true}
+    - {id: hand, ask: Which hand do you write with?, answer: [left, right]}
+)";
+
+/// Beside the program, where ./mien test brings what drives a browser.
+fs::path page_tests() { return fs::path(MIEN_PROGRAM).parent_path() / "pages/work/tests"; }
+
+/// Fields of CSV rows by their columns; quotes may hold line ends.
+std::vector<std::map<std::string, std::string>> rows_in(const std::string& csv) {
+  std::vector<std::vector<std::string>> lines(1, std::vector<std::string>(1));
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < csv.size(); ++i) {
+    std::string& field = lines.back().back();
+    if (csv[i] == '"') {
+      if (is_quoted && i + 1 < csv.size() && csv[i + 1] == '"')
+        field += csv[++i];
+      else
+        is_quoted = !is_quoted;
+    } else if (csv[i] == ',' && !is_quoted) {
+      lines.back().emplace_back();
+    } else if (csv[i] == '\n' && !is_quoted) {
+      lines.emplace_back(1);
+    } else {
+      field += csv[i];
+    }
+  }
+  std::vector<std::map<std::string, std::string>> rows;
+  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+    auto& row = rows.emplace_back();
+    for (std::size_t k = 0; k < lines[0].size(); ++k) row[lines[0][k]] = lines[i].at(k);
+  }
+  return rows;
+}
+
+/// A questionnaire that was exported once, and people who take it in Chromium.
+class QuestionnairePage : public testing::Test {
+ protected:
+  static std::string hindrance() {
+    if (chromium().empty()) return "no Chromium here: install it to test pages";
+    if (run_program({"node", "--version"}).code != 0) return "no Node.js here";
+    if (!fs::exists(page_tests().parent_path() / "node_modules/playwright-core"))
+      return "no playwright-core in build/release/pages/work: ./mien test brings it";
+    return "";
+  }
+
+  static void SetUpTestSuite() {
+    if (!hindrance().empty()) return;
+    scratch = std::make_unique<Scratch>();
+    exported = run_mien({"study", "export", scratch->write("gaits.yaml", study_text).string(),
+                         "--out", (scratch->path() / "out").string(), "-o", folder().string()});
+  }
+  static void TearDownTestSuite() { scratch.reset(); }
+
+  void SetUp() override {
+    if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+    ASSERT_EQ(exported.code, 0) << exported.errors;
+  }
+
+  static fs::path folder() { return scratch->path() / "questionnaire"; }
+
+  /// What a scenario of page/tests/scenarios.mjs tells.
+  static json played(const std::string& scenario) {
+    const Ended ended =
+        run_program({"env", "MIEN_CHROMIUM=" + chromium_path(), "node",
+                     (page_tests() / "scenarios.mjs").string(), scenario, folder().string()},
+                    400.0);
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    return json::parse(ended.output, nullptr, false);
+  }
+
+  static std::string chromium_path() {
+    const std::string said = run_program({"sh", "-c", "command -v " + chromium()}).output;
+    return said.substr(0, said.find('\n'));
+  }
+
+  /// All trials in their order, each scale of theirs answered as the participants of
+  /// page/tests/participant.mjs answer.
+  static void expect_complete(const json& played, const std::string& participant) {
+    const json experiment = json::parse(text_of(folder() / "experiment.json"));
+    json session;
+    for (const json& one : experiment.at("sessions"))
+      if (one.at("participant") == participant) session = one;
+    const auto rows = rows_in(played.at("answers").get<std::string>());
+    std::size_t at = 0;
+    for (const json& trial : session.at("trials")) {
+      const int number = trial.at("number");
+      const bool is_check = trial.at("kind") == "attention";
+      for (std::size_t i = 0; i < trial.at("items").size(); ++i, ++at) {
+        ASSERT_LT(at, rows.size());
+        const auto& row = rows[at];
+        EXPECT_EQ(row.at("participant"), participant);
+        EXPECT_EQ(row.at("trial"), std::to_string(number));
+        EXPECT_EQ(row.at("item"), trial.at("items")[i].at("item"));
+        EXPECT_EQ(row.at("is_practice"), trial.at("practice").get<bool>() ? "1" : "0");
+        EXPECT_EQ(row.at("is_warmup"), trial.at("warm_up").get<bool>() ? "1" : "0");
+        if (is_check) {
+          EXPECT_EQ(row.at("passed"), "1");
+          continue;
+        }
+        const int raw = static_cast<int>((i + static_cast<std::size_t>(number)) % 5) + 1;
+        const bool is_flipped = trial.at("items")[i].at("flipped");
+        EXPECT_EQ(row.at("value_raw"), std::to_string(raw));
+        EXPECT_EQ(row.at("value"), std::to_string(is_flipped ? 3 - raw : raw - 3));
+        EXPECT_EQ(row.at("pole_left"), is_flipped ? "high" : "low");
+        EXPECT_EQ(row.at("stimulus"),
+                  experiment.at("stimuli").at(trial.at("media")[0].get<std::string>()));
+        EXPECT_EQ(row.at("against"), "usual");
+        EXPECT_EQ(row.at("stimulus_sha256").size(), 64U);
+        EXPECT_LT(std::stod(row.at("play_start_ms")), std::stod(row.at("ended_ms")));
+        EXPECT_LE(std::stod(row.at("ended_ms")), std::stod(row.at("trial_ms")));
+        EXPECT_EQ(row.at("viewport_width"), "1366");
+        EXPECT_EQ(row.at("seed"), session.at("seed"));
+      }
+    }
+    EXPECT_EQ(at, rows.size());
+    const auto people = rows_in(played.at("participant").get<std::string>());
+    ASSERT_EQ(people.size(), 1U);
+    EXPECT_EQ(people[0].at("finished"), "1");
+    EXPECT_FALSE(people[0].at("age").empty());
+  }
+
+  inline static std::unique_ptr<Scratch> scratch;
+  inline static Ended exported;
+};
+
+TEST_F(QuestionnairePage, GoesOnAfterAReload) {
+  const json reloaded = played("reload");
+  EXPECT_EQ(reloaded.at("troubles"), json::array());
+  EXPECT_EQ(reloaded.at("reloads"), 1);
+  // No trial was seen twice but the one that was left.
+  std::vector<int> numbers = reloaded.at("seen");
+  for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], static_cast<int>(i) + 1);
+  expect_complete(reloaded, "p002");
+}
+
+TEST_F(QuestionnairePage, IsTakenByKeysAlone) {
+  const json taken = played("keys");
+  EXPECT_EQ(taken.at("troubles"), json::array());
+  expect_complete(taken, "p001");
+}
+
+TEST_F(QuestionnairePage, WaitsForItsVideosAndTellsWhenOneStalls) {
+  const json stalled = played("stall");
+  expect_complete(stalled, "p003");
+  EXPECT_EQ(stalled.at("again"), 1);  // one came broken
+  EXPECT_GT(stalled.at("first_trial_ms"), stalled.at("late_ms"));
+  const auto rows = rows_in(stalled.at("answers").get<std::string>());
+  for (const auto& row : rows) {
+    if (row.at("trial") != "2") continue;
+    EXPECT_EQ(row.at("stalls"), "1");
+    EXPECT_GE(std::stod(row.at("stall_ms")), 400.0);
+  }
+}
+
+TEST_F(QuestionnairePage, RunsOnJatos) {
+  const json run = played("jatos");
+  EXPECT_EQ(run.at("troubles"), json::array());
+  EXPECT_EQ(run.at("reloads"), 1);
+  // The others had been given out, and the first try to take this one was refused.
+  EXPECT_EQ(run.at("taken"), (json{{"p001", 1}, {"p002", 1}, {"p003", 1}}));
+  EXPECT_EQ(run.at("files"), (json{"p002-participants.csv", "p002-records.json"}));
+  EXPECT_FALSE(rows_in(run.at("answers").get<std::string>()).empty());
+}
+
+TEST_F(QuestionnairePage, SendsEachRecordUntilTheServerHasIt) {
+  const json run = played("served");
+  EXPECT_EQ(run.at("troubles"), json::array());
+  EXPECT_EQ(run.at("wrong"), json::array());
+  EXPECT_EQ(run.at("saved"), json::array());
+  EXPECT_EQ(run.at("reloads"), 1);
+  const json experiment = json::parse(text_of(folder() / "experiment.json"));
+  json records = {"consent", "demographics"};
+  for (const json& trial : experiment.at("sessions")[0].at("trials"))
+    records.push_back("trial-" + std::to_string(trial.at("number").get<int>()));
+  records.push_back("ending");
+  EXPECT_EQ(run.at("kept"), records);
+}
+
+TEST_F(QuestionnairePage, HasNoFaultOfAccessibility) {
+  const json checked = played("accessibility");
+  EXPECT_EQ(checked.at("faults"), json::array());
+  EXPECT_GT(checked.at("checked"), 20);
+}
+
+TEST_F(QuestionnairePage, SendsPhonesAwayAndKeepsNothingOfWhoRefuses) {
+  const json phone = played("refused_phone");
+  EXPECT_EQ(phone.at("trials"), 0);
+  EXPECT_NE(phone.at("text").get<std::string>().find("larger screen"), std::string::npos);
+  EXPECT_EQ(played("refusal").at("kept"), 0);
+}
+
+/// That C++ makes the same rows of the same records is tested beside the file.
+TEST_F(QuestionnairePage, MakesTheRowsThatAreExpected) {
+  const fs::path there = fs::path(MIEN_SOURCE_DIR) / "tests/pipeline/questionnaire";
+  const Ended ended = run_program(
+      {"node", (page_tests() / "rows.mjs").string(), (there / "page_session.json").string()});
+  EXPECT_EQ(ended.output, text_of(there / "page_answers.csv")) << ended.errors;
+}
+
+TEST_F(QuestionnairePage, IsWrittenIntoNoFolderOfOthers) {
+  const Scratch other;
+  other.write("thesis.tex", "mine");
+  const Ended refused =
+      run_mien({"study", "export", (scratch->path() / "gaits.yaml").string(), "--out",
+                (scratch->path() / "out").string(), "-o", other.path().string()});
+  EXPECT_NE(refused.code, 0);
+  EXPECT_NE(refused.errors.find("holds something else"), std::string::npos) << refused.errors;
+}
+
+}  // namespace
+}  // namespace mien::test
