@@ -43,6 +43,11 @@ std::set<std::string> told_excluded(const std::vector<AnswerRow>& rows,
 
 }  // namespace
 
+bool is_on_scale(const AnswerRow& row) {
+  // A trial that asks which emotion is seen may ask scales too.
+  return row.kind == "rating" || (row.kind == "emotion" && row.item != "emotion");
+}
+
 CountedAnswers counted_answers(const CsvTable& table) {
   std::vector<AnswerRow> rows = answer_rows(table);
   CountedAnswers counted;
@@ -56,7 +61,7 @@ CountedAnswers counted_answers(const CsvTable& table) {
     counted.table.header.push_back({column.as, head.line, head.column});
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const bool is_rating = rows[i].counts() && rows[i].kind == "rating";
+    const bool is_rating = rows[i].counts() && is_on_scale(rows[i]);
     if (!is_rating || excluded.contains(rows[i].participant)) continue;
     std::vector<CsvField> fields;
     for (const std::size_t index : indices) fields.push_back(table.rows[i][index]);

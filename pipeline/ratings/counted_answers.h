@@ -4,8 +4,13 @@
 #include <vector>
 
 #include "pipeline/documents/csv.h"
+#include "pipeline/ratings/answer_row.h"
 
 namespace mien::pipeline {
+
+/// Whether a row is an answer on a scale: not which of a list of emotions, nor which of two, nor a
+/// check.
+bool is_on_scale(const AnswerRow& row);
 
 /// The ratings in a table of answer rows (answer_row.h), as the tidy table participant, stimulus,
 /// scale, value, rt_ms, comment, simulated that other answers come as; fields keep their places.

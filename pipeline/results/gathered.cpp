@@ -13,6 +13,7 @@
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/ratings/counted_answers.h"
 
 namespace mien::pipeline {
 
@@ -67,9 +68,13 @@ class AnswerSorter {
     if (row.kind == "attention") return;
     const auto stimulus = known_stimulus(row, row.stimulus);
     if (!stimulus || !is_of_asked_kind(row)) return;
-    if (row.kind == "rating") add_rating(row, *stimulus);
-    if (row.kind == "emotion") add_choice(row, *stimulus);
-    if (row.kind == "pair") add_preference(row, *stimulus);
+    if (is_on_scale(row)) {
+      add_rating(row, *stimulus);
+    } else if (row.kind == "emotion") {
+      add_choice(row, *stimulus);
+    } else {
+      add_preference(row, *stimulus);
+    }
     if (!row.comment.empty() && !row.is_practice)
       result_.remarks.push_back({row.participant, row.stimulus, "", row.comment});
   }

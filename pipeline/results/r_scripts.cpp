@@ -40,7 +40,8 @@ stimuli <- read.csv(file.path("..", "{stimuli}"), encoding = "UTF-8")
 
 # The same answers that the report counts: ratings that are no practice, warm-up or check, of
 # participants who are not excluded.
-counted <- subset(answers, kind == "rating" & is_practice == 0 & is_warmup == 0 & is_catch == 0 &
+counted <- subset(answers, (kind == "rating" | (kind == "emotion" & item != "emotion")) &
+                    is_practice == 0 & is_warmup == 0 & is_catch == 0 &
                     excluded == 0 & !is.na(value) & value != "")
 counted$value <- as.numeric(counted$value)
 counted <- merge(counted, stimuli, by = "stimulus")

