@@ -231,7 +231,11 @@ std::vector<std::string> power_sentences(const PowerQuestion& question,
                   "both.",
                   question.difference, compared, question.alpha, percent(estimate.power),
                   question.studies, estimate.participants, estimate.usable),
-      fmt::format("Where there is no difference, {} find one.", percent(estimate.false_alarms)),
+      fmt::format("Where there is no difference, {} find one.{}", percent(estimate.false_alarms),
+                  question.factor.empty() || spread.stimulus == 0.0
+                      ? ""
+                      : " More than the level is what a test over participants takes for a "
+                        "difference of the levels when these stimuli alone differ."),
       fmt::format("Found by {:g} %: with {} participants (simulation's interval {} to {}).",
                   100.0 * question.wanted,
                   number_or_more(estimate.needed, question.most_participants),

@@ -87,8 +87,8 @@ void tell_duration(const std::vector<SessionPlan>& plans, const Console& console
 void tell_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                  const Balance& balance, const Console& console, std::ostream& out) {
   const auto is_analysed = [](const Trial& trial) { return trial.is_analysed(); };
-  out << fmt::format("{}: {} participants, {} trials each, {} of them analysed\n",
-                     manifest.study, plans.size(), plans[0].trials.size(),
+  out << fmt::format("{}: {} participants, {} trials each, {} of them analysed\n", manifest.study,
+                     plans.size(), plans[0].trials.size(),
                      std::ranges::count_if(plans[0].trials, is_analysed));
   for (const std::string& sentence :
        balance_sentences(manifest, balance, static_cast<int>(plans.size())))
