@@ -37,7 +37,7 @@ questionnaire:
   scales: emotions
   attention: {every: 1}
   demographics:
-    - {id: age, ask: How old are you?, answer: number, required: true}
+    - {id: age, ask: "How old are you?", answer: number, required: true}
 )";
 
 /// A mien with pages beside it that stand for those that Node.js builds.
