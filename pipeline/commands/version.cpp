@@ -8,6 +8,8 @@
 
 #include "pipeline/archive/tar_archive.h"
 #include "pipeline/commands/cli.h"
+#include "pipeline/server/database.h"
+#include "pipeline/server/http_server.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -16,8 +18,10 @@ namespace {
 
 int show_versions(bool as_json, const Console& console) {
   std::vector<std::pair<std::string, std::string>> versions = library_versions();
-  versions.emplace_back("libarchive",
-                        archive_library());  // of no artifact's bytes, but of archives'
+  // Of no artifact's bytes, but of archives' and of those who serve.
+  versions.emplace_back("libarchive", archive_library());
+  versions.emplace_back("cpp-httplib", http_library());
+  versions.emplace_back("SQLite", database_library());
   if (!as_json) {
     console.out << "mien " << program_version() << '\n';
     for (const auto& [name, version] : versions)

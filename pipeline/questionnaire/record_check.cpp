@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/asked.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -42,20 +44,27 @@ void check_on_scale(const GivenResponse& response, const AskedScale& scale) {
     throw RecordFault("an answer in words is a number");
 }
 
+/// As the other trials of the questionnaire are answered: a check looks like them.
+TrialKind answered_like(const Trial& trial, const GivenResponse& response) {
+  if (trial.kind != TrialKind::attention) return trial.kind;
+  if (response.item == emotion_item) return TrialKind::emotion;
+  const bool is_pair = trial.expected == "left" || trial.expected == "right";
+  return is_pair ? TrialKind::pair : TrialKind::rating;
+}
+
 void check_response(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                     const GivenResponse& response) {
-  const auto scale = facts.scales.find(response.item);
-  switch (trial.kind) {
+  switch (answered_like(trial, response)) {
     case TrialKind::emotion:
       check_word(response, plan.choices.empty() ? facts.choices : plan.choices);
       break;
     case TrialKind::pair:
       check_word(response, {"left", "right"});
       break;
-    case TrialKind::rating:
-    case TrialKind::attention:
+    default: {
+      const auto scale = facts.scales.find(response.item);
       check_on_scale(response, scale == facts.scales.end() ? AskedScale() : scale->second);
-      break;
+    }
   }
 }
 

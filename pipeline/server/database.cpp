@@ -25,6 +25,8 @@ std::string true_place(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::string database_library() { return sqlite3_libversion(); }
+
 Database::Database(const std::filesystem::path& file) : file_(file) {
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX;

@@ -11,6 +11,9 @@ struct sqlite3_stmt;
 
 namespace mien::pipeline {
 
+/// Version of the library that keeps answers: "3.40.1".
+std::string database_library();
+
 /// A SQLite file that this process has to itself until it ends, however it ends. What a transaction
 /// has committed is on the disk (write-ahead log, synchronised at every commit). For one thread at
 /// a time.

@@ -137,6 +137,8 @@ void reuse_port_of_the_dead(socket_t socket) {
 
 }  // namespace
 
+std::string http_library() { return CPPHTTPLIB_VERSION; }
+
 class HttpServer::Listener : private httplib::Server {
  public:
   Listener(const HttpSettings& settings, HttpAnswer answer, HttpFailure failure)

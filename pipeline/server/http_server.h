@@ -10,6 +10,9 @@
 
 namespace mien::pipeline {
 
+/// Version of the library that listens: "0.11.4".
+std::string http_library();
+
 struct HttpSettings {
   std::string listen = "127.0.0.1";  ///< address of this machine
   int port = 0;                      ///< 0: any that is free

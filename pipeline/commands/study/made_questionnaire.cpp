@@ -6,6 +6,7 @@
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/production/run.h"
+#include "pipeline/questionnaire/shown_media.h"
 #include "pipeline/tasks/progress.h"
 #include "pipeline/tasks/task_graph.h"
 
@@ -39,7 +40,9 @@ MadeQuestionnaire made_questionnaire(const ProductionArguments& arguments, const
   const fs::path file = manifest_meant(arguments.manifest, console);
   Manifest manifest = load_manifest(file, process_environment(), arguments.out);
   questionnaire_of(manifest);
-  Production production(with_media(std::move(manifest)), options_of(arguments));
+  ProductionArguments shown = arguments;
+  shown.only = shown_stimuli(manifest);
+  Production production(with_media(std::move(manifest)), options_of(shown));
   MadeQuestionnaire made;
   made.manifest = production.manifest();
   made.folder = folder_of(arguments, made.manifest);

@@ -56,8 +56,7 @@ std::string base_url(const ServeOptions& options, int port) {
     return options.url.substr(0, options.url.find_last_not_of('/') + 1);
   }
   const bool is_v6 = options.listen.find(':') != std::string::npos;
-  return is_v6 ? fmt::format("http://[{}]:{}", options.listen, port)
-               : fmt::format("http://{}:{}", options.listen, port);
+  return fmt::format("http://{}:{}", is_v6 ? "[" + options.listen + "]" : options.listen, port);
 }
 
 bool is_loopback(const std::string& address) {

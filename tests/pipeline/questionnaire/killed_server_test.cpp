@@ -18,9 +18,6 @@
 namespace mien::pipeline {
 namespace {
 
-constexpr int participants = 20;
-constexpr int kills = 5;
-
 /// What the processes of this test tell one another.
 struct Board {
   std::atomic<int> port = 0;      ///< of the server that runs; 0: none yet
@@ -57,7 +54,7 @@ void nap() { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }
 
 /// Starts servers one after the other, and kills each when its share of the answers is in.
 [[noreturn]] void start_and_kill_servers(const ServedStudy& study,
-                                         const std::filesystem::path& file, int records,
+                                         const std::filesystem::path& file, int records, int kills,
                                          Board& board) {
   for (int round = 0; round <= kills; ++round) {
     const pid_t server = fork();
@@ -89,7 +86,8 @@ std::string ask_until_answered(const Board& board, const std::string& request) {
   return {};
 }
 
-TEST(KilledServer, LosesAndDoublesNoAnswerOfTwentyParticipants) {
+/// Participants who answer at once while servers are killed: each answer must be there once.
+void answer_while_killing(int participants, int kills) {
   const test::TemporaryFolder folder;
   const ServedStudy study = example_study(folder.path(), participants, 12);
   const std::filesystem::path file = folder.path() / "answers.db";
@@ -104,7 +102,7 @@ TEST(KilledServer, LosesAndDoublesNoAnswerOfTwentyParticipants) {
   const int records = participants * static_cast<int>(names.size());
   Board& board = shared_board();
   const pid_t keeper = fork();
-  if (keeper == 0) start_and_kill_servers(study, file, records, board);
+  if (keeper == 0) start_and_kill_servers(study, file, records, kills, board);
   while (board.port == 0) nap();
 
   std::atomic<int> refused = 0;
@@ -143,6 +141,10 @@ TEST(KilledServer, LosesAndDoublesNoAnswerOfTwentyParticipants) {
                 good_record(study, index, names[at], "browser-" + std::to_string(index)).dump());
   }
 }
+
+TEST(KilledServer, LosesAndDoublesNoAnswerOfAFewParticipants) { answer_while_killing(4, 2); }
+
+TEST(KilledServer, LosesAndDoublesNoAnswerOfTwentyParticipants) { answer_while_killing(20, 5); }
 
 }  // namespace
 }  // namespace mien::pipeline

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/documents/files.h"
 #include "pipeline/questionnaire/record_check.h"
 #include "pipeline/questionnaire/served_example.h"
 #include "pipeline/temporary_folder.h"
@@ -101,6 +102,67 @@ TEST_F(Records, AreReadBackFromATable) {
   const std::vector<AnswerRow> read = answer_rows(parse_csv(to_csv(all), "answers.csv"));
   ASSERT_EQ(read.size(), all.size());
   EXPECT_EQ(to_csv(read), to_csv(all));
+}
+
+TEST_F(Records, OfChecksAreAnsweredAsTheOtherTrialsAre) {
+  Trial check{.number = 1, .kind = TrialKind::attention, .items = {{"emotion"}}, .expected = "sad"};
+  SessionPlan plan{.trials = {check}, .choices = {"sad", "happy"}};
+  nlohmann::json text = good_record(study_, 0, "consent");
+  text["record"] = "trial-1";
+  const auto give = [&](const std::string& item, const nlohmann::json& value) {
+    text["responses"] = {{{"item", item}, {"value_raw", value}}};
+    check_record(study_.facts, plan, read_record(text));
+  };
+  EXPECT_NO_THROW(give("emotion", "happy"));
+  EXPECT_THROW(give("emotion", 1), RecordFault);
+  plan.trials[0].items = {{"sad-happy"}};
+  plan.trials[0].expected = "left";
+  EXPECT_NO_THROW(give("sad-happy", "right"));
+  EXPECT_THROW(give("sad-happy", 1), RecordFault);
+  plan.trials[0].expected = "5";
+  EXPECT_NO_THROW(give("sad-happy", 1));
+  EXPECT_THROW(give("sad-happy", "left"), RecordFault);
+}
+
+/// A session as experiment.json tells it.
+SessionPlan plan_in(const nlohmann::json& session, const nlohmann::json& stimuli) {
+  SessionPlan plan{.participant = session.at("participant"),
+                   .seed = std::stoull(session.at("seed").get<std::string>())};
+  for (const nlohmann::json& told : session.at("trials")) {
+    Trial trial{.number = told.at("number"),
+                .block = told.at("block"),
+                .practice = told.at("practice"),
+                .warm_up = told.at("warm_up"),
+                .is_catch = told.at("catch"),
+                .expected = told.at("expected")};
+    for (const auto& [word, kind] : trial_kind_words)
+      if (told.at("kind") == word) trial.kind = kind;
+    for (const nlohmann::json& token : told.at("media"))
+      trial.stimuli.push_back(stimuli.at(token.get<std::string>()));
+    const std::string reference = told.at("reference");
+    if (!reference.empty()) trial.reference = stimuli.at(reference);
+    for (const nlohmann::json& item : told.at("items"))
+      trial.items.push_back({item.at("item"), item.at("flipped")});
+    plan.trials.push_back(std::move(trial));
+  }
+  return plan;
+}
+
+TEST(RowsOfAPage, AreThoseThatThePageItselfMakes) {
+  const std::filesystem::path folder =
+      std::filesystem::path(MIEN_SOURCE_DIR) / "tests/pipeline/questionnaire";
+  const auto told = nlohmann::ordered_json::parse(read_file(folder / "page_session.json"));
+  const AskedFacts facts = asked_facts(told.at("experiment"));
+  const SessionPlan plan = plan_in(nlohmann::json(told.at("experiment").at("sessions").at(0)),
+                                   nlohmann::json(told.at("experiment").at("stimuli")));
+  std::vector<AnswerRow> rows;
+  for (const Trial& trial : plan.trials) {
+    const auto text = told.at("records").find("trial-" + std::to_string(trial.number));
+    if (text == told.at("records").end()) continue;
+    const PageRecord record = read_record(nlohmann::json(*text));
+    for (AnswerRow& row : rows_of(facts, plan, trial, record)) rows.push_back(std::move(row));
+  }
+  EXPECT_EQ(to_csv(rows), read_file(folder / "page_answers.csv"));
 }
 
 /// A record with one thing changed: a JSON pointer and what stands there then.
