@@ -74,8 +74,10 @@ void tell_duration(const std::vector<SessionPlan>& plans, const Console& console
                    std::ostream& out) {
   const auto [shortest, longest] =
       std::ranges::minmax_element(plans, {}, &SessionPlan::expected_seconds);
-  out << "Expected duration of a session: " << minutes(shortest->expected_seconds) << " to "
-      << minutes(longest->expected_seconds) << ".\n";
+  const std::string least = minutes(shortest->expected_seconds);
+  const std::string most = minutes(longest->expected_seconds);
+  out << "Expected duration of a session: " << (least == most ? most : least + " to " + most)
+      << ".\n";
   if (longest->expected_seconds <= longest_good_session_seconds) return;
   console.err << "warning: a session of more than " << minutes(longest_good_session_seconds)
               << " is long; show each participant fewer stimuli (questionnaire.per_participant) or "
@@ -86,7 +88,7 @@ void tell_design(const Manifest& manifest, const std::vector<SessionPlan>& plans
                  const Balance& balance, const Console& console, std::ostream& out) {
   const auto is_analysed = [](const Trial& trial) { return trial.is_analysed(); };
   out << fmt::format("{}: {} participants, {} trials each, {} of them analysed\n",
-                     title_of(manifest), plans.size(), plans[0].trials.size(),
+                     manifest.study, plans.size(), plans[0].trials.size(),
                      std::ranges::count_if(plans[0].trials, is_analysed));
   for (const std::string& sentence :
        balance_sentences(manifest, balance, static_cast<int>(plans.size())))
