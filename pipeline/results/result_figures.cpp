@@ -173,20 +173,25 @@ void add_differences(const Results& results, ComparisonFamily family, const std:
   BarChart chart;
   chart.title = title;
   chart.axis = "Mean difference towards the emotion that was meant, scale points";
-  chart.whiskers = "95 % interval, within persons; * p < " +
+  chart.whiskers = "95 % interval within persons, of five or more; * p < " +
                    fmt::format("{:g} ({})", gathered.alpha, name_of(gathered.correction));
   chart.one_colour = true;
   chart.decimals = 2;
-  chart.slot_width = 76.0;
+  chart.slot_width = 92.0;
   for (const Comparison& c : results.comparisons) {
-    if (c.family != family || c.own_end == 0 || c.people < 2) continue;
+    if (c.family != family || c.own_end == 0 || c.within.people < 2) continue;
     const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
-    const double low = c.paired.low(0.95);
-    const double high = c.paired.high(0.95);
+    constexpr int fewest = 5;  // whose interval does not run off the page
+    const bool has_whisker = c.within.people >= fewest;
+    const double low = has_whisker ? c.within.t.low(0.95) : std::nan("");
+    const double high = has_whisker ? c.within.t.high(0.95) : std::nan("");
     const bool is_found = c.paired_adjusted < gathered.alpha;
-    chart.bars.push_back({stimulus.emotion + (is_found ? " *" : ""), c.own_end * c.paired.mean,
-                          c.own_end > 0 ? low : -high, c.own_end > 0 ? high : -low,
-                          stimulus.setting, created_colours.light});
+    chart.bars.push_back({stimulus.emotion + (is_found ? " *" : ""),
+                          c.own_end * c.within.t.mean + 0.0, c.own_end > 0 ? low : -high,
+                          c.own_end > 0 ? high : -low,
+                          fmt::format("{}{}n = {}", stimulus.setting,
+                                      stimulus.setting.empty() ? "" : ", ", c.within.people),
+                          created_colours.light});
   }
   if (chart.bars.empty()) return;
   const std::string name(word_of(family_words, family));

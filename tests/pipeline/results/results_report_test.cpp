@@ -230,7 +230,7 @@ TEST(ResultsReport, FindsWhatWasPutIn) {
   int found = 0;
   for (const Comparison& c : reported.results.comparisons)
     if (c.family == ComparisonFamily::modified_neutral && c.own_end != 0)
-      found += c.paired_adjusted < 0.05 && c.own_end * c.paired.mean > 0.0 ? 1 : 0;
+      found += c.paired_adjusted < 0.05 && c.own_end * c.within.t.mean > 0.0 ? 1 : 0;
   EXPECT_EQ(found, 2);
   EXPECT_GT(reported.results.reliability[0].intraclass.two_k, 0.8);
 }
