@@ -18,14 +18,15 @@ std::vector<BestSeen> best_seen(const Gathered& gathered,
         const Comparison* best = nullptr;
         for (const Comparison& c : comparisons) {
           const bool is_here = c.family == ComparisonFamily::best_seen && c.scale == scale &&
-                               gathered.stimuli[c.stimulus].setting == setting && c.people >= 2;
-          if (is_here && (best == nullptr || sign * c.paired.mean > sign * best->paired.mean))
+                               gathered.stimuli[c.stimulus].setting == setting &&
+                               c.within.people >= 2;
+          if (is_here && (best == nullptr || sign * c.within.t.mean > sign * best->within.t.mean))
             best = &c;
         }
         if (best == nullptr) continue;
         const Scale& of = gathered.scales[scale];
         all.push_back({setting, high ? of.high : of.low, high, *best,
-                       sign * best->paired.mean > 0.0 && best->paired_adjusted < gathered.alpha});
+                       sign * best->within.t.mean > 0.0 && best->paired_adjusted < gathered.alpha});
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "pipeline/results/comparisons.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -61,16 +62,7 @@ void set_tests(Comparison& result, const std::vector<double>& own,
   result.welch = welch_t_test(own, against);
   result.d = cohens_d(own, against);
   result.g = hedges_g(own, against);
-  result.people = static_cast<int>(differences.size());
-  result.paired = paired_t_test(differences);
-  result.dz = cohens_dz(differences);
-  result.gz = hedges_gz(differences);
-  result.wilcoxon = wilcoxon(differences);
-  result.pratt = wilcoxon(differences, WilcoxonMode::exact, WilcoxonZeros::pratt);
-  result.wilcoxon_normal = wilcoxon(differences, WilcoxonMode::published).p;
-  result.wilcoxon_normal_corrected = wilcoxon(differences, WilcoxonMode::corrected).p;
-  result.wilcoxon_zsplit = wilcoxon(differences, WilcoxonMode::published, WilcoxonZeros::zsplit).p;
-  result.location = hodges_lehmann(differences);
+  result.within = within_persons(differences);
 }
 
 /// What comparisons on one scale are made from.
@@ -122,22 +114,14 @@ class ScaleComparisons {
   std::vector<std::vector<CountedRating>> ratings_;
 };
 
-std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
-                                          const ReportedStimulus& other) {
-  if (one.setting != other.setting || one.is_neutral()) return std::nullopt;
-  if (other.is_neutral()) {
-    if (one.made == "modified") return ComparisonFamily::modified_neutral;
-    if (one.made == "acted") return ComparisonFamily::acted_neutral;
-  }
-  const bool same_emotion = !one.emotion.empty() && one.emotion == other.emotion;
-  if (same_emotion && one.made == "modified" && other.made == "acted")
-    return ComparisonFamily::modified_acted;
-  return std::nullopt;
-}
-
 /// What a hypothesis is about (the scale of the emotion that was meant) is corrected by itself.
 bool is_of_hypothesis(const Comparison& comparison) {
   return comparison.family != ComparisonFamily::best_seen && comparison.own_end != 0;
+}
+
+/// NaN where there is nobody to rank.
+double p_of_ranks(const WithinPersons& within) {
+  return within.people == 0 ? within.t.p : within.wilcoxon.p;
 }
 
 void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool of_hypothesis,
@@ -154,13 +138,42 @@ void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool 
   };
   correct([](const Comparison& c) { return c.welch.p; },
           [](Comparison& c, double p) { c.welch_adjusted = p; });
-  correct([](const Comparison& c) { return c.paired.p; },
+  correct([](const Comparison& c) { return c.within.t.p; },
           [](Comparison& c, double p) { c.paired_adjusted = p; });
-  correct([](const Comparison& c) { return c.people == 0 ? c.paired.p : c.wilcoxon.p; },
+  correct([](const Comparison& c) { return p_of_ranks(c.within); },
           [](Comparison& c, double p) { c.wilcoxon_adjusted = p; });
 }
 
 }  // namespace
+
+std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
+                                          const ReportedStimulus& other) {
+  if (one.setting != other.setting || one.is_neutral()) return std::nullopt;
+  if (other.is_neutral()) {
+    if (one.made == "modified") return ComparisonFamily::modified_neutral;
+    if (one.made == "acted") return ComparisonFamily::acted_neutral;
+  }
+  const bool same_emotion = !one.emotion.empty() && one.emotion == other.emotion;
+  if (same_emotion && one.made == "modified" && other.made == "acted")
+    return ComparisonFamily::modified_acted;
+  return std::nullopt;
+}
+
+WithinPersons within_persons(const std::vector<double>& differences) {
+  WithinPersons result;
+  result.people = static_cast<int>(differences.size());
+  result.t = paired_t_test(differences);
+  if (!(result.t.standard_error > 0.0)) result.t.p = std::numeric_limits<double>::quiet_NaN();
+  result.dz = cohens_dz(differences);
+  result.gz = hedges_gz(differences);
+  result.wilcoxon = wilcoxon(differences);
+  result.pratt = wilcoxon(differences, WilcoxonMode::exact, WilcoxonZeros::pratt);
+  result.wilcoxon_normal = wilcoxon(differences, WilcoxonMode::published).p;
+  result.wilcoxon_normal_corrected = wilcoxon(differences, WilcoxonMode::corrected).p;
+  result.wilcoxon_zsplit = wilcoxon(differences, WilcoxonMode::published, WilcoxonZeros::zsplit).p;
+  result.location = hodges_lehmann(differences);
+  return result;
+}
 
 int end_of(const Scale& scale, const std::string& emotion) {
   if (emotion.empty()) return 0;

@@ -28,7 +28,28 @@ inline constexpr Words<ComparisonFamily> family_words = {
     {"modified-neutral", ComparisonFamily::modified_neutral},
     {"acted-neutral", ComparisonFamily::acted_neutral}};
 
-/// Three tests of one difference on one scale.
+/// How two stimuli are compared, if at all.
+std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
+                                          const ReportedStimulus& other);
+
+/// Tests of paired differences, each a person's.
+struct WithinPersons {
+  int people = 0;
+  /// p is NaN where all differences are alike: few people on few points say the same by chance.
+  TTest t;
+  double dz = 0.0;               ///< Cohen's
+  double gz = 0.0;               ///< Hedges'
+  Wilcoxon wilcoxon;             ///< exact, conditional on ties; differences of 0 left out
+  Wilcoxon pratt;                ///< exact, zeros ranked
+  double wilcoxon_normal = 1.0;  ///< p of the normal approximation without correction
+  double wilcoxon_normal_corrected = 1.0;  ///< p of the same with continuity correction
+  double wilcoxon_zsplit = 1.0;            ///< p of the normal approximation, zeros split
+  HodgesLehmann location;
+};
+
+WithinPersons within_persons(const std::vector<double>& differences);
+
+/// Tests of one difference on one scale.
 struct Comparison {
   ComparisonFamily family = ComparisonFamily::best_seen;
   std::size_t stimulus = 0;
@@ -50,16 +71,7 @@ struct Comparison {
 
   /// Within persons: of each who saw both, the difference; of best_seen that between the video and
   /// the mean of the person's other videos of the setting.
-  int people = 0;
-  TTest paired;
-  double dz = 0.0;
-  double gz = 0.0;
-  Wilcoxon wilcoxon;             ///< exact, conditional on ties; differences of 0 left out
-  Wilcoxon pratt;                ///< exact, zeros ranked
-  double wilcoxon_normal = 1.0;  ///< p of the normal approximation without correction
-  double wilcoxon_normal_corrected = 1.0;  ///< p of the same with continuity correction
-  double wilcoxon_zsplit = 1.0;            ///< p of the normal approximation, zeros split
-  HodgesLehmann location;
+  WithinPersons within;
 
   double welch_adjusted = 1.0;  ///< p corrected for the number of comparisons of the family
   double paired_adjusted = 1.0;
@@ -69,6 +81,23 @@ struct Comparison {
 /// All comparisons that the stimuli's factors make possible, family by family. Those without two
 /// persons or answers are left out.
 std::vector<Comparison> compare(const Gathered& gathered);
+
+/// How far stimuli of one making are seen towards the emotion that was meant, against those of
+/// another making, over all settings: of each person the mean over the stimuli seen of either side,
+/// on the scales of their emotions, turned so that the emotion is positive. Where people see a part
+/// of the stimuli, this is what enough of them have seen both sides of.
+struct OverallComparison {
+  ComparisonFamily family = ComparisonFamily::modified_acted;
+  std::string emotion;  ///< empty: all
+  double mean = 0.0;    ///< of the people's means
+  double mean_against = 0.0;
+  WithinPersons within;
+  double paired_adjusted = 1.0;  ///< within the family, the row of all emotions by itself
+  double wilcoxon_adjusted = 1.0;
+};
+
+/// Of each family but best_seen: over all emotions, then emotion by emotion.
+std::vector<OverallComparison> compare_overall(const Gathered& gathered);
 
 /// +1 where `emotion` is the name of the scale's high end, −1 of its low end, else 0.
 int end_of(const Scale& scale, const std::string& emotion);

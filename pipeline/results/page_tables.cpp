@@ -23,11 +23,15 @@ std::string decimal(double value, int digits = 2) {
 
 std::string interval_text(double low, double high, int digits = 2) {
   return std::isnan(low) ? "–"
-                         : fmt::format("{} … {}", decimal(low, digits), decimal(high, digits));
+                         : fmt::format("[{}, {}]", decimal(low, digits), decimal(high, digits));
 }
 
 std::string percent_text(double share) {
   return std::isnan(share) ? "–" : decimal(100.0 * share, 0) + " %";
+}
+
+std::string share_interval(double low, double high) {
+  return fmt::format("[{}, {}] %", decimal(100.0 * low, 0), decimal(100.0 * high, 0));
 }
 
 /// A row of cells; those of `text` are set left.
@@ -50,37 +54,49 @@ class HtmlRow {
   std::string cells_;
 };
 
+/// Heads that begin with "<" are of columns of text.
 std::string wide_table(std::initializer_list<std::string_view> heads, const std::string& rows) {
-  return rows.empty() ? "" : "<div class=\"wide\">" + html_table(heads, rows) + "</div>\n";
+  if (rows.empty()) return "";
+  std::string html = "<div class=\"wide\"><table><thead><tr>";
+  for (const std::string_view head : heads)
+    html += head.starts_with('<') ? fmt::format("<th class=\"text\">{}</th>", head.substr(1))
+                                  : fmt::format("<th>{}</th>", head);
+  return html + "</tr></thead>\n<tbody>" + rows + "</tbody></table></div>\n";
 }
 
 std::string scale_name(const Scale& scale) { return scale.low + " – " + scale.high; }
 
+/// What was found within persons.
+HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjusted,
+                      double wilcoxon_adjusted) {
+  return row.number(w.people)
+      .number(decimal(w.t.mean))
+      .number(interval_text(w.t.low(0.95), w.t.high(0.95)))
+      .number(decimal(w.t.t))
+      .number(p_text(w.t.p))
+      .number(p_text(paired_adjusted))
+      .number(decimal(w.gz))
+      .number(fmt::format("{:g}", w.wilcoxon.w_plus))
+      .number(fmt::format("{}, {}, {}", w.wilcoxon.used, w.wilcoxon.zeros, w.wilcoxon.tied))
+      .number(p_text(w.wilcoxon.p))
+      .number(p_text(wilcoxon_adjusted))
+      .number(decimal(w.location.estimate))
+      .number(interval_text(w.location.low, w.location.high))
+      .number(decimal(w.wilcoxon.rank_biserial));
+}
+
 std::string comparison_html(const Gathered& gathered, const Comparison& c) {
   const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
   const std::string against = c.against ? gathered.stimuli[*c.against].id : "its setting";
-  return HtmlRow()
-      .text(stimulus.id)
+  HtmlRow row;
+  row.text(stimulus.id)
       .text(against)
       .text(scale_name(gathered.scales[c.scale]))
       .number(decimal(c.mean))
       .number(decimal(c.mean_against))
       .number(fmt::format("{} ({})", decimal(c.welch.t), decimal(c.welch.degrees, 1)))
-      .number(p_text(c.welch.p))
-      .number(c.people)
-      .number(decimal(c.paired.mean))
-      .number(interval_text(c.paired.low(0.95), c.paired.high(0.95)))
-      .number(decimal(c.paired.t))
-      .number(p_text(c.paired.p))
-      .number(p_text(c.paired_adjusted))
-      .number(decimal(c.gz))
-      .number(fmt::format("{:g}", c.wilcoxon.w_plus))
-      .number(fmt::format("{}, {}, {}", c.wilcoxon.used, c.wilcoxon.zeros, c.wilcoxon.tied))
-      .number(p_text(c.wilcoxon.p))
-      .number(p_text(c.wilcoxon_adjusted))
-      .number(fmt::format("{} ({})", decimal(c.location.estimate),
-                          interval_text(c.location.low, c.location.high)))
-      .number(decimal(c.wilcoxon.rank_biserial))
+      .number(p_text(c.welch.p));
+  return within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
       .html(c.paired_adjusted < gathered.alpha);
 }
 
@@ -108,8 +124,8 @@ std::string sessions_html(const Results& results) {
                       : p.is_constant ? "kept, though always at the same place"
                                       : "")
                 .html();
-  return wide_table({"participant", "trials", "answers", "checks passed", "median answer, s",
-                     "stalls", "window left", ""},
+  return wide_table({"<participant", "trials", "answers", "checks passed", "median answer, s",
+                     "stalls", "window left", "<"},
                     rows);
 }
 
@@ -122,7 +138,7 @@ std::string demographics_html(const Results& results) {
                 .number(d.is_count ? decimal(d.value, 0) : decimal(d.value))
                 .number(d.people)
                 .html();
-  return wide_table({"question", "answer", "", "people"}, rows);
+  return wide_table({"<question", "<answer", "", "people"}, rows);
 }
 
 std::string best_seen_html(const Results& results) {
@@ -131,23 +147,23 @@ std::string best_seen_html(const Results& results) {
   for (const BestSeen& best : best_seen(gathered, results.comparisons)) {
     const Comparison& c = best.comparison;
     const double sign = best.is_high ? 1.0 : -1.0;
-    const double low = c.paired.low(0.95);
-    const double high = c.paired.high(0.95);
+    const double low = c.within.t.low(0.95);
+    const double high = c.within.t.high(0.95);
     rows += HtmlRow()
                 .text(best.end)
                 .text(best.setting.empty() ? "all" : best.setting)
                 .text(gathered.stimuli[c.stimulus].id)
-                .number(decimal(sign * c.paired.mean))
+                .number(decimal(sign * c.within.t.mean))
                 .number(best.is_high ? interval_text(low, high) : interval_text(-high, -low))
-                .number(c.people)
+                .number(c.within.people)
                 .number(p_text(c.welch.p))
-                .number(p_text(c.paired.p))
+                .number(p_text(c.within.t.p))
                 .number(p_text(c.paired_adjusted))
-                .number(decimal(sign * c.gz))
+                .number(decimal(sign * c.within.gz))
                 .html(best.is_found);
   }
-  return wide_table({"seen", "setting", "most in", "above the other videos", "95 % interval", "n",
-                     "p, thesis", "p, paired", "p, corrected", "g<sub>z</sub>"},
+  return wide_table({"<seen", "<setting", "<most in", "above the other videos", "95 % interval",
+                     "n", "p, thesis", "p, paired", "p, corrected", "g<sub>z</sub>"},
                     rows);
 }
 
@@ -163,9 +179,9 @@ std::string comparisons_html(const Results& results, ComparisonFamily family,
     const bool is_shown = !has_own || c.own_end != 0;
     if (c.family == family && is_asked && is_shown) rows += comparison_html(gathered, c);
   }
-  return wide_table({"video",
-                     "against",
-                     "scale",
+  return wide_table({"<video",
+                     "<against",
+                     "<scale",
                      "mean",
                      "mean against",
                      "Welch t (df)",
@@ -182,8 +198,27 @@ std::string comparisons_html(const Results& results, ComparisonFamily family,
                      "p, Wilcoxon",
                      "p, corrected",
                      "Hodges–Lehmann",
+                     "95 % interval",
                      "rank-biserial"},
                     rows);
+}
+
+std::string overall_html(const Results& results, ComparisonFamily family) {
+  std::string rows;
+  for (const OverallComparison& c : results.overall) {
+    if (c.family != family) continue;
+    HtmlRow row;
+    row.text(c.emotion.empty() ? "all" : c.emotion)
+        .number(decimal(c.mean))
+        .number(decimal(c.mean_against));
+    rows += within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
+                .html(c.paired_adjusted < results.gathered.alpha);
+  }
+  return wide_table(
+      {"<emotion", "mean", "mean against", "n", "difference within persons", "95 % interval", "t",
+       "p", "p, corrected", "g<sub>z</sub>", "V", "n ≠ 0, zeros, tied", "p, Wilcoxon",
+       "p, corrected", "Hodges–Lehmann", "95 % interval", "rank-biserial"},
+      rows);
 }
 
 std::string recall_html(const Results& results) {
@@ -197,9 +232,7 @@ std::string recall_html(const Results& results) {
                   .text(confusion.by_points ? "points of ratings" : "choices")
                   .number(row.judged)
                   .number(percent_text(row.recall))
-                  .number(std::isnan(row.low) ? "–"
-                                              : fmt::format("{} … {}", percent_text(row.low),
-                                                            percent_text(row.high)))
+                  .number(std::isnan(row.low) ? "–" : share_interval(row.low, row.high))
                   .number(percent_text(confusion.chance))
                   .number(row.hits)
                   .number(p_text(row.p))
@@ -207,7 +240,7 @@ std::string recall_html(const Results& results) {
                   .html(row.adjusted < results.gathered.alpha && row.recall > confusion.chance);
     }
   }
-  return wide_table({"shown", "of", "by", "judged", "recall", "95 % interval (Wilson)", "chance",
+  return wide_table({"<shown", "<of", "<by", "judged", "recall", "95 % interval (Wilson)", "chance",
                      "seen most", "p, binomial", "p, corrected"},
                     rows);
 }
@@ -231,8 +264,8 @@ std::string agreement_html(const Results& results) {
                 .number(decimal(r.alpha))
                 .html();
   }
-  return wide_table({"scale", "videos", "people", "k", "ICC(1)", "ICC(1,k)", "ICC(2,1)", "ICC(2,k)",
-                     "ICC(3,1)", "ICC(3,k)", "saw all", "Cronbach’s α"},
+  return wide_table({"<scale", "videos", "people", "k", "ICC(1)", "ICC(1,k)", "ICC(2,1)",
+                     "ICC(2,k)", "ICC(3,1)", "ICC(3,k)", "saw all", "Cronbach’s α"},
                     rows);
 }
 
@@ -244,11 +277,11 @@ std::string preferences_html(const Results& results) {
                 .text(results.gathered.stimuli[c.other].id)
                 .text(c.item)
                 .number(fmt::format("{} of {}", c.for_one, c.trials))
-                .number(fmt::format("{} … {}", percent_text(c.low), percent_text(c.high)))
+                .number(share_interval(c.low, c.high))
                 .number(p_text(c.p))
                 .number(p_text(c.adjusted))
                 .html(c.adjusted < results.gathered.alpha);
-  return wide_table({"one", "other", "question", "for the first", "95 % interval (Wilson)",
+  return wide_table({"<one", "<other", "<question", "for the first", "95 % interval (Wilson)",
                      "p, binomial", "p, corrected"},
                     rows);
 }
@@ -257,7 +290,7 @@ std::string remarks_html(const std::vector<Remark>& remarks) {
   std::string rows;
   for (const Remark& remark : remarks)
     rows += HtmlRow().text(remark.stimulus).text(remark.participant).prose(remark.text).html();
-  return wide_table({"video", "participant", "comment"}, rows);
+  return wide_table({"<video", "<participant", "<comment"}, rows);
 }
 
 }  // namespace mien::pipeline

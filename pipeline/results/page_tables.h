@@ -15,6 +15,7 @@ std::string best_seen_html(const Results& results);
 /// emotion that was meant or, where there is none, on all.
 std::string comparisons_html(const Results& results, ComparisonFamily family,
                              const std::string& made = "");
+std::string overall_html(const Results& results, ComparisonFamily family);
 std::string recall_html(const Results& results);
 std::string agreement_html(const Results& results);
 std::string preferences_html(const Results& results);

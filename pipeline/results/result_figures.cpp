@@ -167,31 +167,63 @@ void add_confusion_figures(const Results& results, std::vector<ResultFigure>& fi
   }
 }
 
-void add_differences(const Results& results, ComparisonFamily family, const std::string& thesis,
-                     const std::string& title, std::vector<ResultFigure>& figures) {
-  const Gathered& gathered = results.gathered;
+BarChart differences_chart(const Gathered& gathered, const std::string& title) {
   BarChart chart;
   chart.title = title;
   chart.axis = "Mean difference towards the emotion that was meant, scale points";
-  chart.whiskers = "95 % interval, within persons; * p < " +
-                   fmt::format("{:g} ({})", gathered.alpha, name_of(gathered.correction));
+  chart.whiskers = fmt::format("95 % interval within persons, of five or more; * p < {:g} ({})",
+                               gathered.alpha, name_of(gathered.correction));
   chart.one_colour = true;
   chart.decimals = 2;
-  chart.slot_width = 76.0;
+  chart.slot_width = 92.0;
+  return chart;
+}
+
+/// `end` is +1 where positive differences are towards the emotion that was meant, else −1.
+Bar difference_bar(const Gathered& gathered, const std::string& name, int end,
+                   const WithinPersons& within, double p, const std::string& setting) {
+  constexpr int fewest = 5;  // whose interval does not run off the page
+  const bool has_whisker = within.people >= fewest;
+  const double low = has_whisker ? within.t.low(0.95) : std::nan("");
+  const double high = has_whisker ? within.t.high(0.95) : std::nan("");
+  return {name + (p < gathered.alpha ? " *" : ""),
+          end * within.t.mean + 0.0,
+          end > 0 ? low : -high,
+          end > 0 ? high : -low,
+          fmt::format("{}{}n = {}", setting, setting.empty() ? "" : ", ", within.people),
+          created_colours.light};
+}
+
+void add_differences(const Results& results, ComparisonFamily family, const std::string& thesis,
+                     const std::string& title, std::vector<ResultFigure>& figures) {
+  const Gathered& gathered = results.gathered;
+  BarChart chart = differences_chart(gathered, title);
   for (const Comparison& c : results.comparisons) {
-    if (c.family != family || c.own_end == 0 || c.people < 2) continue;
+    if (c.family != family || c.own_end == 0 || c.within.people < 2) continue;
     const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
-    const double low = c.paired.low(0.95);
-    const double high = c.paired.high(0.95);
-    const bool is_found = c.paired_adjusted < gathered.alpha;
-    chart.bars.push_back({stimulus.emotion + (is_found ? " *" : ""), c.own_end * c.paired.mean,
-                          c.own_end > 0 ? low : -high, c.own_end > 0 ? high : -low,
-                          stimulus.setting, created_colours.light});
+    chart.bars.push_back(difference_bar(gathered, stimulus.emotion, c.own_end, c.within,
+                                        c.paired_adjusted, stimulus.setting));
   }
   if (chart.bars.empty()) return;
   const std::string name(word_of(family_words, family));
   figures.push_back({named(thesis, "differences-" + name), "differences", thesis,
                      "Within persons, towards the emotion that was meant.",
+                     marked(bar_chart_plot(chart), gathered.simulated)});
+}
+
+/// Over all settings, emotion by emotion.
+void add_overall(const Results& results, ComparisonFamily family, const std::string& title,
+                 std::vector<ResultFigure>& figures) {
+  const Gathered& gathered = results.gathered;
+  BarChart chart = differences_chart(gathered, title + ", over all settings");
+  for (const OverallComparison& c : results.overall) {
+    if (c.family != family) continue;
+    const std::string name = c.emotion.empty() ? "all" : c.emotion;
+    chart.bars.push_back(difference_bar(gathered, name, 1, c.within, c.paired_adjusted, ""));
+  }
+  if (chart.bars.empty()) return;
+  figures.push_back({"overall-" + std::string(word_of(family_words, family)), "differences", "",
+                     "Of each person the mean over all settings of either side.",
                      marked(bar_chart_plot(chart), gathered.simulated)});
 }
 
@@ -248,12 +280,14 @@ std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered) {
 std::vector<ResultFigure> result_figures(const Results& results) {
   std::vector<ResultFigure> figures;
   add_rating_figures(results, figures);
-  add_differences(results, ComparisonFamily::modified_acted, "35",
-                  "Modified motions against acted ones", figures);
-  add_differences(results, ComparisonFamily::modified_neutral, "36",
-                  "Modified motions against neutral ones", figures);
-  add_differences(results, ComparisonFamily::acted_neutral, "",
-                  "Acted motions against neutral ones", figures);
+  const auto differences = [&](ComparisonFamily family, const std::string& thesis,
+                               const std::string& title) {
+    add_overall(results, family, title, figures);
+    add_differences(results, family, thesis, title, figures);
+  };
+  differences(ComparisonFamily::modified_acted, "35", "Modified motions against acted ones");
+  differences(ComparisonFamily::modified_neutral, "36", "Modified motions against neutral ones");
+  differences(ComparisonFamily::acted_neutral, "", "Acted motions against neutral ones");
   add_confusion_figures(results, figures);
   add_correlation_figure(results, figures);
   return figures;

@@ -70,6 +70,35 @@ void add_means(const Results& results, std::vector<ResultTable>& tables) {
   histograms.finish(tables);
 }
 
+/// As overall_columns and comparison_columns end.
+std::vector<std::string> within_fields(const WithinPersons& w, double paired_adjusted,
+                                       double wilcoxon_adjusted) {
+  return {field_of(w.t.mean),
+          field_of(w.t.low(0.95)),
+          field_of(w.t.high(0.95)),
+          field_of(w.t.t),
+          field_of(w.t.degrees),
+          field_of(w.t.p),
+          field_of(paired_adjusted),
+          field_of(w.dz),
+          field_of(w.gz),
+          field_of(w.wilcoxon.w_plus),
+          whole(w.wilcoxon.used),
+          whole(w.wilcoxon.zeros),
+          whole(w.wilcoxon.tied),
+          field_of(w.wilcoxon.p),
+          field_of(wilcoxon_adjusted),
+          field_of(w.wilcoxon_normal),
+          field_of(w.wilcoxon_normal_corrected),
+          field_of(w.pratt.w_plus),
+          field_of(w.pratt.p),
+          field_of(w.wilcoxon_zsplit),
+          field_of(w.location.estimate),
+          field_of(w.location.low),
+          field_of(w.location.high),
+          field_of(w.wilcoxon.rank_biserial)};
+}
+
 std::vector<std::string> comparison_row(const Gathered& gathered, const Comparison& c) {
   std::vector<std::string> row = {std::string(word_of(family_words, c.family))};
   add(row, about(gathered, c.stimulus));
@@ -81,15 +110,8 @@ std::vector<std::string> comparison_row(const Gathered& gathered, const Comparis
             field_of(c.welch.mean), field_of(c.welch.low(0.95)), field_of(c.welch.high(0.95)),
             field_of(c.welch.t), field_of(c.welch.degrees), field_of(c.welch.p),
             field_of(c.welch_adjusted), field_of(c.d), field_of(c.g)});
-  add(row, {whole(c.people), field_of(c.paired.mean), field_of(c.paired.low(0.95)),
-            field_of(c.paired.high(0.95)), field_of(c.paired.t), field_of(c.paired.degrees),
-            field_of(c.paired.p), field_of(c.paired_adjusted), field_of(c.dz), field_of(c.gz)});
-  add(row,
-      {field_of(c.wilcoxon.w_plus), whole(c.wilcoxon.used), whole(c.wilcoxon.zeros),
-       whole(c.wilcoxon.tied), field_of(c.wilcoxon.p), field_of(c.wilcoxon_adjusted),
-       field_of(c.wilcoxon_normal), field_of(c.wilcoxon_normal_corrected), field_of(c.pratt.w_plus),
-       field_of(c.pratt.p), field_of(c.wilcoxon_zsplit), field_of(c.location.estimate),
-       field_of(c.location.low), field_of(c.location.high), field_of(c.wilcoxon.rank_biserial)});
+  add(row, {whole(c.within.people)});
+  add(row, within_fields(c.within, c.paired_adjusted, c.wilcoxon_adjusted));
   return row;
 }
 
@@ -97,6 +119,15 @@ void add_comparisons(const Results& results, std::vector<ResultTable>& tables) {
   ResultWriter writer(comparisons_form, results.gathered.simulated);
   for (const Comparison& c : results.comparisons) writer.row(comparison_row(results.gathered, c));
   writer.finish(tables);
+  ResultWriter overall(overall_form, results.gathered.simulated);
+  for (const OverallComparison& c : results.overall) {
+    std::vector<std::string> row = {std::string(word_of(family_words, c.family)), c.emotion,
+                                    field_of(c.mean), field_of(c.mean_against),
+                                    whole(c.within.people)};
+    add(row, within_fields(c.within, c.paired_adjusted, c.wilcoxon_adjusted));
+    overall.row(row);
+  }
+  overall.finish(tables);
 }
 
 void add_confusion_tables(const Results& results, std::vector<ResultTable>& tables) {
@@ -177,7 +208,7 @@ void add_remarks(const Results& results, std::vector<ResultTable>& tables) {
 
 }  // namespace
 
-std::string field_of(double value) { return std::isnan(value) ? "" : shortest_measured(value); }
+std::string field_of(double value) { return !std::isfinite(value) ? "" : shortest_measured(value); }
 
 std::vector<ResultTable> result_tables(const Results& results) {
   std::vector<ResultTable> tables;

@@ -18,7 +18,7 @@ struct ResultTable {
 /// column simulated where the answers are.
 std::vector<ResultTable> result_tables(const Results& results);
 
-/// A number for a table: nothing where it is not known.
+/// A number for a table: nothing where it is not known, or without end.
 std::string field_of(double value);
 
 }  // namespace mien::pipeline

@@ -19,6 +19,7 @@ struct Results {
   Gathered gathered;
   std::vector<RatingSummary> summaries;
   std::vector<Comparison> comparisons;
+  std::vector<OverallComparison> overall;
   std::vector<Confusion> confusions;
   std::vector<EndCorrelation> correlations;
   std::vector<Reliability> reliability;
@@ -33,6 +34,7 @@ inline Results results_of(Gathered gathered, const std::vector<AnswerRow>& rows,
   results.gathered = std::move(gathered);
   results.summaries = summaries_of(results.gathered);
   results.comparisons = compare(results.gathered);
+  results.overall = compare_overall(results.gathered);
   results.confusions = confusions_of(results.gathered);
   results.correlations = end_correlations(results.gathered);
   results.reliability = reliability_of(results.gathered);

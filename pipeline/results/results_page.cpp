@@ -149,17 +149,26 @@ std::string best_html(const Results& results) {
 
 std::string differences_html(const Results& results, const PageParts& parts) {
   std::string html = parts.figures("differences");
-  html += part("Modified against acted motions (after figure 37 of the thesis)",
-               comparisons_html(results, ComparisonFamily::modified_acted));
-  html += part("Modified against neutral motions (after figure 38 of the thesis)",
-               comparisons_html(results, ComparisonFamily::modified_neutral));
-  html += part("Acted against neutral motions",
-               comparisons_html(results, ComparisonFamily::acted_neutral));
+  const auto add = [&](ComparisonFamily family, const std::string& title,
+                       const std::string& thesis) {
+    const std::string videos = comparisons_html(results, family);
+    if (videos.empty()) return;
+    html += heading(title) + overall_html(results, family) + "<details" +
+            (results.overall.empty() ? " open" : "") + "><summary>Video by video" + thesis +
+            "</summary>\n" + videos + "</details>\n";
+  };
+  add(ComparisonFamily::modified_acted, "Modified against acted motions",
+      " (after figure 37 of the thesis)");
+  add(ComparisonFamily::modified_neutral, "Modified against neutral motions",
+      " (after figure 38 of the thesis)");
+  add(ComparisonFamily::acted_neutral, "Acted against neutral motions", "");
   if (html.empty()) return "";
   return paragraph(
-             "Stimuli are compared within a setting (the levels of all factors but made, emotion "
-             "and strength) and within persons. Shown is the scale whose end the emotion is; "
-             "results/comparisons.csv has all scales.") +
+             "How far the emotion that was meant is seen, on the scale whose end it is, in points "
+             "from the middle. First of each person the mean over all settings; below, video by "
+             "video within a setting (the levels of all factors but made, emotion and strength), "
+             "where those count who saw both. results/comparisons.csv has the other scales too. "
+             "Where all of few people differ by the same, there is no t test.") +
          html;
 }
 

@@ -37,7 +37,8 @@ constexpr std::array histogram_columns = {
 constexpr std::array comparison_columns = {
     Column{"family", "",
            "best-seen (a video with all videos of its setting), modified-acted, modified-neutral "
-           "or acted-neutral; p values are corrected within a family (but for best-seen: comparisons on "
+           "or acted-neutral; p values are corrected within a family (but for best-seen: "
+           "comparisons on "
            "the scale of the emotion that was meant by themselves, and those on other scales)"},
     stimulus_column,
     made_column,
@@ -67,7 +68,40 @@ constexpr std::array comparison_columns = {
     Column{"paired_high", "scale points", "upper end"},
     Column{"paired_t", "", "t of the differences"},
     Column{"paired_df", "", "its degrees of freedom"},
-    Column{"paired_p", "", "two-sided p"},
+    Column{"paired_p", "", "two-sided p; empty where all differences are alike"},
+    Column{"paired_p_adjusted", "", "p corrected within the family"},
+    Column{"cohens_dz", "", "mean difference in units of the differences' standard deviation"},
+    Column{"hedges_gz", "", "the same without bias"},
+    Column{"wilcoxon_v", "", "sum of the ranks of the positive differences, zeros left out"},
+    Column{"wilcoxon_n", "", "differences that are not 0"},
+    Column{"wilcoxon_zeros", "", "differences that are 0"},
+    Column{"wilcoxon_tied", "", "differences that share their size with another"},
+    Column{"wilcoxon_p", "", "two-sided, exact, conditional on ties; zeros left out"},
+    Column{"wilcoxon_p_adjusted", "", "p corrected within the family"},
+    Column{"wilcoxon_p_normal", "", "normal approximation without continuity correction"},
+    Column{"wilcoxon_p_normal_corrected", "", "normal approximation with continuity correction"},
+    Column{"pratt_v", "", "as wilcoxon_v, zeros ranked with the others (Pratt)"},
+    Column{"pratt_p", "", "two-sided, exact, of Pratt's ranks"},
+    Column{"zsplit_p", "", "normal approximation, half of the zeros' ranks on either side"},
+    Column{"hodges_lehmann", "scale points", "median of the means of any two differences"},
+    Column{"hodges_lehmann_low", "scale points", "lower end of its 95 % interval"},
+    Column{"hodges_lehmann_high", "scale points", "upper end"},
+    Column{"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation, zeros left out"}};
+
+constexpr std::array overall_columns = {
+    Column{"family", "", "modified-acted, modified-neutral or acted-neutral"},
+    Column{"emotion", "", "the emotion that was meant; empty: all"},
+    Column{"mean", "scale points",
+           "mean over the people of how far they saw the emotion that was meant, from the middle "
+           "of its scale"},
+    Column{"mean_against", "scale points", "the same, of what it is compared with"},
+    Column{"people", "", "persons who saw both sides"},
+    Column{"paired_difference", "scale points", "mean of their own differences"},
+    Column{"paired_low", "scale points", "lower end of its 95 % interval"},
+    Column{"paired_high", "scale points", "upper end"},
+    Column{"paired_t", "", "t of the differences"},
+    Column{"paired_df", "", "its degrees of freedom"},
+    Column{"paired_p", "", "two-sided p; empty where all differences are alike"},
     Column{"paired_p_adjusted", "", "p corrected within the family"},
     Column{"cohens_dz", "", "mean difference in units of the differences' standard deviation"},
     Column{"hedges_gz", "", "the same without bias"},
@@ -182,6 +216,8 @@ const TableForm means_form = {"results/means.csv", "a stimulus on a scale", mean
 const TableForm histograms_form = {"results/histograms.csv", "a place on a scale of a stimulus",
                                    histogram_columns};
 const TableForm comparisons_form = {"results/comparisons.csv", "a comparison", comparison_columns};
+const TableForm overall_form = {"results/overall.csv", "a comparison over all settings",
+                                overall_columns};
 const TableForm confusion_form = {"results/confusion.csv", "a cell of a confusion matrix",
                                   confusion_columns};
 const TableForm recall_form = {"results/recall.csv", "an emotion that was shown", recall_columns};

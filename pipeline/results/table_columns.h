@@ -10,6 +10,7 @@ namespace mien::pipeline {
 extern const TableForm means_form;
 extern const TableForm histograms_form;
 extern const TableForm comparisons_form;
+extern const TableForm overall_form;
 extern const TableForm confusion_form;
 extern const TableForm recall_form;
 extern const TableForm correlations_form;

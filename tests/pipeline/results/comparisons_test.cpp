@@ -1,5 +1,7 @@
 #include "pipeline/results/comparisons.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "pipeline/results/axis_correlations.h"
@@ -55,15 +57,15 @@ TEST(Comparisons, AreMadeFromTheFactorsOfStimuli) {
   ASSERT_NE(modified, nullptr);
   EXPECT_EQ(modified->against, 2u);
   EXPECT_EQ(modified->own_end, -1);
-  EXPECT_EQ(modified->people, 3);
+  EXPECT_EQ(modified->within.people, 3);
   EXPECT_DOUBLE_EQ(modified->mean, -1.0);
   EXPECT_DOUBLE_EQ(modified->mean_against, -5.0 / 3.0);
-  EXPECT_NEAR(modified->paired.mean, (1.0 - 1.0 + 2.0) / 3.0, 1e-12);
-  EXPECT_EQ(modified->wilcoxon.used, 3);
+  EXPECT_NEAR(modified->within.t.mean, (1.0 - 1.0 + 2.0) / 3.0, 1e-12);
+  EXPECT_EQ(modified->within.wilcoxon.used, 3);
   const Comparison* neutral = found(all, ComparisonFamily::modified_neutral, 1, 0);
   ASSERT_NE(neutral, nullptr);
-  EXPECT_NEAR(neutral->paired.mean, (-1.0 - 3.0 + 0.0) / 3.0, 1e-12);
-  EXPECT_EQ(neutral->wilcoxon.zeros, 1);
+  EXPECT_NEAR(neutral->within.t.mean, (-1.0 - 3.0 + 0.0) / 3.0, 1e-12);
+  EXPECT_EQ(neutral->within.wilcoxon.zeros, 1);
   EXPECT_EQ(found(all, ComparisonFamily::modified_acted, 1, 1)->own_end, 0);
   EXPECT_NE(found(all, ComparisonFamily::acted_neutral, 2, 0), nullptr);
 }
@@ -76,7 +78,7 @@ TEST(Comparisons, HoldAVideoAgainstItsSettingInBothWays) {
   EXPECT_EQ(best->answers_against, 9);
   EXPECT_NEAR(best->mean_against, -7.0 / 9.0, 1e-12);
   // Within persons: against the mean of the person's other two.
-  EXPECT_NEAR(best->paired.mean, ((-2 + 0.5) + (-1 + 0.5) + (-2 - 0)) / 3.0, 1e-12);
+  EXPECT_NEAR(best->within.t.mean, ((-2 + 0.5) + (-1 + 0.5) + (-2 - 0)) / 3.0, 1e-12);
 }
 
 TEST(Comparisons, StayWithinASetting) {
@@ -94,11 +96,43 @@ TEST(Comparisons, AreCorrectedWithinTheirFamily) {
   for (const Comparison& c : compare(gathered)) {
     const bool is_alone = c.family != ComparisonFamily::best_seen;  // one own scale, one other
     if (is_alone) {
-      EXPECT_DOUBLE_EQ(c.paired_adjusted, c.paired.p);
+      EXPECT_DOUBLE_EQ(c.paired_adjusted, c.within.t.p);
     } else {
       EXPECT_GE(c.welch_adjusted, c.welch.p);
     }
   }
+}
+
+TEST(Comparisons, SayNothingWhereAFewPeopleDifferByTheSame) {
+  const WithinPersons alike = within_persons({1.0, 1.0});
+  EXPECT_TRUE(std::isnan(alike.t.p));
+  EXPECT_DOUBLE_EQ(alike.wilcoxon.p, 0.5);
+  const WithinPersons equal = within_persons({0.0, 0.0, 0.0});
+  EXPECT_TRUE(std::isnan(equal.t.p));
+  EXPECT_DOUBLE_EQ(equal.wilcoxon.p, 1.0);
+  EXPECT_EQ(equal.wilcoxon.zeros, 3);
+}
+
+TEST(Comparisons, OverSettingsTurnEachEmotionToItsEnd) {
+  Gathered gathered;
+  gathered.scales = {between("sad", "happy")};
+  gathered.stimuli = {{"w-sad", "modified", "sad", "woman", {}},
+                      {"w-acted-sad", "acted", "sad", "woman", {}},
+                      {"m-happy", "modified", "happy", "man", {}},
+                      {"m-acted-happy", "acted", "happy", "man", {}}};
+  gathered.people = {"p", "q", "r"};
+  // p saw both emotions, q sadness alone, r one side alone.
+  gathered.ratings = {{0, 0, 0, -1}, {0, 1, 0, -2}, {0, 2, 0, 2}, {0, 3, 0, 1},
+                      {1, 0, 0, 0},  {1, 1, 0, -1}, {2, 0, 0, -2}};
+  const std::vector<OverallComparison> all = compare_overall(gathered);
+  ASSERT_EQ(all.size(), 2u);  // all, and sad: of happy there is one person
+  EXPECT_EQ(all[0].emotion, "");
+  EXPECT_EQ(all[0].within.people, 2);
+  EXPECT_DOUBLE_EQ(all[0].mean, (1.5 + 0.0) / 2.0);
+  EXPECT_DOUBLE_EQ(all[0].mean_against, (1.5 + 1.0) / 2.0);
+  EXPECT_DOUBLE_EQ(all[0].within.t.mean, (0.0 - 1.0) / 2.0);
+  EXPECT_EQ(all[1].emotion, "sad");
+  EXPECT_DOUBLE_EQ(all[1].within.t.mean, -1.0);
 }
 
 TEST(BestSeen, NamesTheVideoFarthestTowardsEachEnd) {

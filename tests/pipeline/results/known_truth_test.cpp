@@ -36,12 +36,12 @@ Findings findings_of(int studies, int participants, const StatedTruth& truth) {
       if (c.own_end != 0) any = any || c.paired_adjusted < level;
       if (c.stimulus != 3) continue;
       if (c.own_end == 0) {
-        found.other_scale += c.paired.p < level ? 1 : 0;
+        found.other_scale += c.within.t.p < level ? 1 : 0;
         continue;
       }
-      found.paired += c.paired.p < level ? 1 : 0;
+      found.paired += c.within.t.p < level ? 1 : 0;
       found.welch += c.welch.p < level ? 1 : 0;
-      found.wilcoxon += c.wilcoxon.p < level ? 1 : 0;
+      found.wilcoxon += c.within.wilcoxon.p < level ? 1 : 0;
     }
     found.any_after_holm += any ? 1 : 0;
     ++found.studies;

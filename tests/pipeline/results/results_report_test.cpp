@@ -11,6 +11,7 @@
 
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/plot_texts.h"
 #include "pipeline/ratings/answers.h"
 #include "pipeline/results/dataset.h"
 #include "pipeline/results/result_figures.h"
@@ -69,6 +70,7 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "results/means.csv",
                            "results/histograms.csv",
                            "results/comparisons.csv",
+                           "results/overall.csv",
                            "results/confusion.csv",
                            "results/recall.csv",
                            "results/correlations.csv",
@@ -121,6 +123,14 @@ TEST(ResultsReport, MarksWhatIsSimulatedEverywhere) {
   EXPECT_NE(files.at("dataset_description.json").find("SIMULATED"), std::string::npos);
   EXPECT_NE(files.at("analysis/lme4.R").find("SIMULATED"), std::string::npos);
   EXPECT_NE(files.at("README.md").find("Simulated"), std::string::npos);
+}
+
+TEST(ResultsReport, DrawsFiguresWhoseTextsAreApartAndMarked) {
+  for (const ResultFigure& figure : result_figures(reported_study().results)) {
+    SCOPED_TRACE(figure.name);
+    test::expect_texts_apart(figure.plot);
+    EXPECT_TRUE(test::says(figure.plot, std::string(simulated_ratings_mark)));
+  }
 }
 
 TEST(ResultsReport, SaysNothingOfSimulationWhereAnswersWereGiven) {
@@ -230,7 +240,7 @@ TEST(ResultsReport, FindsWhatWasPutIn) {
   int found = 0;
   for (const Comparison& c : reported.results.comparisons)
     if (c.family == ComparisonFamily::modified_neutral && c.own_end != 0)
-      found += c.paired_adjusted < 0.05 && c.own_end * c.paired.mean > 0.0 ? 1 : 0;
+      found += c.paired_adjusted < 0.05 && c.own_end * c.within.t.mean > 0.0 ? 1 : 0;
   EXPECT_EQ(found, 2);
   EXPECT_GT(reported.results.reliability[0].intraclass.two_k, 0.8);
 }
