@@ -56,11 +56,11 @@ fs::path mien_with_pages(const fs::path& folder) {
 /// A served study, the links of which are in `links`.
 class ServedStudy : public testing::Test {
  protected:
-  std::vector<std::string> command(const std::string& manifest) const {
+  std::vector<std::string> command(const std::string& study) const {
     return {program.string(),
             "study",
             "serve",
-            manifest,
+            study,
             "--out",
             (folder.path() / "out").string(),
             "--port",
