@@ -37,7 +37,7 @@ questionnaire:
   stimuli: [very-sad, very-proud]
   practice: [usual]
   attention: {every: 1}
-  demographics: [{id: age, ask: How old are you?, answer: number}]
+  demographics: [{id: age, ask: "How old are you?", answer: number}]
 )";
 
 Manifest study_of(const std::string& text) {
