@@ -20,7 +20,8 @@ const std::regex link_or_picture(R"(\]\(([^)\s]+)\))");
 bool is_left_out(const fs::path& folder, const fs::path& root) {
   const std::string name = folder.filename().string();
   const bool at_root = folder.parent_path() == root;
-  return name.starts_with('.') || (at_root && (name == "build" || name == "out"));
+  return name.starts_with('.') || name == "node_modules" ||
+         (at_root && (name == "build" || name == "out"));
 }
 
 std::vector<std::string> found(const std::string& text, const std::regex& pattern) {

@@ -36,7 +36,8 @@ struct Page {
   std::vector<std::string> code;  ///< what stands between single backticks
 };
 
-/// Names of all Markdown files of the sources, sorted; build/, out/ and hidden folders left out.
+/// Names of all Markdown files of the sources, sorted; build/, out/, hidden folders and those of
+/// npm left out.
 std::vector<std::string> page_names();
 
 Page read_page(const std::string& name);

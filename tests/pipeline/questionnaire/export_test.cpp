@@ -186,10 +186,10 @@ TEST(Media, MustBeSuchAsBrowsersPlay) {
 }
 
 TEST(Media, OfATurnedViewIsTheMotion) {
-  std::string text = study_text;
-  text += "  view: turn\n";
-  for (const Stimulus& stimulus : with_media(study_of(text)).stimuli)
-    EXPECT_TRUE(stimulus.output.clips.glb);
+  Manifest manifest = study_of(study_text);
+  manifest.questionnaire->view = ShownAs::turn;
+  for (const Stimulus& stimulus : with_media(manifest).stimuli)
+    EXPECT_TRUE(stimulus.output.clips.glb) << stimulus.id;
 }
 
 TEST(JatosArchive, HasNamesThatStayTheSame) {
