@@ -116,7 +116,7 @@ class Dealer {
   std::vector<std::size_t> of_kind_;  ///< how many things are of each
   std::size_t block_ = 0;
   std::vector<int> dealt_;
-  std::vector<int> together_;  ///< things × things
+  std::vector<std::uint16_t> together_;  ///< things × things; large where there are thousands
 };
 
 }  // namespace
