@@ -37,7 +37,9 @@ class Dealer {
     improve(chosen);
     for (const std::size_t a : chosen) {
       ++dealt_[a];
-      for (const std::size_t b : chosen) together_[a * things_ + b] += a != b;
+      for (const std::size_t b : chosen) {
+        if (a != b) ++together_[a * things_ + b];
+      }
     }
     ++block_;
     std::ranges::sort(chosen);
