@@ -37,7 +37,9 @@ class Dealer {
     improve(chosen);
     for (const std::size_t a : chosen) {
       ++dealt_[a];
-      for (const std::size_t b : chosen) together_[a * things_ + b] += a != b;
+      for (const std::size_t b : chosen) {
+        if (a != b) ++together_[a * things_ + b];
+      }
     }
     ++block_;
     std::ranges::sort(chosen);
@@ -116,7 +118,7 @@ class Dealer {
   std::vector<std::size_t> of_kind_;  ///< how many things are of each
   std::size_t block_ = 0;
   std::vector<int> dealt_;
-  std::vector<int> together_;  ///< things × things
+  std::vector<std::uint16_t> together_;  ///< things × things; large where there are thousands
 };
 
 }  // namespace

@@ -160,6 +160,11 @@ void check(const Manifest& manifest, const PowerQuestion& question) {
     throw Error("nobody sees two stimuli, which a paired test takes",
                 "show each participant more of them");
   if (question.factor.empty()) return;
+  const std::vector<std::string> factors = factors_of(manifest);
+  if (std::ranges::find(factors, question.factor) == factors.end())
+    throw Error(fmt::format("the stimuli have no factor \"{}\"", question.factor),
+                factors.empty() ? "give them factors: {…}"
+                                : motion::did_you_mean(question.factor, factors));
   std::vector<std::string> levels;
   for (const std::vector<std::string>& stimuli : subjects.stimuli)
     levels.push_back(level_of(manifest, stimuli[0], question.factor));
