@@ -33,7 +33,7 @@ p3,t1,adjectives,0.07,90,1
 p3,t1,weights,0.08,120,1
 )";
 
-constexpr const char* words = R"(participant,language,motion,verb,modifier1
+constexpr const char* word_rows = R"(participant,language,motion,verb,modifier1
 p1,english,slow,walking,very slowly
 p2,english,fast,walking,fast
 p1,finnish,sad,kävelee,surullisesti
@@ -97,7 +97,7 @@ PageFolder::PageFolder() {
   write("broken.bvh", broken(text_of(path() / "walk.bvh")));
   write("study.yaml", small_study);
   write("sessions.csv", sessions);
-  write("words.csv", words);
+  write("words.csv", word_rows);
 }
 
 Ended PageFolder::run(const std::string& command) const {

@@ -39,8 +39,8 @@ questionnaire:
   comments: true
   reference: usual
   demographics:
-    - {id: age, ask: How old are you?, answer: number, required: true}
-    - {id: hand, ask: Which hand do you write with?, answer: [left, right]}
+    - {id: age, ask: "How old are you?", answer: number, required: true}
+    - {id: hand, ask: "Which hand do you write with?", answer: [left, right]}
 )";
 
 /// Beside the program, where ./mien test brings what drives a browser.

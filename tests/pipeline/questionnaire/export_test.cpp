@@ -37,7 +37,7 @@ questionnaire:
   stimuli: [very-sad, very-proud]
   practice: [usual]
   attention: {every: 1}
-  demographics: [{id: age, ask: How old are you?, answer: number}]
+  demographics: [{id: age, ask: "How old are you?", answer: number}]
 )";
 
 Manifest study_of(const std::string& text) {
@@ -85,7 +85,9 @@ TEST(Export, TellsNoConditionInWhatParticipantsAreGiven) {
   for (const auto& [path, bytes] : study.files()) {
     for (const char* id : {"sad", "proud", "usual"}) {
       EXPECT_EQ(path.find(id), path.npos) << path;
-      if (path == "index.html") EXPECT_EQ(bytes.find(id), bytes.npos);
+      if (path == "index.html") {
+        EXPECT_EQ(bytes.find(id), bytes.npos);
+      }
     }
   }
 }
@@ -184,10 +186,10 @@ TEST(Media, MustBeSuchAsBrowsersPlay) {
 }
 
 TEST(Media, OfATurnedViewIsTheMotion) {
-  std::string text = study_text;
-  text += "  view: turn\n";
-  for (const Stimulus& stimulus : with_media(study_of(text)).stimuli)
-    EXPECT_TRUE(stimulus.output.clips.glb);
+  Manifest manifest = study_of(study_text);
+  manifest.questionnaire->view = ShownAs::turn;
+  for (const Stimulus& stimulus : with_media(manifest).stimuli)
+    EXPECT_TRUE(stimulus.output.clips.glb) << stimulus.id;
 }
 
 TEST(JatosArchive, HasNamesThatStayTheSame) {
