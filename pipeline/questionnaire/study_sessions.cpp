@@ -155,19 +155,9 @@ std::optional<StoredSession> StudySessions::further_session() const {
 
 std::optional<SessionState> StudySessions::join() {
   const std::lock_guard lock(mutex_);
-  const std::string now = iso_time(clock_());
-  const auto free = std::ranges::find_if(
-      states_, [](const SessionState& state) { return state.session.begun_at.empty(); });
-  if (free != states_.end()) {
-    store_.come(free->session.index, "join", now);
-    free->session.begun_at = now;
-    free->session.came_by = "join";
-    free->last_seen = clock_();
-    return *free;
-  }
   std::optional<StoredSession> further = further_session();
   if (!further) return std::nullopt;
-  further->begun_at = now;
+  further->begun_at = iso_time(clock_());
   further->came_by = "join";
   store_.add(*further);
   add_state(*further);

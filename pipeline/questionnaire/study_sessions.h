@@ -59,9 +59,9 @@ class StudySessions {
   /// Keeps a record, which must have been checked.
   GivenRecord give(int session, const PageRecord& record, const std::string& content);
 
-  /// The session of somebody who comes by the link of all: the next that nobody has, or, once all
-  /// are given out, a further one with the plan that is filled least, where those who have left
-  /// do not count. Nothing when all plans are finished, or too many have come.
+  /// A further session for somebody who comes by the link of all, with the plan that is filled
+  /// least, where those who have left do not count. Never one of those planned: somebody may have
+  /// been given its link. Nothing when all plans are finished, or too many have come.
   std::optional<SessionState> join();
 
   std::string lab_link() const { return lab_link_; }

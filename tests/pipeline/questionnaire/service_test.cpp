@@ -168,32 +168,34 @@ TEST_F(Service, LimitsWhatOneLinkAsks) {
   EXPECT_EQ(get(of(1)).status, 200);
 }
 
-TEST_F(Service, GivesThoseWhoJoinPlansThatNobodyHas) {
-  get(of(0) + "session.json");
+TEST_F(Service, GivesThoseWhoJoinSessionsOfTheirOwnUntilThereIsEnough) {
   const HttpResponse first = get(join());
   EXPECT_EQ(first.status, 303);
-  EXPECT_EQ(first.headers.at("Location"), of(1));
-  const HttpResponse second = get(join());
   ASSERT_EQ(service_.sessions().states().size(), 3u);
-  EXPECT_EQ(second.headers.at("Location"), of(2));
+  EXPECT_EQ(first.headers.at("Location"), of(2));
   EXPECT_EQ(service_.sessions().state(2).session.participant, "p003");
-  give_all(0);
-  give_all(1);
+  EXPECT_EQ(service_.sessions().state(2).session.plan, 0);
+  const HttpResponse second = get(join());
+  EXPECT_EQ(second.headers.at("Location"), of(3));
+  EXPECT_EQ(service_.sessions().state(3).session.plan, 1);
+  give_all(2);
+  give_all(3);
   EXPECT_EQ(get(join()).status, 403);
-  EXPECT_EQ(status().at("participants").size(), 3u);
+  EXPECT_EQ(status().at("participants").size(), 4u);
+  EXPECT_EQ(status().at("participants").at(0).at("state"), "waiting");
 }
 
-TEST_F(Service, PrefersThePlanThatIsFilledLeastWhenAllAreGivenOut) {
+TEST_F(Service, GivesThePlanOfThoseWhoLeftAgain) {
   get(join());
   get(join());
-  give_all(0);
+  give_all(2);
   now_ += 3600;  // the other has gone
   get(join());
-  EXPECT_EQ(service_.sessions().state(2).session.plan, 1);
-  const nlohmann::json session = nlohmann::json::parse(get(of(2) + "session.json").body);
-  EXPECT_EQ(session.at("sessions").at(0).at("participant"), "p003");
-  give_text(2, good_record(study_, 1, "consent"));
-  EXPECT_EQ(store_.records_of(2).size(), 1u);
+  EXPECT_EQ(service_.sessions().state(4).session.plan, 1);
+  const nlohmann::json session = nlohmann::json::parse(get(of(4) + "session.json").body);
+  EXPECT_EQ(session.at("sessions").at(0).at("participant"), "p005");
+  give_text(4, good_record(study_, 1, "consent"));
+  EXPECT_EQ(store_.records_of(4).size(), 1u);
 }
 
 TEST_F(Service, TellsTheLaboratoryWhoIsWhere) {
