@@ -199,7 +199,20 @@ class QuestionnaireCheck {
     }
   }
 
+  /// Nobody looks at so many, and laying them out would take all memory.
+  bool are_too_many_pairs() {
+    constexpr std::size_t most_pairs = 5000;
+    const std::size_t count = asked_stimuli(manifest_).size();
+    if (asked_.trials != TrialForm::pair || !asked_.pairs.empty()) return false;
+    if (count * (count - 1) / 2 <= most_pairs || count == 0) return false;
+    list_.add(at("trials"),
+              fmt::format("all pairs of {} stimuli are more than {}", count, most_pairs),
+              "name those that are asked about: pairs: [[a, b], …]");
+    return true;
+  }
+
   void check_numbers() {
+    if (are_too_many_pairs()) return;
     const std::size_t trials = asked_.trials == TrialForm::pair ? asked_pairs(manifest_).size()
                                                                 : asked_stimuli(manifest_).size();
     if (trials == 0 || ids_.empty()) return;

@@ -139,11 +139,13 @@ ZipFiles read_frozen(const fs::path& bundle) {
   return frozen;
 }
 
-/// Rows of a table by their first field and, where there is one, their second.
+/// Rows of a table by their first field.
 std::map<std::string, std::string> rows_of_table(const std::string& csv) {
   std::map<std::string, std::string> rows;
   const CsvTable table = parse_csv(csv, "frozen");
-  for (const auto& row : table.rows) rows[row.front().text] += row.back().text + "\n";
+  for (const auto& row : table.rows) {
+    for (const CsvField& field : row) rows[row.front().text] += field.text + "\n";
+  }
   return rows;
 }
 

@@ -160,6 +160,11 @@ void check(const Manifest& manifest, const PowerQuestion& question) {
     throw Error("nobody sees two stimuli, which a paired test takes",
                 "show each participant more of them");
   if (question.factor.empty()) return;
+  const std::vector<std::string> factors = factors_of(manifest);
+  if (std::ranges::find(factors, question.factor) == factors.end())
+    throw Error(fmt::format("the stimuli have no factor \"{}\"", question.factor),
+                factors.empty() ? "give them factors: {…}"
+                                : motion::did_you_mean(question.factor, factors));
   std::vector<std::string> levels;
   for (const std::vector<std::string>& stimuli : subjects.stimuli)
     levels.push_back(level_of(manifest, stimuli[0], question.factor));
@@ -231,7 +236,11 @@ std::vector<std::string> power_sentences(const PowerQuestion& question,
                   "both.",
                   question.difference, compared, question.alpha, percent(estimate.power),
                   question.studies, estimate.participants, estimate.usable),
-      fmt::format("Where there is no difference, {} find one.", percent(estimate.false_alarms)),
+      fmt::format("Where there is no difference, {} find one.{}", percent(estimate.false_alarms),
+                  question.factor.empty() || spread.stimulus == 0.0
+                      ? ""
+                      : " More than the level is what a test over participants takes for a "
+                        "difference of the levels when these stimuli alone differ."),
       fmt::format("Found by {:g} %: with {} participants (simulation's interval {} to {}).",
                   100.0 * question.wanted,
                   number_or_more(estimate.needed, question.most_participants),

@@ -1,6 +1,8 @@
 #include "pipeline/questionnaire/trial_subjects.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "pipeline/manifest/asked.h"
@@ -18,6 +20,24 @@ std::string level_of_all(const Manifest& manifest, const std::vector<std::string
     levels.push_back(level_of(manifest, stimulus, factor));
   std::ranges::sort(levels);
   return levels.front() == levels.back() ? levels.front() : levels.front() + "+" + levels.back();
+}
+
+/// Kinds of subjects of which each participant should see as many as any other: levels of the
+/// factors of order and `apart`.
+std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
+  std::map<std::string, std::size_t> numbers;
+  std::vector<std::vector<std::size_t>> kinds(subjects.size());
+  const auto add = [&](std::size_t subject, std::size_t factor, const std::string& level) {
+    if (level.empty()) return;
+    const std::string name = std::to_string(factor) + "/" + level;
+    kinds[subject].push_back(numbers.emplace(name, numbers.size()).first->second);
+  };
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    add(i, 0, subjects.blocks[i]);
+    for (std::size_t f = 0; f < subjects.likeness.factors.size(); ++f)
+      add(i, f + 1, subjects.likeness.levels[i][f]);
+  }
+  return kinds;
 }
 
 }  // namespace
@@ -51,7 +71,7 @@ std::size_t subjects_per_participant(const Manifest& manifest, const TrialSubjec
 std::vector<std::vector<std::size_t>> shares(const Manifest& manifest,
                                              const TrialSubjects& subjects, std::size_t count) {
   return deal_blocks(subjects.size(), subjects_per_participant(manifest, subjects), count,
-                     seed_of(manifest.seed, "shares"));
+                     seed_of(manifest.seed, "shares"), kinds_of(subjects));
 }
 
 }  // namespace mien::pipeline

@@ -39,6 +39,7 @@ const std::vector<NotRun> not_run = {
     {"./mien farm cancel", "needs Slurm"},
     {"./mien farm logs study.yaml film:target-1", "needs a submission"},
     {"./mien farm status study.yaml --out /shared/studies --watch", "needs somebody who works"},
+    {"./mien study design closed-loop-1 -o plans.csv --freeze", "needs the study to be made"},
     {"./mien regress study.yaml --baseline main", "needs a repository"},
     {"./mien study report", "needs answers that people gave"},
     {"./mien regress approved.mp4 now.mp4", "needs two videos"},

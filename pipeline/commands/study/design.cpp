@@ -87,8 +87,8 @@ void tell_duration(const std::vector<SessionPlan>& plans, const Console& console
 void tell_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                  const Balance& balance, const Console& console, std::ostream& out) {
   const auto is_analysed = [](const Trial& trial) { return trial.is_analysed(); };
-  out << fmt::format("{}: {} participants, {} trials each, {} of them analysed\n",
-                     manifest.study, plans.size(), plans[0].trials.size(),
+  out << fmt::format("{}: {} participants, {} trials each, {} of them analysed\n", manifest.study,
+                     plans.size(), plans[0].trials.size(),
                      std::ranges::count_if(plans[0].trials, is_analysed));
   for (const std::string& sentence :
        balance_sentences(manifest, balance, static_cast<int>(plans.size())))
@@ -101,6 +101,10 @@ void freeze(const DesignCommand& command, const Manifest& manifest,
   ZipFiles files = frozen_design(manifest, plans, fs::path(command.out) / manifest.study);
   add_dummy_answers(files, manifest, plans);
   const std::string bytes = zip_of(files);
+  // What was registered is not lost by a slip.
+  if (fs::exists(fs::symlink_status(command.frozen)) && read_file(command.frozen) != bytes)
+    throw Error({command.frozen}, "is there already, and holds something else",
+                "name another file, or remove it");
   const fs::path next = command.frozen + ".part";
   replace_file(command.frozen, next, bytes);
   out << command.frozen << ": " << files.size() << " files\n";
@@ -128,28 +132,35 @@ int design(const DesignCommand& command, const Console& console) {
 }
 
 void add_power_options(CLI::App& command, DesignCommand& options) {
-  command.add_flag("--power", options.power,
-                   "Estimate how many participants find a difference, with simulated raters");
-  command.add_option("--ratings", options.ratings,
-                     "With --power: answers (CSV) whose variances the raters have");
+  CLI::Option* power =
+      command.add_flag("--power", options.power,
+                       "Estimate how many participants find a difference, with simulated raters");
+  command
+      .add_option("--ratings", options.ratings,
+                  "With --power: answers (CSV) whose variances the raters have")
+      ->needs(power);
   command
       .add_option("--spread", options.spread,
                   "With --power: standard deviations of participants, stimuli and what is left, in "
                   "the scale's points [0.5,0.5,0.8]")
+      ->needs(power)
       ->delimiter(',')
       ->expected(3)
       ->check(CLI::Range(0.0, 1000.0));
   command
       .add_option("--difference", options.question.difference,
                   "With --power: the true difference, in the scale's points")
+      ->needs(power)
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
       .add_option("--between", options.between,
                   "With --power: a factor and two levels to compare, as made=acted,modified; any "
                   "two stimuli without it")
+      ->needs(power)
       ->delimiter(',');
   command.add_option("--studies", options.question.studies, "With --power: how many are simulated")
+      ->needs(power)
       ->check(CLI::Range(100, 1000000))
       ->capture_default_str();
 }
@@ -165,14 +176,17 @@ void add_study_design_command(CLI::App& study, Command& chosen) {
                       "CSV of every participant's plan; standard output without it");
   command->add_option("--balance", options->balance,
                       "CSV to write of how often each stimulus comes, where and after which");
-  command
-      ->add_option("--participants", options->participants,
-                   "How many take part; as the questionnaire plans without it")
-      ->check(CLI::Range(1, 10000));
+  CLI::Option* participants =
+      command
+          ->add_option("--participants", options->participants,
+                       "How many take part; as the questionnaire plans without it")
+          ->check(CLI::Range(1, 10000));
   add_power_options(*command, *options);
-  command->add_option("--freeze", options->frozen,
-                      "Archive (.zip) to write for a preregistration: the plans, the manifest, the "
-                      "analysis plan and the hashes of all media");
+  command
+      ->add_option("--freeze", options->frozen,
+                   "Archive (.zip) to write for a preregistration: the plans, the manifest, the "
+                   "analysis plan and the hashes of all media")
+      ->excludes(participants);
   command
       ->add_option("--out", options->out,
                    "With --freeze: folder of all studies, where this one was made")

@@ -57,9 +57,15 @@ TEST(IncompleteBlocks, DealPairsNearlyEvenly) {
   EXPECT_LE(spread(counts), 12);
 }
 
-TEST(IncompleteBlocks, OfTwoAreEveryPairBeforeOneComesAgainButOne) {
-  // 6 things in pairs: 15 blocks hold every pair about once.
-  EXPECT_LE(spread(together(6, deal_blocks(6, 2, 15, 1))), 1);
+TEST(IncompleteBlocks, HaveEveryKindInEqualShares) {
+  // 30 things, 18 of kind 0 and 12 of kind 1: ten of them are six and four, or nearly.
+  std::vector<std::vector<std::size_t>> kinds;
+  for (std::size_t thing = 0; thing < 30; ++thing) kinds.push_back({thing < 18 ? 0U : 1U});
+  for (const auto& block : deal_blocks(30, 10, 40, 1, kinds)) {
+    const auto first = std::ranges::count_if(block, [](std::size_t thing) { return thing < 18; });
+    EXPECT_GE(first, 5);
+    EXPECT_LE(first, 7);
+  }
 }
 
 TEST(IncompleteBlocks, StayWhenMoreAreDealt) {

@@ -1,10 +1,12 @@
 #include "pipeline/questionnaire/simulated_sessions.h"
 
-#include <cmath>
+#include <filesystem>
 #include <map>
+#include <optional>
 
 #include <gtest/gtest.h>
 
+#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/questionnaire/asked_study.h"
@@ -95,6 +97,34 @@ TEST(SimulatedSessions, ChooseTheHigherOfTwoAndAnOfferedEmotion) {
   }
   EXPECT_EQ(shown, 320);
   EXPECT_NEAR(seen / 320.0, 0.6 + 0.4 / 2, 0.1);  // two are to choose from: sad and happy
+}
+
+std::optional<std::string> no_variable(const std::string&) { return std::nullopt; }
+
+/// The answers that lie beside a shipped manifest as if they were real.
+void expect_shipped_answers(const std::string& study) {
+  const auto folder = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests";
+  const Manifest manifest = load_manifest(folder / (study + ".yaml"), no_variable);
+  const auto rows = simulated_sessions(manifest, plan_sessions(manifest), measured_truth(manifest));
+  // Compared first, so that a difference does not print them all.
+  const bool are_same = to_csv(rows) == read_file(folder / (study + ".answers.csv"));
+  EXPECT_TRUE(are_same) << "mien study simulate " << study << " says something else by now";
+}
+
+TEST(SimulatedSessions, OfTheClosedLoopAreThoseThatItsNextRoundIsMadeOf) {
+  expect_shipped_answers("closed-loop-1");
+  expect_shipped_answers("closed-loop-2");
+}
+
+TEST(MeasuredTruth, HasTheBriskWalkFasterAndTheSadOneSadder) {
+  const auto file = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "closed-loop-1.yaml";
+  const StatedTruth truth = measured_truth(load_manifest(file, no_variable));
+  const auto of = [&](const char* stimulus, const char* scale) {
+    return truth.at({stimulus, scale});
+  };
+  EXPECT_GT(of("brisk", "slow-fast"), of("normal", "slow-fast"));
+  EXPECT_LT(of("slow", "slow-fast"), of("normal", "slow-fast"));
+  EXPECT_LT(of("sad", "sad-happy"), of("happy", "sad-happy"));
 }
 
 TEST(StatedTruth, IsReadWithThePlacesOfWhatIsWrong) {
