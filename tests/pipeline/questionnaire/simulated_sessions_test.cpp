@@ -118,10 +118,13 @@ TEST(SimulatedSessions, OfTheClosedLoopAreThoseThatItsNextRoundIsMadeOf) {
 
 TEST(MeasuredTruth, HasTheBriskWalkFasterAndTheSadOneSadder) {
   const auto file = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "closed-loop-1.yaml";
-  StatedTruth truth = measured_truth(load_manifest(file, no_variable));
-  EXPECT_GT(truth[{"brisk", "slow-fast"}], truth[{"normal", "slow-fast"}]);
-  EXPECT_LT(truth[{"slow", "slow-fast"}], truth[{"normal", "slow-fast"}]);
-  EXPECT_LT(truth[{"sad", "sad-happy"}], truth[{"happy", "sad-happy"}]);
+  const StatedTruth truth = measured_truth(load_manifest(file, no_variable));
+  const auto of = [&](const char* stimulus, const char* scale) {
+    return truth.at({stimulus, scale});
+  };
+  EXPECT_GT(of("brisk", "slow-fast"), of("normal", "slow-fast"));
+  EXPECT_LT(of("slow", "slow-fast"), of("normal", "slow-fast"));
+  EXPECT_LT(of("sad", "sad-happy"), of("happy", "sad-happy"));
 }
 
 TEST(StatedTruth, IsReadWithThePlacesOfWhatIsWrong) {
