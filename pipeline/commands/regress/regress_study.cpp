@@ -216,8 +216,7 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
   MadeStudy made_study = planned(whole, console);
   const Manifest& manifest = made_study.production->manifest();
   refuse_unknown(arguments.production.only, manifest);
-  const fs::path folder =
-      arguments.baseline.empty() ? usual_baseline(manifest) : fs::path(arguments.baseline);
+  const fs::path folder = new_baseline(arguments.baseline, manifest);
   refuse_other_folder(folder);
   if (!arguments.without_videos) make(made_study, arguments, console);
   const int threads = jobs_of(arguments.production);
