@@ -29,11 +29,12 @@ struct Regression {
   std::vector<CauseGroup> groups;           ///< the largest first, those that differ before others
   Gate gate;
   Repetitions repetitions;
+  std::vector<std::string> without_videos;  ///< ids: videos were made, and none are approved
   int audited = 0;  ///< stimuli that were drawn although they cannot have changed
 
   int count(Verdict verdict) const;
   bool passes() const;  ///< nothing differs, appeared, is gone or came out otherwise
-                        ///< when it was repeated, and the gate holds
+                        ///< when it was repeated, and the planted defects are seen
 };
 
 struct RegressionOptions {
