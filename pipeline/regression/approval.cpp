@@ -34,29 +34,34 @@ Hash hash_of_folder(const fs::path& folder) {
 /// leaves the baseline as it was. It is gone when this ends; what a kill leaves there git ignores.
 class Unfinished {
  public:
-  explicit Unfinished(const fs::path& baseline) : folder_(baseline / "stimuli" / ".next") {
-    fs::remove_all(folder_);
-    make_folder(folder_);
-    write_file(folder_ / ".gitignore", "*\n");
+  explicit Unfinished(const fs::path& baseline)
+      : edition_(baseline / "editions" / ".next"), stimuli_(baseline / "stimuli" / ".next") {
+    for (const fs::path& folder : {edition_, stimuli_}) {
+      fs::remove_all(folder);
+      make_folder(folder);
+      write_file(folder / ".gitignore", "*\n");
+    }
   }
   ~Unfinished() {
     std::error_code unknown;
-    fs::remove_all(folder_, unknown);
+    fs::remove_all(edition_, unknown);
+    fs::remove_all(stimuli_, unknown);
   }
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
 
-  fs::path edition() const { return folder_ / "edition"; }
-  fs::path stimulus(const std::string& id) const { return folder_ / "stimuli" / id; }
+  /// As deep in the baseline as the edition will lie: what its manifest names, it names from there.
+  const fs::path& edition() const { return edition_; }
+  fs::path stimulus(const std::string& id) const { return stimuli_ / id; }
 
  private:
-  fs::path folder_;
+  fs::path edition_;
+  fs::path stimuli_;
 };
 
-/// Makes a folder of the manifest with what it names. Returns the edition's name.
+/// Fills a folder with the manifest and what it names. Returns the edition's name.
 std::string make_edition(const Manifest& manifest, const std::map<std::string, Hash>& inputs,
                          const fs::path& next) {
-  make_folder(next);
   Store store(next);
   put_inputs(manifest, inputs, store);
   return hash_of_folder(next / "inputs").substr(0, 12);

@@ -76,14 +76,15 @@ class Editions {
       : baseline_(baseline), threads_(threads), stop_(std::move(stop)) {}
 
   Rendition& of(const std::string& name) {
-    std::unique_ptr<Edition>& edition = editions_[name];
-    if (edition == nullptr) {
-      edition = std::make_unique<Edition>();
+    std::unique_ptr<Edition>& known = editions_[name];
+    if (known == nullptr) {
+      auto edition = std::make_unique<Edition>();
       edition->rendition = std::make_unique<Rendition>(
           load_manifest(baseline_.edition_manifest(name), process_environment()),
           edition->folder.path(), threads_, stop_);
+      known = std::move(edition);  // only when it could be made
     }
-    return *edition->rendition;
+    return *known->rendition;
   }
 
  private:

@@ -77,6 +77,7 @@ TEST_F(Approving, ThatIsInterruptedLeavesTheBaselineAsItWas) {
   EXPECT_EQ(study_.baseline.approvals.size(), 1u);
   EXPECT_EQ(editions(), 1u);
   EXPECT_FALSE(fs::exists(folder_ / "stimuli" / ".next"));
+  EXPECT_FALSE(fs::exists(folder_ / "editions" / ".next"));
   Regression regression = test::regressed(study_);
   EXPECT_EQ(test::comparison_of(regression, "blend").verdict, Verdict::differs);
   EXPECT_EQ(test::comparison_of(regression, "someone").verdict, Verdict::differs);

@@ -49,6 +49,8 @@ TEST(Regressions, DrawNothingWhereNothingCanHaveChangedButAudits) {
   study.stimulus("blend")["weights"]["normal"] = 0.7;
   Regression regression = test::regressed(study);
   EXPECT_EQ(test::comparison_of(regression, "blend").frames.size(), 2u);
+  EXPECT_TRUE(test::comparison_of(regression, "blend").causes.at(0).share)
+      << "what was approved could not be made again";
   EXPECT_EQ(test::comparison_of(regression, "tinted").frames.size(), 0u);
   EXPECT_EQ(test::comparison_of(regression, "tinted").frames_reused, 2);
   study.audits = 1.0;
