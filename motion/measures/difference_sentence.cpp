@@ -9,6 +9,7 @@ namespace mien::motion {
 namespace {
 
 constexpr double told_slide_m = 0.001;
+constexpr double told_place_m = 0.01;
 constexpr double rounding_m = 1e-5;
 constexpr double rounding_radians = 1e-4;
 
@@ -45,6 +46,11 @@ std::string told_gap(const FrameGap& gap, double rate) {
 std::string told_pace(const TimingDifference& timing) {
   return "the same frames, played at " + formatted("%.4g", timing.now.frames_per_second) +
          " instead of " + formatted("%.4g", timing.before.frames_per_second) + " a second";
+}
+
+std::string ordinal(int number) {
+  if (number == 2) return "second";
+  return number == 3 ? "third" : std::to_string(number) + "th";
 }
 
 std::string told_whole(const WholeBodyChange& whole) {
@@ -100,11 +106,35 @@ std::string told_turn(const MotionDifference& difference, const JointDifference&
   return joint.part + verb + " by up to " + in_degrees(turn.value) + at(difference, turn.frame);
 }
 
+/// Joints that carry the whole body are placed in the world, whatever they hang on in the file.
 std::string told_bone(const MotionDifference& difference) {
-  const WorstJoint bone = worst_joint(difference, &JointDifference::offset_m);
-  if (bone.peak.value <= rounding_m) return "";
-  return "the joint of " + difference.joints[bone.joint].part + " sits up to " +
-         in_centimetres(bone.peak.value) + " elsewhere on the body";
+  const JointDifference* worst = nullptr;
+  Peak most;
+  for (std::size_t j = 0; j < difference.joints.size(); ++j) {
+    const Peak peak = peak_of(difference.joints[j].offset_m);
+    if (peak.value <= most.value || carries_body(difference, static_cast<int>(j))) continue;
+    worst = &difference.joints[j];
+    most = peak;
+  }
+  if (most.value <= rounding_m) return "";
+  return "the joint of " + worst->part + " sits up to " + in_centimetres(most.value) +
+         " elsewhere on the body";
+}
+
+/// Where the figure stands, of one whose poses differ too.
+std::string told_place(const MotionDifference& difference) {
+  const Peak path = peak_of(difference.root.path_m);
+  return path.value < told_place_m
+             ? ""
+             : "the figure stands up to " + in_centimetres(path.value) + " elsewhere";
+}
+
+std::string told_order(const TimingDifference& timing) {
+  const std::string rates = formatted("%.4g", timing.now.frames_per_second) + " instead of " +
+                            formatted("%.4g", timing.before.frames_per_second) + " a second";
+  if (timing.reversed) return "the same frames in reverse order";
+  if (timing.every > 1) return "only every " + ordinal(timing.every) + " frame, " + rates;
+  return "each frame of before is every " + ordinal(-timing.every) + " one now, " + rates;
 }
 
 std::string told_slide(const MotionDifference& difference) {
@@ -120,15 +150,27 @@ std::string told_slide(const MotionDifference& difference) {
 /// What parts of the body do otherwise.
 std::string told_parts(const MotionDifference& difference) {
   std::string text = told_bone(difference);
-  const std::vector<int> joints = causes(difference);
+  std::vector<int> joints = causes(difference);
+  std::erase_if(joints, [&](int joint) {  // told by where the figure stands
+    return carries_body(difference, joint) &&
+           peak_of(difference.joints[joint].turn_radians).value <= rounding_radians;
+  });
   if (text.empty() && !joints.empty())
     text = told_turn(difference, difference.joints[joints.front()]);
   if (joints.size() > 1)
     text += " (and " + std::to_string(joints.size() - 1) +
             (joints.size() == 2 ? " other joint)" : " other joints)");
-  const std::string slide = told_slide(difference);
-  if (slide.empty()) return text;
-  return text.empty() ? slide : text + "; " + slide;
+  for (const std::string& more : {told_place(difference), told_slide(difference)}) {
+    if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
+  }
+  return text;
+}
+
+std::string told_names(const MotionDifference& difference) {
+  const auto& [was, is] = difference.renamed.front();
+  const std::size_t count = difference.renamed.size();
+  return std::to_string(count) + (count == 1 ? " joint is" : " joints are") +
+         " called otherwise (" + was + " is " + is + " now); the motion is the same";
 }
 
 std::string told_rest(const MotionDifference& difference) {
@@ -140,6 +182,7 @@ std::string told_rest(const MotionDifference& difference) {
   if (moved.peak.value > rounding_m)
     return difference.joints[moved.joint].part + " differs by up to " +
            in_centimetres(moved.peak.value) + at(difference, moved.peak.frame);
+  if (!difference.renamed.empty()) return told_names(difference);
   if (!difference.only_before.empty() || !difference.only_now.empty()) return "other joints";
   return difference.identical ? "no difference" : "no more than rounding";
 }
@@ -155,6 +198,7 @@ std::string in_seconds(double seconds) { return formatted("%.2f s", seconds); }
 std::string largest_change(const MotionDifference& difference) {
   const TimingDifference& timing = difference.timing;
   if (timing.other_pace) return told_pace(timing);
+  if (timing.reversed || timing.every != 1) return told_order(timing);
   if (timing.shift) return told_shift(*timing.shift);
   if (timing.gap) return told_gap(*timing.gap, difference.frames_per_second());
   if (is_of_sides(difference.whole.kind)) return told_whole(difference.whole);

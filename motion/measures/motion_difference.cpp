@@ -134,11 +134,14 @@ std::vector<int> causes(const MotionDifference& difference) {
   return joints;
 }
 
+bool carries_body(const MotionDifference& difference, int joint) {
+  return is_above(difference, joint, difference.root.joint);
+}
+
 bool is_root_only(const MotionDifference& difference) {
-  const int root = difference.root.joint;
   for (std::size_t j = 0; j < difference.joints.size(); ++j) {
-    const bool carries_all = is_above(difference, static_cast<int>(j), root);
-    if (!carries_all && difference.joints[j].differs_itself()) return false;
+    const bool is_part = !carries_body(difference, static_cast<int>(j));
+    if (is_part && difference.joints[j].differs_itself()) return false;
   }
   return peak_of(difference.root.path_m).value > 0.0 ||
          peak_of(difference.root.height_m).value > 0.0 ||

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "motion/lint/lint_options.h"
@@ -51,6 +52,8 @@ struct MotionDifference {
   TimingDifference timing;
   std::vector<JointDifference> joints;             ///< those that both have; never empty
   std::vector<std::string> only_before, only_now;  ///< joints that one has
+  /// Joints that are called otherwise now, of recordings: was, is. `joints` have the names of then.
+  std::vector<std::pair<std::string, std::string>> renamed;
   PositionErrors errors;
   RootDifference root;
   WholeBodyChange whole;
@@ -87,6 +90,10 @@ std::vector<FeatureDifference> feature_differences(const FeatureValues& before,
 /// Joints that do something else themselves (differs_itself), by how far they turn, the largest
 /// first: the causes, where others are only carried along. Indices into `joints`.
 std::vector<int> causes(const MotionDifference& difference);
+
+/// Whether a joint is the body's root or above it: where it is placed is the figure's path, and no
+/// bone.
+bool carries_body(const MotionDifference& difference, int joint);
 
 /// Whether the body is placed or turned otherwise and no joint below its root does anything else.
 bool is_root_only(const MotionDifference& difference);

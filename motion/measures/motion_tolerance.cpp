@@ -68,7 +68,9 @@ std::vector<Excess> excesses(const MotionDifference& difference, const MotionTol
   judge("duration", duration_apart(timing), tolerance.duration_seconds, "s");
   if (!tolerance.any_rate) judge("frame-rate", rate_apart(timing), 0.0, "frames/s");
   judge("loop", timing.before.loops == timing.now.loops ? 0.0 : 1.0, 0.0, "");
-  judge("joints", static_cast<double>(difference.only_before.size() + difference.only_now.size()),
+  judge("joints",
+        static_cast<double>(difference.only_before.size() + difference.only_now.size() +
+                            difference.renamed.size()),
         0.0, "");
   if (!tolerance.any_lint) judge("lint", new_errors(difference), 0.0, "");
   return result;

@@ -39,6 +39,22 @@ bool have_common_joints(const Skeleton& a, const Skeleton& b) {
   return static_cast<double>(common) >= most_joints * most;
 }
 
+/// Whether nothing but names tells two skeletons apart, to what files round.
+bool are_renamed(const Skeleton& a, const Skeleton& b) {
+  constexpr double rounding = 1e-3;
+  return std::ranges::equal(a.joints, b.joints, [](const Joint& p, const Joint& q) {
+    return p.parent == q.parent &&
+           (p.offset - q.offset).norm() <= rounding * (1.0 + p.offset.norm());
+  });
+}
+
+/// The second with the first's names, so that joints are paired by their place in the figure.
+Recording with_names_of(const Recording& before, Recording now) {
+  for (int j = 0; j < now.skeleton.size(); ++j)
+    now.skeleton.joints[j].name = before.skeleton.joints[j].name;
+  return now;
+}
+
 /// How a file's numbers become metres with +Y up. Of what is no human the size of a glTF is known
 /// by its standard, that of others a guess.
 struct Frame {
@@ -139,6 +155,15 @@ ComparedRecordings compared_recordings(const Recording& before, const Recording&
   const RigSketch rig_now = sketch(now);
   add_bodies(result, before, rig_before, now, rig_now);
   if (!have_common_joints(before.skeleton, now.skeleton)) {
+    if (before.format == now.format && are_renamed(before.skeleton, now.skeleton)) {
+      result = compared_recordings(before, with_names_of(before, now));
+      for (int j = 0; j < now.skeleton.size(); ++j) {
+        const std::string& was = before.skeleton.joints[j].name;
+        const std::string& is = now.skeleton.joints[j].name;
+        if (was != is) result.renamed.emplace_back(was, is);
+      }
+      return result;
+    }
     put_on_bodies(result, before, now);
     return result;
   }
@@ -159,6 +184,8 @@ MotionDifference motion_difference(const ComparedRecordings& recordings,
   MotionDifference result = motion_difference(recordings.before, recordings.now, without_lint);
   result.on_body = recordings.on_body;
   result.remarks = recordings.remarks;
+  result.renamed = recordings.renamed;
+  result.identical = result.identical && result.renamed.empty();
   for (JointDifference& joint : result.joints) joint.part = recordings.parts[joint.index];
   if (recordings.body_before && recordings.body_now)
     result.body = body_difference(*recordings.body_before, *recordings.body_now);

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "motion/measures/motion_difference.h"
 #include "motion/skeleton/recording.h"
@@ -17,6 +20,9 @@ struct ComparedRecordings {
   std::vector<std::string> parts;
   bool on_body = false;
   std::vector<std::string> remarks;
+  /// Joints of skeletons that differ in nothing but names, which most are: was, is. `now` has the
+  /// names of `before`.
+  std::vector<std::pair<std::string, std::string>> renamed;
 };
 
 /// Recordings whose joints have the same names for the most part (three of four of each) are

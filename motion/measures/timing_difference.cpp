@@ -164,6 +164,58 @@ bool has_other_pace(const Clip& before, const Clip& now, double cost_in_time) {
   return cost <= std::max(negligible_m2, (1.0 - nearly_all) * cost_in_time);
 }
 
+/// Frame i of the first is frame `there(i)` of the second, for as many as both have.
+template <class There>
+double cost_in_order(const PointMotions& motions, long frames, const There& there) {
+  double sum = 0.0;
+  for (long i = 0; i < frames; ++i) sum += motions.cost(i, there(i));
+  return sum / static_cast<double>(std::max(frames, 1L));
+}
+
+bool is_reversed(const PointMotions& motions) {
+  const long frames = motions.now.cols();
+  if (frames != motions.before.cols() || frames < 3) return false;
+  const double unchanged = motions.cost_at_lag(0);
+  return unchanged > negligible_m2 && cost_in_order(motions, frames, [&](long i) {
+                                        return frames - 1 - i;
+                                      }) <= (1.0 - nearly_all) * unchanged;
+}
+
+/// A clip with every k-th frame of it alone, as an application that writes fewer makes it.
+Clip thinned(const Clip& clip, int every) {
+  Clip thin = clip;
+  thin.poses.clear();
+  for (std::size_t i = 0; i < clip.poses.size(); i += static_cast<std::size_t>(every))
+    thin.poses.push_back(clip.poses[i]);
+  thin.frames_per_second /= every;
+  return thin;
+}
+
+/// How many frames of the quicker become one of the slower; 1 where the rates are no multiple.
+int frames_for_one(double quicker, double slower) {
+  const long times = std::lround(quicker / slower);
+  return times >= 2 && times <= 8 && same_rate(quicker, slower * static_cast<double>(times))
+             ? static_cast<int>(times)
+             : 1;
+}
+
+bool has_every(const Clip& all, const Clip& few, int every) {
+  const Clip thin = thinned(all, every);
+  if (thin.frame_count() < 2 || std::abs(thin.frame_count() - few.frame_count()) > 1) return false;
+  const PointMotions motions = point_motions(thin, few, paired(thin, few), false);
+  // Files round to a tenth of a millimetre or so.
+  constexpr double rounding_m2 = 1e-8;
+  return cost_in_order(motions, std::min(thin.frame_count(), few.frame_count()),
+                       [](long i) { return i; }) <= rounding_m2;
+}
+
+int every_of(const Clip& before, const Clip& now) {
+  const int thinner = frames_for_one(before.frames_per_second, now.frames_per_second);
+  if (thinner > 1 && has_every(before, now, thinner)) return thinner;
+  const int denser = frames_for_one(now.frames_per_second, before.frames_per_second);
+  return denser > 1 && has_every(now, before, denser) ? -denser : 1;
+}
+
 MotionLength length_of(const Clip& clip) {
   return {clip.frame_count(), clip.frames_per_second, clip.duration_seconds(), clip.loops};
 }
@@ -177,12 +229,15 @@ TimingDifference timing_difference(const Clip& before, const Clip& now, const Pa
   const PointMotions motions = point_motions(before, now, pair, false);
   result.other_pace = has_other_pace(before, now, motions.cost_at_lag(0));
   if (result.other_pace) return result;
+  result.every = every_of(before, now);
+  if (result.every != 1) return result;
   result.shift = shift_of(motions, pair.frames_per_second);
   if (!result.shift) {
     result.shift = shift_of(point_motions(before, now, pair, true), pair.frames_per_second);
     if (result.shift) result.shift->path_too = false;
   }
-  if (!result.shift)
+  if (!result.shift) result.reversed = is_reversed(motions);
+  if (!result.shift && !result.reversed)
     result.gap = gap_of(motions, pair.now.frame_count() - pair.before.frame_count());
   return result;
 }

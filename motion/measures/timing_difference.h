@@ -30,12 +30,14 @@ struct FrameGap {
 };
 
 /// When things happen in two motions. A shift or a gap is told when it explains nearly all (99 %)
-/// of the squared distances between the points of all joints; at most one of the three is told.
+/// of the squared distances between the points of all joints; at most one of all these is told.
 struct TimingDifference {
   MotionLength before, now;
   std::optional<TimeShift> shift;
   std::optional<FrameGap> gap;
   bool other_pace = false;  ///< the same frames in order, played at another rate
+  bool reversed = false;    ///< the same frames, the last first
+  int every = 1;  ///< k: every k-th frame alone at a k-th of the rate; −k: the other way round
 
   bool same_length() const {
     return before.frames == now.frames &&

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "motion/error.h"
+#include "motion/text/lfs_pointer.h"
 
 namespace mien::motion {
 
@@ -110,6 +111,10 @@ FileReading bytes_of_file(const std::filesystem::path& path, std::uintmax_t most
 
 std::string read_contents(const std::filesystem::path& path) {
   FileReading reading = bytes_of_file(path, most_of_recording);
+  if (reading.bytes && is_lfs_pointer(*reading.bytes))
+    throw Error({path.string()},
+                "is a pointer of git LFS: it stands for the file, which is not here",
+                "run: git lfs pull");
   if (reading.bytes) return *std::move(reading.bytes);
   throw Error({path.string()}, reading.hindrance, "give the path of a motion file");
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <thread>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
+#include "motion/text/lfs_pointer.h"
 #include "pipeline/comparison/frame_alignment.h"
 #include "pipeline/tasks/bounded_queue.h"
 #include "render/image/channels.h"
@@ -42,17 +44,54 @@ bool is_video(const fs::path& file) {
   return has_ending(file, {".mp4", ".webm", ".mkv", ".mov", ".avi", ".gif", ".webp"});
 }
 
+/// Numbers in names count by their value: "frame9.png" comes before "frame10.png".
+bool is_numbered_before(const fs::path& first, const fs::path& second) {
+  const std::string a = first.filename().string(), b = second.filename().string();
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!is_digit(a[i]) || !is_digit(b[j])) {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i, ++j;
+      continue;
+    }
+    const auto number = [&](const std::string& name, std::size_t& at) {
+      const std::size_t zeros_end = std::min(name.find_first_not_of('0', at), name.size());
+      std::size_t end = zeros_end;
+      while (end < name.size() && is_digit(name[end])) ++end;
+      at = end;
+      return name.substr(zeros_end, end - zeros_end);
+    };
+    const std::string m = number(a, i), n = number(b, j);
+    if (m.size() != n.size()) return m.size() < n.size();
+    if (m != n) return m < n;
+  }
+  if (a.size() - i != b.size() - j) return a.size() - i < b.size() - j;
+  return a < b;
+}
+
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> pictures;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.is_regular_file() && is_picture(entry.path())) pictures.push_back(entry.path());
   }
-  std::ranges::sort(pictures);
+  std::ranges::sort(pictures, is_numbered_before);
   return pictures;
+}
+
+/// What git keeps in place of a large file shows nothing.
+void refuse_pointer(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string beginning(64, '\0');
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  if (!motion::is_lfs_pointer(beginning)) return;
+  throw Error({file.string()}, "is a pointer of git LFS: it stands for the file, which is not here",
+              "run: git lfs pull");
 }
 
 /// Red, green and blue; a grey picture has one channel for all. Light (EXR) is shown as sRGB.
 render::Image8 read_picture(const fs::path& file) {
+  refuse_pointer(file);
   const render::Channels channels = render::read_channels(file);
   const std::size_t count = channels.names.size();
   if (count == 0) throw Error({file.string()}, "has no channels", "compare pictures");
@@ -68,8 +107,19 @@ render::Image8 read_picture(const fs::path& file) {
   return picture;
 }
 
+/// Throws Error for a picture of another size than the first.
 void visit_pictures(const std::vector<fs::path>& files, const Visit& visit) {
-  for (std::size_t i = 0; i < files.size(); ++i) visit(static_cast<int>(i), read_picture(files[i]));
+  int width = 0, height = 0;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const render::Image8 picture = read_picture(files[i]);
+    if (i == 0) std::tie(width, height) = std::tie(picture.width, picture.height);
+    if (picture.width != width || picture.height != height)
+      throw Error({files[i].string()},
+                  fmt::format("has {} x {} pixels, and {} has {} x {}", picture.width,
+                              picture.height, files[0].filename().string(), width, height),
+                  "keep pictures of one size in a folder");
+    visit(static_cast<int>(i), picture);
+  }
 }
 
 /// What is looked at, one picture after the other.
@@ -79,6 +129,7 @@ void visit_frames_of(const fs::path& media, const Visit& visit) {
   } else if (is_picture(media)) {
     visit(0, read_picture(media));
   } else {
+    refuse_pointer(media);
     render::probe(media, visit);
   }
 }
@@ -188,7 +239,11 @@ void compare_pairs(ComparedMedia& media, const FrameAlignment& alignment) {
 void compare_containers(ComparedMedia& media) {
   const render::VideoSummary a = render::probe(media.before), b = render::probe(media.now);
   const auto tell = [&](const char* what, const auto& before, const auto& now) {
-    if (before != now) media.remarks.push_back(fmt::format("{}: {} → {}", what, before, now));
+    if (before == now) return;
+    if constexpr (std::is_same_v<decltype(before), const double&>)
+      media.remarks.push_back(fmt::format("{}: {:.6g} → {:.6g}", what, before, now));
+    else
+      media.remarks.push_back(fmt::format("{}: {} → {}", what, before, now));
   };
   tell("codec", a.codec, b.codec);
   tell("pixel format", a.pixel_format, b.pixel_format);

@@ -12,6 +12,18 @@ std::string counted_frames(int count) {
   return fmt::format("{} {}", count, count == 1 ? "frame" : "frames");
 }
 
+/// Frames that are missing, new or exchanged have none beside them to be compared with.
+std::string compared_told(const ComparedMedia& media) {
+  const int compared = media.frames_compared;
+  if (compared == media.frames_before && compared == media.frames_now)
+    return media.frames_differing == 0 ? "all are the same"
+                                       : fmt::format("{} of them differ", media.frames_differing);
+  return media.frames_differing == 0
+             ? fmt::format("the {} that stand in both are the same", compared)
+             : fmt::format("of the {} that stand in both {} differ", compared,
+                           media.frames_differing);
+}
+
 }  // namespace
 
 std::string as_text(const ComparedMedia& media) {
@@ -22,9 +34,8 @@ std::string as_text(const ComparedMedia& media) {
                                                      : "differ",
                                  media.before, media.now);
   for (const std::string& remark : media.remarks) text += "  " + remark + "\n";
-  text += fmt::format("  {} before, {} now; {} of {} compared differ\n",
-                      counted_frames(media.frames_before), counted_frames(media.frames_now),
-                      media.frames_differing, media.frames_compared);
+  text += fmt::format("  {} before, {} now; {}\n", counted_frames(media.frames_before),
+                      counted_frames(media.frames_now), compared_told(media));
   if (media.frames_differing == 0) return text;
   text += fmt::format("  by {:.0f} of 255 at most, least PSNR {:.2f} dB\n",
                       255.0 * media.largest_share, media.least_psnr_db);

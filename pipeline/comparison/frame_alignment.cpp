@@ -116,10 +116,22 @@ class Table {
   std::vector<Step> steps_;
 };
 
+/// "frame 37 is missing", "frames 3 to 32 are missing": a line for frames in a row.
+void tell_rows(std::vector<std::string>& told, const std::vector<int>& frames, const char* what) {
+  for (std::size_t i = 0; i < frames.size();) {
+    std::size_t end = i + 1;
+    while (end < frames.size() && frames[end] == frames[end - 1] + 1) ++end;
+    const int first = frames[i], last = frames[end - 1];
+    told.push_back(first == last ? fmt::format("frame {} is {}", first, what)
+                                 : fmt::format("frames {} to {} are {}", first, last, what));
+    i = end;
+  }
+}
+
 /// "frames 4 and 5 are exchanged" where a frame that is missing was put in beside its place.
 void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
           const std::vector<Thumbnail>& now, double step) {
-  std::vector<int> added = alignment.added;
+  std::vector<int> added = alignment.added, missing, fresh;
   for (const int frame : alignment.missing) {
     const auto same = std::ranges::find_if(added, [&](int other) {
       return std::abs(other - frame) <= 2 &&
@@ -127,13 +139,14 @@ void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
                       now[static_cast<std::size_t>(other)]) < 0.5 * step;
     });
     if (same == added.end()) {
-      alignment.told.push_back(fmt::format("frame {} is missing", frame));
+      missing.push_back(frame);
     } else {
       alignment.told.push_back(fmt::format("frames {} and {} are exchanged", std::min(frame, *same),
                                            std::max(frame, *same)));
       added.erase(same);
     }
   }
+  tell_rows(alignment.told, missing, "missing");
   for (const int frame : added) {
     const auto i = static_cast<std::size_t>(frame);
     const auto is_as = [&](std::size_t other) {
@@ -144,8 +157,9 @@ void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
     else if (is_as(i + 1))
       alignment.told.push_back(fmt::format("frame {} repeats the one before", frame + 1));
     else
-      alignment.told.push_back(fmt::format("frame {} is new", frame));
+      fresh.push_back(frame);
   }
+  tell_rows(alignment.told, fresh, "new");
 }
 
 }  // namespace

@@ -6,7 +6,9 @@ namespace mien::pipeline {
 
 FrameComparison compare_pictures(int frame, const render::Image8& before, const render::Image8& now,
                                  int threads) {
-  FrameComparison comparison{.frame = frame};
+  FrameComparison comparison{.frame = frame,
+                             .size_before = {before.width, before.height},
+                             .size_now = {now.width, now.height}};
   comparison.same_size = before.width == now.width && before.height == now.height;
   comparison.same = comparison.same_size && before.channels == now.channels;
   if (comparison.same || !comparison.same_size) return comparison;

@@ -9,11 +9,18 @@
 
 namespace mien::pipeline {
 
+/// In pixels.
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+};
+
 /// A frame before and now.
 struct FrameComparison {
-  int frame = 0;
+  int frame = 0;          ///< its number before; now the same moment
   bool same = true;       ///< every pixel
-  bool same_size = true;  ///< else nothing below is known
+  bool same_size = true;  ///< else nothing below is known but the sizes
+  PictureSize size_before, size_now;
   render::PictureDifference difference;
   render::LibraryDifference second_voice;  ///< what OpenImageIO says of the same
   render::ErrorSummary perceived;          ///< ꟻLIP, 0 … 1

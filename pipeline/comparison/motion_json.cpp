@@ -30,6 +30,8 @@ ordered_json as_json(const motion::TimingDifference& timing) {
   if (const auto& gap = timing.gap)
     result["gap"] = {{"frame", gap->frame}, {"frames", gap->frames}, {"explained", gap->explained}};
   result["other_pace"] = timing.other_pace;
+  result["reversed"] = timing.reversed;
+  result["every"] = timing.every;
   return result;
 }
 
@@ -172,7 +174,8 @@ ordered_json as_json(const ComparedMotions& motions) {
       {"pa_mpjpe_m", difference.errors.pa_mpjpe},
       {"causes", cause_names(difference)},
       {"joints_gone", difference.only_before},
-      {"joints_new", difference.only_now}};
+      {"joints_new", difference.only_now},
+      {"joints_renamed", difference.renamed}};
   result["body"] = difference.body ? as_json(*difference.body) : ordered_json(nullptr);
   result["lint"] = list_of(difference.lint);
   result["features"] = list_of(difference.features);

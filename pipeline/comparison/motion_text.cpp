@@ -143,13 +143,14 @@ void add_features(Lines& lines, const MotionDifference& difference) {
   }
 }
 
-std::string joint_told(const JointDifference& joint) {
+std::string joint_told(const JointDifference& joint, bool is_on_bone) {
   const motion::Peak turn = motion::peak_of(joint.turn_radians);
   const double bone = motion::peak_of(joint.offset_m).value;
   std::string text = fmt::format("turned {}, {} of it twist; {} away", in_degrees(turn.value),
                                  in_degrees(motion::peak_of(joint.twist_radians).value),
                                  in_centimetres(motion::peak_of(joint.point_m).value));
-  if (bone > 1e-5) text += fmt::format("; sits {} elsewhere on its bone", in_centimetres(bone));
+  if (is_on_bone && bone > 1e-5)
+    text += fmt::format("; sits {} elsewhere on its bone", in_centimetres(bone));
   return text;
 }
 
@@ -162,10 +163,17 @@ void add_causes(Lines& lines, const MotionDifference& difference) {
   const std::vector<int> joints = causes(difference);
   for (std::size_t i = 0; i < std::min(joints.size(), most_joints_told); ++i) {
     const JointDifference& joint = difference.joints[static_cast<std::size_t>(joints[i])];
-    lines.add({}, "joint", fmt::format("{:<30} {}", joint_name(joint), joint_told(joint)));
+    const bool is_on_bone = !carries_body(difference, joints[i]);
+    lines.add({}, "joint",
+              fmt::format("{:<30} {}", joint_name(joint), joint_told(joint, is_on_bone)));
   }
   if (joints.size() > most_joints_told)
     lines.add({}, "", fmt::format("and {} more (--json)", joints.size() - most_joints_told));
+  if (!difference.renamed.empty()) {
+    std::vector<std::string> names;
+    for (const auto& [was, is] : difference.renamed) names.push_back(was + " → " + is);
+    lines.add({"joints"}, "names", fmt::format("{}", fmt::join(names, ", ")));
+  }
   if (!difference.only_before.empty())
     lines.add({"joints"}, "joints",
               fmt::format("gone: {}", fmt::join(difference.only_before, ", ")));

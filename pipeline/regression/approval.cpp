@@ -34,24 +34,49 @@ Hash hash_of_folder(const fs::path& folder) {
   return key.key();
 }
 
-/// Keeps the manifest with what it names, unless it is there. Returns the edition's name.
-std::string put_edition(const Manifest& manifest, const std::map<std::string, Hash>& inputs,
-                        const fs::path& baseline) {
-  const fs::path editions = baseline / "editions";
-  const fs::path next = editions / ".next";
-  fs::remove_all(next);
-  make_folder(next);
-  {
-    Store store(next);
-    put_inputs(manifest, inputs, store);
+/// Where everything is made before any of it takes its place, so that an approval that ends early
+/// leaves the baseline as it was. It is gone when this ends; what a kill leaves there git ignores.
+class Unfinished {
+ public:
+  explicit Unfinished(const fs::path& baseline)
+      : edition_(baseline / "editions" / ".next"), stimuli_(baseline / "stimuli" / ".next") {
+    for (const fs::path& folder : {edition_, stimuli_}) {
+      fs::remove_all(folder);
+      make_folder(folder);
+      write_file(folder / ".gitignore", "*\n");
+    }
   }
-  const std::string name = hash_of_folder(next / "inputs").substr(0, 12);
-  if (!fs::exists(editions / name)) {
-    make_folder(editions / name);
-    fs::rename(next / "inputs", editions / name / "inputs");
+  ~Unfinished() {
+    std::error_code unknown;
+    fs::remove_all(edition_, unknown);
+    fs::remove_all(stimuli_, unknown);
   }
-  fs::remove_all(next);
-  return name;
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+
+  /// As deep in the baseline as the edition will lie: what its manifest names, it names from there.
+  const fs::path& edition() const { return edition_; }
+  fs::path stimulus(const std::string& id) const { return stimuli_ / id; }
+
+ private:
+  fs::path edition_;
+  fs::path stimuli_;
+};
+
+/// Fills a folder with the manifest and what it names. Returns the edition's name.
+std::string make_edition(const Manifest& manifest, const std::map<std::string, Hash>& inputs,
+                         const fs::path& next) {
+  Store store(next);
+  put_inputs(manifest, inputs, store);
+  return hash_of_folder(next / "inputs").substr(0, 12);
+}
+
+/// Unless it is there.
+void put_edition(const std::string& name, const fs::path& next, const fs::path& baseline) {
+  const fs::path edition = baseline / "editions" / name;
+  if (fs::exists(edition)) return;
+  make_folder(edition);
+  fs::rename(next / "inputs", edition / "inputs");
 }
 
 /// Removes the editions that no stimulus was approved with.
@@ -145,7 +170,9 @@ Baseline approve(Rendition& now, const fs::path& folder, const Approval& approva
                 "name another folder with --baseline");
   baseline.folder = folder;
   baseline.study = manifest.study;
-  const std::string edition = put_edition(manifest, inputs, folder);
+  const Unfinished unfinished(folder);
+  const std::string edition = make_edition(manifest, inputs, unfinished.edition());
+  std::vector<StimulusFacts> approved;
   double share = 0.0;
   for (const Stimulus& stimulus : manifest.stimuli) {
     share += 1.0 / static_cast<double>(manifest.stimuli.size());
@@ -154,15 +181,18 @@ Baseline approve(Rendition& now, const fs::path& folder, const Approval& approva
     facts.edition = edition;
     if (const auto made = videos.find(stimulus.id); made != videos.end())
       facts.videos = made->second;
-    const fs::path next = folder / "stimuli" / ("." + stimulus.id + ".next");
-    fs::remove_all(next);
+    const fs::path next = unfinished.stimulus(stimulus.id);
     put_files(facts, now, next, options, stop);
     put_videos(facts, options.videos_from, next);
     facts.files = hashes_of_files(next);
     write_facts(facts, next);
-    exchange(next, folder / "stimuli" / stimulus.id);
-    put(baseline, std::move(facts));
+    approved.push_back(std::move(facts));
     if (done) done(share);
+  }
+  put_edition(edition, unfinished.edition(), folder);
+  for (StimulusFacts& facts : approved) {
+    exchange(unfinished.stimulus(facts.id), folder / "stimuli" / facts.id);
+    put(baseline, std::move(facts));
   }
   put_in_order(baseline, manifest, approval);
   baseline.approvals.push_back(approval);

@@ -21,7 +21,8 @@ struct ApprovalOptions {
 /// Stores stimuli as they are now, all or those of `approval.only`, as what later ones are held
 /// against. `folder` holds a baseline of the study, or nothing. What is not approved stays as it
 /// was; of stimuli that the manifest has no more, nothing is kept once that is approved. A stimulus
-/// is replaced as a whole, and an interrupted approval can be repeated. `inputs` are the hashes of
+/// is replaced as a whole, all of them when all are made, so that what is interrupted before leaves
+/// the baseline as it was. `inputs` are the hashes of
 /// what the manifest names, as it was read (put_inputs). Throws Error and Interrupted.
 Baseline approve(Rendition& now, const std::filesystem::path& folder, const Approval& approval,
                  const std::map<std::string, std::vector<VideoFacts>>& videos,

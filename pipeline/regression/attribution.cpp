@@ -169,6 +169,18 @@ std::vector<Attribution> program_causes(const StimulusStates& states) {
                        "drawn again from the approved motion and scene, the picture is another");
 }
 
+Attribution encoder_cause(const StimulusFacts& before, const StimulusFacts& now) {
+  const auto ffmpeg = [](const StimulusFacts& facts) {
+    const auto found = facts.origin.libraries.find("FFmpeg");
+    return found == facts.origin.libraries.end() ? std::string() : found->second;
+  };
+  std::string root = joined(changes_of(Aspect::video, before.settings, now.settings));
+  if (root.empty() && ffmpeg(before) != ffmpeg(now))
+    root = "FFmpeg " + ffmpeg(before) + " → " + ffmpeg(now);
+  if (root.empty()) root = "the encoder";
+  return {Cause::encoder, root, "all key frames are the same, the video's bytes are not", {}};
+}
+
 CauseShares cause_shares(const Exchanged& can, double program_error,
                          const std::function<double(const Exchanged&)>& error_of) {
   std::map<Exchanged, double> errors;

@@ -33,6 +33,9 @@ std::vector<Attribution> motion_causes(const StimulusStates& states);
 /// library, the processor, a file that the scene is made from.
 std::vector<Attribution> program_causes(const StimulusStates& states);
 
+/// What made the same frames another file.
+Attribution encoder_cause(const StimulusFacts& before, const StimulusFacts& now);
+
 /// Which of motion, scene and drawing are those of now; the rest is as it was approved.
 struct Exchanged {
   bool motion = false;

@@ -1,6 +1,9 @@
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "motion/text/file_contents.h"
+#include "motion/text/lfs_pointer.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/regression/baseline.h"
@@ -152,6 +155,28 @@ Approval approval_of(const Json& json) {
           .only = json.value("only", std::vector<std::string>{})};
 }
 
+/// What merging and git LFS leave in place of a file.
+void refuse_text(const fs::path& file, const std::string& text) {
+  if (motion::is_lfs_pointer(text))
+    throw Error({file.string()},
+                "is a pointer of git LFS: it stands for the file, which is not here",
+                "run: git lfs pull");
+  const std::size_t mark = ("\n" + text).find("\n<<<<<<< ");
+  if (mark == std::string::npos) return;
+  const auto line =
+      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(mark), '\n');
+  throw Error({file.string(), static_cast<int>(line) + 1, 0}, "holds a merge conflict",
+              "take one side (git checkout --ours or --theirs, of the whole folder), look at the "
+              "study, and approve it");
+}
+
+/// What the library found, without its own number.
+std::string library_words(const Json::exception& error) {
+  const std::string text = error.what();
+  const std::size_t end = text.find("] ");
+  return end == std::string::npos ? text : text.substr(end + 2);
+}
+
 /// Reads one document of a baseline and makes something of it.
 template <class Make>
 auto from_document(const fs::path& file, const Make& make) {
@@ -159,11 +184,18 @@ auto from_document(const fs::path& file, const Make& make) {
       "take it from where the baseline is kept (git checkout), or approve the study again";
   const std::string hindrance = motion::hindrance_of(file, motion::most_of_document);
   if (!hindrance.empty()) throw Error({file.string()}, hindrance, remedy);
+  const std::string text = read_file(file);
+  refuse_text(file, text);
   try {
-    return make(Json::parse(read_file(file)));
-  } catch (const std::exception& error) {
-    throw Error({file.string()}, std::string("is no document of a baseline: ") + error.what(),
-                remedy);
+    return make(Json::parse(text));
+  } catch (const Json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    throw Error({file.string(), static_cast<int>(std::count(text.begin(), end, '\n')) + 1, 0},
+                "is cut off or damaged: no JSON from here on", remedy);
+  } catch (const Json::exception& error) {
+    throw Error({file.string()}, "lacks what a baseline holds: " + library_words(error), remedy);
+  } catch (const std::logic_error&) {  // no number where one should be
+    throw Error({file.string()}, "holds something else than a baseline does", remedy);
   }
 }
 
@@ -195,7 +227,8 @@ Baseline read_baseline(const fs::path& folder) {
   std::vector<std::string> ids;
   from_document(folder / "baseline.json", [&](const Json& json) {
     if (json.at("baseline") != baseline_version)
-      throw std::runtime_error("written by a newer mien");
+      throw Error({(folder / "baseline.json").string()}, "was written by a newer mien",
+                  "update mien to the one that the study was approved with");
     baseline.study = json.at("study");
     ids = json.at("stimuli");
     for (const Json& approval : json.at("approvals"))

@@ -54,12 +54,23 @@ std::filesystem::path ComparedPictures::flip(const std::string& id, int frame) c
   return file(id, frame, "flip");
 }
 
+void ComparedPictures::put_before(const std::string& id, int frame,
+                                  const render::Image8& picture) const {
+  make_folder(folder_);
+  render::write_png(before(id, frame), picture);
+}
+
+void ComparedPictures::put_now(const std::string& id, int frame,
+                               const render::Image8& picture) const {
+  make_folder(folder_);
+  render::write_png(now(id, frame), picture);
+}
+
 void ComparedPictures::put(const std::string& id, int frame, const render::Image8& picture_before,
                            const render::Image8& picture_now, const render::PixelMap& error) const {
-  make_folder(folder_);
-  render::write_png(before(id, frame), picture_before);
-  render::write_png(now(id, frame), picture_now);
-  render::write_png(flip(id, frame), heat_map(error));
+  put_before(id, frame, picture_before);
+  put_now(id, frame, picture_now);
+  if (!error.values.empty()) render::write_png(flip(id, frame), heat_map(error));
 }
 
 }  // namespace mien::pipeline

@@ -19,9 +19,12 @@ class ComparedPictures {
   std::filesystem::path now(const std::string& id, int frame) const;
   std::filesystem::path flip(const std::string& id, int frame) const;
 
-  /// Throws render::Error and WriteFailure.
+  /// Without a map where there is none: of pictures that differ in size. Throws render::Error and
+  /// WriteFailure.
   void put(const std::string& id, int frame, const render::Image8& before,
            const render::Image8& now, const render::PixelMap& error) const;
+  void put_before(const std::string& id, int frame, const render::Image8& picture) const;
+  void put_now(const std::string& id, int frame, const render::Image8& picture) const;
 
  private:
   std::filesystem::path file(const std::string& id, int frame, const char* what) const;

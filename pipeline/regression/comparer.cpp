@@ -43,7 +43,8 @@ class StimulusComparer {
       result_.frames_reused = static_cast<int>(before_.key_frames.size());
     }
     if (is_moved || looks_otherwise()) find_causes();
-    if (!looks_otherwise() && !is_moved && !result_.videos.empty()) blame_encoder();
+    if (!looks_otherwise() && !is_moved && !result_.videos.empty())
+      result_.causes.push_back(encoder_cause(before_, now_));
     return std::move(result_);
   }
 
@@ -88,20 +89,34 @@ class StimulusComparer {
     result_.motion = motion::motion_difference(approved().clip_of(now_.id), now);
   }
 
+  /// The motion of now at the approved frame rate, so that frames of one number show one moment.
+  /// Nothing where the rate is the same.
+  const motion::Clip* clip_at_approved_rate() {
+    if (before_.fps == now_.fps) return nullptr;
+    if (!resampled_) resampled_ = motion::resampled(study_.now.clip_of(now_.id), before_.fps);
+    return &*resampled_;
+  }
+
   FrameSources sources(const Exchanged& exchanged) {
     Rendition& now = study_.now;
     return {.motion = exchanged.motion ? &now : &approved(),
             .scene = exchanged.scene ? &now : &approved(),
-            .drawing = exchanged.drawing ? &now : &approved()};
+            .drawing = exchanged.drawing ? &now : &approved(),
+            .clip = exchanged.motion ? clip_at_approved_rate() : nullptr};
   }
 
   StagedFilm staged_as(const Exchanged& exchanged) {
     return staged(now_.id, sources(exchanged), study_.threads);
   }
 
+  /// As it is now, but at the approved frame rate.
+  StagedFilm staged_now() {
+    Rendition& now = study_.now;
+    return staged(now_.id, {&now, &now, &now, clip_at_approved_rate()}, study_.threads);
+  }
+
   void compare_frames() {
-    const StagedFilm film =
-        staged(now_.id, {&study_.now, &study_.now, &study_.now}, study_.threads);
+    const StagedFilm film = staged_now();
     std::vector<int> frames;
     for (const KeyFrame& key : before_.key_frames) {
       if (key.frame < film.shot.frame_count()) frames.push_back(key.frame);
@@ -112,18 +127,22 @@ class StimulusComparer {
       result_.frames[i] =
           compare_pictures(frames[i], approved_picture(frames[i]), pictures[i], /*threads=*/1);
     });
-    for (std::size_t i = 0; i < frames.size(); ++i) keep(film, pictures[i], result_.frames[i]);
+    for (std::size_t i = 0; i < frames.size(); ++i) keep(pictures[i], result_.frames[i]);
     test_for_noise(film);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      FrameComparison& frame = result_.frames[i];
+      if (result_.motion && frame.noise.is_bias)
+        frame.shares = shares_of(film, frame.frame, approved_picture(frame.frame), pictures[i]);
+    }
   }
 
-  /// Puts away what a changed frame looks like, and whose doing it is.
-  void keep(const StagedFilm& film, const render::Image8& now, FrameComparison& frame) {
-    if (frame.same || !frame.same_size) return;
-    const render::Image8 before = approved_picture(frame.frame);
+  /// Puts away what a changed frame looks like.
+  void keep(const render::Image8& now, FrameComparison& frame) const {
+    if (frame.same) return;
     if (study_.pictures != nullptr)
-      study_.pictures->put(now_.id, frame.frame, before, now, frame.perceived_map);
+      study_.pictures->put(now_.id, frame.frame, approved_picture(frame.frame), now,
+                           frame.perceived_map);
     frame.perceived_map = {};
-    if (result_.motion) frame.shares = shares_of(film, frame.frame, before, now);
   }
 
   void test_for_noise(const StagedFilm& film) {
@@ -250,29 +269,13 @@ class StimulusComparer {
                               share});
   }
 
-  /// The frames are the same, and the file is not.
-  void blame_encoder() {
-    std::string root;
-    for (const SettingChange& change : result_.settings) {
-      if (change.aspect == Aspect::video) root += (root.empty() ? "" : "; ") + change_text(change);
-    }
-    const auto ffmpeg = [](const Origin& origin) {
-      const auto found = origin.libraries.find("FFmpeg");
-      return found == origin.libraries.end() ? std::string() : found->second;
-    };
-    if (root.empty() && ffmpeg(before_.origin) != ffmpeg(now_.origin))
-      root = "FFmpeg " + ffmpeg(before_.origin) + " → " + ffmpeg(now_.origin);
-    if (root.empty()) root = "the encoder";
-    result_.causes.push_back(
-        {Cause::encoder, root, "all key frames are the same, the video's bytes are not", {}});
-  }
-
   const ComparedStudy& study_;
   const StimulusFacts& before_;
   const StimulusFacts& now_;
   Rendition* approved_ = nullptr;
   std::optional<StimulusFacts> then_;
   std::optional<std::string> hindrance_;  ///< once it was tried
+  std::optional<motion::Clip> resampled_;
   StimulusComparison result_;
 };
 

@@ -91,6 +91,7 @@ struct StimulusComparison {
   std::vector<Attribution> causes;   ///< the largest share first
   double interaction = 0.0;          ///< share that no cause has alone
   std::vector<std::string> reasons;  ///< for `differs`: limits that are passed
+  std::string former_id;             ///< of one that appeared: it was approved under another name
 };
 
 }  // namespace mien::pipeline

@@ -14,6 +14,7 @@ struct Gate {
   std::string picture_defect;  ///< "a block of 8 x 8 pixels lighter by half"
   bool picture_caught = true;
 
+  /// Both were seen.
   bool holds() const { return motion_caught && picture_caught; }
 };
 

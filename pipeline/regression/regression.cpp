@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/manifest/own_seed.h"
+#include "pipeline/regression/one_sided.h"
 #include "pipeline/regression/stimulus_facts.h"
 #include "pipeline/regression/verdict.h"
 #include "pipeline/regression/wider_limits.h"
@@ -28,16 +29,6 @@ void add_to_groups(std::vector<CauseGroup>& groups, const StimulusComparison& co
     group->ids.push_back(comparison.id);
     group->differs = group->differs || comparison.verdict == Verdict::differs;
   }
-}
-
-StimulusComparison one_sided(const std::string& id, Verdict verdict) {
-  StimulusComparison comparison{.id = id, .verdict = verdict};
-  comparison.reasons.emplace_back(
-      verdict == Verdict::appeared
-          ? "is not in the baseline; approve it"
-          : "is in the baseline, and not in the manifest any more: approve "
-            "it too, and it goes");
-  return comparison;
 }
 
 }  // namespace
@@ -70,11 +61,14 @@ Regression regress(const ComparedStudy& study,
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (study.stop.stop_requested()) throw Interrupted{};
     if (study.baseline.find(stimulus.id) == nullptr) {
-      result.stimuli.push_back(one_sided(stimulus.id, Verdict::appeared));
+      result.stimuli.push_back(appeared(stimulus.id, study));
     } else {
       StimulusFacts facts = facts_of(stimulus.id, study.now);
       if (const auto made = videos.find(stimulus.id); made != videos.end())
         facts.videos = made->second;
+      const StimulusFacts& approved = *study.baseline.find(stimulus.id);
+      if (!facts.videos.empty() && approved.videos.empty())
+        result.without_videos.push_back(stimulus.id);
       const bool audit = is_audited(study.baseline, stimulus.id, options.audit_share);
       result.stimuli.push_back(compare(facts, study, audit));
       judge(result.stimuli.back(), stimulus.regression);
@@ -90,7 +84,7 @@ Regression regress(const ComparedStudy& study,
   }
   for (const StimulusFacts& facts : study.baseline.stimuli) {
     if (find_stimulus(manifest, facts.id) == nullptr)
-      result.stimuli.push_back(one_sided(facts.id, Verdict::gone));
+      result.stimuli.push_back(gone(facts, study, result.stimuli));
   }
   result.groups = groups_of(result.stimuli);
   result.gate = plant_defects(study);

@@ -31,11 +31,12 @@ struct Regression {
   Repetitions repetitions;
   /// Of each sentence of wider_limits the stimuli that it is said of.
   std::map<std::string, std::vector<std::string>> wider;
+  std::vector<std::string> without_videos;  ///< ids: videos were made, and none are approved
   int audited = 0;  ///< stimuli that were drawn although they cannot have changed
 
   int count(Verdict verdict) const;
   bool passes() const;  ///< nothing differs, appeared, is gone or came out otherwise
-                        ///< when it was repeated, and the gate holds
+                        ///< when it was repeated, and the planted defects are seen
 };
 
 struct RegressionOptions {

@@ -45,7 +45,8 @@ Output output_of(const FrameSources& sources, const std::string& id) {
   const Output& drawing = stimulus_of(*sources.drawing, id).output;
   output.quality = drawing.quality;
   output.shutter = drawing.shutter;
-  output.fps = stimulus_of(*sources.motion, id).output.fps;
+  output.fps = sources.clip != nullptr ? sources.clip->frames_per_second
+                                       : stimulus_of(*sources.motion, id).output.fps;
   output.frames = FrameFormat::none;
   return output;
 }
@@ -113,11 +114,12 @@ Equalized Rendition::alike(const std::string& id) {
 
 StagedFilm staged(const std::string& id, const FrameSources& sources, int threads) {
   const Equalized equal = sources.scene->alike(id);
-  StagedFilm film{shot_of(stimulus_of(*sources.scene, id), sources.motion->clip_of(id),
-                          sources.scene->manifest().seed, equal.framing),
-                  {.output = output_of(sources, id),
-                   .seed = sources.drawing->manifest().seed,
-                   .threads = threads}};
+  const motion::Clip& clip = sources.clip != nullptr ? *sources.clip : sources.motion->clip_of(id);
+  StagedFilm film{
+      shot_of(stimulus_of(*sources.scene, id), clip, sources.scene->manifest().seed, equal.framing),
+      {.output = output_of(sources, id),
+       .seed = sources.drawing->manifest().seed,
+       .threads = threads}};
   film.shot.tone.exposure_stops += equal.exposure_stops;
   return film;
 }

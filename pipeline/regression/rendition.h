@@ -58,6 +58,7 @@ struct FrameSources {
   Rendition* motion = nullptr;
   Rendition* scene = nullptr;
   Rendition* drawing = nullptr;
+  const motion::Clip* clip = nullptr;  ///< shown in place of `motion`'s, if any
 };
 
 /// A stimulus staged, so that any of its frames can be drawn.

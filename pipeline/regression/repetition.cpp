@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <thread>
 
 #include "pipeline/archive/scratch_folder.h"
 #include "pipeline/regression/approved_frames.h"
@@ -36,6 +37,12 @@ void compare(const MadeOnce& first, const MadeOnce& again, Repetitions& result) 
   }
 }
 
+/// One more each time; from one again where there are no more processors.
+int threads_of(int time) {
+  const auto processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return 1 + (time - 1) % processors;
+}
+
 }  // namespace
 
 Repetitions repeated(const ComparedStudy& study, int times) {
@@ -46,7 +53,7 @@ Repetitions repeated(const ComparedStudy& study, int times) {
     Rendition rendition(study.now.manifest(), scratch.path(), k, study.stop);
     for (const StimulusFacts& approved : study.baseline.stimuli) {
       if (find_stimulus(rendition.manifest(), approved.id) == nullptr) continue;
-      MadeOnce made = made_of(approved, rendition, k, study.stop);
+      MadeOnce made = made_of(approved, rendition, threads_of(k), study.stop);
       if (k == 1)
         first[approved.id] = std::move(made);
       else

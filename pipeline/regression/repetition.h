@@ -11,8 +11,9 @@ struct Repetitions {
   double largest = 0.0;  ///< difference of their channels, as share of full scale
 };
 
-/// Makes all motions and key frames of the baseline's stimuli anew, each time with another number
-/// of threads, and compares them bit by bit. Once: does nothing. Throws Error and Interrupted.
+/// Makes all motions and key frames of the baseline's stimuli anew, each time with one thread more
+/// (as many as there are processors, then one again), and compares them bit by bit. Once: does
+/// nothing. Throws Error and Interrupted.
 Repetitions repeated(const ComparedStudy& study, int times);
 
 }  // namespace mien::pipeline

@@ -9,6 +9,7 @@
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/reading/field_writer.h"
 #include "pipeline/tasks/artifact_key.h"
+#include "scenes/cameras/camera_settings.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"
 
@@ -16,6 +17,7 @@ namespace mien::pipeline {
 
 namespace {
 
+constexpr char content_words[] = " content";
 constexpr std::string_view drawing_options[] = {"output.quality", "output.shutter"};
 
 /// fps and in_place count as what they change first.
@@ -43,15 +45,41 @@ void add_value(std::vector<Setting>& settings, const std::string& path, Aspect a
   }
 }
 
+/// The beginning of a hash tells a file from what it was.
+std::string content_id(const Hash& hash) { return hash.substr(0, 12); }
+
+/// Files by their names, and with the folder where two have one name.
+std::string contents_of(const std::vector<std::filesystem::path>& files, FileKeys& keys) {
+  OrderedJson contents = OrderedJson::object();
+  for (const std::filesystem::path& file : files) {
+    std::string name = file.filename().string();
+    if (contents.contains(name)) name = (file.parent_path().filename() / name).generic_string();
+    contents[name] = content_id(keys.of(file));
+  }
+  return contents.dump();
+}
+
 void add_entries(std::vector<Setting>& settings, const std::vector<FieldEntry>& entries,
                  FileKeys& files) {
   for (const FieldEntry& entry : entries) {
     add_value(settings, entry.path, aspect_of(entry), entry.value);
-    for (const std::filesystem::path& file : entry.files) {
-      const OrderedJson content = files.of(file);
-      settings.push_back({entry.path + " content", aspect_of(entry), content.dump()});
-    }
+    if (!entry.files.empty())
+      settings.push_back(
+          {entry.path + content_words, aspect_of(entry), contents_of(entry.files, files)});
   }
+}
+
+/// What a look is when nothing is said, and which figure it is where it has no options: other ones
+/// are told from these.
+void add_look(std::vector<Setting>& settings, const scenes::CameraSettings& camera,
+              const std::vector<FieldEntry>& entries) {
+  const auto figure = std::ranges::find(entries, "look.figure", &FieldEntry::path);
+  if (figure != entries.end() && figure->value.is_object() && figure->value.size() == 1)
+    settings.push_back(
+        {"look.figure", Aspect::scene, OrderedJson(figure->value.begin().key()).dump()});
+  const bool has_view = !camera.position && camera.path.empty();
+  if (has_view && camera.view == scenes::CameraSettings{}.view)
+    settings.push_back({"look.camera.view", Aspect::scene, OrderedJson(camera.view).dump()});
 }
 
 /// A set counts by what it holds, whatever its file is called.
@@ -66,17 +94,22 @@ void add_set(std::vector<Setting>& settings, const scenes::SetPlan& set) {
 void add_character(std::vector<Setting>& settings, const Stimulus& stimulus, FileKeys& files) {
   const auto* character = scenes::character_in(stimulus.look.figure);
   if (character == nullptr) return;
-  const Hash& key = files.of_character(character->file);
-  settings.push_back({"look.figure content", Aspect::scene, OrderedJson(key).dump()});
+  const OrderedJson content = {
+      {character->file.filename().string(), content_id(files.of_character(character->file))}};
+  settings.push_back({"look.figure content", Aspect::scene, content.dump()});
 }
 
-/// The examples are many files, and told as one.
+/// The examples' files: each by its name, or as one where there are very many.
 void add_examples(std::vector<Setting>& settings, const Manifest& manifest, FileKeys& files) {
   const std::vector<std::filesystem::path> examples = repertoire_files(manifest);
   if (examples.empty()) return;
-  KeyBuilder key;
-  for (const std::filesystem::path& file : examples) key.add("file", files.of(file));
-  settings.push_back({"examples content", Aspect::motion, OrderedJson(key.key()).dump()});
+  constexpr std::size_t most_named = 200;
+  std::string content = contents_of(examples, files);
+  if (examples.size() > most_named) {
+    const std::string name = std::to_string(examples.size()) + " files";
+    content = OrderedJson({{name, content_id(hash_of(content))}}).dump();
+  }
+  settings.push_back({"examples content", Aspect::motion, std::move(content)});
 }
 
 /// What stands once for all stimuli. Which examples there are their content tells.
@@ -92,6 +125,35 @@ std::vector<FieldEntry> study_entries(const Manifest& manifest) {
     std::erase_if(entry.files,
                   [](const auto& file) { return std::filesystem::is_directory(file); });
   return entries;
+}
+
+/// The files that a setting's content was made of; none where it is not known.
+OrderedJson files_in(const std::string& value) {
+  OrderedJson json = value.empty() ? OrderedJson() : OrderedJson::parse(value, nullptr, false);
+  return json.is_object() ? json : OrderedJson::object();
+}
+
+/// "clip content: walk.bvh is another (0123abcd → 4567cdef)"
+std::string content_text(const SettingChange& change) {
+  constexpr std::size_t most_told = 8;
+  const OrderedJson before = files_in(change.before), now = files_in(change.now);
+  std::vector<std::string> texts;
+  for (const auto& [name, content] : before.items()) {
+    if (!now.contains(name))
+      texts.push_back(name + " is gone");
+    else if (now.at(name) != content)
+      texts.push_back(name + " is another (" + content.get<std::string>() + " → " +
+                      now.at(name).get<std::string>() + ")");
+  }
+  for (const auto& [name, content] : now.items()) {
+    if (!before.contains(name)) texts.push_back(name + " is new");
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(texts.size(), most_told); ++i)
+    text += (i == 0 ? "" : ", ") + texts[i];
+  if (texts.size() > most_told)
+    text += " and " + std::to_string(texts.size() - most_told) + " more files";
+  return change.path + (text.empty() ? " is another" : ": " + text);
 }
 
 }  // namespace
@@ -111,7 +173,9 @@ std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manif
                     .concerned = concerns::motion | concerns::picture | concerns::stored |
                                  concerns::shown | concerns::files};
   std::vector<Setting> settings;
-  add_entries(settings, entries_of(itself, how), files);
+  const std::vector<FieldEntry> entries = entries_of(itself, how);
+  add_entries(settings, entries, files);
+  add_look(settings, stimulus.look.camera, entries);
   std::erase_if(settings, [](const Setting& setting) {
     return setting.path == "look.scene_file content" ||  // as its options
            setting.path == "look.figure content";        // with what belongs to it
@@ -144,6 +208,7 @@ std::vector<SettingChange> changes_between(const std::vector<Setting>& before,
 }
 
 std::string change_text(const SettingChange& change) {
+  if (change.path.ends_with(content_words)) return content_text(change);
   if (change.before.empty()) return change.path + " " + change.now + " is new";
   if (change.now.empty()) return change.path + " " + change.before + " is gone";
   return change.path + " " + change.before + " → " + change.now;

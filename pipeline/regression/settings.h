@@ -35,8 +35,8 @@ struct Setting {
 };
 
 /// Everything that a manifest says of what is seen of one of its stimuli, in the manifest's order,
-/// its set option by option, and the hashes of files that it names ("clip.file content"). A foil
-/// has what its original says.
+/// its set option by option, and the files that it names with hashes ("clip content":
+/// {"walk.bvh": "0123456789ab"}). A foil has what its original says.
 std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manifest,
                                  FileKeys& files);
 
@@ -54,7 +54,7 @@ struct SettingChange {
 std::vector<SettingChange> changes_between(const std::vector<Setting>& before,
                                            const std::vector<Setting>& now);
 
-/// "adjectives.quickness 0.6 → 0.61"
+/// "adjectives.quickness 0.6 → 0.61", "examples content: sad.bvh is another (01… → 23…)"
 std::string change_text(const SettingChange& change);
 
 }  // namespace mien::pipeline

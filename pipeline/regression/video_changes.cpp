@@ -45,6 +45,11 @@ std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,
       changes.push_back(video_change(old.record, same->record));
     }
   }
+  for (const VideoFacts& video : now) {
+    const bool is_new = std::ranges::none_of(
+        before, [&](const VideoFacts& old) { return old.record.format == video.record.format; });
+    if (is_new && !before.empty()) changes.push_back({video.record.format, {"is new"}, true, 0.0});
+  }
   return changes;
 }
 

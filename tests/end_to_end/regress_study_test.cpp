@@ -294,5 +294,31 @@ TEST_F(RegressStudy, HoldsInAnotherCheckout) {
   EXPECT_EQ(same.code, 0) << same.output << same.errors;
 }
 
+TEST_F(RegressStudy, SaysWhatGitKnowsOfANameThatIsNone) {
+  ASSERT_EQ(approve().code, 0);
+  const Ended outside = regress({"--baseline", "nosuch"});
+  EXPECT_EQ(outside.code, 2);
+  EXPECT_NE(outside.errors.find("git says: fatal: "), std::string::npos) << outside.errors;
+  EXPECT_EQ(outside.errors.find("regress approve"), std::string::npos) << outside.errors;
+}
+
+TEST_F(RegressStudy, KeepsNoBaselineInAFolderCalledLikeACommit) {
+  commit();
+  git({"tag", "v1"});
+  const Ended refused = run_mien({"regress", "approve", manifest().string(), "--why", "w",
+                                  "--without-videos", "--baseline", "v1", "--out", out()});
+  EXPECT_EQ(refused.code, 2) << refused.output;
+  EXPECT_NE(refused.errors.find("v1: is a commit"), std::string::npos) << refused.errors;
+  EXPECT_FALSE(fs::exists("v1"));
+}
+
+TEST_F(RegressStudy, WantsAReason) {
+  for (const char* why : {"", "  "}) {
+    const Ended refused =
+        run_mien({"regress", "approve", manifest().string(), "--why", why, "--out", out()});
+    EXPECT_EQ(refused.code, 2) << "'" << why << "'";
+  }
+}
+
 }  // namespace
 }  // namespace mien::test

@@ -121,5 +121,27 @@ TEST_F(Regress, RefusesWhatItCannotCompare) {
   EXPECT_EQ(run_mien({"regress", walk().string()}).code, 2);
 }
 
+TEST_F(Regress, TellsWhatIsMissingOfALoneFile) {
+  const Ended refused = run_mien({"regress", walk().string()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("a second file is missing"), std::string::npos) << refused.errors;
+}
+
+TEST_F(Regress, KnowsAFileThatGitHasNotFetched) {
+  const fs::path pointer = scratch_.write(
+      "large.bvh", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n");
+  const Ended refused = regress(pointer);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("git lfs pull"), std::string::npos) << refused.errors;
+}
+
+TEST_F(Regress, RefusesFoldersWithoutPictures) {
+  const fs::path empty = scratch_.path() / "empty";
+  fs::create_directory(empty);
+  const Ended refused = run_mien({"regress", empty.string(), empty.string()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("holds no pictures"), std::string::npos) << refused.errors;
+}
+
 }  // namespace
 }  // namespace mien::test

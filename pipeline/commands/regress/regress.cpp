@@ -46,6 +46,9 @@ int compared(const Command& comparison, const Console& console) {
 }
 
 void require_file(const std::string& file) {
+  if (std::filesystem::is_directory(file) && !is_media(file))
+    throw Error({file}, "is a folder that holds no pictures",
+                "name a folder of pictures (PNG, EXR, JPEG, TIFF), or a file");
   if (std::filesystem::exists(file)) return;
   throw Error({file}, "no such file",
               "name two motion files, pictures, videos or folders of pictures: what was, and what "
@@ -65,6 +68,19 @@ int regress_files(const RegressOptions& options, const Console& console) {
   throw Error({options.now}, "cannot be compared with " + options.before,
               "motion files can (BVH, Acclaim, glTF), and pictures (PNG, EXR, JPEG, TIFF), folders "
               "of them and videos");
+}
+
+/// A motion, picture or video alone is no study.
+void refuse_lone_file(const std::string& file) {
+  if (!motion::is_motion_file(file) && !is_media(file)) return;
+  throw Error({file}, "is compared with nothing: a second file is missing",
+              "name what is now after what was: mien regress approved.bvh walk.bvh");
+}
+
+/// Somebody will want to know in a year.
+std::string refuse_blank(const std::string& text) {
+  const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string::npos;
+  return is_blank ? "say in a sentence why it may look as it does now" : "";
 }
 
 CLI::Option* add_tolerance(CLI::App& command, const std::string& flag, double& value,
@@ -154,7 +170,9 @@ void add_approve_command(CLI::App& regress, Command& chosen) {
   const auto arguments = std::make_shared<StudyArguments>();
   command->add_option("manifest", arguments->production.manifest, "Manifest (YAML) of the study")
       ->required();
-  command->add_option("--why", arguments->why, "Why it may look as it does now")->required();
+  command->add_option("--why", arguments->why, "Why it may look as it does now")
+      ->required()
+      ->check(refuse_blank);
   command->add_option("--who", arguments->who, "Who says so (default: git's user.name)");
   command
       ->add_option("--only", arguments->production.only,
@@ -219,6 +237,7 @@ void add_regress_command(CLI::App& app, Command& chosen) {
       study->production.manifest = options->before;
       study->production.json = options->json;
       chosen = [command, study](const Console& console) {
+        refuse_lone_file(study->production.manifest);
         refuse_options(*command, files_group, "set regression: in the manifest");
         return compared([&](const Console& where) { return regress_study(*study, where); },
                         console);

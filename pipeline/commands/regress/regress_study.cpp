@@ -76,14 +76,15 @@ class Editions {
       : baseline_(baseline), threads_(threads), stop_(std::move(stop)) {}
 
   Rendition& of(const std::string& name) {
-    std::unique_ptr<Edition>& edition = editions_[name];
-    if (edition == nullptr) {
-      edition = std::make_unique<Edition>();
+    std::unique_ptr<Edition>& known = editions_[name];
+    if (known == nullptr) {
+      auto edition = std::make_unique<Edition>();
       edition->rendition = std::make_unique<Rendition>(
           load_manifest(baseline_.edition_manifest(name), process_environment()),
           edition->folder.path(), threads_, stop_);
+      known = std::move(edition);  // only when it could be made
     }
-    return *edition->rendition;
+    return *known->rendition;
   }
 
  private:
@@ -225,8 +226,7 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
   whole.production.only.clear();
   MadeStudy made_study = planned(whole, console);
   const Manifest& manifest = made_study.production->manifest();
-  const fs::path folder =
-      arguments.baseline.empty() ? usual_baseline(manifest) : fs::path(arguments.baseline);
+  const fs::path folder = new_baseline(arguments.baseline, manifest);
   refuse_other_folder(folder);
   const Baseline before = is_baseline(folder) ? read_baseline(folder) : Baseline{};
   refuse_unknown(arguments.production.only, manifest, before);

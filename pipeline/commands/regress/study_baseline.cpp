@@ -66,12 +66,41 @@ FoundBaseline baseline_of_commit(const std::string& commit, const Manifest& mani
   return found;
 }
 
+CommandEnd shown_commit(const std::string& name, const Manifest& manifest) {
+  return git(manifest.file.parent_path(),
+             {"log", "-1", "--format=%H", "--end-of-options", name, "--"});
+}
+
 bool is_commit(const std::string& name, const Manifest& manifest) {
-  return git(manifest.file.parent_path(), {"rev-parse", "--verify", "--quiet", name + "^{commit}"})
-      .is_done();
+  return shown_commit(name, manifest).is_done();
+}
+
+/// What a name means that is no folder, git knows best.
+[[noreturn]] void throw_unknown(const std::string& name, const Manifest& manifest) {
+  const CommandEnd end = shown_commit(name, manifest);
+  const std::string says = end.is_missing ? "; git, which would know commits, is not installed"
+                                          : "; git says: " + first_line(end.errors);
+  const CommandEnd shallow =
+      git(manifest.file.parent_path(), {"rev-parse", "--is-shallow-repository"});
+  throw Error(
+      {name}, "there is no folder and no commit of that name" + says,
+      first_line(shallow.output) == "true"
+          ? "this clone lacks most commits: fetch the one that you mean (git fetch origin " + name +
+                ":" + name + "; in GitHub Actions fetch-depth: 0)"
+          : "name a folder, or a branch, tag or commit that git log knows");
 }
 
 }  // namespace
+
+fs::path new_baseline(const std::string& given, const Manifest& manifest) {
+  if (given.empty()) return usual_baseline(manifest);
+  if (!fs::exists(given) && is_commit(given, manifest))
+    throw Error({given}, "is a commit, and what is approved is kept in a folder",
+                "leave --baseline out, and commit what was approved; a new folder of that name is "
+                "./" +
+                    given);
+  return given;
+}
 
 fs::path usual_baseline(const Manifest& manifest) {
   return manifest.file.parent_path() / "baselines" / manifest.study;
@@ -84,6 +113,7 @@ FoundBaseline find_baseline(const std::string& given, const Manifest& manifest) 
     FoundBaseline found = baseline_of_commit(given, manifest);
     if (is_baseline(found.folder)) return found;
   }
+  if (!given.empty() && !fs::exists(folder)) throw_unknown(given, manifest);
   throw Error({folder.string()}, "holds no baseline",
               "look at the study, and when it is as it should be: mien regress approve " +
                   manifest.file.string() + " --why \"…\"");

@@ -18,6 +18,9 @@ struct FoundBaseline {
 /// Where a study's baseline lies unless told: baselines/<study> beside the manifest.
 std::filesystem::path usual_baseline(const Manifest& manifest);
 
+/// The folder that approved stimuli are put into. Throws Error for the name of a commit.
+std::filesystem::path new_baseline(const std::string& given, const Manifest& manifest);
+
 /// What `--baseline` means: a folder, or a branch, tag or commit of the git repository in which the
 /// manifest lies, of which the usual folder is taken; empty: the usual folder as it lies there.
 /// Throws Error when there is no baseline.

@@ -39,16 +39,9 @@ std::string interaction_line(double interaction) {
 
 std::vector<std::string> cause_lines(const StimulusComparison& one) {
   std::vector<std::string> lines;
-  for (const Attribution& cause : one.causes)
-    lines.push_back(fmt::format("{}{}: {} ({})", cause.share ? percents(*cause.share) + " " : "",
-                                name_of(cause.cause), cause.root, cause.evidence));
+  for (const Attribution& cause : one.causes) lines.push_back(cause_text(cause));
   if (std::abs(one.interaction) >= 0.01) lines.push_back(interaction_line(one.interaction));
   return lines;
-}
-
-std::string first_words(const StimulusComparison& one) {
-  if (!one.reasons.empty()) return one.reasons.front();
-  return "within the limits, or no more than noise";
 }
 
 std::string titled_list(const char* title, const std::vector<std::string>& lines) {
@@ -59,16 +52,38 @@ std::string titled_list(const char* title, const std::vector<std::string>& lines
 /// Where a link finds a stimulus. No other element's name begins so.
 std::string anchor_of(const std::string& id) { return html_escaped("stimulus-" + id); }
 
-std::string card(const StimulusComparison& one, std::size_t index, bool opened) {
+std::string lone_picture(const char* words, const std::filesystem::path& file, int most_width) {
+  if (!std::filesystem::exists(file)) return "";
+  return fmt::format("<figure><img alt=\"{0}\" src=\"{1}\"><figcaption>{0}</figcaption></figure>\n",
+                     words, picture_uri(file, most_width));
+}
+
+/// A picture that cannot be laid over the one of then: both beside each other, or the only one.
+std::string lone_pictures(const StimulusComparison& one, const ComparedPictures* pictures) {
+  constexpr int most_width = 640;
+  std::vector<int> frames;
+  for (const FrameComparison& frame : one.frames) {
+    if (!frame.same && !frame.same_size) frames.push_back(frame.frame);
+  }
+  if (pictures == nullptr || frames.empty()) return "";
+  const int middle = frames[frames.size() / 2];
+  return fmt::format("<div class=\"lone\">\n{}{}</div>\n",
+                     lone_picture("before", pictures->before(one.id, middle), most_width),
+                     lone_picture("now", pictures->now(one.id, middle), most_width));
+}
+
+std::string card(const StimulusComparison& one, std::size_t index, bool opened,
+                 const ComparedPictures* pictures) {
   std::vector<std::string> changes = one.reasons;
-  if (std::string motion = motion_text(one); !motion.empty()) changes.push_back(std::move(motion));
+  if (std::string motion = motion_text(one); !motion.empty())
+    changes.insert(changes.begin(), std::move(motion));
   return fmt::format(
       "<details class=\"card {0}\" id=\"{1}\"{2}{3}><summary><b>{4}</b><span class=\"pill\">{0}"
-      "</span> <small>{5}</small></summary>\n<div class=\"told\">\n{6}{7}</div></details>\n",
+      "</span> <small>{5}</small></summary>\n<div class=\"told\">\n{6}{7}</div>{8}</details>\n",
       name_of(one.verdict), anchor_of(one.id),
       is_shown(one) ? fmt::format(" data-index=\"{}\"", index) : "", opened ? " open" : "",
       html_escaped(one.id), html_escaped(first_words(one)), titled_list("What", changes),
-      titled_list("Why", cause_lines(one)));
+      titled_list("Why", cause_lines(one)), lone_pictures(one, pictures));
 }
 
 std::string links_to(std::span<const std::string> ids) {
@@ -144,7 +159,8 @@ std::string grounds(const Regression& regression, const Baseline& baseline) {
     const Approval& last = baseline.approvals.back();
     text = fmt::format("Last approved by {}, {}: “{}”. ", last.who, last.when, last.why);
   }
-  text += "Gate: " + gate_text(regression.gate) + ". " + repetitions_text(regression.repetitions);
+  text += gate_text(regression.gate) + ". " + repetitions_text(regression.repetitions) +
+          unapproved_text(regression);
   return "<p class=\"quiet grounds\">" + html_escaped(text) + "</p>\n";
 }
 
@@ -166,7 +182,8 @@ std::string regression_report(const Regression& regression, const ComparedStudy&
   std::string data;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const StimulusComparison& one = *order[i];
-    cards += card(one, i, i == 0);
+    const bool has_room = i < most_with_every_frame;
+    cards += card(one, i, i == 0, has_room ? study.pictures : nullptr);
     if (!is_shown(one)) continue;
     Json entry = {{"frames", Json::array()}};
     if (study.pictures) entry["frames"] = frames_json(one, *study.pictures, chosen);

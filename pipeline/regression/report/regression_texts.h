@@ -20,8 +20,11 @@ std::string junit_text(const Regression& regression);
 /// Everything as JSON. Lengths are metres, angles radians, times seconds.
 nlohmann::ordered_json as_json(const Regression& regression);
 
-/// "3 differ, 1 alike, 12 same of 16; the gate holds"
+/// "3 differ, 1 alike, 12 same"; also when a planted defect was not seen.
 std::string summary_text(const Regression& regression);
+
+/// "80 % motion: weights.sad 0.4 → 0.41 (the evidence)"
+std::string cause_text(const Attribution& cause);
 
 /// What was planted in a copy of which stimulus, and whether it was seen.
 std::string gate_text(const Gate& gate);
@@ -34,6 +37,12 @@ std::string group_text(const CauseGroup& group);
 
 /// What became of a stimulus's motion, in a sentence; empty when it is the same.
 std::string motion_text(const StimulusComparison& comparison);
+
+/// The one thing to say of a stimulus: what its motion does otherwise, or the first reason.
+std::string first_words(const StimulusComparison& comparison);
+
+/// Of which stimuli videos were made and none approved, a line; empty where there are none such.
+std::string unapproved_text(const Regression& regression);
 
 /// "72 % left forearm, 20 % left hand, 8 % unexplained"
 std::string shares_text(const std::vector<BodyShare>& shares);

@@ -89,6 +89,7 @@ ReportJson frames_json(const StimulusComparison& one, const ComparedPictures& pi
                     {"before", uri(pictures.before(one.id, frame->frame))},
                     {"now", uri(pictures.now(one.id, frame->frame))},
                     {"flip", uri(pictures.flip(one.id, frame->frame))}});
+    if (one.motion) json.back()["seconds"] = frame->frame / one.motion->frames_per_second();
   }
   return json;
 }

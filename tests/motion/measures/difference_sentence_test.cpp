@@ -1,5 +1,7 @@
 #include "motion/measures/difference_sentence.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "motion/changed_motion.h"
@@ -75,6 +77,48 @@ TEST(Amounts, AreToldAsPeopleSayThem) {
   EXPECT_EQ(in_centimetres(0.0025), "0.25 cm");
   EXPECT_EQ(in_centimetres(0.0), "0 cm");
   EXPECT_EQ(in_seconds(0.434), "0.43 s");
+}
+
+TEST(LargestChange, TellsFramesThatWereLeftOutOrTurnedRound) {
+  const Clip walk = with_turn(changeable_walk(), LeftShoulder, Vec3(0, 0, 1), 0.5);
+  Clip few = walk;
+  few.poses.clear();
+  for (std::size_t i = 0; i < walk.poses.size(); i += 2) few.poses.push_back(walk.poses[i]);
+  few.frames_per_second = 15;
+  EXPECT_EQ(told(walk, few), "only every second frame, 15 instead of 30 a second");
+  EXPECT_EQ(told(few, walk),
+            "each frame of before is every second one now, 30 instead of 15 a second");
+  Clip back = walk;
+  std::ranges::reverse(back.poses);
+  EXPECT_EQ(told(walk, back), "the same frames in reverse order");
+}
+
+/// The walk on a rig whose first joint stays where it is, and whose hips go.
+Clip with_root_above(const Clip& walk) {
+  Clip clip = walk;
+  for (Joint& joint : clip.body.joints) ++joint.parent;
+  clip.body.joints.insert(clip.body.joints.begin(), Joint{"World", -1, Vec3::Zero(), {}});
+  for (Pose& pose : clip.poses) {
+    pose.offsets.clear();
+    for (const Joint& joint : clip.body.joints) pose.offsets.push_back(joint.offset);
+    pose.offsets[1] = pose.root_position;
+    pose.root_position = Vec3::Zero();
+    pose.rotations.insert(pose.rotations.begin(), Quat::Identity());
+  }
+  return clip;
+}
+
+TEST(LargestChange, TakesTheWayOfHipsBelowARootForNoBone) {
+  const Clip walk = with_root_above(changeable_walk());
+  Clip now = walk;
+  for (Pose& pose : now.poses) pose.offsets[1].x() += 0.5;
+  EXPECT_EQ(told(walk, now), "the figure stands up to 50.0 cm elsewhere; its poses are the same");
+  for (Pose& pose : now.poses)
+    pose.rotations[LeftElbow + 1] =
+        pose.rotations[LeftElbow + 1] * Quat(Eigen::AngleAxisd(0.1, Vec3::UnitY()));
+  const std::string text = told(walk, now);
+  EXPECT_EQ(text.find("LeftElbow "), 0U) << text;
+  EXPECT_NE(text.find("; the figure stands up to 50.0 cm elsewhere"), std::string::npos) << text;
 }
 
 }  // namespace

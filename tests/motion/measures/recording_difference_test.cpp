@@ -4,6 +4,7 @@
 
 #include "motion/changed_motion.h"
 #include "motion/error.h"
+#include "motion/measures/motion_tolerance.h"
 #include "motion/other_rigs.h"
 #include "motion/random_recording.h"
 
@@ -98,6 +99,20 @@ TEST(RecordingDifference, TakesFiguresThatAreNotHuman) {
   EXPECT_TRUE(same.identical);
   EXPECT_FALSE(same.body);
   EXPECT_THROW(difference(creature, to_recording(changeable_walk())), Error);
+}
+
+TEST(RecordingDifference, TellsJointsThatAreCalledOtherwise) {
+  const Recording walk = recorded(changeable_walk());
+  Recording now = walk;
+  for (Joint& joint : now.skeleton.joints) joint.name = "mixamorig:" + joint.name;
+  const MotionDifference renamed = difference(walk, now);
+  EXPECT_FALSE(renamed.identical);
+  EXPECT_FALSE(renamed.on_body);
+  EXPECT_EQ(worst(renamed), 0.0);
+  EXPECT_EQ(renamed.renamed.size(), walk.skeleton.joints.size());
+  const std::vector<Excess> too_much = excesses(renamed, {});
+  ASSERT_EQ(too_much.size(), 1U);
+  EXPECT_EQ(too_much[0].measure, "joints");
 }
 
 }  // namespace

@@ -119,5 +119,40 @@ TEST_F(ComparedMediaFiles, SizesThatDifferAreTold) {
   }
 }
 
+TEST_F(ComparedMediaFiles, NumbersInNamesCountByTheirValue) {
+  fs::create_directories(in("then"));
+  fs::create_directories(in("today"));
+  for (const int frame : twenty()) {
+    render::write_png(in("then") / ("f" + std::to_string(frame) + ".png"), disc(frame));
+    render::write_png(in("today") / ("f" + std::to_string(100 + frame).substr(1) + ".png"),
+                      disc(frame));
+  }
+  const ComparedMedia media = compared_media(in("then"), in("today"), 0.0);
+  EXPECT_TRUE(media.remarks.empty()) << as_text(media);
+  EXPECT_TRUE(contains(as_text(media), "all are the same")) << as_text(media);
+}
+
+TEST_F(ComparedMediaFiles, DoNotSayThatNothingDiffersWhereFramesAreMissing) {
+  std::vector<int> frames = twenty();
+  write_film(in("a.mkv"), frames);
+  frames.resize(12);
+  write_film(in("b.mkv"), frames);
+  const std::string text = as_text(compared_media(in("a.mkv"), in("b.mkv"), 0.0));
+  EXPECT_TRUE(contains(text, "frames 12 to 19 are missing")) << text;
+  EXPECT_TRUE(contains(text, "the 12 that stand in both are the same")) << text;
+}
+
+TEST_F(ComparedMediaFiles, NamesThePictureOfAnotherSize) {
+  fs::create_directories(in("then"));
+  for (const char* name : {"1.png", "2.png"}) render::write_png(in("then") / name, disc(1));
+  render::write_png(in("then") / "3.png", render::Image8(80, 48));
+  try {
+    compared_media(in("then"), in("then"), 0.0);
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_TRUE(contains(error.what(), "3.png")) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace mien::pipeline

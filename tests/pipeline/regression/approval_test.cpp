@@ -65,7 +65,7 @@ TEST_F(Approving, OfAllLeavesNothingOfWhatIsGone) {
   EXPECT_EQ(baseline.stimuli.size(), 5u);
 }
 
-TEST_F(Approving, ThatIsInterruptedLeavesABaselineThatCanBeReadAndApprovedAgain) {
+TEST_F(Approving, ThatIsInterruptedLeavesTheBaselineAsItWas) {
   study_.manifest["look"]["camera"] = "side";
   std::stop_source stop;
   EXPECT_THROW(approve_now({}, stop.get_token(),
@@ -75,8 +75,11 @@ TEST_F(Approving, ThatIsInterruptedLeavesABaselineThatCanBeReadAndApprovedAgain)
                Interrupted);
   study_.baseline = read_baseline(folder_);
   EXPECT_EQ(study_.baseline.approvals.size(), 1u);
+  EXPECT_EQ(editions(), 1u);
+  EXPECT_FALSE(fs::exists(folder_ / "stimuli" / ".next"));
+  EXPECT_FALSE(fs::exists(folder_ / "editions" / ".next"));
   Regression regression = test::regressed(study_);
-  EXPECT_EQ(test::comparison_of(regression, "blend").verdict, Verdict::same);
+  EXPECT_EQ(test::comparison_of(regression, "blend").verdict, Verdict::differs);
   EXPECT_EQ(test::comparison_of(regression, "someone").verdict, Verdict::differs);
   approve_now({});
   study_.baseline = read_baseline(folder_);

@@ -62,6 +62,19 @@ TEST_F(BaselineFiles, OfALaterVersionAreRefused) {
   study_.change_text("baselines/small/baseline.json", "\"baseline\": 1", "\"baseline\": 9");
   const std::string said = refusal([&] { read_baseline(folder_); });
   EXPECT_NE(said.find("newer mien"), std::string::npos) << said;
+  EXPECT_NE(said.find("update mien"), std::string::npos) << said;
+  EXPECT_EQ(said.find("approve the study again"), std::string::npos) << said;
+}
+
+TEST_F(BaselineFiles, OfAMergeThatWasNotEndedAreToldAsSuch) {
+  study_.change_text("baselines/small/baseline.json", "  \"study\"", "<<<<<<< HEAD\n  \"study\"");
+  const std::string said = refusal([&] { read_baseline(folder_); });
+  EXPECT_NE(said.find("baseline.json:3"), std::string::npos) << said;
+  EXPECT_NE(said.find("merge conflict"), std::string::npos) << said;
+  write_file(folder_ / "baseline.json", "{\"baseline\": 1,\n");
+  const std::string cut = refusal([&] { read_baseline(folder_); });
+  EXPECT_NE(cut.find("baseline.json:"), std::string::npos) << cut;
+  EXPECT_EQ(cut.find("json.exception"), std::string::npos) << cut;
 }
 
 TEST_F(BaselineFiles, OfPicturesAreChecked) {

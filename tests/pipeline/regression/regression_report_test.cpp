@@ -146,6 +146,19 @@ TEST_F(RegressionReport, LeavesOutFramesThatCannotBeLaidOverEachOther) {
   EXPECT_TRUE(data_of(0, page())["frames"].empty());
 }
 
+TEST_F(RegressionReport, ShowsPicturesOfOtherSizesBesideEachOther) {
+  StimulusComparison& stimulus = add("walk", Verdict::differs);
+  const render::Image8 before = grey(8, 4, 100), now = grey(16, 8, 100);
+  stimulus.frames = {compare_pictures(3, before, now)};
+  pictures_.put("walk", 3, before, now, stimulus.frames[0].perceived_map);
+  StimulusComparison& fresh = add("fresh", Verdict::appeared);
+  fresh.frames = {{.frame = 2, .same = false, .same_size = false}};
+  pictures_.put_now("fresh", 2, now);
+  const std::string text = page();
+  EXPECT_EQ(count_of("<figcaption>before</figcaption>", text), 1U);
+  EXPECT_EQ(count_of("<figcaption>now</figcaption>", text), 2U);
+}
+
 TEST(PictureUri, IsTheFileOrASmallerPicture) {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "wide.png", small = folder.path() / "small.png";

@@ -49,6 +49,8 @@ TEST(Regressions, DrawNothingWhereNothingCanHaveChangedButAudits) {
   study.stimulus("blend")["weights"]["normal"] = 0.7;
   Regression regression = test::regressed(study);
   EXPECT_EQ(test::comparison_of(regression, "blend").frames.size(), 2u);
+  EXPECT_TRUE(test::comparison_of(regression, "blend").causes.at(0).share)
+      << "what was approved could not be made again";
   EXPECT_EQ(test::comparison_of(regression, "tinted").frames.size(), 0u);
   EXPECT_EQ(test::comparison_of(regression, "tinted").frames_reused, 2);
   study.audits = 1.0;
@@ -69,6 +71,53 @@ TEST(Regressions, TellNothingWhereALibraryAloneIsAnother) {
   EXPECT_TRUE(regression.passes());
   EXPECT_EQ(regression.count(Verdict::same), 6);
   EXPECT_TRUE(regression.groups.empty());
+}
+
+TEST(Regressions, KnowAStimulusUnderAnotherName) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  study.stimulus("blend")["id"] = "mixture";
+  const Regression regression = test::regressed(study);
+  const StimulusComparison& renamed = test::comparison_of(regression, "mixture");
+  EXPECT_EQ(renamed.former_id, "blend");
+  EXPECT_NE(renamed.reasons.at(0).find("was called blend"), std::string::npos);
+  EXPECT_NE(renamed.reasons.at(1).find("--only mixture"), std::string::npos);
+  EXPECT_NE(test::comparison_of(regression, "blend").reasons.at(1).find("is called mixture now"),
+            std::string::npos);
+}
+
+// At another rate frames of one number show other moments.
+TEST(Regressions, ComparePicturesOfTheSameMoments) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  study.stimulus("blend")["output"]["fps"] = 20;
+  const Regression regression = test::regressed(study);
+  const StimulusComparison& blend = test::comparison_of(regression, "blend");
+  EXPECT_EQ(blend.verdict, Verdict::differs);
+  ASSERT_EQ(blend.frames.size(), 2u);
+  EXPECT_GT(blend.frames.back().frame, 5);
+  for (const FrameComparison& frame : blend.frames)
+    EXPECT_LT(frame.perceived.mean, 0.005) << frame.frame;
+}
+
+TEST(Regressions, BlameNoPartOfTheBodyForNoise) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  study.stimulus("blend")["weights"]["proud"] = 0.4001;
+  const Regression regression = test::regressed(study);
+  for (const FrameComparison& frame : test::comparison_of(regression, "blend").frames) {
+    if (!frame.noise.is_bias) {
+      EXPECT_TRUE(frame.shares.empty());
+    }
+  }
+}
+
+TEST(Regressions, TellWhereNoVideosWereApproved) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  EXPECT_TRUE(test::regressed(study).without_videos.empty());
+  study.approved("blend").videos.clear();
+  EXPECT_EQ(test::regressed(study).without_videos, std::vector<std::string>{"blend"});
 }
 
 }  // namespace

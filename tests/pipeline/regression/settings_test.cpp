@@ -47,5 +47,30 @@ TEST(Settings, OfAStimulusHaveTheAspectThatTheyChangeFirst) {
   EXPECT_EQ(aspect_of("output.video"), "video");
 }
 
+TEST(Settings, OfALookAreToldFromTheDefault) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  const auto settings = [&] {
+    const auto rendition = test::rendition_of(study, scratch.path() / "store");
+    const Manifest& manifest = rendition->manifest();
+    return settings_of(*find_stimulus(manifest, "blend"), manifest, rendition->files());
+  };
+  const std::vector<Setting> before = settings();
+  study.stimulus("blend")["look"] = {{"camera", "side"}, {"figure", "mannequin"}};
+  const std::vector<SettingChange> changes = changes_between(before, settings());
+  std::vector<std::string> texts;
+  for (const SettingChange& change : changes) texts.push_back(change_text(change));
+  const auto has = [&](const char* text) { return std::ranges::find(texts, text) != texts.end(); };
+  EXPECT_TRUE(has("look.camera.view \"three-quarter\" → \"side\"")) << texts.at(0);
+  EXPECT_TRUE(has("look.figure \"stick\" → \"mannequin\"")) << texts.at(0);
+}
+
+TEST(Settings, NameTheFilesThatAreOthers) {
+  EXPECT_EQ(change_text({"examples content", Aspect::motion,
+                         R"({"calm.bvh":"01","old.bvh":"02","sad.bvh":"03"})",
+                         R"({"calm.bvh":"01","happy.bvh":"05","sad.bvh":"04"})"}),
+            "examples content: old.bvh is gone, sad.bvh is another (03 → 04), happy.bvh is new");
+}
+
 }  // namespace
 }  // namespace mien::pipeline

@@ -96,5 +96,40 @@ TEST(Verdict, OfVideosIsByFramesAndPsnr) {
   EXPECT_EQ(judged(comparison), Verdict::differs);
 }
 
+TEST(Verdict, TellsThePartFarthestBeyondItsLimitAndCountsTheOthers) {
+  StimulusComparison comparison = with_turned_forearm(0.0175);
+  judge(comparison, {.position_mm = 1, .turn_degrees = 2, .parts_mm = {{"left hand", 0.1}}});
+  ASSERT_EQ(comparison.reasons.size(), 1U);
+  EXPECT_NE(comparison.reasons[0].find(", left hand at "), std::string::npos)
+      << comparison.reasons[0];
+  EXPECT_NE(comparison.reasons[0].find("1 more part is beyond theirs"), std::string::npos)
+      << comparison.reasons[0];
+}
+
+TEST(Verdict, TellsNumbersAsPeopleReadThem) {
+  motion::Clip now = walk();
+  for (motion::Pose& pose : now.poses) pose.root_position.x() += 1.39;
+  StimulusComparison comparison;
+  comparison.motion = motion::motion_difference(walk(), now);
+  judge(comparison, {});
+  ASSERT_FALSE(comparison.reasons.empty());
+  EXPECT_EQ(comparison.reasons[0].find("position: 1390 mm, "), 0U) << comparison.reasons[0];
+  comparison.motion = motion::motion_difference(walk(), motion::resampled(walk(), 24));
+  judge(comparison, {.position_mm = 1e3, .turn_degrees = 180, .speed_m_s = 100});
+  ASSERT_FALSE(comparison.reasons.empty());
+  EXPECT_EQ(comparison.reasons.back(), "frame-rate: 30 → 24 frames a second");
+}
+
+// Other noise is encoded otherwise: what the video loses then is no change of the encoder.
+TEST(Verdict, LetsTheVideoOfOtherNoiseBeLessLikeItsFrames) {
+  StimulusComparison comparison;
+  comparison.causes = {{Cause::drawing, "seed", "", 1.0}};
+  comparison.frames = {other_frame(false)};
+  comparison.videos = {{"mp4", {"worst PSNR 34.53 dB → 33.00 dB"}, true, 1.53}};
+  EXPECT_EQ(judged(comparison), Verdict::alike);
+  comparison.settings = {{"output.crf", Aspect::video, "18", "30"}};
+  EXPECT_EQ(judged(comparison), Verdict::differs);
+}
+
 }  // namespace
 }  // namespace mien::pipeline

@@ -102,7 +102,7 @@ function pictureView(frames, videos, clock) {
   const keyButtons = frames.length > 1 ? [button("Previous", "[", () => stepKey(-1)), button("Next key frame", "]", () => stepKey(1))] : [];
   const bar = element("div", {class: "bar"}, ...Object.values(modes), ...(kindButton ? [kindButton] : []), ...keyButtons, slide, gainButton, legend);
 
-  const nearest = () => frames.reduce((best, frame, i) => Math.abs(frame.frame - clock.frame) < Math.abs(frames[best].frame - clock.frame) ? i : best, 0);
+  const nearest = () => frames.reduce((best, frame, i) => Math.abs(placeOf(frame, clock.fps) - clock.frame) < Math.abs(placeOf(frames[best], clock.fps) - clock.frame) ? i : best, 0);
   images.flip.addEventListener("load", () => { if (mode === "flip") drawFlip(map, images.flip, gains.flip); });
   function put(image, address) { if (image.getAttribute("src") !== address) image.src = address; }
 
@@ -159,7 +159,7 @@ function pictureView(frames, videos, clock) {
   function stepKey(by) {
     if (!frames.length) return;
     clock.stop();
-    clock.go(frames[(nearest() + by + frames.length) % frames.length].frame);
+    clock.go(placeOf(frames[(nearest() + by + frames.length) % frames.length], clock.fps));
   }
   const divideAt = event => { const box = stage.getBoundingClientRect(); divide((event.clientX - box.left) / box.width); };
   stage.addEventListener("pointerdown", event => { if (mode === "slider") divideAt(event); });

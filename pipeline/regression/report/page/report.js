@@ -95,14 +95,17 @@ function transport(clock) {
   return {node: element("div", {class: "bar wide transport"}, play, step(-1, "previous frame", "←"), step(1, "next frame", "→"), place, told), paint: show};
 }
 
+/// Which of the clock's frames shows the moment of a key frame: the rate may be another now.
+const placeOf = (frame, fps) => frame.seconds === undefined ? frame.frame : Math.round(frame.seconds * fps);
+
 /// How many frames a stimulus has, how many a second, and which to begin with.
 function clockFor({frames, motion, videos}) {
   const worst = frames.reduce((most, frame) => !most || frame.flip_mean > most.flip_mean ? frame : most, null);
-  const counts = [(worst?.frame ?? 0) + 1];
-  for (const video of videos ? [videos.before, videos.now] : []) counts.push(video.frames - video.first);
   const fps = videos?.now.fps ?? motion?.now.fps ?? 30;
+  const counts = [worst ? placeOf(worst, fps) + 1 : 1];
+  for (const video of videos ? [videos.before, videos.now] : []) counts.push(video.frames - video.first);
   for (const one of motion ? [motion.before, motion.now] : []) counts.push(Math.ceil(posesOf(one).count / one.fps * fps - 1e-6));
-  return clockOf(Math.max(...counts), fps, worst?.frame ?? Math.round((motion?.worst ?? 0) / (motion?.fps ?? 1) * fps));
+  return clockOf(Math.max(...counts), fps, worst ? placeOf(worst, fps) : Math.round((motion?.worst ?? 0) / (motion?.fps ?? 1) * fps));
 }
 
 const built = new Map();
@@ -116,7 +119,7 @@ function build(details) {
   if (motion) viewers.push(motionView(motion, clock));
   if (moves) viewers.push(transport(clock));
   if (motion) viewers.push(distanceChart(motion, clock));
-  if (viewers.length === 0) details.append(element("p", {class: "quiet"}, "No picture of it was drawn, and its motion is as it was."));
+  if (viewers.length === 0 && !details.querySelector(".lone")) details.append(element("p", {class: "quiet"}, "No picture of it was drawn, and its motion is as it was."));
   details.append(element("div", {class: "views"}, ...viewers.map(viewer => viewer.node)));
   built.set(details, {clock, pictures, viewers, moves});
   repaint(details);
