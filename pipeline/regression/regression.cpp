@@ -72,8 +72,7 @@ Regression regress(const ComparedStudy& study,
       const bool audit = is_audited(study.baseline, stimulus.id, options.audit_share);
       result.stimuli.push_back(compare(facts, study, audit));
       judge(result.stimuli.back(), stimulus.regression);
-      const RegressionLimits& approved = study.baseline.find(stimulus.id)->limits;
-      for (const std::string& wider : wider_limits(approved, stimulus.regression))
+      for (const std::string& wider : wider_limits(approved.limits, stimulus.regression))
         result.wider[wider].push_back(stimulus.id);
       result.audited += int{audit};
     }
