@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -390,8 +391,13 @@ TEST(CommandLine, ARunThatWantsToBeAloneRefusesCompany) {
   const fs::path study = scratch.path() / "out/small";
   std::vector<std::string> command = {"run", manifest, "--out", (scratch.path() / "out").string()};
   Running first(mien_with(command));
-  while (!fs::exists(study / ".mien/workers") || fs::is_empty(study / ".mien/workers"))
-    pause_for(0.005);
+  const auto has_signed_in = [&] {
+    if (!fs::exists(study / ".mien/workers")) return false;
+    return std::ranges::any_of(
+        fs::directory_iterator(study / ".mien/workers"),
+        [](const fs::directory_entry& entry) { return entry.path().extension() != ".new"; });
+  };
+  while (!has_signed_in()) pause_for(0.005);
   first.send(SIGSTOP);
   ASSERT_TRUE(first.is_running());
 
