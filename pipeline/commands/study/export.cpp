@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/export.h"
+#include "pipeline/questionnaire/experiment/export.h"
 
 #include <filesystem>
 #include <memory>
@@ -9,7 +9,7 @@
 
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/questionnaire/page_bundle.h"
+#include "pipeline/questionnaire/experiment/page_bundle.h"
 
 namespace mien::pipeline {
 

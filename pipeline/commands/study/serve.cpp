@@ -11,9 +11,9 @@
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/questionnaire/collected_answers.h"
-#include "pipeline/questionnaire/page_bundle.h"
-#include "pipeline/questionnaire/service.h"
+#include "pipeline/questionnaire/experiment/page_bundle.h"
+#include "pipeline/questionnaire/service/collected_answers.h"
+#include "pipeline/questionnaire/service/service.h"
 #include "pipeline/server/http_server.h"
 
 namespace mien::pipeline {

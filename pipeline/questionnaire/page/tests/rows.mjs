@@ -1,6 +1,6 @@
 // The rows that the page makes of records:  node rows.mjs FILE.json
 // FILE holds {"experiment", "participant", "records"}; the CSV of the answers is printed. The same
-// file is what C++ makes its rows of (pipeline/questionnaire/record.h), and both must agree.
+// file is what C++ makes its rows of (pipeline/questionnaire/service/record.h), and both must agree.
 import { build } from "esbuild";
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";

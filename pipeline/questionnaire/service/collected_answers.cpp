@@ -1,10 +1,10 @@
-#include "pipeline/questionnaire/collected_answers.h"
+#include "pipeline/questionnaire/service/collected_answers.h"
 
 #include <algorithm>
 #include <map>
 
 #include "pipeline/documents/csv.h"
-#include "pipeline/questionnaire/record_check.h"
+#include "pipeline/questionnaire/service/record_check.h"
 
 namespace mien::pipeline {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "pipeline/questionnaire/study_sessions.h"
+#include "pipeline/questionnaire/service/study_sessions.h"
 
 namespace mien::pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/media.h"
+#include "pipeline/questionnaire/experiment/media.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/export_texts.h"
+#include "pipeline/questionnaire/experiment/export_texts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "pipeline/questionnaire/service.h"
+#include "pipeline/questionnaire/service/service.h"
 
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "pipeline/questionnaire/collected_answers.h"
-#include "pipeline/questionnaire/served_example.h"
+#include "pipeline/questionnaire/service/collected_answers.h"
+#include "pipeline/questionnaire/service/served_example.h"
 #include "pipeline/server/http_server.h"
 #include "pipeline/server/raw_client.h"
 #include "pipeline/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/page_bundle.h"
+#include "pipeline/questionnaire/experiment/page_bundle.h"
 
 #include <system_error>
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/questionnaire/media.h"
+#include "pipeline/questionnaire/experiment/media.h"
 #include "pipeline/questionnaire/session_plan.h"
 
 namespace mien::pipeline {

@@ -1,10 +1,10 @@
-#include "pipeline/questionnaire/served_example.h"
+#include "pipeline/questionnaire/service/served_example.h"
 
 #include <fstream>
 
 #include <fmt/format.h>
 
-#include "pipeline/questionnaire/record_check.h"
+#include "pipeline/questionnaire/service/record_check.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 
 #include "pipeline/archive/zip_archive.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/questionnaire/media.h"
+#include "pipeline/questionnaire/experiment/media.h"
 #include "pipeline/questionnaire/session_plan.h"
 
 namespace mien::pipeline {

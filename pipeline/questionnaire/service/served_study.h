@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/questionnaire/media.h"
-#include "pipeline/questionnaire/record.h"
+#include "pipeline/questionnaire/experiment/media.h"
+#include "pipeline/questionnaire/service/record.h"
 #include "pipeline/questionnaire/session_plan.h"
 #include "pipeline/tasks/hash.h"
 

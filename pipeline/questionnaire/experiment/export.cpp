@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/export.h"
+#include "pipeline/questionnaire/experiment/export.h"
 
 #include <set>
 #include <sstream>
@@ -10,9 +10,9 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/questionnaire/balance.h"
-#include "pipeline/questionnaire/experiment.h"
-#include "pipeline/questionnaire/export_texts.h"
-#include "pipeline/questionnaire/jatos_archive.h"
+#include "pipeline/questionnaire/experiment/experiment.h"
+#include "pipeline/questionnaire/experiment/export_texts.h"
+#include "pipeline/questionnaire/experiment/jatos_archive.h"
 
 namespace mien::pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/study_sessions.h"
+#include "pipeline/questionnaire/service/study_sessions.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,7 +6,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "pipeline/questionnaire/record_check.h"
+#include "pipeline/questionnaire/service/record_check.h"
 
 namespace mien::pipeline {
 

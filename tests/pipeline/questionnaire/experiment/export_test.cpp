@@ -1,13 +1,13 @@
-#include "pipeline/questionnaire/export.h"
+#include "pipeline/questionnaire/experiment/export.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/checks/manifest_reader.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/questionnaire/experiment.h"
-#include "pipeline/questionnaire/jatos_archive.h"
-#include "pipeline/questionnaire/page_bundle.h"
+#include "pipeline/questionnaire/experiment/experiment.h"
+#include "pipeline/questionnaire/experiment/jatos_archive.h"
+#include "pipeline/questionnaire/experiment/page_bundle.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/questionnaire/live_results.h"
-#include "pipeline/questionnaire/served_study.h"
+#include "pipeline/questionnaire/service/live_results.h"
+#include "pipeline/questionnaire/service/served_study.h"
 #include "pipeline/server/session_store.h"
 
 namespace mien::pipeline {

@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/record.h"
+#include "pipeline/questionnaire/service/record.h"
 
 #include <algorithm>
 #include <cmath>

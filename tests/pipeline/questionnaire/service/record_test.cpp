@@ -1,10 +1,10 @@
-#include "pipeline/questionnaire/record.h"
+#include "pipeline/questionnaire/service/record.h"
 
 #include <gtest/gtest.h>
 
 #include "pipeline/documents/files.h"
-#include "pipeline/questionnaire/record_check.h"
-#include "pipeline/questionnaire/served_example.h"
+#include "pipeline/questionnaire/service/record_check.h"
+#include "pipeline/questionnaire/service/served_example.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/record_check.h"
+#include "pipeline/questionnaire/service/record_check.h"
 
 #include <algorithm>
 #include <cmath>

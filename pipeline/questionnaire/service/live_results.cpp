@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/live_results.h"
+#include "pipeline/questionnaire/service/live_results.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/questionnaire/record.h"
+#include "pipeline/questionnaire/service/record.h"
 
 namespace mien::pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/jatos_archive.h"
+#include "pipeline/questionnaire/experiment/jatos_archive.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/questionnaire/record.h"
+#include "pipeline/questionnaire/service/record.h"
 
 namespace mien::pipeline {
 

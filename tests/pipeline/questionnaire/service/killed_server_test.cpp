@@ -9,8 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "pipeline/questionnaire/served_example.h"
-#include "pipeline/questionnaire/service.h"
+#include "pipeline/questionnaire/service/served_example.h"
+#include "pipeline/questionnaire/service/service.h"
 #include "pipeline/server/http_server.h"
 #include "pipeline/server/raw_client.h"
 #include "pipeline/temporary_folder.h"

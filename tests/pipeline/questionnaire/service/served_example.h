@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/questionnaire/served_study.h"
+#include "pipeline/questionnaire/service/served_study.h"
 
 namespace mien::pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/experiment.h"
+#include "pipeline/questionnaire/experiment/experiment.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
-#include "pipeline/questionnaire/served_study.h"
+#include "pipeline/questionnaire/service/served_study.h"
 
 #include <set>
 
 #include "pipeline/documents/files.h"
-#include "pipeline/questionnaire/experiment.h"
+#include "pipeline/questionnaire/experiment/experiment.h"
 
 namespace mien::pipeline {
 

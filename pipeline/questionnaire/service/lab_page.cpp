@@ -1,9 +1,9 @@
-#include "pipeline/questionnaire/lab_page.h"
+#include "pipeline/questionnaire/service/lab_page.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "pipeline/questionnaire/collected_answers.h"
+#include "pipeline/questionnaire/service/collected_answers.h"
 
 #include "embedded/lab_css.h"
 #include "embedded/lab_html.h"

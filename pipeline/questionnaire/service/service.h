@@ -3,7 +3,7 @@
 #include <mutex>
 #include <string>
 
-#include "pipeline/questionnaire/study_sessions.h"
+#include "pipeline/questionnaire/service/study_sessions.h"
 #include "pipeline/server/http_message.h"
 #include "pipeline/server/rate_limit.h"
 

@@ -1,11 +1,11 @@
-#include "pipeline/questionnaire/service.h"
+#include "pipeline/questionnaire/service/service.h"
 
 #include <algorithm>
 
 #include "pipeline/documents/files.h"
 #include "pipeline/documents/html.h"
-#include "pipeline/questionnaire/lab_page.h"
-#include "pipeline/questionnaire/record_check.h"
+#include "pipeline/questionnaire/service/lab_page.h"
+#include "pipeline/questionnaire/service/record_check.h"
 
 namespace mien::pipeline {
 

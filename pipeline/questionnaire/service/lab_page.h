@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "pipeline/questionnaire/study_sessions.h"
+#include "pipeline/questionnaire/service/study_sessions.h"
 #include "pipeline/server/http_message.h"
 
 namespace mien::pipeline {
