@@ -62,6 +62,14 @@ void insert_session(Database& database, const StoredSession& session) {
       .finish();
 }
 
+void insert_record(Database& database, const StoredRecord& record) {
+  Statement statement(database,
+                      "INSERT INTO records(session, position, name, content, kept_at) "
+                      "VALUES(?1, ?2, ?3, ?4, ?5)");
+  statement.with(record.session, record.position, record.name, record.content, record.kept_at)
+      .finish();
+}
+
 }  // namespace
 
 SessionStore::SessionStore(const std::filesystem::path& file) : database_(file) { prepare(); }
@@ -103,9 +111,12 @@ void SessionStore::begin(const std::vector<std::pair<std::string, std::string>>&
   transaction.commit();
 }
 
-void SessionStore::add(const StoredSession& session) {
+void SessionStore::add(const StoredSession& session, const StoredRecord& first) {
   const std::lock_guard lock(mutex_);
+  Transaction transaction(database_);
   insert_session(database_, session);
+  insert_record(database_, first);
+  transaction.commit();
 }
 
 std::vector<StoredSession> SessionStore::sessions() {
@@ -142,11 +153,7 @@ Keeping SessionStore::keep(const StoredRecord& record) {
   Statement count(database_, "SELECT count(*) FROM records WHERE session = ?1");
   count.with(record.session).step();
   if (count.number(0) != record.position) return Keeping::out_of_order;
-  Statement insert(database_,
-                   "INSERT INTO records(session, position, name, content, kept_at) "
-                   "VALUES(?1, ?2, ?3, ?4, ?5)");
-  insert.with(record.session, record.position, record.name, record.content, record.kept_at)
-      .finish();
+  insert_record(database_, record);
   // Reading statements that are still open would keep the commit waiting.
   count.with();
   transaction.commit();

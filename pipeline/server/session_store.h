@@ -55,7 +55,8 @@ class SessionStore {
              const std::vector<StoredSession>& sessions);
 
   std::vector<StoredSession> sessions();
-  void add(const StoredSession& session);
+  /// A session and what is given in it first, both or neither.
+  void add(const StoredSession& session, const StoredRecord& first);
 
   /// Notes that somebody has come; false when somebody had before.
   bool come(int session, const std::string& came_by, const std::string& now);

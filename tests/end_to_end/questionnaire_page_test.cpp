@@ -100,10 +100,12 @@ class QuestionnairePage : public testing::Test {
   static fs::path folder() { return scratch->path() / "questionnaire"; }
 
   /// What a scenario of page/tests/scenarios.mjs tells.
-  static json played(const std::string& scenario) {
+  static json played(const std::string& scenario) { return played(scenario, folder()); }
+
+  static json played(const std::string& scenario, const fs::path& given) {
     const Ended ended =
         run_program({"env", "MIEN_CHROMIUM=" + chromium_path(), "node",
-                     (page_tests() / "scenarios.mjs").string(), scenario, folder().string()},
+                     (page_tests() / "scenarios.mjs").string(), scenario, given.string()},
                     400.0);
     EXPECT_EQ(ended.code, 0) << ended.errors;
     return json::parse(ended.output, nullptr, false);
@@ -215,6 +217,70 @@ TEST_F(QuestionnairePage, SendsEachRecordUntilTheServerHasIt) {
     records.push_back("trial-" + std::to_string(trial.at("number").get<int>()));
   records.push_back("ending");
   EXPECT_EQ(run.at("kept"), records);
+}
+
+TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {
+  const fs::path told = scratch->path() / "serving.txt";
+  const Running server({"sh", "-c", "told=$1; shift; exec \"$@\" >\"$told\"", "sh", told.string(),
+                        MIEN_PROGRAM, "study", "serve", (scratch->path() / "gaits.yaml").string(),
+                        "--out", (scratch->path() / "out").string(), "--port", "0", "--json",
+                        "--store", (scratch->path() / "kept.db").string()});
+  json places;
+  for (int tries = 0; tries < 3000 && !places.is_object(); ++tries) {
+    pause_for(0.1);
+    places = json::parse(text_of(told), nullptr, false);
+  }
+  ASSERT_TRUE(places.is_object());
+  const std::string lab = places.at("lab");
+  const auto links = rows_in(text_of(places.at("links").get<std::string>()));
+  const fs::path asked = scratch->write("places.json", json{{"first", links.at(0).at("link")},
+                                                            {"second", links.at(1).at("link")},
+                                                            {"join", places.at("join")},
+                                                            {"status", lab + "status.json"}}
+                                                           .dump());
+  const json run = played("laboratory", asked);
+  const auto says = [&](const char* who, const char* what) {
+    return run.at(who).get<std::string>().find(what) != std::string::npos;
+  };
+  EXPECT_EQ(run.at("reloads"), 1);
+  for (const char* who : {"mouse", "keys", "joined"}) EXPECT_TRUE(says(who, "are saved")) << who;
+  for (const char* who : {"early", "late"}) EXPECT_TRUE(says(who, "open elsewhere")) << who;
+  EXPECT_TRUE(says("phone", "larger screen"));
+  EXPECT_TRUE(says("refusing", "nothing was recorded"));
+  // Neither the phone nor who refused has taken a plan.
+  EXPECT_EQ(run.at("participants"), (json{3, 3, 4}));
+  EXPECT_EQ(run.at("states"), (json{"done", "done", "waiting", "done"}));
+  EXPECT_EQ(run.at("path").get<std::string>().substr(0, 3), "/s/");
+  EXPECT_EQ(run.at("troubles"), json::array());
+}
+
+TEST_F(QuestionnairePage, ChoosesByKeysWhereAnswersAreAndTellsFingersNothingOfThem) {
+  const json keys = played("single_keys");
+  EXPECT_TRUE(keys.at("shown"));  // the first Enter shows what the second one presses
+  EXPECT_EQ(keys.at("is_there"), 2);
+  EXPECT_EQ(keys.at("replayed"), 0);
+  EXPECT_EQ(keys.at("chosen"), 1);
+  EXPECT_NE(keys.at("desktop_text").get<std::string>().find("keyboard"), std::string::npos);
+  EXPECT_EQ(keys.at("touched_text").get<std::string>().find("keyboard"), std::string::npos);
+  EXPECT_EQ(keys.at("troubles"), json::array());
+}
+
+TEST_F(QuestionnairePage, SavesFilesByItselfOnce) {
+  const json saved = played("thanks_again");
+  EXPECT_EQ(saved.at("first"), 3);
+  EXPECT_EQ(saved.at("reloaded"), 3);
+  EXPECT_EQ(saved.at("asked"), 4);
+  EXPECT_EQ(saved.at("troubles"), json::array());
+}
+
+TEST_F(QuestionnairePage, FindsRoomForWordsAndForJapaneseOnAPhone) {
+  const json seen = played("crowded");
+  EXPECT_LE(seen.at("foot"), 768);
+  EXPECT_GE(seen.at("letters"), 11.0);
+  ASSERT_EQ(seen.at("captions").size(), 2u);
+  EXPECT_EQ(seen.at("captions")[0], seen.at("captions")[1]);
+  EXPECT_EQ(seen.at("numbers"), 1);
+  EXPECT_LE(seen.at("wide"), 390);
 }
 
 TEST_F(QuestionnairePage, HasNoFaultOfAccessibility) {

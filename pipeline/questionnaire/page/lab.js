@@ -3,7 +3,7 @@
 
 const refresh_ms = 3000;
 const states = {
-  waiting: "not come yet", here: "here", away: "away", done: "done", refused: "refused",
+  waiting: "not come yet", opened: "opened, not agreed", here: "here", away: "away", done: "done", refused: "refused",
 };
 
 const at = (id) => document.getElementById(id);
@@ -96,7 +96,7 @@ function new_row(participant) {
 }
 
 const rows = new Map();
-const order = ["here", "away", "waiting", "done", "refused"];
+const order = ["here", "away", "opened", "waiting", "done", "refused"];
 
 function show_participant(participant) {
   const row = rows.get(participant.participant) ?? new_row(participant);

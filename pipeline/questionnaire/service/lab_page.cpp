@@ -16,7 +16,7 @@ namespace {
 std::string state_word(const SessionState& state, std::int64_t now) {
   if (state.has_refused) return "refused";
   if (state.has_finished()) return "done";
-  if (state.session.begun_at.empty()) return "waiting";
+  if (state.kept == 0) return state.last_seen == 0 ? "waiting" : "opened";
   return state.is_here(now) ? "here" : "away";
 }
 

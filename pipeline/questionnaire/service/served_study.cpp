@@ -39,6 +39,16 @@ std::set<std::string> tokens_of(const nlohmann::ordered_json& session) {
   return tokens;
 }
 
+/// Of experiment.json, without media.
+nlohmann::ordered_json shared_part(const ServedStudy& study) {
+  nlohmann::ordered_json own;
+  for (const auto& [name, value] : study.experiment.items()) {
+    if (name != "sessions" && name != "media" && name != "stimuli") own[name] = value;
+  }
+  own["media"] = nlohmann::ordered_json::object();
+  return own;
+}
+
 }  // namespace
 
 ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan>& plans,
@@ -75,15 +85,11 @@ std::map<std::string, ServedFile> served_page(const fs::path& folder) {
 }
 
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
-                         const std::vector<std::string>& kept) {
-  nlohmann::ordered_json own;
-  for (const auto& [name, value] : study.experiment.items()) {
-    if (name != "sessions" && name != "media" && name != "stimuli") own[name] = value;
-  }
+                         const GivenAlready& given) {
+  nlohmann::ordered_json own = shared_part(study);
   nlohmann::ordered_json session =
       study.experiment.at("sessions").at(static_cast<std::size_t>(plan));
   session["participant"] = participant;
-  own["media"] = nlohmann::ordered_json::object();
   const std::set<std::string> tokens = tokens_of(session);
   for (const auto& [token, media] : study.experiment.at("media").items()) {
     if (!tokens.contains(token)) continue;
@@ -91,7 +97,18 @@ std::string session_json(const ServedStudy& study, int plan, const std::string& 
     own["media"][token]["file"] = "../../media/" + token;
   }
   own["sessions"] = nlohmann::ordered_json::array({std::move(session)});
-  own["kept"] = kept;
+  own["kept"] = given.kept;
+  own["browser"] = given.browser;
+  own["refused"] = given.has_refused;
+  return own.dump();
+}
+
+std::string joining_json(const ServedStudy& study) {
+  nlohmann::ordered_json own = shared_part(study);
+  own["sessions"] = nlohmann::ordered_json::array(
+      {{{"participant", ""}, {"seed", "0"}, {"trials", nlohmann::ordered_json::array()}}});
+  own["kept"] = nlohmann::ordered_json::array();
+  own["joining"] = true;
   return own.dump();
 }
 

@@ -47,9 +47,19 @@ Hash media_hash(const ServedStudy& study);
 /// `mien-mode` that it is. Throws Error when there is no index.html.
 std::map<std::string, ServedFile> served_page(const std::filesystem::path& folder);
 
+/// What was given in a session already.
+struct GivenAlready {
+  std::vector<std::string> kept;  ///< names of records
+  std::string browser;            ///< that gave them
+  bool has_refused = false;
+};
+
 /// What one participant's page is given: experiment.json of one session, without what tells the
-/// conditions or belongs to others. `kept` names the records that were given already.
+/// conditions or belongs to others.
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
-                         const std::vector<std::string>& kept);
+                         const GivenAlready& given);
+
+/// What a page is given that asks for consent before there is a session: the texts alone.
+std::string joining_json(const ServedStudy& study);
 
 }  // namespace mien::pipeline

@@ -1,6 +1,7 @@
 #include "pipeline/questionnaire/service/service.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "pipeline/documents/files.h"
 #include "pipeline/documents/html.h"
@@ -51,6 +52,28 @@ bool is_json(const HttpRequest& request) {
   std::string name = type->second.substr(0, type->second.find(';'));
   while (!name.empty() && name.back() == ' ') name.pop_back();
   return name == "application/json";
+}
+
+std::string json_text(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+/// Answers what `take` makes of the record that is posted under its name.
+HttpResponse with_record(
+    const HttpRequest& request,
+    const std::function<HttpResponse(const PageRecord&, const std::string&)>& take) {
+  if (!is_json(request))
+    return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
+  const nlohmann::json text = nlohmann::json::parse(request.body, nullptr, false);
+  if (text.is_discarded())
+    return http_refusal(400, "malformed", "this is no JSON", "load the page again");
+  try {
+    const PageRecord record = read_record(text);
+    if (record.name != request.path.back()) throw RecordFault("the record is of another page");
+    return take(record, text.dump());
+  } catch (const RecordFault& fault) {
+    return http_refusal(400, "malformed", fault.what(), "load the page again");
+  }
 }
 
 }  // namespace
@@ -121,13 +144,20 @@ HttpResponse QuestionnaireService::answer_own(const HttpRequest& request, int se
   if (name == "session.json") {
     sessions_.see(session);
     const SessionState state = sessions_.state(session);
-    return http_json(session_json(
-        study_, state.session.plan, state.session.participant,
-        {state.names.begin(), state.names.begin() + static_cast<std::ptrdiff_t>(state.kept)}));
+    const auto kept_end = state.names.begin() + static_cast<std::ptrdiff_t>(state.kept);
+    return http_json(session_json(study_, state.session.plan, state.session.participant,
+                                  {.kept = {state.names.begin(), kept_end},
+                                   .browser = state.browser,
+                                   .has_refused = state.has_refused}));
   }
+  const std::optional<HttpResponse> file = page_file(name);
+  return file ? *file : unknown(request);
+}
+
+std::optional<HttpResponse> QuestionnaireService::page_file(const std::string& name) const {
   const auto file = study_.page.find(name.empty() ? "index.html" : name);
-  if (file == study_.page.end()) return unknown(request);
-  return {.type = file->second.type, .body = file->second.bytes};
+  if (file == study_.page.end()) return std::nullopt;
+  return HttpResponse{.type = file->second.type, .body = file->second.bytes};
 }
 
 HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int session) {
@@ -135,42 +165,32 @@ HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int s
   const std::string& name = request.path[3];
   if (std::ranges::find(state.names, name) == state.names.end())
     return http_refusal(404, "unknown", "this session has no such page", "load the page again");
-  if (!is_json(request))
-    return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
-  const nlohmann::json text = nlohmann::json::parse(request.body, nullptr, false);
-  if (text.is_discarded())
-    return http_refusal(400, "malformed", "this is no JSON", "load the page again");
-  try {
-    const PageRecord record = read_record(text);
-    if (record.name != name) throw RecordFault("the record is of another page");
+  return with_record(request, [&](const PageRecord& record, const std::string& content) {
     check_record(study_.facts, sessions_.plan_of(state.session), record);
-    return keep_record(session, record, text.dump());
-  } catch (const RecordFault& fault) {
-    return http_refusal(400, "malformed", fault.what(), "load the page again");
-  }
+    return keep_record(session, record, content);
+  });
 }
 
 HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& record,
                                                const std::string& content) {
   const GivenRecord given = sessions_.give(session, record, content);
-  set_trouble("");
+  if (!given.is_elsewhere) set_trouble("");
+  if (given.is_elsewhere)
+    return http_refusal(409, "elsewhere", "this session was begun in another browser",
+                        "go on there, or ask for another link");
   if (given.has_refused)
     return http_refusal(409, "refused", "the participant has not agreed", "nothing more is taken");
   if (given.keeping == Keeping::other)
     return http_refusal(409, "other", "another answer was kept before", "that one stays");
-  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   if (given.keeping == Keeping::out_of_order) {
-    HttpResponse refusal = http_json("");
+    HttpResponse refusal = http_json(json_text({{"error", "order"},
+                                                {"wrong", "something goes before it"},
+                                                {"remedy", "send what is due"},
+                                                {"next", given.next}}));
     refusal.status = 409;
-    refusal.body = nlohmann::ordered_json{
-        {"error", "order"},
-        {"wrong", "something goes before it"},
-        {"remedy", "send what is due"},
-        {"next",
-         given.next}}.dump(-1, ' ', false, replace);
     return refusal;
   }
-  return http_json(nlohmann::ordered_json{{"kept", record.name}}.dump(-1, ' ', false, replace));
+  return http_json(json_text({{"kept", record.name}}));
 }
 
 HttpResponse QuestionnaireService::answer_media(const HttpRequest& request) const {
@@ -183,18 +203,35 @@ HttpResponse QuestionnaireService::answer_media(const HttpRequest& request) cons
 }
 
 HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
-  if (request.path.size() < 2 || request.path.size() > 3 ||
-      request.path[1] != sessions_.join_link() || !request.path.back().empty())
-    return request.path.size() == 2 && request.path[1] == sessions_.join_link()
-               ? redirect(308, "/join/" + sessions_.join_link() + "/")
-               : unknown(request);
-  if (request.method != "GET") return wrong_method("GET");
-  if (!joining_rate_.allows(request.address)) return too_often();
-  const std::optional<SessionState> joined = sessions_.join();
-  if (!joined)
+  const std::vector<std::string>& path = request.path;
+  if (path.size() < 2 || path[1] != sessions_.join_link()) return unknown(request);
+  if (path.size() == 4 && path[2] == "records" && path[3] == consent_record)
+    return request.method == "POST" ? take_joining(request) : wrong_method("POST");
+  if (!is_reading(request)) return wrong_method("GET, HEAD");
+  if (path.size() == 2) return redirect(308, "/join/" + path[1] + "/");
+  if (path.size() > 3) return unknown(request);
+  if (!link_rate_.allows("join " + request.address)) return too_often();
+  if (path[2] == "session.json") return http_json(joining_json(study_));
+  if (path[2].empty() && sessions_.has_enough())
     return message_page(403, "Enough people have taken part. Thank you for coming.",
                         "必要な人数が集まりました。お越しいただきありがとうございました。");
-  return redirect(303, "/s/" + joined->session.link + "/");
+  const std::optional<HttpResponse> file = page_file(path[2]);
+  return file ? *file : unknown(request);
+}
+
+/// Nothing is kept of whoever refuses here, nor of those who only look.
+HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
+  if (!joining_rate_.allows(request.address)) return too_often();
+  return with_record(request, [&](const PageRecord& consent, const std::string& content) {
+    check_record(study_.facts, study_.plans.front(), consent);
+    if (is_refusal(consent)) return http_json(json_text({{"kept", consent.name}}));
+    const std::optional<SessionState> joined = sessions_.join(consent, content);
+    if (!joined)
+      return http_refusal(409, "enough", "enough people have taken part", "nothing more is taken");
+    set_trouble("");
+    const std::string where = "../../s/" + joined->session.link + "/";
+    return http_json(json_text({{"kept", consent.name}, {"session", where}}));
+  });
 }
 
 HttpResponse QuestionnaireService::answer_lab(const HttpRequest& request) {

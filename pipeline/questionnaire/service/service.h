@@ -22,7 +22,8 @@ struct ServiceRates {
 ///   /s/<link>/session.json        what it shows, and what was given already
 ///   /s/<link>/records/<name>      POST: something is given
 ///   /media/<token>                a video
-///   /join/<link>/                 a session for somebody who has none
+///   /join/<link>/                 the page for somebody who has no session: it asks for consent
+///   /join/<link>/records/consent  POST: who agrees is given a session
 ///   /lab/<link>/                  the experimenter's page and exports (lab_page.h)
 ///
 /// A link opens one session and nothing else. Nothing of a request names a file. For several
@@ -48,7 +49,9 @@ class QuestionnaireService {
   HttpResponse take_record(const HttpRequest& request, int session);
   HttpResponse keep_record(int session, const PageRecord& record, const std::string& content);
   HttpResponse answer_media(const HttpRequest& request) const;
+  std::optional<HttpResponse> page_file(const std::string& name) const;
   HttpResponse answer_join(const HttpRequest& request);
+  HttpResponse take_joining(const HttpRequest& request);
   HttpResponse answer_lab(const HttpRequest& request);
   void set_trouble(const std::string& trouble);
   HttpResponse unknown(const HttpRequest& request);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -86,7 +87,7 @@ void StudySessions::add_state(const StoredSession& session) {
 }
 
 void StudySessions::count(SessionState& state, const PageRecord& record) {
-  ++state.kept;
+  if (state.kept++ == 0) state.browser = record.session;
   state.has_refused |= is_refusal(record);
   const SessionPlan plan = plan_of(state.session);
   if (const Trial* trial = trial_of(plan, record.name))
@@ -111,11 +112,13 @@ std::vector<SessionState> StudySessions::states() const {
 
 void StudySessions::see(int session) {
   const std::lock_guard lock(mutex_);
-  SessionState& state = states_.at(static_cast<std::size_t>(session));
-  state.last_seen = clock_();
+  states_.at(static_cast<std::size_t>(session)).last_seen = clock_();
+}
+
+void StudySessions::come(SessionState& state) {
   if (!state.session.begun_at.empty()) return;
   const std::string now = iso_time(state.last_seen);
-  store_.come(session, "link", now);
+  store_.come(state.session.index, "link", now);
   state.session.begun_at = now;
   state.session.came_by = "link";
 }
@@ -123,6 +126,7 @@ void StudySessions::see(int session) {
 GivenRecord StudySessions::give(int session, const PageRecord& record, const std::string& content) {
   const std::lock_guard lock(mutex_);
   SessionState& state = states_.at(static_cast<std::size_t>(session));
+  if (state.kept > 0 && state.browser != record.session) return {.is_elsewhere = true};
   state.last_seen = clock_();
   const auto position = std::ranges::find(state.names, record.name) - state.names.begin();
   if (state.has_refused && position > 0) return {.has_refused = true};
@@ -131,37 +135,63 @@ GivenRecord StudySessions::give(int session, const PageRecord& record, const std
                                        .name = record.name,
                                        .content = content,
                                        .kept_at = iso_time(state.last_seen)});
-  if (keeping == Keeping::kept) count(state, record);
+  if (keeping == Keeping::kept) {
+    count(state, record);
+    come(state);
+  }
   return {.keeping = keeping, .next = state.has_finished() ? "" : state.names[state.kept]};
 }
 
+bool StudySessions::has_enough() const {
+  const std::lock_guard lock(mutex_);
+  return is_full();
+}
+
 /// Must not be asked while somebody else may join.
-std::optional<StoredSession> StudySessions::further_session() const {
+bool StudySessions::is_full() const {
+  std::vector<bool> finished(study_.plans.size());
+  for (const SessionState& state : states_) {
+    if (state.has_finished()) finished[static_cast<std::size_t>(state.session.plan)] = true;
+  }
+  return std::ranges::all_of(finished, std::identity()) ||
+         states_.size() >= most_sessions_a_plan * study_.plans.size();
+}
+
+/// Must not be asked while somebody else may join.
+StoredSession StudySessions::further_session() const {
   std::vector<int> given(study_.plans.size()), finished(study_.plans.size());
   for (const SessionState& state : states_) {
     const auto plan = static_cast<std::size_t>(state.session.plan);
+    const bool is_under_way = state.kept > 0 && !state.has_refused && state.is_here(clock_());
     finished[plan] += state.has_finished() ? 1 : 0;
-    given[plan] += state.has_finished() || state.is_here(clock_()) ? 1 : 0;
+    given[plan] += state.has_finished() || is_under_way ? 1 : 0;
   }
-  const bool all_finished = std::ranges::all_of(finished, [](int count) { return count > 0; });
-  if (all_finished || states_.size() >= most_sessions_a_plan * study_.plans.size())
-    return std::nullopt;
   const int index = static_cast<int>(states_.size());
   return StoredSession{.index = index,
                        .plan = static_cast<int>(least_filled(study_.plans, given, finished)),
                        .participant = participant_name(index),
-                       .link = random_link()};
+                       .link = random_link(),
+                       .begun_at = iso_time(clock_()),
+                       .came_by = "join"};
 }
 
-std::optional<SessionState> StudySessions::join() {
+std::optional<SessionState> StudySessions::join(const PageRecord& consent,
+                                                const std::string& content) {
   const std::lock_guard lock(mutex_);
-  std::optional<StoredSession> further = further_session();
-  if (!further) return std::nullopt;
-  further->begun_at = iso_time(clock_());
-  further->came_by = "join";
-  store_.add(*further);
-  add_state(*further);
+  const auto again = std::ranges::find_if(states_, [&](const SessionState& state) {
+    return state.session.came_by == "join" && state.browser == consent.session;
+  });
+  if (again != states_.end()) return *again;
+  if (is_full()) return std::nullopt;
+  const StoredSession further = further_session();
+  store_.add(further, {.session = further.index,
+                       .position = 0,
+                       .name = consent.name,
+                       .content = content,
+                       .kept_at = further.begun_at});
+  add_state(further);
   states_.back().last_seen = clock_();
+  count(states_.back(), consent);
   return states_.back();
 }
 

@@ -26,6 +26,7 @@ struct SessionState {
   std::vector<std::string> names;  ///< of this session's records, in order
   std::size_t kept = 0;            ///< the first so many of them were given
   std::int64_t last_seen = 0;      ///< when the page last asked for something; 0: never
+  std::string browser;             ///< that gave the first record, and alone may give more
   bool has_refused = false;
 
   bool has_finished() const { return kept == names.size(); }
@@ -36,8 +37,9 @@ struct SessionState {
 /// What became of a record that was given.
 struct GivenRecord {
   Keeping keeping = Keeping::kept;
-  std::string next;          ///< record that is due, where the order was wrong
-  bool has_refused = false;  ///< the participant has refused; nothing more is taken
+  std::string next;           ///< record that is due, where the order was wrong
+  bool has_refused = false;   ///< the participant has refused; nothing more is taken
+  bool is_elsewhere = false;  ///< the session was begun in another browser, where it goes on
 };
 
 /// The participants of a served study: their links, and how far they are. For several threads.
@@ -59,10 +61,14 @@ class StudySessions {
   /// Keeps a record, which must have been checked.
   GivenRecord give(int session, const PageRecord& record, const std::string& content);
 
-  /// A further session for somebody who comes by the link of all, with the plan that is filled
-  /// least, where those who have left do not count. Never one of those planned: somebody may have
-  /// been given its link. Nothing when all plans are finished, or too many have come.
-  std::optional<SessionState> join();
+  /// A further session for somebody who came by the link of all and has agreed, with the plan that
+  /// is filled least, where those who have left or refused do not count. Never one of those
+  /// planned: somebody may have been given its link. A consent that is sent again gets the same
+  /// session again. Nothing when there is enough.
+  std::optional<SessionState> join(const PageRecord& consent, const std::string& content);
+
+  /// All plans are finished, or too many have come.
+  bool has_enough() const;
 
   std::string lab_link() const { return lab_link_; }
   std::string join_link() const { return join_link_; }
@@ -77,10 +83,12 @@ class StudySessions {
 
  private:
   void begin();
+  void come(SessionState& state);
   void load();
   void add_state(const StoredSession& session);
   void count(SessionState& state, const PageRecord& record);
-  std::optional<StoredSession> further_session() const;
+  bool is_full() const;
+  StoredSession further_session() const;
 
   const ServedStudy& study_;
   SessionStore& store_;

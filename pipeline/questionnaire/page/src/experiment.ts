@@ -18,6 +18,12 @@ export interface Experiment {
   sessions: Session[];
   /** Records that the server has already. */
   kept?: string[];
+  /** Browser session that gave them, and alone may give more; empty before the first. */
+  browser?: string;
+  /** The participant has refused. */
+  refused?: boolean;
+  /** Whoever agrees is given a session: there is none yet. */
+  joining?: boolean;
 }
 
 export interface Settings {

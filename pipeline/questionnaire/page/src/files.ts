@@ -18,7 +18,9 @@ function download(name: string, type: string, text: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 60000);
 }
 
-/** Saves the answers of a session among the downloads, and says how to do so again. */
+/**
+ * Saves the answers of a session among the downloads, by itself only once; says how to do so again.
+ */
 export function save_files(experiment: Experiment, store: Store): SavedFile[] {
   const { session, records, name } = store;
   // As Psych-DS likes its files to be named.
@@ -33,6 +35,9 @@ export function save_files(experiment: Experiment, store: Store): SavedFile[] {
   ];
   const saved = files.map((file) => ({ name: file.name,
     save: () => download(file.name, file.type, file.text) }));
-  saved.forEach(({ save }, index) => setTimeout(save, 300 * index));
+  if (!store.is_saved?.()) {
+    saved.forEach(({ save }, index) => setTimeout(save, 300 * index));
+    setTimeout(() => store.note_saved?.(), 300 * (saved.length - 1));
+  }
   return saved;
 }

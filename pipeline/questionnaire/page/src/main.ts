@@ -4,10 +4,10 @@ import { checked, records_of, type Experiment, type PageRecord } from "./experim
 import { save_files } from "./files";
 import { jatos_store } from "./jatos";
 import { LoadPage } from "./load_page";
-import { is_phone, refresh_rate } from "./measures";
+import { is_phone, is_touched, refresh_rate } from "./measures";
 import { fill, run_script, type Stock } from "./media";
 import { load_turn_view } from "./screen";
-import { folder_store, served_store, unsent_record, type Store } from "./store";
+import { folder_store, joining_store, served_store, SessionClosed, unsent_record, type Store } from "./store";
 import { page_record, TextPage, wait_note, type GivenOnPage } from "./text_page";
 import { texts_of, type Texts } from "./texts";
 import { TrialPage, type TrialSurroundings } from "./trial_page";
@@ -38,6 +38,7 @@ async function store_of(mode: Mode, experiment: Experiment, texts: Texts): Promi
   if (mode === "jatos") return jatos_store(experiment);
   if (mode === "static")
     return folder_store(experiment, new URLSearchParams(location.search).get("participant"));
+  if (experiment.joining) return joining_store(experiment, base());
   const unsent = unsent_record(experiment, base());
   const store = served_store(experiment, base());
   if (unsent) await store.keep(unsent, wait_note(root(), texts));
@@ -51,11 +52,30 @@ function show(title: string, texts: string[], ...more: HTMLElement[]): void {
   head.focus();
 }
 
+/** Where nothing more can be taken, and why. */
+function show_closed(error: unknown, texts: Texts): void {
+  if (!(error instanceof SessionClosed)) {
+    console.error(error);
+    show(texts.trouble, [error instanceof Error ? error.message : String(error)]);
+  } else if (error.why === "elsewhere") {
+    show(texts.elsewhere, [texts.go_on_there]);
+  } else {
+    show(texts.thanks, [error.why === "refused" ? texts.refused : texts.enough]);
+  }
+}
+
 /** The timeline: what is kept already is left out. */
 function timeline_of(mode: Mode, experiment: Experiment, store: Store, texts: Texts) {
   const { session } = store;
   const stock: Stock = new Map();
-  const keep = (record: PageRecord, page: HTMLElement) => store.keep(record, wait_note(page, texts));
+  const keep = async (record: PageRecord, page: HTMLElement) => {
+    try {
+      await store.keep(record, wait_note(page, texts));
+    } catch (error) {
+      show_closed(error, texts);
+      await new Promise(() => {});  // nothing follows
+    }
+  };
   const kept = (name: string) => store.kept.has(name);
   const around: TrialSurroundings = { experiment, session, texts, stock, name: store.name,
     refresh_hz: null, keep };
@@ -85,7 +105,9 @@ function timeline_of(mode: Mode, experiment: Experiment, store: Store, texts: Te
         } }),
     });
   }
-  const keys = experiment.settings.view === "turn" ? [texts.keys, texts.turn_keys] : [texts.keys];
+  if (experiment.joining) return timeline;
+  const keys = [...(is_touched() ? [] : [texts.keys]),
+    ...(experiment.settings.view === "turn" ? [texts.turn_keys] : [])];
   const is_resumed = kept("consent") && session.trials.some(({ number }) => kept(`trial-${number}`));
   timeline.push(text_page("", { title: texts.instructions,
     texts: [...(is_resumed ? [texts.resumed] : []), ...instructions, ...keys] }));
@@ -144,6 +166,8 @@ async function main(): Promise<void> {
     show_ending(mode, experiment, store, texts);
     return;
   }
+  if (experiment.refused) throw new SessionClosed("refused");
+  if (experiment.browser && experiment.browser !== store.name) throw new SessionClosed("elsewhere");
   const jsPsych = initJsPsych({ display_element: root(), override_safe_mode: true });
   const running = jsPsych.run(timeline_of(mode, experiment, store, texts) as never);
   root().removeAttribute("tabindex");  // jsPsych's own keyboard is not used
@@ -152,8 +176,4 @@ async function main(): Promise<void> {
   show_ending(mode, experiment, store, texts);
 }
 
-main().catch((error: unknown) => {
-  console.error(error);
-  const texts = texts_of(document.documentElement.lang);
-  show(texts.trouble, [error instanceof Error ? error.message : String(error)]);
-});
+main().catch((error: unknown) => show_closed(error, texts_of(document.documentElement.lang)));

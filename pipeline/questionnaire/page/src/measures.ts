@@ -33,6 +33,9 @@ export function count_blurs(): () => number {
   };
 }
 
+/** There is no mouse; where fingers are what there is, there is seldom a keyboard. */
+export const is_touched = (): boolean => matchMedia("(pointer: coarse)").matches;
+
 /** A phone: fingers, and a screen whose shorter side is short. */
 export const is_phone = (): boolean =>
-  matchMedia("(pointer: coarse)").matches && Math.min(screen.width, screen.height) < 600;
+  is_touched() && Math.min(screen.width, screen.height) < 600;

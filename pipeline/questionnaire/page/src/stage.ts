@@ -156,8 +156,9 @@ export class Stage {
     this.play_button.hidden = this.state !== "covered" || !this.can_play();
     this.play_button.replaceChildren(
       element("span", { class: "triangle", "aria-hidden": "true" }),
-      plays === 0 ? texts.play : texts.replay,
-      element("kbd", {}, texts.play_key));
+      plays === 0 ? texts.play : texts.replay);
+    // Once answers can be given the focus is there, and so is Space.
+    if (plays === 0) this.play_button.append(element("kbd", {}, texts.play_key));
     const { replays } = this.settings;
     if (this.state === "loading") this.note.textContent = texts.wait_for_video;
     else if (plays > 0 && typeof replays === "number" && this.can_play())

@@ -15,6 +15,14 @@ export interface Store {
   finish(): Promise<void>;
   /** Forgets the session, where the next participant may sit down at the same browser. */
   clear?(): void;
+  /** Whether the files of the session were saved once; in folders. */
+  is_saved?(): boolean;
+  note_saved?(): void;
+}
+
+/** Why nothing more is taken from this window. */
+export class SessionClosed extends Error {
+  constructor(readonly why: "elsewhere" | "refused" | "enough") { super(why); }
 }
 
 export const pause = (milliseconds: number): Promise<void> =>
@@ -48,30 +56,47 @@ export interface Remembered {
   participant: string;
   name: string;
   records: Record<string, PageRecord>;
+  is_saved?: boolean;
 }
 
-/** A text under a name in this browser; in this window's memory where the browser keeps nothing. */
+/**
+ * A text under a name in this browser; where the browser keeps nothing, in the name of this window,
+ * which outlives a reload.
+ */
 class Drawer {
-  private memory: string | null = null;
   constructor(private key: string) {}
 
   read<T>(): T | null {
+    let text: string | null = null;
     try {
-      this.memory = localStorage.getItem(this.key) ?? this.memory;
-    } catch { /* kept in memory alone */ }
-    return this.memory === null ? null : (JSON.parse(this.memory) as T);
+      text = localStorage.getItem(this.key);
+    } catch { /* in the window alone */ }
+    text ??= texts_of_window()[this.key] ?? null;
+    return text === null ? null : (JSON.parse(text) as T);
   }
   write(value: unknown): void {
-    this.memory = JSON.stringify(value);
+    const text = JSON.stringify(value);
     try {
-      localStorage.setItem(this.key, this.memory);
-    } catch { /* kept in memory alone */ }
+      localStorage.setItem(this.key, text);
+    } catch {
+      window.name = JSON.stringify({ ...texts_of_window(), [this.key]: text });
+    }
   }
   clear(): void {
-    this.memory = null;
+    const { [this.key]: forgotten, ...others } = texts_of_window();
+    if (forgotten !== undefined) window.name = JSON.stringify(others);
     try {
       localStorage.removeItem(this.key);
     } catch { /* nothing was kept */ }
+  }
+}
+
+function texts_of_window(): Record<string, string> {
+  try {
+    const texts: unknown = JSON.parse(window.name);
+    return typeof texts === "object" && texts !== null ? (texts as Record<string, string>) : {};
+  } catch {
+    return {};
   }
 }
 
@@ -102,43 +127,63 @@ export function folder_store(experiment: Experiment, wanted: string | null): Sto
     },
     async finish() {},
     clear: () => current.clear(),
+    is_saved: () => kept.is_saved === true,
+    note_saved() {
+      kept.is_saved = true;
+      current.write(kept);
+    },
   };
 }
 
-/** Each record is posted beside the page until the server says that it has it. */
+type Wait = (why: "saving" | "failed") => void;
+
+/** Errors of a server that say that nothing more is taken from this window. */
+const closing: Record<string, SessionClosed["why"]> = {
+  elsewhere: "elsewhere",
+  other: "elsewhere",  // another window of this browser was first
+  refused: "refused",
+  enough: "enough",
+};
+
+/** Posts a record beside the page until the server says that it has it; its answer. */
+async function post(base: string, record: PageRecord, wait: Wait): Promise<{ session?: string }> {
+  for (let tries = 0; ; tries += 1) {
+    const slow = setTimeout(() => wait("saving"), 400);
+    try {
+      const answer = await fetch(`${base}records/${record.record}`, {
+        method: "POST",
+        headers: { "Content-Type": "application/json" },
+        body: JSON.stringify(record),
+        cache: "no-store",
+      });
+      const said = (await answer.json().catch(() => ({}))) as
+        { session?: string; error?: string; wrong?: string };
+      if (answer.ok) return said;
+      const closed = answer.status === 409 ? closing[said.error ?? ""] : undefined;
+      if (closed) throw new SessionClosed(closed);
+      if (![408, 429, 500, 502, 503, 504, 507].includes(answer.status))
+        throw new RefusedRecord(said.wrong ?? `The server refused an answer (${answer.status}).`);
+    } catch (error) {
+      if (error instanceof RefusedRecord || error instanceof SessionClosed) throw error;
+    } finally {
+      clearTimeout(slow);
+    }
+    wait("failed");
+    await pause(Math.min(500 * 1.6 ** tries, 10000));
+  }
+}
+
+const drawer_of = (experiment: Experiment, base: string): Drawer =>
+  new Drawer(`mien/${experiment.design}/${base}`);
+
+/** Each record is posted beside the page. */
 export function served_store(experiment: Experiment, base: string): Store {
   const session = experiment.sessions[0]!;
-  const drawer = new Drawer(`mien/${experiment.design}/${base}`);
+  const drawer = drawer_of(experiment, base);
   const own = drawer.read<Remembered>() ??
     { participant: session.participant, name: random_name(), records: {} };
   drawer.write(own);
   const kept = new Set(experiment.kept ?? []);
-
-  const post = async (record: PageRecord, wait: (why: "saving" | "failed") => void) => {
-    for (let tries = 0; ; tries += 1) {
-      const slow = setTimeout(() => wait("saving"), 400);
-      try {
-        const answer = await fetch(`${base}records/${record.record}`, {
-          method: "POST",
-          headers: { "Content-Type": "application/json" },
-          body: JSON.stringify(record),
-          cache: "no-store",
-        });
-        if (answer.ok) return;
-        const said = (await answer.json().catch(() => ({}))) as { error?: string; wrong?: string };
-        // Another window of the same participant was first, and what it gave stands.
-        if (answer.status === 409 && said.error !== "order") return;
-        if (![408, 429, 500, 502, 503, 504, 507].includes(answer.status))
-          throw new RefusedRecord(said.wrong ?? `The server refused an answer (${answer.status}).`);
-      } catch (error) {
-        if (error instanceof RefusedRecord) throw error;
-      } finally {
-        clearTimeout(slow);
-      }
-      wait("failed");
-      await pause(Math.min(500 * 1.6 ** tries, 10000));
-    }
-  };
   return {
     session,
     name: own.name,
@@ -147,10 +192,36 @@ export function served_store(experiment: Experiment, base: string): Store {
     async keep(record, wait) {
       own.records = { [record.record]: record };  // what a reload would send again
       drawer.write(own);
-      await post(record, wait);
-      own.records = {};
-      drawer.write(own);
+      try {
+        await post(base, record, wait);
+      } finally {
+        own.records = {};
+        drawer.write(own);
+      }
       kept.add(record.record);
+    },
+    async finish() {},
+  };
+}
+
+/**
+ * Of somebody who has no session: who agrees is given one, and goes on at its own address under the
+ * name of this window. Each time the page is opened somebody else may sit here.
+ */
+export function joining_store(experiment: Experiment, base: string): Store {
+  const name = random_name();
+  return {
+    session: experiment.sessions[0]!,
+    name,
+    records: {},
+    kept: new Set(),
+    async keep(record, wait) {
+      const { session } = await post(base, record, wait);
+      if (!session) return;
+      const there = new URL(session, location.href);
+      drawer_of(experiment, there.pathname).write({ participant: "", name, records: {} });
+      location.replace(there);
+      await new Promise(() => {});  // the other page goes on
     },
     async finish() {},
   };
@@ -160,7 +231,7 @@ class RefusedRecord extends Error {}
 
 /** A record that was given and not yet acknowledged when the window was closed. */
 export function unsent_record(experiment: Experiment, base: string): PageRecord | null {
-  const own = new Drawer(`mien/${experiment.design}/${base}`).read<Remembered>();
+  const own = drawer_of(experiment, base).read<Remembered>();
   const record = own && Object.values(own.records)[0];
   return record && !(experiment.kept ?? []).includes(record.record) ? record : null;
 }

@@ -117,14 +117,18 @@ export class TextPage implements JsPsychPlugin<typeof info> {
     const buttons = (trial.buttons as string[]).map((text, index) =>
       button(text, () => void press(index), index === 0 ? "main" : ""));
     page.append(element("div", { class: "buttons" }, ...buttons));
-    // Enter goes on from a field as it does in any form.
-    page.addEventListener("keydown", (event) => {
+    // Enter goes on from a field as it does in any form; elsewhere it shows first what it would press.
+    const enter = (event: KeyboardEvent) => {
+      if (!page.isConnected) return document.removeEventListener("keydown", enter);
       const at = event.target;
-      if (event.key === "Enter" && !event.isComposing && at instanceof HTMLInputElement) {
-        event.preventDefault();
-        void press(0);
-      }
-    });
+      if (event.key !== "Enter" || event.isComposing || at instanceof HTMLTextAreaElement) return;
+      if (event.repeat) event.preventDefault();
+      if (event.repeat || at instanceof HTMLButtonElement) return;
+      event.preventDefault();
+      if (at instanceof HTMLInputElement) void press(0);
+      else buttons[0]?.focus();
+    };
+    document.addEventListener("keydown", enter);
     display.replaceChildren(page);
     scrollTo(0, 0);
     if (questions[0]) questions[0].focus();

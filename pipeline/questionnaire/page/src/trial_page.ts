@@ -160,13 +160,13 @@ class TrialAtWork {
 
   private missing = (): Asked[] => this.asked.filter((one) => one.answer() === null);
 
-  /** Space plays, wherever no text is written and no button waits; Enter confirms. */
+  /** Space plays where nothing else has the focus; where answers are, it chooses. Enter confirms. */
   private pressed = (event: KeyboardEvent): void => {
     const at = event.target as HTMLElement;
     const writes = at instanceof HTMLTextAreaElement ||
       (at instanceof HTMLInputElement && at.type === "text");
     const is_button = at instanceof HTMLButtonElement;
-    if (event.key === " " && !writes && !is_button) {
+    if (event.key === " " && !is_button && !(at instanceof HTMLInputElement) && !writes) {
       event.preventDefault();
       this.stage?.play();
     } else if (event.key === "Enter" && !writes && !is_button && this.is_open) {

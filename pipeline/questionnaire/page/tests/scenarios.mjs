@@ -269,10 +269,173 @@ async function served() {
   return { kept: [...kept.keys()], wrong, troubles, reloads, text, saved: Object.keys(opened.saved) };
 }
 
+/**
+ * From a real mien study serve; FOLDER is a file: {"first": …, "second": …, "join": …, "status": …},
+ * addresses of two participants, of the link of all and of the laboratory's status.
+ */
+async function laboratory() {
+  const { first, second, join: all, status } = JSON.parse(readFileSync(folder, "utf8"));
+  const lab = async () => (await (await fetch(status)).json()).participants;
+  const text = (page) => page.locator("main").innerText();
+  const closed = (page) => page.waitForFunction(() =>
+    document.querySelector(".page") && !document.querySelector(".button, .page progress"), null, { timeout: 30000 });
+  const told = {};
+
+  // By mouse, with a reload; a second browser comes before and between.
+  const early = await open(first);
+  await early.page.waitForSelector(".page .buttons .main");
+  const mouse = await open(first);
+  let reloads = 0;
+  await take(mouse.page, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 2 || reloads > 0) return false;
+    reloads += 1;
+    await early.page.locator(".page .buttons .main").click();
+    await closed(early.page);
+    told.early = await text(early.page);
+    const late = await open(first);
+    await closed(late.page);
+    told.late = await text(late.page);
+    await mouse.page.reload();
+    return true;
+  } });
+  told.mouse = await text(mouse.page);
+
+  const keys = await open(second);
+  await take(keys.page, { by_keys: true });
+  told.keys = await text(keys.page);
+
+  // Of those who come by the link of all, a phone is sent away, one refuses, and one agrees.
+  const before = await lab();
+  const sent_away = await open(all, phone);
+  await closed(sent_away.page);
+  told.phone = await text(sent_away.page);
+  const refusing = await open(all);
+  await refusing.page.locator(".page .button").nth(1).click();
+  await closed(refusing.page);
+  told.refusing = await text(refusing.page);
+  const between = await lab();
+  const joined = await open(all);
+  await take(joined.page);
+  told.joined = await text(joined.page);
+  const after = await lab();
+  const troubles = [mouse, keys, sent_away, refusing, joined].flatMap((one) => one.troubles);
+  return { ...told, reloads, troubles, path: new URL(joined.page.url()).pathname,
+    participants: [before.length, between.length, after.length], states: after.map(({ state }) => state) };
+}
+
+/** What keys do on the page of consent and among answers; what a phone is told of them. */
+async function single_keys() {
+  const { page, troubles } = await open(`${on_disk}?participant=p001`);
+  await page.waitForSelector(".page .buttons .main");
+  await page.keyboard.press("Enter");
+  const shown = await page.evaluate(() => document.activeElement.matches(".page .main"));
+  const is_there = await page.locator(".page .button").count();
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.querySelectorAll(".page .button").length === 1);
+  const desktop_text = await page.locator("main").innerText();
+  let replayed = null;
+  let chosen = null;
+  await take(page, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 1 || replayed !== null) return false;
+    await page.locator(".play").click();
+    await page.waitForFunction(() => !document.querySelector(".answers").inert);
+    await page.waitForFunction(() => document.activeElement.matches('input[type="radio"]'));
+    await page.keyboard.press("Space");
+    replayed = await page.locator(".stage.playing").count();
+    chosen = await page.locator("fieldset.asked input:checked").count();
+    await page.reload();
+    return true;
+  } });
+  const touched = await open(`${on_disk}?participant=p001`, { ...phone, screen: { width: 800, height: 1200 } });
+  await touched.page.locator(".page .buttons .main").click();
+  await touched.page.waitForFunction(() => document.querySelectorAll(".page .button").length === 1);
+  return { shown, is_there, replayed, chosen, desktop_text,
+    touched_text: await touched.page.locator("main").innerText(), troubles };
+}
+
+/** The page of thanks is loaded again. */
+async function thanks_again() {
+  const opened = await open(`${on_disk}?participant=p002`);
+  let saved = 0;
+  opened.page.on("download", () => { saved += 1; });
+  await take(opened.page);
+  await with_files(opened);
+  await opened.page.waitForTimeout(500);
+  const first = saved;
+  await opened.page.reload();
+  await opened.page.waitForSelector(".buttons.column");
+  await opened.page.waitForTimeout(1500);
+  const reloaded = saved;
+  await opened.page.locator(".buttons.column .button").first().click();
+  for (let i = 0; i < 30 && saved === reloaded; i += 1) await opened.page.waitForTimeout(100);
+  return { first, reloaded, asked: saved, troubles: opened.troubles };
+}
+
+/**
+ * How pages look that ask much: free words beside a reference, on a laptop; seven points in
+ * Japanese, on a phone. Of the folder's questionnaire, with other scales.
+ */
+async function crowded() {
+  const files = await files_of(folder);
+  const changed = (change) => {
+    const experiment = JSON.parse(files["/experiment.json"]);
+    change(experiment);
+    for (const session of experiment.sessions)
+      session.trials = session.trials.filter(({ kind }) => kind === "rating").slice(0, 1)
+        .map((trial) => ({ ...trial, number: 1, items: trial.items.slice(0, 3) }));
+    return { ...files, "/experiment.js":
+      Buffer.from(`globalThis.mienExperiment = ${JSON.stringify(experiment)};`) };
+  };
+  const first_trial = async (server, how) => {
+    const { page } = await open(`${server.base}/index.html?participant=p001`, how);
+    await take_to_trial(page);
+    return page;
+  };
+  const words = await serve(changed(({ items }) => {
+    for (const item of Object.values(items)) item.words = true;
+  }));
+  const laptop = await first_trial(words, desktop);
+  const foot = await laptop.locator(".answers .main").boundingBox();
+  const japanese = await serve(changed((experiment) => {
+    experiment.language = "ja";
+    experiment.settings.phones = "served";
+    for (const item of Object.values(experiment.items)) item.points = 7;
+  }));
+  const small = await first_trial(japanese, phone);
+  const sizes = await small.evaluate(() => {
+    const of = (css, told) => [...document.querySelectorAll(css)].map(told);
+    return {
+      letters: Math.min(...of(".choice-note", (one) => parseFloat(getComputedStyle(one).fontSize))),
+      captions: of("figcaption", (one) => Math.round(one.getBoundingClientRect().height)),
+      numbers: [...new Set(of("fieldset:first-of-type .choice-text", (one) => Math.round(one.getBoundingClientRect().top)))].length,
+      wide: document.documentElement.scrollWidth,
+    };
+  });
+  if (process.env.MIEN_PICTURES) {
+    await laptop.screenshot({ path: join(process.env.MIEN_PICTURES, "words.png") });
+    await small.screenshot({ path: join(process.env.MIEN_PICTURES, "japanese.png"), fullPage: true });
+  }
+  words.close();
+  japanese.close();
+  return { foot: Math.round(foot.y + foot.height), ...sizes };
+}
+
+/** Until the answers of a first trial are open. */
+async function take_to_trial(page) {
+  let is_there = false;
+  await take(page, { each: async (sight) => {
+    if (sight === "trial") is_there = true;
+    if (is_there) throw "there";
+    return false;
+  } }).catch((why) => { if (why !== "there") throw why; });
+  await page.locator(".play").click();
+  await page.waitForFunction(() => !document.querySelector(".answers").inert, null, { timeout: 30000 });
+}
+
 const given_study = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
 const scenarios = { reload, keys, stall, refused_phone, refusal, accessibility, jatos,
-  served };
+  served, laboratory, single_keys, thanks_again, crowded };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);
