@@ -72,7 +72,7 @@ HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjust
   return row.number(w.people)
       .number(decimal(w.t.mean))
       .number(interval_text(w.t.low(0.95), w.t.high(0.95)))
-      .number(decimal(w.t.t))
+      .number(w.all_alike ? "all alike" : decimal(w.t.t))
       .number(p_text(w.t.p))
       .number(p_text(paired_adjusted))
       .number(decimal(w.gz))
@@ -100,6 +100,18 @@ std::string comparison_html(const Gathered& gathered, const Comparison& c) {
       .html(c.paired_adjusted < gathered.alpha);
 }
 
+/// What is remarkable about a session.
+std::string state_of(const ParticipantSummary& p, const Gathered& gathered) {
+  const bool is_too_short = p.is_unfinished && gathered.without_unfinished;
+  std::string state;
+  if (p.is_unfinished) state = "not finished";
+  if (p.is_excluded) state += (state.empty() ? "" : ", ") + std::string("left out");
+  if (p.is_excluded && !is_too_short) state += ": attention checks";
+  if (p.is_constant && !p.is_excluded)
+    state += std::string(state.empty() ? "" : "; ") + "kept, though always at the same place";
+  return state;
+}
+
 }  // namespace
 
 std::string p_text(double p) {
@@ -120,9 +132,7 @@ std::string sessions_html(const Results& results) {
                 .number(std::isnan(p.median_rt_ms) ? "–" : decimal(p.median_rt_ms / 1000.0, 1))
                 .number(p.stalls)
                 .number(p.blurs)
-                .text(p.is_excluded   ? "left out: attention checks"
-                      : p.is_constant ? "kept, though always at the same place"
-                                      : "")
+                .text(state_of(p, results.gathered))
                 .html();
   return wide_table({"<participant", "trials", "answers", "checks passed", "median answer, s",
                      "stalls", "window left", "<"},
