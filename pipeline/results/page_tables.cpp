@@ -85,6 +85,12 @@ HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjust
       .number(decimal(w.wilcoxon.rank_biserial));
 }
 
+/// The page asks which of two is more of the scale's high end.
+std::string asked_of_two(const Gathered& gathered, const std::string& item) {
+  const auto scale = std::ranges::find(gathered.scales, item, &Scale::id);
+  return scale == gathered.scales.end() ? item : "more " + scale->high;
+}
+
 std::string comparison_html(const Gathered& gathered, const Comparison& c) {
   const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
   const std::string against = c.against ? gathered.stimuli[*c.against].id : "its setting";
@@ -285,13 +291,13 @@ std::string preferences_html(const Results& results) {
     rows += HtmlRow()
                 .text(results.gathered.stimuli[c.one].id)
                 .text(results.gathered.stimuli[c.other].id)
-                .text(c.item)
+                .text(asked_of_two(results.gathered, c.item))
                 .number(fmt::format("{} of {}", c.for_one, c.trials))
                 .number(share_interval(c.low, c.high))
                 .number(p_text(c.p))
                 .number(p_text(c.adjusted))
                 .html(c.adjusted < results.gathered.alpha);
-  return wide_table({"<one", "<other", "<question", "for the first", "95 % interval (Wilson)",
+  return wide_table({"<one", "<other", "<asked", "for the first", "95 % interval (Wilson)",
                      "p, binomial", "p, corrected"},
                     rows);
 }

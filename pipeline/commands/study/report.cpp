@@ -164,7 +164,8 @@ void note_other_design(const Manifest& manifest, const std::vector<AnswerRow>& r
   Manifest other = manifest;
   other.questionnaire->participants = answered;
   const bool is_of_more =
-      answered != planned && gathered.design == design_hash(other, plan_sessions(other));
+      answered != planned && (gathered.design == design_hash(other, plan_sessions(other)) ||
+                              gathered.design == design_hash(manifest, plan_sessions(other)));
   gathered.notes.push_back(
       is_of_more
           ? fmt::format("The answers are of {} participants, the manifest plans {}; all else is "
