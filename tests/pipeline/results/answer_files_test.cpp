@@ -32,7 +32,7 @@ TEST(AnswerFiles, AreFoundBelowAnExportWithTheirParticipants) {
 
 TEST(AnswerFiles, RefuseAFolderWithoutAny) {
   const test::TemporaryFolder folder;
-  EXPECT_THROW(answer_files({folder.path()}), motion::Error);
+  EXPECT_THROW(answer_files({folder.path()}), Error);
 }
 
 TEST(WithinPersons, FindNothingWhereAllDifferencesAreAlike) {
