@@ -112,6 +112,16 @@ class CsvScanner {
   int column_ = 1;
 };
 
+/// Spreadsheets of some languages write ; where others write a comma.
+void refuse_other_separators(const CsvTable& table) {
+  if (table.header.size() > 1) return;
+  for (const auto& [sign, name] : {std::pair{';', ";"}, std::pair{'\t', "tabs"}})
+    if (std::ranges::count(table.header.front().text, sign) > 1)
+      throw Error(place_of(table, table.header.front()),
+                  fmt::format("is separated by {}, not by commas", name),
+                  "save it as CSV separated by commas");
+}
+
 void refuse_repeated_columns(const CsvTable& table) {
   for (auto field = table.header.begin(); field != table.header.end(); ++field) {
     const auto same = [&](const CsvField& other) { return other.text == field->text; };
@@ -156,6 +166,7 @@ CsvTable parse_csv(std::string_view text, const std::string& file) {
     if (row.empty()) continue;
     if (table.header.empty()) {
       table.header = std::move(row);
+      refuse_other_separators(table);
       refuse_repeated_columns(table);
     } else if (row.size() == table.header.size()) {
       table.rows.push_back(std::move(row));

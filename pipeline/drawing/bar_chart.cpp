@@ -77,11 +77,19 @@ std::string printed(const BarChart& chart, double value) {
                                    : fmt::format("{:.{}f}", value, chart.decimals));
 }
 
+std::string words_of(const BarChart& chart) {
+  return chart.whiskers.empty() ? chart.axis : chart.axis + "; whiskers: " + chart.whiskers;
+}
+
+/// That the words above the bars need, also where the bars are few.
+double width_of_words(const BarChart& chart) {
+  constexpr double letter = 4.7;  // of these sizes, rather more than usual
+  return 2.0 * margin + letter * static_cast<double>(words_of(chart).size());
+}
+
 void draw_header(Canvas& canvas, const BarChart& chart, const Box& place) {
   canvas.text({place.x, place.y + 12.0}, chart.title, {.size = 12.0, .bold = true});
-  const std::string words =
-      chart.whiskers.empty() ? chart.axis : chart.axis + "; whiskers: " + chart.whiskers;
-  canvas.text({place.x, place.y + 27.0}, words, {.size = 8.5, .colour = quiet_ink});
+  canvas.text({place.x, place.y + 27.0}, words_of(chart), {.size = 8.5, .colour = quiet_ink});
 }
 
 void draw_axis(Canvas& canvas, const BarChart& chart, const Scale& scale) {
@@ -155,7 +163,8 @@ constexpr double chart_height = header_height + plot_height + names_height;
 }  // namespace
 
 Plot bar_chart_plot(const BarChart& chart) {
-  const double width = std::max(least_width, 2.0 * margin + width_of(chart));
+  const double width =
+      std::max({least_width, 2.0 * margin + width_of(chart), width_of_words(chart)});
   return {chart.title, width, 2.0 * margin + chart_height, [chart, width](Canvas& canvas) {
             draw_chart(canvas, chart, {margin, margin, width - 2.0 * margin, chart_height});
             if (!chart.simulated) return;

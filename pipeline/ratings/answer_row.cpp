@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -207,22 +208,6 @@ class AnswerRowReader {
   const std::vector<CsvField>* fields_ = nullptr;
 };
 
-void find_doubled(const std::vector<AnswerRow>& rows, std::vector<Fault>& faults) {
-  using Key = std::tuple<std::string, std::string, int, std::string, std::string>;
-  std::map<Key, const AnswerRow*> met;
-  for (const AnswerRow& row : rows) {
-    const auto [first, is_new] =
-        met.emplace(Key(row.participant, row.session, row.trial, row.stimulus, row.item), &row);
-    if (is_new) continue;
-    faults.push_back(
-        {row.place, "",
-         fmt::format("participant \"{}\" answers trial {} on \"{}\" a second time "
-                     "(the first: {})",
-                     row.participant, row.trial, row.item, to_string(first->second->place)),
-         "keep one of them"});
-  }
-}
-
 }  // namespace
 
 const TableForm answer_form = {"answers.csv", "an answer", answer_row_columns};
@@ -280,31 +265,38 @@ std::string to_csv(const std::vector<AnswerRow>& rows) {
   return writer.text();
 }
 
-std::vector<AnswerRow> answer_rows(const CsvTable& table) {
+std::vector<Fault> doubled_answers(const std::vector<AnswerRow>& rows) {
+  std::vector<Fault> faults;
+  using Key = std::tuple<std::string, std::string, int, std::string, std::string>;
+  std::map<Key, const AnswerRow*> met;
+  for (const AnswerRow& row : rows) {
+    const auto [first, is_new] =
+        met.emplace(Key(row.participant, row.session, row.trial, row.stimulus, row.item), &row);
+    if (is_new) continue;
+    faults.push_back(
+        {row.place, "",
+         fmt::format("participant \"{}\" answers trial {} on \"{}\" a second time "
+                     "(the first: {})",
+                     row.participant, row.trial, row.item, to_string(first->second->place)),
+         "keep one of them"});
+  }
+  return faults;
+}
+
+std::vector<AnswerRow> answer_rows(const CsvTable& table, Doubled doubled) {
   AnswerRowReader reader(table);
   if (!reader.faults.empty()) throw Faults(reader.faults);
   std::vector<AnswerRow> rows;
   rows.reserve(table.rows.size());
   for (const auto& fields : table.rows) rows.push_back(reader.row(fields));
-  find_doubled(rows, reader.faults);
+  if (doubled == Doubled::refused)
+    std::ranges::move(doubled_answers(rows), std::back_inserter(reader.faults));
   if (!reader.faults.empty()) throw Faults(reader.faults);
   return rows;
 }
 
 std::vector<AnswerRow> read_answer_rows(const std::filesystem::path& file) {
   return answer_rows(read_csv(file));
-}
-
-std::vector<AnswerRow> read_answer_rows(const std::vector<std::filesystem::path>& files) {
-  std::vector<AnswerRow> all;
-  for (const std::filesystem::path& file : files) {
-    std::vector<AnswerRow> rows = read_answer_rows(file);
-    std::ranges::move(rows, std::back_inserter(all));
-  }
-  std::vector<Fault> faults;
-  find_doubled(all, faults);
-  if (!faults.empty()) throw Faults(faults);
-  return all;
 }
 
 std::vector<std::string> tell_people_apart(std::vector<AnswerRow>& rows) {

@@ -10,6 +10,7 @@
 
 #include "motion/error.h"
 #include "pipeline/documents/csv.h"
+#include "pipeline/documents/fault.h"
 #include "pipeline/documents/table.h"
 
 namespace mien::pipeline {
@@ -78,10 +79,11 @@ std::vector<std::string> fields_of_row(const AnswerRow& row);
 /// negative or not whole where they must be, and an answer that is there twice (participant,
 /// session, trial, stimulus and item).
 std::vector<AnswerRow> read_answer_rows(const std::filesystem::path& file);
-std::vector<AnswerRow> answer_rows(const CsvTable& table);
+enum class Doubled { refused, allowed };
+std::vector<AnswerRow> answer_rows(const CsvTable& table, Doubled doubled = Doubled::refused);
 
-/// Likewise of several files, in their order; what is doubled between files is a fault too.
-std::vector<AnswerRow> read_answer_rows(const std::vector<std::filesystem::path>& files);
+/// A fault for every answer that is there twice.
+std::vector<Fault> doubled_answers(const std::vector<AnswerRow>& rows);
 
 /// Who answered, where one name may stand for several people: of a questionnaire without a server
 /// two browsers may have been given the same plan. Sessions of one participant that answer the same

@@ -59,7 +59,7 @@ Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSu
   std::vector<StudyWarning> warnings;
   Answers answers;
   if (holds_answer_rows(table)) {
-    CountedAnswers counted = counted_answers(table);
+    CountedAnswers counted = counted_answers(table, scales);
     answers = answers_of(counted.table, scales, about);
     answers.warnings.insert(answers.warnings.begin(), counted.told.begin(), counted.told.end());
     return answers;

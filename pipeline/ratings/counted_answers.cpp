@@ -10,6 +10,7 @@
 
 #include "pipeline/ratings/answer_row.h"
 #include "pipeline/ratings/attention.h"
+#include "pipeline/ratings/raw_form.h"
 
 namespace mien::pipeline {
 
@@ -48,8 +49,10 @@ bool is_on_scale(const AnswerRow& row) {
   return row.kind == "rating" || (row.kind == "emotion" && row.item != "emotion");
 }
 
-CountedAnswers counted_answers(const CsvTable& table) {
+CountedAnswers counted_answers(const CsvTable& table, const ScaleSet& scales) {
   std::vector<AnswerRow> rows = answer_rows(table);
+  const std::vector<Fault> faults = contradicted_values(rows, scales);
+  if (!faults.empty()) throw Faults(faults);
   CountedAnswers counted;
   counted.told = tell_people_apart(rows);
   const std::set<std::string> excluded = told_excluded(rows, counted.told);

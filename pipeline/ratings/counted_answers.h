@@ -5,6 +5,7 @@
 
 #include "pipeline/documents/csv.h"
 #include "pipeline/ratings/answer_row.h"
+#include "pipeline/ratings/scales.h"
 
 namespace mien::pipeline {
 
@@ -21,7 +22,8 @@ struct CountedAnswers {
 
 /// Passed over are practice, warm-up, checks, repeated stimuli, what was left empty, choices
 /// (which emotion, which of two) and all of participants who are excluded by the usual
-/// AttentionRule. Throws Faults as answer_rows, and Error when nothing is left.
-CountedAnswers counted_answers(const CsvTable& answer_rows);
+/// AttentionRule. Throws Faults as answer_rows and where a value is not what its raw answer gives,
+/// and Error when nothing is left.
+CountedAnswers counted_answers(const CsvTable& answer_rows, const ScaleSet& scales);
 
 }  // namespace mien::pipeline

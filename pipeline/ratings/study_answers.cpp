@@ -148,7 +148,7 @@ class RowReader {
 StudyAnswers study_answers(const CsvTable& table, const ScaleSet& scales,
                            const std::vector<RatedExample>& examples, const AnswerRules& rules) {
   if (holds_answer_rows(table)) {
-    CountedAnswers counted = counted_answers(table);
+    CountedAnswers counted = counted_answers(table, scales);
     StudyAnswers study = study_answers(counted.table, scales, examples, rules);
     for (std::string& sentence : counted.told)
       study.warnings.push_back({"left-out", {}, std::move(sentence)});

@@ -53,6 +53,12 @@ double mean_of_values(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
+/// Where nothing varies there is a difference, but nothing to hold it against.
+TTest without_spread(TTest test) {
+  test.standard_error = test.t = test.p = std::numeric_limits<double>::quiet_NaN();
+  return test;
+}
+
 void set_tests(Comparison& result, const std::vector<double>& own,
                const std::vector<double>& against, const std::vector<double>& differences) {
   result.answers = static_cast<int>(own.size());
@@ -60,8 +66,13 @@ void set_tests(Comparison& result, const std::vector<double>& own,
   result.mean = mean_of_values(own);
   result.mean_against = mean_of_values(against);
   result.welch = welch_t_test(own, against);
-  result.d = cohens_d(own, against);
-  result.g = hedges_g(own, against);
+  if (all_alike(own) && all_alike(against)) {
+    result.welch = without_spread(result.welch);
+    result.d = result.g = result.welch.t;
+  } else {
+    result.d = cohens_d(own, against);
+    result.g = hedges_g(own, against);
+  }
   result.within = within_persons(differences);
 }
 
@@ -163,9 +174,14 @@ WithinPersons within_persons(const std::vector<double>& differences) {
   WithinPersons result;
   result.people = static_cast<int>(differences.size());
   result.t = paired_t_test(differences);
-  if (!(result.t.standard_error > 0.0)) result.t.p = std::numeric_limits<double>::quiet_NaN();
-  result.dz = cohens_dz(differences);
-  result.gz = hedges_gz(differences);
+  result.all_alike = result.people > 1 && all_alike(differences);
+  if (all_alike(differences)) {
+    result.t = without_spread(result.t);
+    result.dz = result.gz = result.t.t;
+  } else {
+    result.dz = cohens_dz(differences);
+    result.gz = hedges_gz(differences);
+  }
   result.wilcoxon = wilcoxon(differences);
   result.pratt = wilcoxon(differences, WilcoxonMode::exact, WilcoxonZeros::pratt);
   result.wilcoxon_normal = wilcoxon(differences, WilcoxonMode::published).p;

@@ -35,7 +35,9 @@ std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
 /// Tests of paired differences, each a person's.
 struct WithinPersons {
   int people = 0;
-  /// p is NaN where all differences are alike: few people on few points say the same by chance.
+  bool all_alike = false;  ///< the differences of two people or more are all the same
+  /// t and p are NaN where all differences are alike: few people on few points say the same by
+  /// chance.
   TTest t;
   double dz = 0.0;               ///< Cohen's
   double gz = 0.0;               ///< Hedges'

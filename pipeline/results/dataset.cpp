@@ -198,9 +198,11 @@ std::string readme_of(const Results& results) {
          "- data/: the answers, a row each; the stimuli; the participants\n"
          "- dataset_description.json: what each column of data/ means (JSON-LD)\n"
          "- codebook.csv: the same, and the columns of results/\n"
-         "- results/: tables\n- figures/: the drawings as PDF, SVG and PNG\n"
-         "- analysis/: R scripts that fit mixed models (lme4, ordinal) to " +
-         paths.answers + "\n";
+         "- results/: tables\n- figures/: the drawings as PDF, SVG and PNG\n" +
+         (results.gathered.ratings.empty()
+              ? std::string()
+              : "- analysis/: R scripts that fit mixed models (lme4, ordinal) to " + paths.answers +
+                    "\n");
 }
 
 }  // namespace

@@ -203,10 +203,32 @@ void check_designs(const std::vector<AnswerRow>& rows, Gathered& result,
   }
 }
 
+/// Trials are counted by what was answered; who is told to be done is believed.
+std::vector<Unfinished> unfinished_of(const std::vector<AnswerRow>& rows,
+                                      const ReportChoices& choices) {
+  std::map<std::string, std::set<int>> trials;
+  std::map<std::string, int> planned;
+  for (const AnswerRow& row : rows) {
+    trials[row.participant].insert(row.trial);
+    const auto plan = choices.planned.find(row.seed);
+    if (plan != choices.planned.end()) planned[row.participant] = plan->second;
+  }
+  std::vector<Unfinished> unfinished;
+  for (const auto& [participant, of] : planned) {
+    const int done = static_cast<int>(trials.at(participant).size());
+    if (done < of && !choices.finished.contains(participant))
+      unfinished.push_back({participant, done, of});
+  }
+  return unfinished;
+}
+
 std::vector<std::string> people_who_count(const Gathered& gathered) {
   std::vector<std::string> people;
+  std::set<std::string> left_out;
+  if (gathered.without_unfinished)
+    for (const Unfinished& one : gathered.unfinished) left_out.insert(one.participant);
   for (const Attention& own : gathered.attention)
-    if (!own.is_excluded) people.push_back(own.participant);
+    if (!own.is_excluded && !left_out.contains(own.participant)) people.push_back(own.participant);
   std::ranges::sort(people);
   return people;
 }
@@ -245,6 +267,10 @@ Gathered gather(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.notes = tell_people_apart(rows);
   result.simulated = std::ranges::any_of(rows, &AnswerRow::simulated);
   result.attention = attention_of(rows, result.rule);
+  result.unfinished = unfinished_of(rows, choices);
+  result.without_unfinished = choices.without_unfinished;
+  for (const Demographic& question : asked.demographics)
+    if (!question.answer.is_number) result.worded_questions.insert(question.id);
   result.people = people_who_count(result);
   AnswerSorter sorter(manifest, result);
   check_designs(rows, result, sorter.faults);
@@ -253,7 +279,7 @@ Gathered gather(const Manifest& manifest, std::vector<AnswerRow> rows,
   if (result.ratings.empty() && result.chosen.empty() && result.preferences.empty() &&
       result.words.empty())
     throw Error(Place{rows.front().place.file, 1, 1}, "holds no answers that count",
-                "practice, warm-up, checks and participants who failed them are passed over");
+                "practice, warm-up, checks and participants who are left out are passed over");
   return result;
 }
 

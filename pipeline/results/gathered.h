@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,6 +65,16 @@ struct Remark {
 struct ReportChoices {
   std::optional<TestCorrection> correction;
   std::optional<int> most_failed;
+  std::map<std::uint64_t, int> planned;  ///< trials of a session, by the seed of its order
+  std::set<std::string> finished;        ///< participants whose tables say that they were done
+  bool without_unfinished = false;       ///< who did not finish is left out
+};
+
+/// Who gave fewer answers than were planned.
+struct Unfinished {
+  std::string participant;
+  int trials = 0;   ///< that were done
+  int planned = 0;  ///< that there were to do
 };
 
 /// The answers of a questionnaire, sorted for all that is reckoned with them.
@@ -80,6 +93,9 @@ struct Gathered {
   std::vector<Remark> words;
   std::vector<Attention> attention;  ///< of everybody
   AttentionRule rule;
+  std::vector<Unfinished> unfinished;
+  bool without_unfinished = false;
+  std::set<std::string> worded_questions;  ///< about participants, whose answers are no numbers
   TestCorrection correction = TestCorrection::holm;
   double alpha = 0.05;
   bool simulated = false;

@@ -72,7 +72,7 @@ HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjust
   return row.number(w.people)
       .number(decimal(w.t.mean))
       .number(interval_text(w.t.low(0.95), w.t.high(0.95)))
-      .number(decimal(w.t.t))
+      .number(w.all_alike ? "all alike" : decimal(w.t.t))
       .number(p_text(w.t.p))
       .number(p_text(paired_adjusted))
       .number(decimal(w.gz))
@@ -83,6 +83,12 @@ HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjust
       .number(decimal(w.location.estimate))
       .number(interval_text(w.location.low, w.location.high))
       .number(decimal(w.wilcoxon.rank_biserial));
+}
+
+/// The page asks which of two is more of the scale's high end.
+std::string asked_of_two(const Gathered& gathered, const std::string& item) {
+  const auto scale = std::ranges::find(gathered.scales, item, &Scale::id);
+  return scale == gathered.scales.end() ? item : "more " + scale->high;
 }
 
 std::string comparison_html(const Gathered& gathered, const Comparison& c) {
@@ -98,6 +104,18 @@ std::string comparison_html(const Gathered& gathered, const Comparison& c) {
       .number(p_text(c.welch.p));
   return within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
       .html(c.paired_adjusted < gathered.alpha);
+}
+
+/// What is remarkable about a session.
+std::string state_of(const ParticipantSummary& p, const Gathered& gathered) {
+  const bool is_too_short = p.is_unfinished && gathered.without_unfinished;
+  std::string state;
+  if (p.is_unfinished) state = "not finished";
+  if (p.is_excluded) state += (state.empty() ? "" : ", ") + std::string("left out");
+  if (p.is_excluded && !is_too_short) state += ": attention checks";
+  if (p.is_constant && !p.is_excluded)
+    state += std::string(state.empty() ? "" : "; ") + "kept, though always at the same place";
+  return state;
 }
 
 }  // namespace
@@ -120,9 +138,7 @@ std::string sessions_html(const Results& results) {
                 .number(std::isnan(p.median_rt_ms) ? "–" : decimal(p.median_rt_ms / 1000.0, 1))
                 .number(p.stalls)
                 .number(p.blurs)
-                .text(p.is_excluded   ? "left out: attention checks"
-                      : p.is_constant ? "kept, though always at the same place"
-                                      : "")
+                .text(state_of(p, results.gathered))
                 .html();
   return wide_table({"<participant", "trials", "answers", "checks passed", "median answer, s",
                      "stalls", "window left", "<"},
@@ -275,13 +291,13 @@ std::string preferences_html(const Results& results) {
     rows += HtmlRow()
                 .text(results.gathered.stimuli[c.one].id)
                 .text(results.gathered.stimuli[c.other].id)
-                .text(c.item)
+                .text(asked_of_two(results.gathered, c.item))
                 .number(fmt::format("{} of {}", c.for_one, c.trials))
                 .number(share_interval(c.low, c.high))
                 .number(p_text(c.p))
                 .number(p_text(c.adjusted))
                 .html(c.adjusted < results.gathered.alpha);
-  return wide_table({"<one", "<other", "<question", "for the first", "95 % interval (Wilson)",
+  return wide_table({"<one", "<other", "<asked", "for the first", "95 % interval (Wilson)",
                      "p, binomial", "p, corrected"},
                     rows);
 }

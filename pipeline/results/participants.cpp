@@ -67,13 +67,16 @@ std::vector<ParticipantSummary> participant_summaries(const Gathered& gathered,
   tell_people_apart(rows);
   std::map<std::string, std::vector<const AnswerRow*>> of_person;
   for (const AnswerRow& row : rows) of_person[row.participant].push_back(&row);
+  std::set<std::string> unfinished;
+  for (const Unfinished& one : gathered.unfinished) unfinished.insert(one.participant);
   std::vector<ParticipantSummary> all;
   for (const Attention& own : gathered.attention) {
     ParticipantSummary summary;
     summary.participant = own.participant;
     summary.checks = own.checks;
     summary.passed = own.passed;
-    summary.is_excluded = own.is_excluded;
+    summary.is_excluded = !std::ranges::binary_search(gathered.people, own.participant);
+    summary.is_unfinished = unfinished.contains(own.participant);
     add_trials(summary, of_person.at(own.participant));
     all.push_back(summary);
   }
@@ -88,6 +91,21 @@ std::vector<std::string> ParticipantTable::questions() const {
   for (const CsvField& field : table.header)
     if (std::ranges::find(others, field.text) == others.end()) questions.push_back(field.text);
   return questions;
+}
+
+std::set<std::string> ParticipantTable::finished() const {
+  std::set<std::string> names;
+  const int name = find_column(table, "participant");
+  const int session = find_column(table, "session");
+  const int done = find_column(table, "finished");
+  if (name < 0 || done < 0) return names;
+  for (const auto& row : table.rows) {
+    if (row[static_cast<std::size_t>(done)].text != "1") continue;
+    const std::string& participant = row[static_cast<std::size_t>(name)].text;
+    names.insert(participant);
+    if (session >= 0) names.insert(participant + "/" + row[static_cast<std::size_t>(session)].text);
+  }
+  return names;
 }
 
 ParticipantTable read_participants(const std::filesystem::path& file) {
@@ -111,6 +129,12 @@ ParticipantTable joined(const std::vector<ParticipantTable>& tables) {
                   "report the answers of each questionnaire by themselves");
     all.table.rows.insert(all.table.rows.end(), part.table.rows.begin(), part.table.rows.end());
   }
+  std::set<std::vector<std::string>> met;
+  std::erase_if(all.table.rows, [&](const std::vector<CsvField>& row) {
+    std::vector<std::string> texts;
+    for (const CsvField& field : row) texts.push_back(field.text);
+    return !met.insert(std::move(texts)).second;
+  });
   return all;
 }
 
@@ -136,7 +160,8 @@ std::vector<DemographicSummary> demographics_of(const ParticipantTable& particip
       if (const auto number = as_number(table, row[column])) numbers.push_back(*number);
     }
     if (people == 0) continue;
-    if (static_cast<int>(numbers.size()) == people) {
+    const bool is_worded = gathered.worded_questions.contains(question);
+    if (!is_worded && static_cast<int>(numbers.size()) == people) {
       add_numbers(question, numbers, all);
     } else {
       for (const auto& [word, count] : words)

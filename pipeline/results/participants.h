@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace mien::pipeline {
 /// What is told about the session of one participant.
 struct ParticipantSummary {
   std::string participant;
-  int trials = 0;   ///< practice, warm-up and checks among them
+  int trials = 0;  ///< practice, warm-up and checks among them
+  bool is_unfinished = false;
   int answers = 0;  ///< that count
   int checks = 0;
   int passed = 0;
@@ -36,12 +38,15 @@ struct ParticipantTable {
   bool empty() const { return table.rows.empty(); }
   /// The questions: all columns but participant, session, design, consented_at and finished.
   std::vector<std::string> questions() const;
+  /// Those whose column finished is 1, also as "participant/session" where there are sessions.
+  std::set<std::string> finished() const;
 };
 
 /// Reads participants.csv. Throws Error where it has no column participant.
 ParticipantTable read_participants(const std::filesystem::path& file);
 
-/// One table of several. Throws Error where their columns differ.
+/// One table of several; rows that are there again are taken once. Throws Error where their columns
+/// differ.
 ParticipantTable joined(const std::vector<ParticipantTable>& tables);
 
 /// How a question was answered by those who count: numbers by their mean, words by how often.

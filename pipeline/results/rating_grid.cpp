@@ -66,7 +66,7 @@ Plot grid_plot(const RatingGrid& grid, double row_height, const DrawPanel& draw_
                 draw_panel(canvas, panel_box(r, c, row_height), row.panels[c]);
             }
             if (grid.simulated)
-              draw_simulated_mark(canvas, {width - grid_margin, grid_margin + 33.0});
+              draw_simulated_mark(canvas, {width - grid_margin, grid_margin - 2.0});
           }};
 }
 

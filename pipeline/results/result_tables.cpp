@@ -96,7 +96,8 @@ std::vector<std::string> within_fields(const WithinPersons& w, double paired_adj
           field_of(w.location.estimate),
           field_of(w.location.low),
           field_of(w.location.high),
-          field_of(w.wilcoxon.rank_biserial)};
+          field_of(w.wilcoxon.rank_biserial),
+          w.all_alike ? "1" : "0"};
 }
 
 std::vector<std::string> comparison_row(const Gathered& gathered, const Comparison& c) {
@@ -188,7 +189,8 @@ void add_people(const Results& results, std::vector<ResultTable>& tables) {
   for (const ParticipantSummary& p : results.participants)
     people.row({p.participant, whole(p.trials), whole(p.answers), whole(p.checks), whole(p.passed),
                 p.is_excluded ? "1" : "0", field_of(p.median_rt_ms), whole(p.stalls),
-                whole(p.dropped_frames), whole(p.blurs), p.is_constant ? "1" : "0"});
+                whole(p.dropped_frames), whole(p.blurs), p.is_constant ? "1" : "0",
+                p.is_unfinished ? "1" : "0"});
   people.finish(tables);
   ResultWriter demographics(demographics_form, results.gathered.simulated);
   for (const DemographicSummary& d : demographics_of(results.demographics, results.gathered))

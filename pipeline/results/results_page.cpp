@@ -8,6 +8,7 @@
 #include "pipeline/documents/html.h"
 #include "pipeline/results/page_style.h"
 #include "pipeline/results/page_tables.h"
+#include "pipeline/results/people_counted.h"
 
 namespace mien::pipeline {
 
@@ -85,9 +86,10 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
     html += "<p class=\"simulated\">Simulated: nobody gave these answers. 模擬評定</p>\n";
   const std::size_t answers = gathered.ratings.size() + gathered.chosen.size() +
                               gathered.preferences.size() + gathered.words.size();
-  html += fmt::format("<p class=\"quiet\">Study {}: {} answers of {} people about {} videos",
-                      html_escaped(gathered.study), answers, gathered.people.size(),
-                      judged_stimuli(gathered));
+  html += fmt::format("<p class=\"quiet\">Study {}: {} of {} about {}",
+                      html_escaped(gathered.study), counted(answers, "answer", "answers"),
+                      counted(gathered.people.size(), "person", "people"),
+                      counted(judged_stimuli(gathered), "video", "videos"));
   html +=
       gathered.design.empty() ? ".</p>\n" : ", design " + html_escaped(gathered.design) + ".</p>\n";
   if (!frozen.sentence.empty())
@@ -98,8 +100,7 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
 std::string people_html(const Results& results) {
   const Gathered& gathered = results.gathered;
   const auto excluded = std::ranges::count_if(gathered.attention, &Attention::is_excluded);
-  std::string html = paragraph(fmt::format("{} of {} people count. {}", gathered.people.size(),
-                                           gathered.attention.size(), to_sentence(gathered.rule)));
+  std::string html = paragraph(people_sentence(gathered) + ". " + to_sentence(gathered.rule));
   if (excluded > 0) {
     std::vector<std::string> names;
     for (const Attention& own : gathered.attention)
@@ -108,7 +109,7 @@ std::string people_html(const Results& results) {
             fmt::format("{} ({} of {} checks passed)", own.participant, own.passed, own.checks));
     html += paragraph("Left out:") + html_list("", names);
   }
-  html += html_list("", gathered.notes);
+  html += html_list("", unfinished_sentences(gathered)) + html_list("", gathered.notes);
   html += part("What they say about themselves", demographics_html(results));
   html += "<details><summary>Every session</summary>\n" + sessions_html(results) + "</details>\n";
   return html;
@@ -175,13 +176,25 @@ std::string differences_html(const Results& results, const PageParts& parts) {
 std::string confusion_html(const Results& results, const PageParts& parts) {
   const std::string figures = parts.figures("confusion");
   if (figures.empty()) return "";
-  return paragraph(
-             "Ratings become points: an answer at the end of a scale gives that end 2 points, one "
-             "half way 1, the middle none; a row’s shares are of all its points. The intervals "
-             "take each judged showing as one trial. “Seen most”: showings in which the emotion "
-             "itself got more points than any other end; the exact binomial test holds them "
-             "against chance, one of the ends.") +
-         recall_html(results) + figures;
+  std::string html;
+  const auto is_of = [&](bool by_points) {
+    return std::ranges::any_of(results.confusions,
+                               [=](const Confusion& c) { return c.by_points == by_points; });
+  };
+  if (is_of(true))
+    html += paragraph(
+        "Ratings become points: an answer at the end of a scale gives that end 2 points, one half "
+        "way 1, the middle none; a row’s shares are of all its points. The intervals take each "
+        "judged showing as one trial. “Seen most”: showings in which the emotion itself got more "
+        "points than any other end; the exact binomial test holds them against chance, one of the "
+        "ends.");
+  if (is_of(false))
+    html += paragraph(
+        fmt::format("Choices: each showing is one choice out of {}; a row’s shares are of its "
+                    "choices. “Seen most”: choices of the emotion that was meant; the exact "
+                    "binomial test holds them against chance, one of the {}.",
+                    results.gathered.choices.size(), results.gathered.choices.size()));
+  return html + recall_html(results) + figures;
 }
 
 std::string agreement_part(const Results& results) {
@@ -196,7 +209,7 @@ std::string agreement_part(const Results& results) {
          table;
 }
 
-std::string files_html(const std::vector<ResultTable>& tables) {
+std::string files_html(const std::vector<ResultTable>& tables, bool has_scripts) {
   std::string html = "<ul>\n";
   for (const ResultTable& table : tables)
     html += fmt::format("<li><a href=\"{0}\">{0}</a>: {1} a row</li>\n", table.form->path,
@@ -204,9 +217,13 @@ std::string files_html(const std::vector<ResultTable>& tables) {
   html +=
       "<li><a href=\"codebook.csv\">codebook.csv</a>: what every column means; "
       "<a href=\"dataset_description.json\">dataset_description.json</a>: the same of data/, for "
-      "machines (Psych-DS)</li>\n"
-      "<li><a href=\"analysis/lme4.R\">analysis/lme4.R</a>, "
-      "<a href=\"analysis/ordinal.R\">analysis/ordinal.R</a>: mixed models, to be run with R</li>\n"
+      "machines (Psych-DS)</li>\n";
+  if (has_scripts)
+    html +=
+        "<li><a href=\"analysis/lme4.R\">analysis/lme4.R</a>, "
+        "<a href=\"analysis/ordinal.R\">analysis/ordinal.R</a>: mixed models, to be run with "
+        "R</li>\n";
+  html +=
       "<li><a href=\"figures.csv\">figures.csv</a>: the figures, and those of the thesis that they "
       "are like</li>\n</ul>\n";
   return html;
@@ -228,7 +245,7 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("preferences", "Pairs", preferences_html(results));
   parts.section("comments", "Comments", remarks_html(results.gathered.remarks));
   parts.section("words", "Answers in words", remarks_html(results.gathered.words));
-  parts.section("files", "Files", files_html(tables));
+  parts.section("files", "Files", files_html(tables, !results.gathered.ratings.empty()));
   const std::string mark = results.gathered.simulated ? "Simulated: " : "";
   return html_page(mark + results.gathered.title, results_style,
                    head_html(results, frozen) + parts.nav() + parts.body());

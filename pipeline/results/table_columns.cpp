@@ -34,6 +34,9 @@ constexpr std::array histogram_columns = {
     Column{"answers", "", "number of answers there"},
     Column{"share", "0–1", "share of the answers about the stimulus on this scale"}};
 
+constexpr Column all_alike_column = {
+    "all_alike", "", "1 where all differences are the same, so that there is no t test"};
+
 constexpr std::array comparison_columns = {
     Column{"family", "",
            "best-seen (a video with all videos of its setting), modified-acted, modified-neutral "
@@ -86,7 +89,8 @@ constexpr std::array comparison_columns = {
     Column{"hodges_lehmann", "scale points", "median of the means of any two differences"},
     Column{"hodges_lehmann_low", "scale points", "lower end of its 95 % interval"},
     Column{"hodges_lehmann_high", "scale points", "upper end"},
-    Column{"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation, zeros left out"}};
+    Column{"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation, zeros left out"},
+    all_alike_column};
 
 constexpr std::array overall_columns = {
     Column{"family", "", "modified-acted, modified-neutral or acted-neutral"},
@@ -119,7 +123,8 @@ constexpr std::array overall_columns = {
     Column{"hodges_lehmann", "scale points", "median of the means of any two differences"},
     Column{"hodges_lehmann_low", "scale points", "lower end of its 95 % interval"},
     Column{"hodges_lehmann_high", "scale points", "upper end"},
-    Column{"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation, zeros left out"}};
+    Column{"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation, zeros left out"},
+    all_alike_column};
 
 constexpr Column by_column = {"by", "", "ratings (points rule) or choices"};
 constexpr Column of_column = {"of", "", "level of the factor made that the rows are of, or all"};
@@ -199,7 +204,8 @@ constexpr std::array people_columns = {
     Column{"stalls", "", "times that a video stopped for want of data"},
     Column{"dropped_frames", "", "frames that were not shown"},
     Column{"blurs", "", "times that the window was left"},
-    Column{"constant", "", "1 for who answered everything at the same place; kept"}};
+    Column{"constant", "", "1 for who answered everything at the same place; kept"},
+    Column{"unfinished", "", "1 for who answered fewer trials than were planned"}};
 
 constexpr std::array demographics_columns = {
     Column{"question", "", "the question"},

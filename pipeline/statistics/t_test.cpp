@@ -1,5 +1,6 @@
 #include "pipeline/statistics/t_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +18,9 @@ double mean_of(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
+/// Exactly 0 where nothing but roundings differ.
 double variance_of(const std::vector<double>& values) {
+  if (all_alike(values)) return 0.0;
   const double mean = mean_of(values);
   double sum = 0.0;
   for (const double value : values) sum += (value - mean) * (value - mean);
@@ -42,6 +45,12 @@ double margin(const TTest& test, double confidence) {
 
 double TTest::low(double confidence) const { return mean - margin(*this, confidence); }
 double TTest::high(double confidence) const { return mean + margin(*this, confidence); }
+
+bool all_alike(const std::vector<double>& values) {
+  if (values.empty()) return true;
+  const auto [least, most] = std::ranges::minmax(values);
+  return most - least <= 1e-12 * std::max({1.0, std::abs(least), std::abs(most)});
+}
 
 TTest paired_t_test(const std::vector<double>& differences) {
   if (differences.size() < 2) {

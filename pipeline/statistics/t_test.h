@@ -17,6 +17,9 @@ struct TTest {
   double high(double confidence) const;
 };
 
+/// Whether values are the same but for roundings.
+bool all_alike(const std::vector<double>& values);
+
 /// Of paired differences. With fewer than two, t and p are NaN; when all are equal t is infinite
 /// and p is 0, or NaN and 1 when all are 0.
 TTest paired_t_test(const std::vector<double>& differences);

@@ -1,8 +1,13 @@
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +20,9 @@
 #include "pipeline/manifest/asked.h"
 #include "pipeline/questionnaire/frozen_design.h"
 #include "pipeline/questionnaire/simulated_sessions.h"
+#include "pipeline/ratings/answers_of_files.h"
+#include "pipeline/results/answer_files.h"
+#include "pipeline/results/people_counted.h"
 #include "pipeline/results/results_report.h"
 
 namespace mien::pipeline {
@@ -23,12 +31,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view leave_out = "leave-out";
+
 struct ReportCommand {
   std::vector<std::string> files;  ///< answers, and the manifest
   std::vector<std::string> participants;
   std::string out;
   std::string correction;
   int most_failed = -1;
+  std::string unfinished = "keep";
   std::string frozen;
   std::string made;  ///< folder that holds the studies that were made
 };
@@ -45,24 +56,22 @@ bool is_manifest(const fs::path& file) {
   return file.extension() != ".csv" && !fs::is_directory(file);
 }
 
-/// The answers of a folder are its answers.csv, and who gave them lies beside.
 ReportInputs inputs_of(const ReportCommand& options) {
   ReportInputs inputs;
+  std::vector<fs::path> named;
   for (const std::string& name : options.files) {
-    fs::path file = name;
+    const fs::path file = name;
     if (is_manifest(file)) {
       if (!inputs.manifest.empty())
         throw Error({name}, "is a second manifest", "report each study by itself");
       inputs.manifest = file;
-      continue;
+    } else {
+      named.push_back(file);
     }
-    if (fs::is_directory(file)) file /= "answers.csv";
-    inputs.answers.push_back(file);
-    const fs::path beside = file.parent_path() / "participants.csv";
-    const bool is_new = std::ranges::find(inputs.participants, beside) == inputs.participants.end();
-    if (options.participants.empty() && is_new && fs::exists(beside))
-      inputs.participants.push_back(beside);
   }
+  AnswerFiles found = answer_files(named);
+  inputs.answers = std::move(found.answers);
+  if (options.participants.empty()) inputs.participants = std::move(found.participants);
   for (const std::string& file : options.participants) inputs.participants.emplace_back(file);
   if (inputs.manifest.empty())
     throw Error("no manifest is named", "give the study's, for example study.yaml");
@@ -71,9 +80,20 @@ ReportInputs inputs_of(const ReportCommand& options) {
   return inputs;
 }
 
-/// The hash of the design that a bundle holds.
-std::string frozen_hash(const fs::path& bundle) {
-  return nlohmann::json::parse(read_zip(bundle).at("design.json")).value("design", "");
+/// What the command line does to the answers that was not frozen; the manifest's own words are
+/// compared elsewhere.
+void compare_choices(const ReportCommand& options, const nlohmann::json& frozen,
+                     std::vector<std::string>& differences) {
+  const std::string correction = frozen.value("correction", "");
+  if (!options.correction.empty() && options.correction != correction)
+    differences.push_back(fmt::format("analysis: --correction {} was run, {} was frozen",
+                                      options.correction, correction));
+  const int most_failed = frozen.value("most_failed", 0);
+  if (options.most_failed >= 0 && options.most_failed != most_failed)
+    differences.push_back(fmt::format("analysis: --most-failed {} was run, {} was frozen",
+                                      options.most_failed, most_failed));
+  if (options.unfinished == leave_out)
+    differences.emplace_back("analysis: --unfinished leave-out was run; that all count was frozen");
 }
 
 FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
@@ -85,7 +105,9 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
       frozen_differences(options.frozen, manifest, fs::exists(made) ? made : fs::path());
   const std::string frozen = fs::path(options.frozen).filename().string();
   const std::string run = rows.front().design;  // gather has seen that there is no other
-  if (!run.empty() && run != frozen_hash(options.frozen))
+  const auto design = nlohmann::json::parse(read_zip(options.frozen).at("design.json"));
+  compare_choices(options, design.value("analysis", nlohmann::json::object()), verdict.differences);
+  if (!run.empty() && run != design.value("design", ""))
     verdict.differences.push_back("answers: they were given to the design " + run +
                                   ", which is not the one that was frozen");
   verdict.sentence = verdict.differences.empty()
@@ -110,36 +132,81 @@ void tell_results(const Results& results, const FrozenVerdict& frozen, const fs:
           "participant \"{}\" is left out: {} of {} attention checks passed\n", own.participant,
           own.passed, own.checks);
   if (gathered.simulated) console.out << "simulated answers\n";
-  console.out << fmt::format("{} of {} people count\n", gathered.people.size(),
-                             gathered.attention.size());
+  for (const std::string& sentence : unfinished_sentences(gathered))
+    console.err << sentence << '\n';
+  console.out << people_sentence(gathered) << '\n';
   if (!frozen.sentence.empty()) console.out << frozen.sentence << '\n';
   for (const std::string& difference : frozen.differences)
     console.out << "  " << difference << '\n';
   console.out << (folder / "report.html").string() << '\n';
 }
 
+/// The largest number in names such as p007.
+int most_participants(const std::vector<AnswerRow>& rows) {
+  int most = 0;
+  for (const AnswerRow& row : rows) {
+    const std::string& name = row.participant;
+    int number = 0;
+    if (name.starts_with('p')) std::from_chars(name.data() + 1, name.data() + name.size(), number);
+    most = std::max(most, number);
+  }
+  return most;
+}
+
 /// Tells answers that were given to another state of the questionnaire than the manifest's.
-void note_other_design(const Manifest& manifest, Gathered& gathered) {
+void note_other_design(const Manifest& manifest, const std::vector<AnswerRow>& rows,
+                       Gathered& gathered) {
   if (gathered.design.empty()) return;
   const std::string now = design_hash(manifest, plan_sessions(manifest));
-  if (gathered.design != now)
-    gathered.notes.push_back(fmt::format(
-        "The answers were given to the design {}; the manifest is now {}.", gathered.design, now));
+  if (gathered.design == now) return;
+  const int planned = questionnaire_of(manifest).participants;
+  const int answered = most_participants(rows);
+  Manifest other = manifest;
+  other.questionnaire->participants = answered;
+  const bool is_of_more =
+      answered != planned && (gathered.design == design_hash(other, plan_sessions(other)) ||
+                              gathered.design == design_hash(manifest, plan_sessions(other)));
+  gathered.notes.push_back(
+      is_of_more
+          ? fmt::format("The answers are of {} participants, the manifest plans {}; all else is "
+                        "the same.",
+                        answered, planned)
+          : fmt::format("The answers were given to the design {}; the manifest is now {}.",
+                        gathered.design, now));
+}
+
+/// Trials of each plan.
+std::map<std::uint64_t, int> planned_trials(const Manifest& manifest) {
+  std::map<std::uint64_t, int> planned;
+  for (const SessionPlan& plan : plan_sessions(manifest))
+    planned[plan.seed] = static_cast<int>(plan.trials.size());
+  return planned;
+}
+
+ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
+                         const ParticipantTable& people) {
+  ReportChoices choices;
+  choices.correction = correction_named(options.correction);
+  if (options.most_failed >= 0) choices.most_failed = options.most_failed;
+  choices.planned = planned_trials(manifest);
+  choices.finished = people.finished();
+  choices.without_unfinished = options.unfinished == leave_out;
+  return choices;
 }
 
 int report(const ReportCommand& options, const Console& console) {
   const ReportInputs inputs = inputs_of(options);
   const Manifest manifest = asked_manifest(inputs.manifest.string(), console);
-  std::vector<AnswerRow> rows = read_answer_rows(inputs.answers);
+  const AnswersOfFiles answers = answers_of_files(inputs.answers);
+  const std::vector<AnswerRow>& rows = answers.rows;
   std::vector<ParticipantTable> tables;
   for (const fs::path& file : inputs.participants) tables.push_back(read_participants(file));
-  ReportChoices choices;
-  choices.correction = correction_named(options.correction);
-  if (options.most_failed >= 0) choices.most_failed = options.most_failed;
-  Gathered gathered = gather(manifest, rows, choices);
-  note_other_design(manifest, gathered);
+  ParticipantTable people = joined(tables);
+  Gathered gathered = gather(manifest, rows, choices_of(options, manifest, people));
+  gathered.notes.insert(gathered.notes.begin(), answers.told.begin(), answers.told.end());
+  note_other_design(manifest, rows, gathered);
   const FrozenVerdict frozen = verdict_on(options, manifest, rows);
-  const Results results = results_of(std::move(gathered), rows, joined(tables));
+  const Results results = results_of(std::move(gathered), rows, std::move(people));
   const fs::path folder =
       options.out.empty() ? fs::path("out") / (manifest.study + "-results") : fs::path(options.out);
   clear_results_folder(folder);
@@ -156,13 +223,13 @@ void add_study_report_command(CLI::App& study, Command& chosen) {
   const auto options = std::make_shared<ReportCommand>();
   command
       ->add_option("files", options->files,
-                   "Answers (CSV, or folders that hold answers.csv) and the manifest of the study, "
-                   "in either order")
+                   "Answers (CSV, or folders with answers.csv or saved *answers_data.csv) and the "
+                   "manifest of the study, in either order")
       ->required();
   command->add_option("-o,--output", options->out,
                       "Folder to write; out/<study>-results without it");
   command->add_option("--participants", options->participants,
-                      "Tables of participants; otherwise participants.csv beside the answers");
+                      "Tables of participants; otherwise those that lie beside the answers");
   command
       ->add_option("--correction", options->correction,
                    "For the number of tests: holm, bh (Benjamini-Hochberg) or none; otherwise as "
@@ -172,6 +239,11 @@ void add_study_report_command(CLI::App& study, Command& chosen) {
       ->add_option("--most-failed", options->most_failed,
                    "Who fails more attention checks is left out; otherwise as the manifest says")
       ->check(CLI::Range(0, 1000));
+  command
+      ->add_option("--unfinished", options->unfinished,
+                   "Who did not come to the end: keep (what was answered counts) or leave-out")
+      ->check(CLI::IsMember({"keep", "leave-out"}))
+      ->capture_default_str();
   command->add_option("--frozen", options->frozen,
                       "Bundle of mien study design --freeze: tell what differs from it");
   command

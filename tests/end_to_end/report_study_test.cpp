@@ -1,0 +1,99 @@
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char reported_text[] = R"(mien: 1
+study: gaits
+seed: 7
+examples: {set: builtin:walks-10}
+stimuli:
+  - {id: usual, weights: {normal: 1}, factors: {made: as-is, emotion: normal}}
+  - {id: sad, weights: {normal: 0.4, sad: 0.6}, factors: {made: modified, emotion: sad}}
+questionnaire:
+  participants: 6
+  scales: [sad-happy]
+)";
+
+/// From a manifest over answers that nobody gave to a report, without any rendering.
+class ReportedStudy : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(downloads);
+    const Ended made = run_mien({"study", "simulate", study, "-o", answers});
+    ASSERT_EQ(made.code, 0) << made.errors;
+  }
+
+  Ended report(const std::vector<std::string>& more) const {
+    std::vector<std::string> words = {"study", "report", study, "-o", out.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_mien(words);
+  }
+
+  /// The answers without the last, in another file.
+  std::string cut_short() const {
+    std::string text = text_of(answers);
+    text.resize(text.rfind('\n', text.size() - 2) + 1);
+    return folder.write("cut.csv", text).string();
+  }
+
+  const Scratch folder;
+  const std::string study = folder.write("gaits.yaml", reported_text).string();
+  const fs::path downloads = folder.path() / "export/answers/data";
+  const std::string answers = (downloads / "all_description-answers_data.csv").string();
+  const fs::path out = folder.path() / "report";
+};
+
+TEST_F(ReportedStudy, GoesFromDesignOverAnswersToTables) {
+  const Ended design = run_mien({"study", "design", study});
+  ASSERT_EQ(design.code, 0) << design.errors;
+  EXPECT_NE(design.output.find("p006,"), std::string::npos);
+  const Ended ended = report({(folder.path() / "export").string()});
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  EXPECT_NE(ended.output.find("6 of 6 people count"), std::string::npos) << ended.output;
+  EXPECT_NE(text_of(out / "report.html").find("12 answers of 6 people about 2 videos"),
+            std::string::npos);
+  EXPECT_NE(text_of(out / "results/comparisons.csv").find("modified-neutral,sad"),
+            std::string::npos);
+}
+
+TEST_F(ReportedStudy, CountsWhatWasSavedTwiceOnce) {
+  fs::copy_file(answers, downloads / "all_description-answers_data (1).csv");
+  const Ended ended = report({(folder.path() / "export").string()});
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  EXPECT_NE(ended.errors.find("2 answers were saved more than once and counted once"),
+            std::string::npos)
+      << ended.errors;
+  EXPECT_NE(text_of(out / "report.html").find("12 answers"), std::string::npos);
+}
+
+TEST_F(ReportedStudy, TellsWhoDidNotFinishAndLeavesThemOutWhenAsked) {
+  const std::string cut = cut_short();
+  const Ended kept = report({cut});
+  EXPECT_NE(kept.errors.find("\"p006\" did not finish (1 of 2 trials): what was answered counts"),
+            std::string::npos)
+      << kept.errors;
+  EXPECT_NE(kept.output.find("6 of 6 people count"), std::string::npos);
+  const Ended left_out = report({cut, "--unfinished", "leave-out"});
+  EXPECT_NE(left_out.output.find("5 of 6 people count"), std::string::npos) << left_out.output;
+}
+
+TEST_F(ReportedStudy, RefusesAnswersSeparatedBySemicolons) {
+  std::string text = text_of(answers);
+  for (char& c : text)
+    if (c == ',') c = ';';
+  const Ended ended = report({folder.write("semicolons.csv", text).string()});
+  EXPECT_NE(ended.code, 0);
+  EXPECT_NE(ended.errors.find("is separated by ;, not by commas"), std::string::npos)
+      << ended.errors;
+}
+
+}  // namespace
+}  // namespace mien::test
