@@ -9,6 +9,7 @@
 
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/checks/session_checks.h"
 #include "pipeline/documents/fault_list.h"
 #include "pipeline/documents/utf8.h"
 #include "pipeline/manifest/asked.h"
@@ -275,7 +276,10 @@ std::vector<Fault> complete_questionnaire(Manifest& manifest) {
 }
 
 std::vector<Fault> check_questionnaire(const Manifest& manifest) {
-  return manifest.questionnaire ? QuestionnaireCheck(manifest).faults() : std::vector<Fault>{};
+  if (!manifest.questionnaire) return {};
+  std::vector<Fault> faults = QuestionnaireCheck(manifest).faults();
+  append(faults, check_shown_videos(manifest));
+  return faults;
 }
 
 }  // namespace mien::pipeline

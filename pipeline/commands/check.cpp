@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include "motion/text/file_contents.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/checks/document_checks.h"
+#include "pipeline/checks/session_checks.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/manifest/repetitions.h"
@@ -61,6 +63,8 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
   }
   for (const Repetition& repetition : repetitions_in(reading.manifest))
     findings.warnings.push_back(told_at_its_place(repetition, reading.manifest.places));
+  for (Fault& warning : questionnaire_warnings(reading.manifest))
+    findings.warnings.push_back(std::move(warning));
   if (options.quick) return findings;
   const Manifest rehearsed = rehearsal_sample(
       reading.manifest, options.thorough ? reading.manifest.stimuli.size() : most_rehearsed);

@@ -45,6 +45,9 @@ constexpr char readme[] =
     "\n"
     "mien study report says whether what was run is what is here.\n";
 
+constexpr char no_analysis_plan[] =
+    "Nothing was written down: the manifest has no questionnaire.analysis.plan.\n";
+
 std::string sha256_of(const std::string& bytes) {
   render::Sha256 sha;
   sha.add(bytes);
@@ -123,7 +126,8 @@ ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& pla
   files["plans.csv"] = plans_csv(plans);
   files["balance.csv"] = balance_csv(balance_of(manifest, plans));
   files["scales.csv"] = scales_csv(manifest);
-  files["analysis-plan.txt"] = questionnaire_of(manifest).analysis.plan.text;
+  const std::string& analysis_plan = questionnaire_of(manifest).analysis.plan.text;
+  files["analysis-plan.txt"] = analysis_plan.empty() ? no_analysis_plan : analysis_plan;
   files["inputs.csv"] = inputs_csv(manifest);
   for (const InputCopy& copy : input_copies(manifest)) files[copy.path] = read_file(copy.source);
   return files;
@@ -206,9 +210,14 @@ void add_folder(ZipFiles& frozen, const fs::path& folder, const std::string& pre
   frozen[hashes_path] = hashes_text(frozen);
 }
 
+std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
+                                     const std::vector<SessionPlan>& plans) {
+  return simulated_sessions(manifest, plans, {}, {.attentive = 1.0});
+}
+
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans) {
-  frozen["dummy-report/answers.csv"] = to_csv(simulated_sessions(manifest, plans, {}));
+  frozen["dummy-report/answers.csv"] = to_csv(dummy_answers(manifest, plans));
   frozen[hashes_path] = hashes_text(frozen);
 }
 

@@ -7,6 +7,7 @@
 #include "pipeline/archive/zip_archive.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/questionnaire/session_plan.h"
+#include "pipeline/ratings/answer_row.h"
 
 namespace mien::pipeline {
 
@@ -34,8 +35,12 @@ ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>&
 /// anew. Throws Error for what is no file or folder.
 void add_folder(ZipFiles& frozen, const std::filesystem::path& folder, const std::string& prefix);
 
-/// Adds answers that nobody gave, in truth all alike (dummy-report/answers.csv), so that what will
-/// be done with answers can be tried before there are any.
+/// Answers that nobody gave, in truth all alike, of people who pass every check.
+std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
+                                     const std::vector<SessionPlan>& plans);
+
+/// Adds the dummy answers (dummy-report/answers.csv), so that what will be done with answers can be
+/// tried before there are any.
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans);
 

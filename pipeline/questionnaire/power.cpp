@@ -217,6 +217,11 @@ double paired_t_power(int pairs, double mean, double deviation, double alpha) {
   return cdf(complement(test, critical)) + cdf(test, -critical);
 }
 
+bool is_test_misled(const PowerQuestion& question, const PowerEstimate& estimate) {
+  return !question.factor.empty() && question.spread.stimulus > 0.0 &&
+         estimate.false_alarms.low > question.alpha;
+}
+
 std::vector<std::string> power_sentences(const PowerQuestion& question,
                                          const PowerEstimate& estimate) {
   const RatingSpread& spread = question.spread;
@@ -236,16 +241,20 @@ std::vector<std::string> power_sentences(const PowerQuestion& question,
                   "both.",
                   question.difference, compared, question.alpha, percent(estimate.power),
                   question.studies, estimate.participants, estimate.usable),
-      fmt::format("Where there is no difference, {} find one.{}", percent(estimate.false_alarms),
-                  question.factor.empty() || spread.stimulus == 0.0
-                      ? ""
-                      : " More than the level is what a test over participants takes for a "
-                        "difference of the levels when these stimuli alone differ."),
-      fmt::format("Found by {:g} %: with {} participants (simulation's interval {} to {}).",
-                  100.0 * question.wanted,
-                  number_or_more(estimate.needed, question.most_participants),
-                  number_or_more(estimate.needed_low, question.most_participants),
-                  number_or_more(estimate.needed_high, question.most_participants))};
+      fmt::format("Where there is no difference, {} find one.", percent(estimate.false_alarms)),
+      is_test_misled(question, estimate)
+          ? fmt::format(
+                "No number of participants is told: a test over participants takes it for a "
+                "difference of the levels when these stimuli alone differ, and finds it more often "
+                "with every participant. Ask for more stimuli of each level, compare with a model "
+                "that has the stimuli as a random effect (analysis/lme4.R of the report), or "
+                "estimate for these very stimuli: --spread {:g},0,{:g}.",
+                spread.participant, spread.residual)
+          : fmt::format("Found by {:g} %: with {} participants (simulation's interval {} to {}).",
+                        100.0 * question.wanted,
+                        number_or_more(estimate.needed, question.most_participants),
+                        number_or_more(estimate.needed_low, question.most_participants),
+                        number_or_more(estimate.needed_high, question.most_participants))};
 }
 
 }  // namespace mien::pipeline

@@ -55,7 +55,12 @@ PowerEstimate estimate_power(const Manifest& manifest, const PowerQuestion& ques
 /// by the noncentral t distribution.
 double paired_t_power(int pairs, double mean, double deviation, double alpha);
 
-/// Plain sentences: what was simulated, what came out, with which error.
+/// Whether differences among stimuli of the same level make the test find what is not there more
+/// often than its level allows, beyond the simulation's error. Its power is no power then.
+bool is_test_misled(const PowerQuestion& question, const PowerEstimate& estimate);
+
+/// Plain sentences: what was simulated, what came out, with which error. A test that is misled is
+/// told no number of participants.
 std::vector<std::string> power_sentences(const PowerQuestion& question,
                                          const PowerEstimate& estimate);
 

@@ -147,7 +147,9 @@ std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth, const SimulatedPeople& people) {
   const ScaleSet scales = asked_scales(manifest);
-  const std::string design = design_hash(manifest, plans);
+  // Of the study as it is planned, however many plans are answered: further participants change
+  // nothing for the earlier ones.
+  const std::string design = design_hash(manifest, plan_sessions(manifest));
   std::vector<AnswerRow> rows;
   for (const SessionPlan& plan : plans)
     SimulatedSession(manifest, plan, truth, people, scales).add_rows(rows);

@@ -8,12 +8,15 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "pipeline/checks/session_checks.h"
 #include "pipeline/commands/study/asked_manifest.h"
+#include "pipeline/commands/study/frozen_archive.h"
+#include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/production/study_inputs.h"
 #include "pipeline/questionnaire/balance.h"
-#include "pipeline/questionnaire/frozen_design.h"
 #include "pipeline/questionnaire/power.h"
 #include "pipeline/questionnaire/session_duration.h"
 
@@ -58,14 +61,20 @@ RatingSpread spread_of(const DesignCommand& command, const Manifest& manifest) {
   return {command.spread[0], command.spread[1], command.spread[2]};
 }
 
-void tell_power(const DesignCommand& command, const Manifest& manifest, std::ostream& out) {
+void tell_power(const DesignCommand& command, const Manifest& manifest, const Console& console,
+                std::ostream& out) {
   PowerQuestion question = command.question;
   question.seed = manifest.seed;
   question.spread = spread_of(command, manifest);
   take_between(command.between, question);
+  const PowerEstimate estimate = estimate_power(manifest, question);
   out << '\n';
-  for (const std::string& sentence : power_sentences(question, estimate_power(manifest, question)))
-    out << sentence << '\n';
+  for (const std::string& sentence : power_sentences(question, estimate)) out << sentence << '\n';
+  if (is_test_misled(question, estimate))
+    console.err << fmt::format(
+        "warning: where there is no difference, {:.0f} % of the simulated studies find one and not "
+        "{:g} %; this power is not to be relied on\n",
+        100.0 * estimate.false_alarms.share, 100.0 * question.alpha);
 }
 
 std::string minutes(double seconds) { return fmt::format("{:.1f} min", seconds / 60.0); }
@@ -96,18 +105,17 @@ void tell_design(const Manifest& manifest, const std::vector<SessionPlan>& plans
   tell_duration(plans, console, out);
 }
 
-void freeze(const DesignCommand& command, const Manifest& manifest,
-            const std::vector<SessionPlan>& plans, std::ostream& out) {
-  ZipFiles files = frozen_design(manifest, plans, fs::path(command.out) / manifest.study);
-  add_dummy_answers(files, manifest, plans);
-  const std::string bytes = zip_of(files);
-  // What was registered is not lost by a slip.
-  if (fs::exists(fs::symlink_status(command.frozen)) && read_file(command.frozen) != bytes)
-    throw Error({command.frozen}, "is there already, and holds something else",
-                "name another file, or remove it");
-  const fs::path next = command.frozen + ".part";
-  replace_file(command.frozen, next, bytes);
-  out << command.frozen << ": " << files.size() << " files\n";
+void warn_of_no_plan(const Manifest& manifest, const Console& console) {
+  if (questionnaire_of(manifest).analysis.plan.text.empty())
+    console.err << "warning: nothing says how the answers will be looked at, which is what a "
+                   "preregistration is for; write it in questionnaire.analysis.plan\n";
+}
+
+/// What the tables and the archive are made from, and must not be written over.
+std::vector<fs::path> files_of_design(const DesignCommand& command, const Manifest& manifest) {
+  std::vector<fs::path> files = {fs::path(command.ratings)};
+  for (const InputCopy& input : input_copies(manifest)) files.push_back(input.source);
+  return files;
 }
 
 int design(const DesignCommand& command, const Console& console) {
@@ -115,19 +123,30 @@ int design(const DesignCommand& command, const Console& console) {
   if (command.participants > 0) manifest.questionnaire->participants = command.participants;
   const std::vector<SessionPlan> plans = plan_sessions(manifest, video_seconds(manifest));
   const Balance balance = balance_of(manifest, plans);
+  const std::vector<NewTable> tables = {{command.plans, plans_csv(plans)},
+                                        {command.balance, balance_csv(balance)}};
+  refuse_losing_files(tables, files_of_design(command, manifest), command.frozen);
+  std::optional<FrozenArchive> archive;
+  if (!command.frozen.empty())
+    archive =
+        frozen_archive(manifest, plans, fs::path(command.out) / manifest.study, command.frozen);
   // The plans go to standard output unless a file takes them, and what is told about them beside.
   std::ostream& out = command.plans.empty() ? console.err : console.out;
-  if (command.plans.empty()) console.out << plans_csv(plans);
+  if (command.plans.empty()) console.out << tables[0].csv;
   tell_design(manifest, plans, balance, console, out);
-  if (command.power) tell_power(command, manifest, out);
-  if (!command.frozen.empty()) freeze(command, manifest, plans, out);
-  const auto put = [&](const std::string& file, const std::string& csv) {
-    if (file.empty()) return;
-    write_file(file, csv);
-    out << file << '\n';
-  };
-  put(command.plans, plans_csv(plans));
-  put(command.balance, balance_csv(balance));
+  for (const Fault& warning : questionnaire_warnings(manifest))
+    console.err << "warning: " << to_string(warning) << '\n';
+  if (command.power) tell_power(command, manifest, console, out);
+  if (archive) {
+    warn_of_no_plan(manifest, console);
+    write_archive(*archive);
+    out << command.frozen << ": " << archive->files << " files\n";
+  }
+  for (const NewTable& table : tables) {
+    if (table.file.empty()) continue;
+    write_file(table.file, table.csv);
+    out << table.file.string() << '\n';
+  }
   return exit_done;
 }
 

@@ -1,21 +1,26 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/commands/study/asked_manifest.h"
+#include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/example_source.h"
+#include "pipeline/production/study_inputs.h"
 #include "pipeline/questionnaire/simulated_sessions.h"
 #include "pipeline/synthesis/repertoire.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 struct SimulateCommand {
   std::string manifest;
@@ -29,12 +34,22 @@ struct SimulateCommand {
   SimulatedPeople people;
 };
 
+/// What the answers are made from, and must not be written over.
+std::vector<fs::path> files_simulated_from(const SimulateCommand& command,
+                                           const Manifest& manifest) {
+  std::vector<fs::path> files = {fs::path(command.truth), fs::path(command.scales)};
+  if (manifest.file.empty()) return files;
+  for (const InputCopy& input : input_copies(manifest)) files.push_back(input.source);
+  return files;
+}
+
 /// Writes the file, or to standard output without one, and says whose answers they are.
-int put_answers(const SimulateCommand& command, const std::string& csv, const std::string& whose,
-                const Console& console) {
+int put_answers(const SimulateCommand& command, const Manifest& manifest, const std::string& csv,
+                const std::string& whose, const Console& console) {
   if (command.out.empty()) {
     console.out << csv;
   } else {
+    refuse_losing_files({{command.out, csv}}, files_simulated_from(command, manifest));
     write_file(command.out, csv);
     console.out << command.out << ": answers of " << whose << '\n';
   }
@@ -48,7 +63,7 @@ int simulate_examples(const SimulateCommand& command, const Console& console) {
   manifest.ratings.source = Ratings::Source::simulated;
   manifest.ratings.raters = command.raters;
   manifest.seed = command.seed;
-  return put_answers(command, to_csv(simulated_answers(manifest)),
+  return put_answers(command, manifest, to_csv(simulated_answers(manifest)),
                      fmt::format("{} simulated raters", command.raters), console);
 }
 
@@ -63,7 +78,7 @@ int simulate_questionnaire(const SimulateCommand& command, const Console& consol
   const std::vector<SessionPlan> plans = plan_sessions(manifest, {}, command.participants);
   const std::vector<AnswerRow> rows =
       simulated_sessions(manifest, plans, truth_of(command, manifest), command.people);
-  return put_answers(command, to_csv(rows),
+  return put_answers(command, manifest, to_csv(rows),
                      fmt::format("{} simulated participants, {} rows", plans.size(), rows.size()),
                      console);
 }
