@@ -91,10 +91,11 @@ class MainPart {
   }
 
   [[noreturn]] void refuse(const std::string& why) const {
-    throw Error(fmt::format("{}: no order of {} keeps those apart that are alike in {} ({})",
-                            manifest_.file.string(), participant_name(index_),
-                            fmt::format("{}", fmt::join(asked_.apart, " or ")), why),
-                "name fewer factors in questionnaire.apart, or other stimuli");
+    throw Error(place_of(manifest_.places, "questionnaire.apart"),
+                fmt::format("questionnaire.apart: no order of {} keeps those apart that are alike "
+                            "in {} ({})",
+                            participant_name(index_), fmt::join(asked_.apart, " or "), why),
+                "name fewer factors, or other stimuli");
   }
 
   bool are_alike(std::size_t a, std::size_t b) const {
@@ -125,9 +126,14 @@ class MainPart {
         }
       }
     }
-    throw Error(fmt::format("{}: {} cannot see {} stimuli a second time with others in between",
-                            manifest_.file.string(), participant_name(index_), asked_.repeated),
-                "write fewer in questionnaire.catch");
+    const bool is_one = asked_.repeated == 1;
+    throw Error(
+        place_of(manifest_.places, "questionnaire.catch.repeat"),
+        fmt::format("questionnaire.catch.repeat: {} cannot see {} a second time with others "
+                    "in between",
+                    participant_name(index_),
+                    is_one ? "a stimulus" : fmt::format("{} stimuli", asked_.repeated)),
+        is_one ? "leave it out, or show more stimuli" : "write a smaller number");
   }
 
   bool is_repeated(std::size_t subject) const {

@@ -103,6 +103,23 @@ TEST(StudyCommands, AnalyzeTakesTheScalesThatTheStudyKeeps) {
   }
 }
 
+TEST(StudyCommands, WriteOverNoManifestAndNoAnswersOfPeople) {
+  const Scratch scratch;
+  const std::string text =
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n"
+      "questionnaire: {participants: 2, scales: [sad-happy]}\n"
+      "stimuli:\n  - {id: a, weights: {normal: 1}}\n  - {id: b, weights: {tired: 1}}\n";
+  const std::string manifest = scratch.write("s.yaml", text).string();
+  const std::string answers = (scratch.path() / "answers.csv").string();
+  EXPECT_EQ(run_mien({"study", "design", manifest, "-o", manifest}).code, 2);
+  EXPECT_EQ(run_mien({"study", "simulate", manifest, "-o", manifest}).code, 2);
+  EXPECT_EQ(text_of(manifest), text);
+  EXPECT_EQ(run_mien({"study", "design", manifest, "-o", answers, "--balance", answers}).code, 2);
+  EXPECT_FALSE(std::filesystem::exists(answers));
+  for (int time = 0; time < 2; ++time)
+    EXPECT_EQ(run_mien({"study", "simulate", manifest, "-o", answers}).code, 0);
+}
+
 TEST(StudyCommands, EvaluateComparesInterfaces) {
   const Scratch scratch;
   std::string csv = "participant,target,interface,first_guess_d,time_s,success\n";

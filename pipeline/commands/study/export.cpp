@@ -7,9 +7,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/questionnaire/experiment/page_bundle.h"
+#include "pipeline/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {
 
@@ -26,6 +28,8 @@ int export_questionnaire(const ExportOptions& options, const Console& console) {
   // What would stop it later is told before anything is drawn.
   const fs::path pages = page_bundle();
   refuse_foreign_folder(options.folder);
+  const Manifest asked = asked_manifest(options.study.manifest, console);
+  refuse_answers_to_another(options.folder, design_hash(asked, plan_sessions(asked)));
   const MadeQuestionnaire made = made_questionnaire(options.study, console);
   write_export(exported_questionnaire(made.manifest, made.plans, made.media, pages),
                options.folder);

@@ -2,18 +2,21 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/questionnaire/experiment/page_bundle.h"
 #include "pipeline/questionnaire/service/collected_answers.h"
 #include "pipeline/questionnaire/service/service.h"
+#include "pipeline/questionnaire/simulated_sessions.h"
 #include "pipeline/server/http_server.h"
 
 namespace mien::pipeline {
@@ -119,14 +122,35 @@ class Troubles {
   std::string last_;
 };
 
+/// The store if there is one, for this questionnaire. Throws Error where another was begun in it:
+/// StudySessions would, but after the study has been made.
+std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest& manifest) {
+  if (!fs::exists(file)) return nullptr;
+  auto store = std::make_unique<SessionStore>(file);
+  const std::optional<std::string> name = store->fact("study"), design = store->fact("design");
+  if (name && *name != manifest.study)
+    throw Error({file.string()}, fmt::format("holds answers of the study \"{}\"", *name),
+                "name another file with --store");
+  if (design && *design != design_hash(manifest, plan_sessions(manifest)))
+    throw Error({file.string()},
+                "was begun with another questionnaire: its texts, plans or participants have "
+                "changed since",
+                "serve the study as it was, or begin anew with --store and another file: "
+                "mien study report takes the answers of several");
+  return store;
+}
+
 int serve(const ServeOptions& options, const Console& console) {
   // What would stop it later is told before anything is drawn.
   const fs::path pages = page_bundle();
   base_url(options, options.port);
+  const Manifest asked = asked_manifest(options.study.manifest, console);
+  const ServedFiles files = served_files(options, asked);
+  std::unique_ptr<SessionStore> opened = store_so_far(files.answers, asked);
   const MadeQuestionnaire made = made_questionnaire(options.study, console);
   const ServedStudy study = served_study(made.manifest, made.plans, made.media, pages);
-  const ServedFiles files = served_files(options, made.manifest);
-  SessionStore store(files.answers);
+  if (!opened) opened = std::make_unique<SessionStore>(files.answers);
+  SessionStore& store = *opened;
   QuestionnaireService service(study, store);
   Troubles troubles(console);
   const HttpSettings settings{.listen = options.listen, .port = options.port};

@@ -1,5 +1,6 @@
 #include "pipeline/questionnaire/experiment/export.h"
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -107,6 +108,21 @@ void refuse_foreign_folder(const fs::path& folder) {
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / export_mark))
     throw Error({folder.string()}, "holds something else than an exported questionnaire",
                 "name a new folder with -o");
+}
+
+void refuse_answers_to_another(const fs::path& folder, const std::string& design) {
+  const fs::path answers = folder / "answers/data", before = folder / "experiment.json";
+  if (!fs::is_directory(answers) || !fs::is_regular_file(before)) return;
+  const auto is_added = [](const fs::directory_entry& entry) {
+    return entry.path().filename() != "README.md";
+  };
+  if (std::ranges::none_of(fs::directory_iterator(answers), is_added)) return;
+  const ordered_json experiment = ordered_json::parse(read_file(before), nullptr, false);
+  if (experiment.is_object() && experiment.value("design", "") == design) return;
+  throw Error({answers.string()},
+              "holds answers to another questionnaire: its texts, plans or participants have "
+              "changed since it was exported here",
+              "name a new folder with -o");
 }
 
 void write_export(const ZipFiles& files, const fs::path& folder) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "pipeline/archive/zip_archive.h"
@@ -31,6 +32,10 @@ inline constexpr char export_mark[] = ".mien-questionnaire";
 /// Throws Error for a folder that holds anything else than an exported questionnaire and what was
 /// added to it: it might be written over.
 void refuse_foreign_folder(const std::filesystem::path& folder);
+
+/// Throws Error where the folder's answers/data holds answers and what was exported there had
+/// another design (design_hash): nobody could tell later which of them were given to which.
+void refuse_answers_to_another(const std::filesystem::path& folder, const std::string& design);
 
 /// Puts the files into the folder in the place of those of an earlier export; answers and whatever
 /// else was added there stay.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/checks/manifest_reader.h"
+#include "pipeline/checks/session_checks.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/questionnaire/asked_study.h"
@@ -80,6 +81,15 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
     EXPECT_NE(text.find(wrong.words), std::string::npos) << wrong.members << "\n" << text;
     EXPECT_EQ(text.find('\n'), std::string::npos) << "more than one: " << text;
   }
+}
+
+TEST(QuestionnaireChecks, WarnOfAttentionChecksThatLeaveNobodyOut) {
+  const auto warnings = [](const char* attention) {
+    const std::string members = "participants: 4, scales: [sad-happy], attention: {every: ";
+    return questionnaire_warnings(test::asked_study(5, members + attention + "}")).size();
+  };
+  EXPECT_EQ(warnings("3"), 1u);
+  EXPECT_EQ(warnings("2"), 0u);
 }
 
 TEST(QuestionnaireChecks, TakeTextsAndScalesFromFiles) {

@@ -67,6 +67,19 @@ TEST(Power, ComparesLevelsByTheMeansOfTheirStimuli) {
   EXPECT_THROW(estimate_power(manifest, question), Error);
 }
 
+TEST(Power, TellsNoNumberWhereDifferencesOfStimuliMisleadTheTest) {
+  const Manifest manifest = asked_study(12, "participants: 12, scales: [sad-happy]");
+  PowerQuestion question;
+  question.studies = 400;
+  question.factor = "actor";
+  question.level = "a";
+  question.other_level = "b";
+  const PowerEstimate estimate = estimate_power(manifest, question);
+  EXPECT_TRUE(is_test_misled(question, estimate));
+  for (const std::string& sentence : power_sentences(question, estimate))
+    EXPECT_EQ(sentence.find("Found by"), std::string::npos) << sentence;
+}
+
 TEST(Power, IsTheSameForTheSameSeed) {
   const Manifest manifest = asked_study(4, "participants: 20, scales: [sad-happy]");
   PowerQuestion question;
