@@ -366,8 +366,9 @@ async function thanks_again() {
   await opened.page.waitForSelector(".buttons.column");
   await opened.page.waitForTimeout(1500);
   const reloaded = saved;
+  delete opened.saved.answers;
   await opened.page.locator(".buttons.column .button").first().click();
-  for (let i = 0; i < 30 && saved === reloaded; i += 1) await opened.page.waitForTimeout(100);
+  for (let i = 0; i < 100 && !opened.saved.answers; i += 1) await opened.page.waitForTimeout(100);
   return { first, reloaded, asked: saved, troubles: opened.troubles };
 }
 
