@@ -94,7 +94,7 @@ study: s
 seed: 3
 examples: {set: builtin:walks-10, ratings: simulated, raters: 5}
 look: {figure: {trail: {before: 3, figure: {mannequin: {sex: 0.2}}}}, camera: {view: side, fov: 30}}
-output: {size: [64, 48], presentation: {card: Look, fixation: {seconds: 0.5, size: 9}}, video: [gif]}
+output: {size: [64, 48], presentation: {card: Look, fixation: {seconds: 0.5, size: 9}}, video: [mp4]}
 interpolation: {method: knn, neighbours: 4}
 recipes: fig29
 equalize: [luminance]

@@ -260,7 +260,9 @@ TEST(Demographics, AreMeansOfNumbersAndCountsOfWords) {
 TEST(Demographics, OfDifferentQuestionnairesAreNotJoined) {
   const ParticipantTable one{parse_csv("participant,age\np,1\n", "a.csv")};
   const ParticipantTable other{parse_csv("participant,height\np,1\n", "b.csv")};
-  EXPECT_EQ(joined({one, one}).table.rows.size(), 2u);
+  const ParticipantTable another{parse_csv("participant,age\nq,1\n", "c.csv")};
+  EXPECT_EQ(joined({one, another}).table.rows.size(), 2u);
+  EXPECT_EQ(joined({one, one}).table.rows.size(), 1u);  // saved twice
   EXPECT_THROW(joined({one, other}), Error);
 }
 

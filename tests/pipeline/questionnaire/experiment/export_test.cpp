@@ -180,9 +180,9 @@ TEST(Experiment, CallsMediaBySeed) {
 }
 
 TEST(Media, MustBeSuchAsBrowsersPlay) {
-  std::string text = study_text;
-  text += "output: {video: [gif]}\n";
-  EXPECT_THROW(with_media(study_of(text)), Error);
+  Manifest manifest = study_of(study_text);
+  for (Stimulus& stimulus : manifest.stimuli) stimulus.output.video = {render::VideoKind::gif};
+  EXPECT_THROW(with_media(manifest), Error);
 }
 
 TEST(Media, OfATurnedViewIsTheMotion) {
