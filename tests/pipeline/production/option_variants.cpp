@@ -45,11 +45,12 @@ constexpr char with_a_folder_or_set[] =
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
 constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
 
-constexpr char with_questions[] = R"({"questionnaire": {"participants": 4, "scales": "all"}})";
+constexpr char with_questions[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"]}})";
 constexpr char with_questions_and_factors[] =
-    R"({"questionnaire": {"participants": 4, "scales": "all"}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}]})";
+    R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}]})";
 constexpr char with_questions_and_glb[] =
-    R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"clips": ["bvh", "glb"]}})";
+    R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"], "clips": ["bvh", "glb"]}})";
 
 const Surroundings surroundings[] = {
     {"questionnaire.order", with_questions_and_factors, "{}"},
