@@ -1,6 +1,8 @@
 #include "pipeline/results/table_columns.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace mien::pipeline {
 
@@ -37,35 +39,8 @@ constexpr std::array histogram_columns = {
 constexpr Column all_alike_column = {
     "all_alike", "", "1 where all differences are the same, so that there is no t test"};
 
-constexpr std::array comparison_columns = {
-    Column{"family", "",
-           "best-seen (a video with all videos of its setting), modified-acted, modified-neutral "
-           "or acted-neutral; p values are corrected within a family (but for best-seen: "
-           "comparisons on "
-           "the scale of the emotion that was meant by themselves, and those on other scales)"},
-    stimulus_column,
-    made_column,
-    emotion_column,
-    setting_column,
-    Column{"against", "", "the stimulus it is compared with; empty: all of the setting"},
-    scale_column,
-    Column{"own_end", "", "the pole of the scale that is the emotion of the stimulus, if any"},
-    Column{"answers", "", "answers about the stimulus"},
-    Column{"mean", "scale points", "their mean"},
-    Column{"answers_against", "", "answers about what it is compared with"},
-    Column{"mean_against", "scale points", "their mean"},
-    Column{"welch_difference", "scale points",
-           "difference of the two means, all answers as if independent (best-seen: the test of "
-           "the thesis, in which the video is one of those it is compared with)"},
-    Column{"welch_low", "scale points", "lower end of its 95 % interval"},
-    Column{"welch_high", "scale points", "upper end"},
-    Column{"welch_t", "", "Welch's t"},
-    Column{"welch_df", "", "its degrees of freedom"},
-    Column{"welch_p", "", "two-sided p"},
-    Column{"welch_p_adjusted", "", "p corrected within the family"},
-    Column{"cohens_d", "", "difference in units of the pooled standard deviation"},
-    Column{"hedges_g", "", "the same without bias"},
-    Column{"people", "", "persons who saw both (best-seen: the video and another of its setting)"},
+/// Of the tests within persons.
+constexpr std::array within_columns = {
     Column{"paired_difference", "scale points", "mean of their own differences"},
     Column{"paired_low", "scale points", "lower end of its 95 % interval"},
     Column{"paired_high", "scale points", "upper end"},
@@ -92,39 +67,60 @@ constexpr std::array comparison_columns = {
     Column{"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation, zeros left out"},
     all_alike_column};
 
-constexpr std::array overall_columns = {
-    Column{"family", "", "modified-acted, modified-neutral or acted-neutral"},
-    Column{"emotion", "", "the emotion that was meant; empty: all"},
-    Column{"mean", "scale points",
-           "mean over the people of how far they saw the emotion that was meant, from the middle "
-           "of its scale"},
-    Column{"mean_against", "scale points", "the same, of what it is compared with"},
-    Column{"people", "", "persons who saw both sides"},
-    Column{"paired_difference", "scale points", "mean of their own differences"},
-    Column{"paired_low", "scale points", "lower end of its 95 % interval"},
-    Column{"paired_high", "scale points", "upper end"},
-    Column{"paired_t", "", "t of the differences"},
-    Column{"paired_df", "", "its degrees of freedom"},
-    Column{"paired_p", "", "two-sided p; empty where all differences are alike"},
-    Column{"paired_p_adjusted", "", "p corrected within the family"},
-    Column{"cohens_dz", "", "mean difference in units of the differences' standard deviation"},
-    Column{"hedges_gz", "", "the same without bias"},
-    Column{"wilcoxon_v", "", "sum of the ranks of the positive differences, zeros left out"},
-    Column{"wilcoxon_n", "", "differences that are not 0"},
-    Column{"wilcoxon_zeros", "", "differences that are 0"},
-    Column{"wilcoxon_tied", "", "differences that share their size with another"},
-    Column{"wilcoxon_p", "", "two-sided, exact, conditional on ties; zeros left out"},
-    Column{"wilcoxon_p_adjusted", "", "p corrected within the family"},
-    Column{"wilcoxon_p_normal", "", "normal approximation without continuity correction"},
-    Column{"wilcoxon_p_normal_corrected", "", "normal approximation with continuity correction"},
-    Column{"pratt_v", "", "as wilcoxon_v, zeros ranked with the others (Pratt)"},
-    Column{"pratt_p", "", "two-sided, exact, of Pratt's ranks"},
-    Column{"zsplit_p", "", "normal approximation, half of the zeros' ranks on either side"},
-    Column{"hodges_lehmann", "scale points", "median of the means of any two differences"},
-    Column{"hodges_lehmann_low", "scale points", "lower end of its 95 % interval"},
-    Column{"hodges_lehmann_high", "scale points", "upper end"},
-    Column{"rank_biserial", "-1–1", "matched-pairs rank-biserial correlation, zeros left out"},
-    all_alike_column};
+template <std::size_t First, std::size_t Second>
+constexpr std::array<Column, First + Second> joined(const std::array<Column, First>& first,
+                                                    const std::array<Column, Second>& second) {
+  std::array<Column, First + Second> both{};
+  std::ranges::copy(first, both.begin());
+  std::ranges::copy(second, both.begin() + First);
+  return both;
+}
+
+constexpr auto comparison_columns = joined(
+    std::array{
+        Column{
+            "family", "",
+            "best-seen (a video with all videos of its setting), modified-acted, modified-neutral "
+            "or acted-neutral; p values are corrected within a family (but for best-seen: "
+            "comparisons on "
+            "the scale of the emotion that was meant by themselves, and those on other scales)"},
+        stimulus_column,
+        made_column,
+        emotion_column,
+        setting_column,
+        Column{"against", "", "the stimulus it is compared with; empty: all of the setting"},
+        scale_column,
+        Column{"own_end", "", "the pole of the scale that is the emotion of the stimulus, if any"},
+        Column{"answers", "", "answers about the stimulus"},
+        Column{"mean", "scale points", "their mean"},
+        Column{"answers_against", "", "answers about what it is compared with"},
+        Column{"mean_against", "scale points", "their mean"},
+        Column{"welch_difference", "scale points",
+               "difference of the two means, all answers as if independent (best-seen: the test of "
+               "the thesis, in which the video is one of those it is compared with)"},
+        Column{"welch_low", "scale points", "lower end of its 95 % interval"},
+        Column{"welch_high", "scale points", "upper end"},
+        Column{"welch_t", "", "Welch's t"},
+        Column{"welch_df", "", "its degrees of freedom"},
+        Column{"welch_p", "", "two-sided p"},
+        Column{"welch_p_adjusted", "", "p corrected within the family"},
+        Column{"cohens_d", "", "difference in units of the pooled standard deviation"},
+        Column{"hedges_g", "", "the same without bias"},
+        Column{"people", "",
+               "persons who saw both (best-seen: the video and another of its setting)"}},
+    within_columns);
+
+constexpr auto overall_columns = joined(
+    std::array{
+        Column{"family", "", "modified-acted, modified-neutral or acted-neutral"},
+        Column{"emotion", "", "the emotion that was meant; empty: all"},
+        Column{
+            "mean", "scale points",
+            "mean over the people of how far they saw the emotion that was meant, from the middle "
+            "of its scale"},
+        Column{"mean_against", "scale points", "the same, of what it is compared with"},
+        Column{"people", "", "persons who saw both sides"}},
+    within_columns);
 
 constexpr Column by_column = {"by", "", "ratings (points rule) or choices"};
 constexpr Column of_column = {"of", "", "level of the factor made that the rows are of, or all"};
