@@ -4,8 +4,7 @@ install(DIRECTORY manifests/ DESTINATION share/mien/manifests
   FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json" PATTERN "*.csv" PATTERN "pictures" EXCLUDE)
 install(DIRECTORY scenes/sets/ DESTINATION share/mien/scenes/sets
   FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json")
-# The pages of questionnaires, where they have been built (./mien package does): who installs the package
-# needs no Node.js.
+# The pages, where they have been built (./mien package does): who installs the package needs no Node.js.
 install(DIRECTORY ${CMAKE_BINARY_DIR}/pages/questionnaire DESTINATION share/mien/pages OPTIONAL)
 
 # The manual page and the completions are what the program says of itself.

@@ -44,7 +44,9 @@ questionnaire:
 )";
 
 /// Beside the program, where ./mien test brings what drives a browser.
-fs::path page_tests() { return fs::path(MIEN_PROGRAM).parent_path() / "pages/work/tests"; }
+fs::path page_tests() {
+  return fs::path(MIEN_PROGRAM).parent_path() / "pages/work/tests/questionnaire";
+}
 
 /// Fields of CSV rows by their columns; quotes may hold line ends.
 std::vector<std::map<std::string, std::string>> rows_in(const std::string& csv) {
@@ -79,7 +81,7 @@ class QuestionnairePage : public testing::Test {
   static std::string hindrance() {
     if (chromium().empty()) return "no Chromium here: install it to test pages";
     if (run_program({"node", "--version"}).code != 0) return "no Node.js here";
-    if (!fs::exists(page_tests().parent_path() / "node_modules/playwright-core"))
+    if (!fs::exists(page_tests().parent_path().parent_path() / "node_modules/playwright-core"))
       return "no playwright-core in build/release/pages/work: ./mien test brings it";
     return "";
   }
@@ -99,7 +101,7 @@ class QuestionnairePage : public testing::Test {
 
   static fs::path folder() { return scratch->path() / "questionnaire"; }
 
-  /// What a scenario of page/tests/scenarios.mjs tells.
+  /// What a scenario of page/tests/questionnaire/scenarios.mjs tells.
   static json played(const std::string& scenario) { return played(scenario, folder()); }
 
   static json played(const std::string& scenario, const fs::path& given) {
@@ -117,7 +119,7 @@ class QuestionnairePage : public testing::Test {
   }
 
   /// All trials in their order, each scale of theirs answered as the participants of
-  /// page/tests/participant.mjs answer.
+  /// page/tests/questionnaire/participant.mjs answer.
   static void expect_complete(const json& played, const std::string& participant) {
     const json experiment = json::parse(text_of(folder() / "experiment.json"));
     json session;

@@ -10,7 +10,7 @@
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/questionnaire/experiment/page_bundle.h"
+#include "pipeline/page/page_bundle.h"
 #include "pipeline/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {
@@ -26,7 +26,7 @@ struct ExportOptions {
 
 int export_questionnaire(const ExportOptions& options, const Console& console) {
   // What would stop it later is told before anything is drawn.
-  const fs::path pages = page_bundle();
+  const fs::path pages = page_bundle("questionnaire");
   refuse_foreign_folder(options.folder);
   const Manifest asked = asked_manifest(options.study.manifest, console);
   refuse_answers_to_another(options.folder, design_hash(asked, plan_sessions(asked)));

@@ -13,7 +13,7 @@
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
-#include "pipeline/questionnaire/experiment/page_bundle.h"
+#include "pipeline/page/page_bundle.h"
 #include "pipeline/questionnaire/service/collected_answers.h"
 #include "pipeline/questionnaire/service/service.h"
 #include "pipeline/questionnaire/simulated_sessions.h"
@@ -142,7 +142,7 @@ std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest&
 
 int serve(const ServeOptions& options, const Console& console) {
   // What would stop it later is told before anything is drawn.
-  const fs::path pages = page_bundle();
+  const fs::path pages = page_bundle("questionnaire");
   base_url(options, options.port);
   const Manifest asked = asked_manifest(options.study.manifest, console);
   const ServedFiles files = served_files(options, asked);

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// What the page of a questionnaire shows (page/src/experiment.ts): texts, settings, scales in the
+/// What the page of a questionnaire shows (page/src/questionnaire/experiment.ts): texts, settings, scales in the
 /// questionnaire's language, media by their tokens, and all sessions. `media` holds every stimulus
 /// of the plans; their files are named "media/<token><ending>".
 ///

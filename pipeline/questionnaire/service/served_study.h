@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/page/served_page.h"
 #include "pipeline/questionnaire/experiment/media.h"
 #include "pipeline/questionnaire/service/record.h"
 #include "pipeline/questionnaire/session_plan.h"
@@ -17,12 +18,6 @@ namespace mien::pipeline {
 /// A video, or a clip that is turned.
 struct ServedMedia {
   std::filesystem::path file;
-  std::string type;
-};
-
-/// A file of the page that participants see.
-struct ServedFile {
-  std::string bytes;
   std::string type;
 };
 
@@ -42,10 +37,6 @@ ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan
 
 /// A hash of what participants are shown: other videos are another study.
 Hash media_hash(const ServedStudy& study);
-
-/// The files of a folder that a browser needs, as they are served: the page says in its
-/// `mien-mode` that it is. Throws Error when there is no index.html.
-std::map<std::string, ServedFile> served_page(const std::filesystem::path& folder);
 
 /// What was given in a session already.
 struct GivenAlready {

@@ -5,9 +5,9 @@
 
 #include "pipeline/checks/manifest_reader.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/page/page_bundle.h"
 #include "pipeline/questionnaire/experiment/experiment.h"
 #include "pipeline/questionnaire/experiment/jatos_archive.h"
-#include "pipeline/questionnaire/experiment/page_bundle.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -203,10 +203,10 @@ TEST(JatosArchive, HasNamesThatStayTheSame) {
 
 TEST(PageBundle, LiesBesideTheProgram) {
   const TemporaryFolder folder;
-  EXPECT_EQ(pages_beside(folder.path() / "bin/mien"), fs::path());
+  EXPECT_EQ(page_beside(folder.path() / "bin/mien", "questionnaire"), fs::path());
   make_folder(folder.path() / "share/mien/pages/questionnaire");
   write_file(folder.path() / "share/mien/pages/questionnaire/questionnaire.js", "");
-  EXPECT_EQ(pages_beside(folder.path() / "bin/mien"),
+  EXPECT_EQ(page_beside(folder.path() / "bin/mien", "questionnaire"),
             folder.path() / "share/mien/pages/questionnaire");
 }
 

@@ -6,7 +6,7 @@ import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 
 const built = await build({
-  entryPoints: [fileURLToPath(new URL("../src/rows.ts", import.meta.url))],
+  entryPoints: [fileURLToPath(new URL("../../src/questionnaire/rows.ts", import.meta.url))],
   bundle: true, write: false, format: "esm", logLevel: "warning",
 });
 const source = Buffer.from(built.outputFiles[0].contents).toString("base64");

@@ -4,7 +4,7 @@
 import { readFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { createRequire } from "node:module";
-import { files_of, files_of_zip, serve } from "./http_server.mjs";
+import { files_of, files_of_zip, serve } from "../http_server.mjs";
 import { downloads_of, open_browser, take } from "./participant.mjs";
 
 const [name, given] = process.argv.slice(2);
