@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "render/compare/changed_part.h"
 #include "render/compare/perceptual_color.h"
 #include "render/compare/perceptual_filters.h"
 #include "render/compare/picture_size.h"
@@ -204,31 +205,23 @@ void TilePercepts::finish_row(int row, Percept& percept) {
   length_row(line_[0].data(), line_[1].data(), width_, percept.point.row(row));
 }
 
-/// Whether all that a tile's errors depend on is the same in both pictures.
-bool is_same_around(const Image8& a, const Image8& b, int x, int y, int width, int height,
-                    int halo) {
-  const int left = std::max(0, x - halo), right = std::min(a.width, x + width + halo);
-  for (int row = std::max(0, y - halo); row < std::min(a.height, y + height + halo); ++row) {
-    if (!std::equal(a.at(left, row), a.at(left, row) + std::ptrdiff_t{3} * (right - left),
-                    b.at(left, row)))
-      return false;
-  }
-  return true;
+PicturePart tile_at(int column, int row, const PixelMap& errors) {
+  const int x = column * tile_width, y = row * tile_height;
+  return {x, y, std::min(tile_width, errors.width - x), std::min(tile_height, errors.height - y)};
 }
 
-/// Leaves a tile 0 that has nothing to tell apart.
-void compare_tile(const Measure& measure, const Image8& a, const Image8& b, int x, int y,
+/// Leaves pixels 0 that have nothing to tell apart.
+void compare_tile(const Measure& measure, const Image8& a, const Image8& b, const PicturePart& tile,
                   PixelMap& errors) {
-  const int width = std::min(tile_width, errors.width - x);
-  const int height = std::min(tile_height, errors.height - y);
-  if (is_same_around(a, b, x, y, width, height, measure.halo)) return;
-  TilePercepts viewer(measure, width, height);
-  Percept of_a(viewer.width(), height), of_b(viewer.width(), height);
-  viewer.look(a, x, y, of_a);
-  viewer.look(b, x, y, of_b);
-  for (int j = 0; j < height; ++j)
-    error_row(row_of(of_a, j), row_of(of_b, j), largest_color_power(), width,
-              errors.row(y + j) + x);
+  const PicturePart part = changed_part(a, b, tile, measure.halo);
+  if (part.height <= 0) return;
+  TilePercepts viewer(measure, part.width, part.height);
+  Percept of_a(viewer.width(), part.height), of_b(viewer.width(), part.height);
+  viewer.look(a, part.x, part.y, of_a);
+  viewer.look(b, part.x, part.y, of_b);
+  for (int j = 0; j < part.height; ++j)
+    error_row(row_of(of_a, j), row_of(of_b, j), largest_color_power(), part.width,
+              errors.row(part.y + j) + part.x);
 }
 
 constexpr std::size_t error_steps = 65536;
@@ -273,7 +266,7 @@ PixelMap perceptual_error(const Image8& a, const Image8& b, const Viewing& viewi
     tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<int>& part) {
       for (int row = part.rows().begin(); row < part.rows().end(); ++row)
         for (int column = part.cols().begin(); column < part.cols().end(); ++column)
-          compare_tile(measure, a, b, column * tile_width, row * tile_height, errors);
+          compare_tile(measure, a, b, tile_at(column, row, errors), errors);
     });
   });
   return errors;
