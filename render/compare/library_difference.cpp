@@ -1,45 +1,35 @@
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-
 #include "render/compare/picture_difference.h"
 #include "render/compare/picture_size.h"
+#include "render/image_files/image_files.h"
 
 namespace mien::render {
 namespace {
 
 template <class Value>
-OIIO::ImageBuf buffer_of(const Image<Value>& image, OIIO::TypeDesc kind) {
-  // It takes what it only reads as something that it may write.
-  return OIIO::ImageBuf(OIIO::ImageSpec(image.width, image.height, 3, kind),
-                        const_cast<Value*>(image.channels.data()));
-}
-
-template <class Value>
-LibraryDifference compared(const Image<Value>& a, const Image<Value>& b, OIIO::TypeDesc kind,
+LibraryDifference compared(const Image<Value>& a, const Image<Value>& b, ChannelKind kind,
                            double limit) {
   expect_one_size(a, b);
-  const OIIO::ImageBuf of_a = buffer_of(a, kind), of_b = buffer_of(b, kind);
-  const auto threshold = static_cast<float>(limit);
-  const OIIO::ImageBufAlgo::CompareResults found =
-      OIIO::ImageBufAlgo::compare(of_a, of_b, threshold, threshold, OIIO::ROI(), 1);
-  return {.mean = found.meanerror,
-          .rms = found.rms_error,
-          .psnr_db = found.PSNR,
-          .largest = found.maxerror,
-          .x = found.maxx,
-          .y = found.maxy,
-          .channel = found.maxc,
-          .failing_pixels = static_cast<std::int64_t>(found.nfail)};
+  const ImageComparison found = image_files().compare({a.width, a.height, kind, a.channels.data()},
+                                                      {b.width, b.height, kind, b.channels.data()},
+                                                      static_cast<float>(limit));
+  return {.mean = found.mean,
+          .rms = found.rms,
+          .psnr_db = found.psnr_db,
+          .largest = found.largest,
+          .x = found.x,
+          .y = found.y,
+          .channel = found.channel,
+          .failing_pixels = found.failing};
 }
 
 }  // namespace
 
 LibraryDifference library_difference(const Image8& a, const Image8& b, double limit) {
-  return compared(a, b, OIIO::TypeDesc::UINT8, limit);
+  return compared(a, b, ChannelKind::byte, limit);
 }
 
 LibraryDifference library_difference(const Film& a, const Film& b, double limit) {
-  return compared(a, b, OIIO::TypeDesc::FLOAT, limit);
+  return compared(a, b, ChannelKind::single, limit);
 }
 
 }  // namespace mien::render

@@ -1,22 +1,21 @@
 #include <memory>
 
-#include <OpenImageIO/imageio.h>
-
 #include "render/error.h"
 #include "render/image/channels.h"
+#include "render/image_files/image_files.h"
 
 namespace mien::render {
 
 Channels read_channels(const std::filesystem::path& path) {
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
-  if (!input) throw Error(path.string() + ": " + OIIO::geterror());
-  input->threads(1);
-  const OIIO::ImageSpec& spec = input->spec();
-  Channels channels{.width = spec.width, .height = spec.height, .names = spec.channelnames};
-  channels.values.resize(static_cast<std::size_t>(spec.image_pixels()) *
-                         static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, channels.values.data()))
-    throw Error(path.string() + ": " + input->geterror());
+  std::string error;
+  const std::unique_ptr<ImageFile> file = image_files().open(path.string(), error);
+  if (!file) throw Error(path.string() + ": " + error);
+  const ImageLayout& layout = file->layout();
+  Channels channels{.width = layout.width, .height = layout.height, .names = layout.channels};
+  channels.values.resize(static_cast<std::size_t>(layout.width) *
+                         static_cast<std::size_t>(layout.height) * layout.channels.size());
+  if (!file->read(ChannelKind::single, channels.values.data()))
+    throw Error(path.string() + ": " + file->error());
   return channels;
 }
 

@@ -5,82 +5,71 @@
 #include <utility>
 #include <vector>
 
-#include <OpenImageIO/imageio.h>
-
 #include "render/error.h"
+#include "render/image_files/image_files.h"
 
 namespace mien::render {
 namespace {
-
-using OIIO::ImageInput;
-using OIIO::ImageOutput;
-using OIIO::ImageSpec;
-using OIIO::TypeDesc;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& wrong) {
   throw Error(path.string() + ": " + wrong);
 }
 
-void write(const std::filesystem::path& path, const ImageSpec& spec, TypeDesc given,
-           const void* channels) {
-  const std::unique_ptr<ImageOutput> output = ImageOutput::create(path.string());
-  if (!output) fail(path, OIIO::geterror());
-  output->threads(1);
-  if (!output->open(path.string(), spec) || !output->write_image(given, channels) ||
-      !output->close())
-    fail(path, output->geterror());
-}
-
-ImageSpec spec_of(int width, int height, TypeDesc stored, const char* color_space) {
-  ImageSpec spec(width, height, 3, stored);
-  spec.attribute("oiio:ColorSpace", color_space);
-  return spec;
+void write(const std::filesystem::path& path, const ImagePart& part) {
+  std::string error;
+  if (!image_files().write(path.string(), {part}, error)) fail(path, error);
 }
 
 template <class Channel>
-void write_png_of(const std::filesystem::path& path, const Image<Channel>& image, TypeDesc depth) {
-  ImageSpec spec = spec_of(image.width, image.height, depth, "sRGB");
+void write_png_of(const std::filesystem::path& path, const Image<Channel>& image,
+                  ChannelKind depth) {
+  ImagePart part{.width = image.width,
+                 .height = image.height,
+                 .stored = depth,
+                 .attributes = {{"oiio:ColorSpace", "sRGB"}},
+                 .given = depth,
+                 .values = image.channels.data()};
   // Rendered gradients gain little from more effort, and a frame is written many times as fast.
   if constexpr (sizeof(Channel) == 1) {
     // Few codes, each often repeated: unfiltered rows are smaller, and written three times as fast.
     constexpr int unfiltered = 8;  // PNG_FILTER_NONE
-    spec.attribute("png:compressionLevel", 2);
-    spec.attribute("png:filter", unfiltered);
+    part.attributes.emplace_back("png:compressionLevel", 2);
+    part.attributes.emplace_back("png:filter", unfiltered);
   } else {
-    spec.attribute("png:compressionLevel", 3);
+    part.attributes.emplace_back("png:compressionLevel", 3);
   }
-  write(path, spec, depth, image.channels.data());
+  write(path, part);
 }
 
-std::unique_ptr<ImageInput> opened(const std::filesystem::path& path, const char* format) {
-  std::unique_ptr<ImageInput> input = ImageInput::open(path.string());
-  if (!input) fail(path, OIIO::geterror());
-  if (format != nullptr && std::string(input->format_name()) != format)
-    fail(path, std::string("is not ") + format + " but " + input->format_name());
-  input->threads(1);
-  return input;
+std::unique_ptr<ImageFile> opened(const std::filesystem::path& path, const char* format) {
+  std::string error;
+  std::unique_ptr<ImageFile> file = image_files().open(path.string(), error);
+  if (!file) fail(path, error);
+  if (format != nullptr && file->layout().format != format)
+    fail(path, std::string("is not ") + format + " but " + file->layout().format);
+  return file;
 }
 
 template <class Channel>
-Image<Channel> read(const std::filesystem::path& path, const char* format, TypeDesc wanted) {
-  const std::unique_ptr<ImageInput> input = opened(path, format);
-  const ImageSpec& spec = input->spec();
-  if (spec.nchannels != 3) fail(path, "does not have three channels");
-  if (format == std::string("png") && spec.format != wanted)
+Image<Channel> read(const std::filesystem::path& path, const char* format, ChannelKind wanted) {
+  const std::unique_ptr<ImageFile> file = opened(path, format);
+  const ImageLayout& layout = file->layout();
+  if (layout.channels.size() != 3) fail(path, "does not have three channels");
+  if (format == std::string("png") && layout.stored != wanted)
     fail(path, "has another number of bits a channel");
-  Image<Channel> image(spec.width, spec.height);
-  if (!input->read_image(0, 0, 0, 3, wanted, image.channels.data())) fail(path, input->geterror());
+  Image<Channel> image(layout.width, layout.height);
+  if (!file->read(wanted, image.channels.data())) fail(path, file->error());
   return image;
 }
 
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Image8& image) {
-  write_png_of(path, image, TypeDesc::UINT8);
+  write_png_of(path, image, ChannelKind::byte);
 }
 
 void write_png(const std::filesystem::path& path, const Image16& image) {
-  write_png_of(path, image, TypeDesc::UINT16);
+  write_png_of(path, image, ChannelKind::word);
 }
 
 void write_png(const std::filesystem::path& path, const Exposure& exposure, const Tone& tone) {
@@ -97,54 +86,52 @@ void write_png(const std::filesystem::path& path, const Exposure& exposure, cons
                                      colours.channels[3 * i + 2],
                                      static_cast<std::uint8_t>(255.0f * exposure.alpha[i] + 0.5f)});
   }
-  ImageSpec spec(colours.width, colours.height, 4, TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  // Light is given as PNG keeps it.
-  spec.attribute("oiio:UnassociatedAlpha", 1);
-  write(path, spec, TypeDesc::UINT8, channels.data());
+  write(path, {.width = colours.width,
+               .height = colours.height,
+               .count = 4,
+               .attributes = {{"oiio:ColorSpace", "sRGB"},
+                              // Light is given as PNG keeps it.
+                              {"oiio:UnassociatedAlpha", 1}},
+               .values = channels.data()});
 }
 
 void write_exr(const std::filesystem::path& path, const Film& film, ExrDepth depth) {
-  const TypeDesc stored = depth == ExrDepth::Half ? TypeDesc::HALF : TypeDesc::FLOAT;
-  ImageSpec spec = spec_of(film.width, film.height, stored, "Linear");
-  spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "");  // else OpenImageIO writes the time at which it is made
-  write(path, spec, TypeDesc::FLOAT, film.channels.data());
+  // Without a date, OpenImageIO writes the time at which the file is made.
+  write(path,
+        {.width = film.width,
+         .height = film.height,
+         .stored = depth == ExrDepth::Half ? ChannelKind::half : ChannelKind::single,
+         .attributes = {{"oiio:ColorSpace", "Linear"}, {"compression", "zip"}, {"DateTime", ""}},
+         .given = ChannelKind::single,
+         .values = film.channels.data()});
 }
 
 Image8 read_png8(const std::filesystem::path& path) {
-  return read<std::uint8_t>(path, "png", TypeDesc::UINT8);
+  return read<std::uint8_t>(path, "png", ChannelKind::byte);
 }
 
 Image16 read_png16(const std::filesystem::path& path) {
-  return read<std::uint16_t>(path, "png", TypeDesc::UINT16);
+  return read<std::uint16_t>(path, "png", ChannelKind::word);
 }
 
 Film read_exr(const std::filesystem::path& path) {
-  return read<float>(path, "openexr", TypeDesc::FLOAT);
+  return read<float>(path, "openexr", ChannelKind::single);
 }
 
 ImageSummary check_image(const std::filesystem::path& path) {
-  const std::unique_ptr<ImageInput> input = opened(path, nullptr);
-  const ImageSpec& spec = input->spec();
-  std::vector<float> channels(static_cast<std::size_t>(spec.image_pixels()) *
-                              static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, channels.data()))
-    fail(path, input->geterror());
-  ImageSummary summary;
-  summary.format = input->format_name();
-  summary.width = spec.width;
-  summary.height = spec.height;
-  summary.channels = spec.nchannels;
-  summary.bits = static_cast<int>(8 * spec.format.size());
-  summary.color_space = spec.get_string_attribute("oiio:ColorSpace");
-  return summary;
+  const std::unique_ptr<ImageFile> file = opened(path, nullptr);
+  const ImageLayout& layout = file->layout();
+  std::vector<float> channels(static_cast<std::size_t>(layout.width) *
+                              static_cast<std::size_t>(layout.height) * layout.channels.size());
+  if (!file->read(ChannelKind::single, channels.data())) fail(path, file->error());
+  return {.format = layout.format,
+          .width = layout.width,
+          .height = layout.height,
+          .channels = static_cast<int>(layout.channels.size()),
+          .bits = layout.bits,
+          .color_space = layout.color_space};
 }
 
-std::string image_library() {
-  return std::string("OpenImageIO ") + std::to_string(OIIO::openimageio_version() / 10000) + "." +
-         std::to_string(OIIO::openimageio_version() / 100 % 100) + "." +
-         std::to_string(OIIO::openimageio_version() % 100);
-}
+std::string image_library() { return "OpenImageIO " + image_files_version(); }
 
 }  // namespace mien::render

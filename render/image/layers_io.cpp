@@ -3,36 +3,33 @@
 #include <utility>
 #include <vector>
 
-#include <OpenImageIO/imageio.h>
-
 #include "render/error.h"
 #include "render/image/image_io.h"
+#include "render/image_files/image_files.h"
 
 namespace mien::render {
 namespace {
 
-using OIIO::ImageOutput;
-using OIIO::ImageSpec;
-using OIIO::TypeDesc;
-
 /// One part of the file.
 struct FilePart {
-  ImageSpec spec;
-  const float* values = nullptr;
-  std::vector<float> own;  // what `values` points to, if nothing else holds it
+  ImagePart part;
+  std::vector<float> own;  // its values, if nothing else holds them
 };
 
-ImageSpec spec_of(const Layers& layers, const std::string& name,
+ImagePart part_of(const Layers& layers, const std::string& name,
                   std::vector<std::string> channels) {
-  ImageSpec spec(layers.albedo.width, layers.albedo.height, static_cast<int>(channels.size()),
-                 TypeDesc::FLOAT);
-  spec.channelnames = std::move(channels);
-  spec.attribute("oiio:subimagename", name);
-  spec.attribute("name", name);
-  spec.attribute("compression", "zip");
-  spec.attribute("oiio:ColorSpace", "Linear");
-  spec.attribute("DateTime", "");  // else OpenImageIO writes the time at which it is made
-  return spec;
+  return {.width = layers.albedo.width,
+          .height = layers.albedo.height,
+          .count = static_cast<int>(channels.size()),
+          .channels = std::move(channels),
+          .stored = ChannelKind::single,
+          // Without a date, OpenImageIO writes the time at which the file is made.
+          .attributes = {{"oiio:subimagename", name},
+                         {"name", name},
+                         {"compression", "zip"},
+                         {"oiio:ColorSpace", "Linear"},
+                         {"DateTime", ""}},
+          .given = ChannelKind::single};
 }
 
 std::string hex(std::uint32_t value) {
@@ -63,12 +60,12 @@ FilePart cryptomatte(const Layers& layers, const std::string& name, const Covera
   for (const char* level : {"00", "01", "02"})
     for (const char* channel : {".R", ".G", ".B", ".A"}) channels.push_back(name + level + channel);
   FilePart part;
-  part.spec = spec_of(layers, name, std::move(channels));
+  part.part = part_of(layers, name, std::move(channels));
   const std::string key = "cryptomatte/" + hex(layer_id(name)).substr(0, 7) + "/";
-  part.spec.attribute(key + "name", name);
-  part.spec.attribute(key + "hash", "MurmurHash3_32");
-  part.spec.attribute(key + "conversion", "uint32_to_float32");
-  part.spec.attribute(key + "manifest", manifest_of(layer));
+  part.part.attributes.emplace_back(key + "name", name);
+  part.part.attributes.emplace_back(key + "hash", "MurmurHash3_32");
+  part.part.attributes.emplace_back(key + "conversion", "uint32_to_float32");
+  part.part.attributes.emplace_back(key + "manifest", manifest_of(layer));
   part.own.reserve(2 * layer.ranks.size());
   for (const Coverage& coverage : layer.ranks) {
     part.own.push_back(std::bit_cast<float>(coverage.id));
@@ -81,7 +78,8 @@ std::vector<FilePart> parts_of(const Layers& layers) {
   std::vector<FilePart> parts;
   const auto add = [&](const char* name, std::vector<std::string> channels,
                        const std::vector<float>& values) {
-    parts.push_back({spec_of(layers, name, std::move(channels)), values.data(), {}});
+    parts.push_back({part_of(layers, name, std::move(channels)), {}});
+    parts.back().part.values = values.data();
   };
   add("beauty", {"R", "G", "B"}, layers.beauty.channels);
   add("albedo", {"albedo.R", "albedo.G", "albedo.B"}, layers.albedo.channels);
@@ -94,29 +92,19 @@ std::vector<FilePart> parts_of(const Layers& layers) {
   parts.push_back(cryptomatte(layers, "crypto_figure", layers.figures));
   parts.push_back(cryptomatte(layers, "crypto_part", layers.parts));
   for (FilePart& part : parts)
-    if (!part.own.empty()) part.values = part.own.data();
+    if (!part.own.empty()) part.part.values = part.own.data();
   return parts;
 }
 
 }  // namespace
 
 void write_layers(const std::filesystem::path& path, const Layers& layers) {
-  const auto fail = [&](const std::string& why) {
-    throw Error(path.string() + ": cannot be written: " + why);
-  };
   const std::vector<FilePart> parts = parts_of(layers);
-  std::vector<ImageSpec> specs;
-  for (const FilePart& part : parts) specs.push_back(part.spec);
-  const auto output = ImageOutput::create(path.string());
-  if (!output) fail(OIIO::geterror());
-  if (!output->open(path.string(), static_cast<int>(specs.size()), specs.data()))
-    fail(output->geterror());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0 && !output->open(path.string(), specs[i], ImageOutput::AppendSubimage))
-      fail(output->geterror());
-    if (!output->write_image(TypeDesc::FLOAT, parts[i].values)) fail(output->geterror());
-  }
-  if (!output->close()) fail(output->geterror());
+  std::vector<ImagePart> written;
+  for (const FilePart& part : parts) written.push_back(part.part);
+  std::string error;
+  if (!image_files().write(path.string(), written, error))
+    throw Error(path.string() + ": cannot be written: " + error);
 }
 
 }  // namespace mien::render

@@ -5,11 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include "render/error.h"
 #include "render/image/tone.h"
+#include "render/image_files/image_files.h"
 
 namespace mien::render {
 
@@ -21,7 +19,7 @@ constexpr int largest_side = 16384;
   throw Error(name + ": " + wrong);
 }
 
-/// The ending by which OpenImageIO knows the format.
+/// The ending by which the library knows the format.
 std::string ending_of(std::span<const unsigned char> bytes, const std::string& name) {
   if (bytes.size() > 8 && bytes[0] == 0x89 && bytes[1] == 'P') return "picture.png";
   if (bytes.size() > 3 && bytes[0] == 0xFF && bytes[1] == 0xD8) return "picture.jpg";
@@ -54,22 +52,18 @@ Texture halved(const Texture& texture) {
 
 Texture read_texture(std::span<const unsigned char> bytes, const std::string& name, TextureUse use,
                      int largest) {
-  OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
-  const std::unique_ptr<OIIO::ImageInput> input =
-      OIIO::ImageInput::open(ending_of(bytes, name), nullptr, &memory);
-  if (!input) fail(name, OIIO::geterror());
-  input->threads(1);
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width > largest_side || spec.height > largest_side) fail(name, "is too large");
-  const auto channels = static_cast<size_t>(spec.nchannels);
-  std::vector<unsigned char> pixels(static_cast<size_t>(spec.width) *
-                                    static_cast<size_t>(spec.height) * channels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data())) {
-    fail(name, input->geterror());
-  }
+  std::string error;
+  const std::unique_ptr<ImageFile> file = image_files().open(bytes, ending_of(bytes, name), error);
+  if (!file) fail(name, error);
+  const ImageLayout& layout = file->layout();
+  if (layout.width > largest_side || layout.height > largest_side) fail(name, "is too large");
+  const size_t channels = layout.channels.size();
+  std::vector<unsigned char> pixels(static_cast<size_t>(layout.width) *
+                                    static_cast<size_t>(layout.height) * channels);
+  if (!file->read(ChannelKind::byte, pixels.data())) fail(name, file->error());
   Texture texture;
-  texture.width = spec.width;
-  texture.height = spec.height;
+  texture.width = layout.width;
+  texture.height = layout.height;
   texture.texels.reserve(pixels.size() / channels);
   std::array<float, 256> linear;
   for (int code = 0; code < 256; ++code) {

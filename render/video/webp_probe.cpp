@@ -5,9 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include <OpenImageIO/imageio.h>
-
 #include "render/error.h"
+#include "render/image_files/image_files.h"
 
 namespace mien::render {
 
@@ -46,30 +45,28 @@ std::vector<int> durations_of(const std::filesystem::path& path) {
   return durations;
 }
 
-using Reader = std::unique_ptr<OIIO::ImageInput>;
+using Reader = std::unique_ptr<ImageFile>;
 
 Reader opened(const std::filesystem::path& path) {
-  Reader reader = OIIO::ImageInput::open(path.string());
-  if (!reader) throw Error(path.string() + ": opening: " + OIIO::geterror());
-  reader->threads(1);
+  std::string error;
+  Reader reader = image_files().open(path.string(), error);
+  if (!reader) throw Error(path.string() + ": opening: " + error);
   return reader;
 }
 
-Image8 picture_of(OIIO::ImageInput& reader, int index, const std::filesystem::path& path) {
+Image8 picture_of(ImageFile& reader, int index, const std::filesystem::path& path) {
   const auto fail = [&] {
     return Error(path.string() + ": decoding frame " + std::to_string(index) + ": " +
-                 reader.geterror());
+                 reader.error());
   };
-  if (!reader.seek_subimage(index, 0)) throw fail();
-  const OIIO::ImageSpec spec = reader.spec();
-  const auto channels = static_cast<std::size_t>(spec.nchannels);
+  if (!reader.select(index)) throw fail();
+  const ImageLayout& layout = reader.layout();
+  const std::size_t channels = layout.channels.size();
   if (channels < 3) throw fail();
-  std::vector<std::uint8_t> pixels(channels * static_cast<std::size_t>(spec.width) *
-                                   static_cast<std::size_t>(spec.height));
-  if (!reader.read_image(index, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data())) {
-    throw fail();
-  }
-  Image8 image(spec.width, spec.height);
+  std::vector<std::uint8_t> pixels(channels * static_cast<std::size_t>(layout.width) *
+                                   static_cast<std::size_t>(layout.height));
+  if (!reader.read(ChannelKind::byte, pixels.data())) throw fail();
+  Image8 image(layout.width, layout.height);
   for (std::size_t i = 0; i < image.channels.size() / 3; ++i) {
     std::memcpy(image.channels.data() + 3 * i, pixels.data() + channels * i, 3);
   }
@@ -91,8 +88,8 @@ VideoSummary probe_webp(const std::filesystem::path& path,
   VideoSummary summary;
   summary.container = "webp";
   summary.codec = "webp";
-  summary.width = reader->spec().width;
-  summary.height = reader->spec().height;
+  summary.width = reader->layout().width;
+  summary.height = reader->layout().height;
   summary.tick_seconds = 0.001;
   summary.starts_with_key_frame = true;
   int milliseconds = 0;

@@ -98,6 +98,25 @@ TEST(Manifests, GoWithTheProgramWhenItsPrefixIsMoved) {
   EXPECT_NE(ended.output.find("quickness 0.70 is asked for"), std::string::npos) << ended.output;
 }
 
+TEST(Program, SaysWhatIsMissingWhenItsPartForPicturesIsNotThere) {
+  const Scratch scratch;
+  fs::create_directories(scratch.path() / "bin");
+  fs::copy_file(MIEN_PROGRAM, scratch.path() / "bin/mien");
+  const Ended ended =
+      run_bash("cd " + scratch.path().string() +
+               "\nbin/mien version\n"
+               "bin/mien motion blend --examples builtin:walks-10 --weights sad=1 -o a.bvh\n"
+               "bin/mien render a.bvh --still --size 64x36 --quality draft -o a.png");
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_TRUE(ended.output.starts_with("mien ")) << ended.output;
+  EXPECT_NE(
+      ended.output.find("mien-image-files.so: the part of mien that reads and writes pictures"),
+      std::string::npos)
+      << ended.output;
+  EXPECT_NE(ended.output.find("; install or build mien again\n"), std::string::npos)
+      << ended.output;
+}
+
 /// The words that stand at the start of a help's lines between two headings, or its end.
 std::vector<std::string> words_below(const std::string& help, const std::string& heading) {
   std::vector<std::string> words;

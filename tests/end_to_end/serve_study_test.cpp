@@ -40,6 +40,11 @@ questionnaire:
     - {id: age, ask: "How old are you?", answer: number, required: true}
 )";
 
+/// What lies beside the program.
+fs::path program_part(const std::string& name) {
+  return fs::path(MIEN_PROGRAM).parent_path() / name;
+}
+
 /// A mien with pages beside it that stand for those that Node.js builds.
 fs::path mien_with_pages(const fs::path& folder) {
   const fs::path program = folder / "mien";
@@ -47,9 +52,11 @@ fs::path mien_with_pages(const fs::path& folder) {
   std::ofstream(folder / "pages/questionnaire/index.html")
       << "<!doctype html><meta name=\"mien-mode\" content=\"static\"><title>stand-in</title>";
   std::ofstream(folder / "pages/questionnaire/questionnaire.js") << "start();";
-  std::error_code other_disk;
-  fs::create_hard_link(MIEN_PROGRAM, program, other_disk);
-  if (other_disk) fs::copy_file(MIEN_PROGRAM, program);
+  for (const fs::path& part : {fs::path(MIEN_PROGRAM), program_part("mien-image-files.so")}) {
+    std::error_code other_disk;
+    fs::create_hard_link(part, folder / part.filename(), other_disk);
+    if (other_disk) fs::copy_file(part, folder / part.filename());
+  }
   return program;
 }
 
