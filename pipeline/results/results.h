@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/results/axis_correlations.h"
+#include "pipeline/results/catch_trials.h"
 #include "pipeline/results/comparisons.h"
 #include "pipeline/results/confusion.h"
 #include "pipeline/results/gathered.h"
@@ -25,6 +26,8 @@ struct Results {
   std::vector<Reliability> reliability;
   std::vector<PreferenceCount> preferences;
   std::vector<ParticipantSummary> participants;
+  std::vector<CatchAnswer> catch_answers;  ///< of everybody
+  std::vector<CatchSummary> catch_summaries;
   ParticipantTable demographics;  ///< empty where no table of participants was given
 };
 
@@ -40,6 +43,8 @@ inline Results results_of(Gathered gathered, const std::vector<AnswerRow>& rows,
   results.reliability = reliability_of(results.gathered);
   results.preferences = preferences_of(results.gathered);
   results.participants = participant_summaries(results.gathered, rows);
+  results.catch_answers = catch_answers_of(results.gathered, rows);
+  results.catch_summaries = catch_summaries_of(results.catch_answers);
   results.demographics = std::move(demographics);
   return results;
 }

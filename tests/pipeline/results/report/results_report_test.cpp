@@ -1,4 +1,4 @@
-#include "pipeline/results/results_report.h"
+#include "pipeline/results/report/results_report.h"
 
 #include <algorithm>
 #include <fstream>
@@ -13,7 +13,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/plot_texts.h"
 #include "pipeline/ratings/answers.h"
-#include "pipeline/results/dataset.h"
+#include "pipeline/results/report/dataset.h"
 #include "pipeline/results/result_figures.h"
 #include "pipeline/results/two_emotions.h"
 #include "pipeline/temporary_folder.h"
@@ -30,7 +30,8 @@ struct Reported {
 
 /// Twelve people who see what was meant, and what some of them wrote.
 Reported reported_study(bool simulated = true) {
-  const Manifest manifest = two_emotion_study(12);
+  Manifest manifest = two_emotion_study(12);
+  manifest.questionnaire->repeated = 1;
   Reported reported;
   reported.rows = answers_to(manifest, {{{"sad", "sad-happy"}, -0.8},
                                         {{"happy", "sad-happy"}, 0.7},
@@ -76,6 +77,8 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "results/correlations.csv",
                            "results/agreement.csv",
                            "results/sessions.csv",
+                           "results/catch_trials.csv",
+                           "results/catch_summary.csv",
                            "results/demographics.csv",
                            "results/comments.csv",
                            "figures/figure-32-histograms-acted.pdf",
@@ -92,6 +95,12 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "README.md"})
     EXPECT_TRUE(files.contains(name)) << name;
   EXPECT_EQ(written_report(reported), files);
+}
+
+TEST(ResultsReport, TellsWhatWasAnsweredTwice) {
+  const std::string page = written_report(reported_study()).at("report.html");
+  EXPECT_NE(page.find("<section id=\"catch\">"), std::string::npos);
+  EXPECT_NE(page.find("href=\"results/catch_summary.csv\""), std::string::npos);
 }
 
 TEST(ResultsReport, NamesTheFiguresOfTheThesisThatItsOwnAreLike) {

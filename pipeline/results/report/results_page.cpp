@@ -1,4 +1,4 @@
-#include "pipeline/results/results_page.h"
+#include "pipeline/results/report/results_page.h"
 
 #include <algorithm>
 #include <set>
@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "pipeline/documents/html.h"
-#include "pipeline/results/page_style.h"
-#include "pipeline/results/page_tables.h"
 #include "pipeline/results/people_counted.h"
+#include "pipeline/results/report/page_style.h"
+#include "pipeline/results/report/page_tables.h"
 
 namespace mien::pipeline {
 
@@ -209,6 +209,19 @@ std::string agreement_part(const Results& results) {
          table;
 }
 
+std::string catch_html(const Results& results) {
+  const std::string table = catch_summary_html(results);
+  if (table.empty()) return "";
+  return paragraph(
+             "Videos that were shown a second time: how alike the answers are. The first answer "
+             "counts in all other results, the second in none. Differences are in points of the "
+             "scale; the correlation is Pearson’s, of the first with the second ratings, all as if "
+             "independent. Who is left out is told but not part of “all”. Attention checks are "
+             "something else: they expect a certain answer, and are told under People.") +
+         table + "<details><summary>Every answer that was given twice</summary>\n" +
+         catch_answers_html(results) + "</details>\n";
+}
+
 std::string files_html(const std::vector<ResultTable>& tables, bool has_scripts) {
   std::string html = "<ul>\n";
   for (const ResultTable& table : tables)
@@ -242,6 +255,7 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("confusion", "Confusion", confusion_html(results, parts));
   parts.section("correlations", "Scales together", parts.figures("correlations"));
   parts.section("agreement", "Agreement", agreement_part(results));
+  parts.section("catch", "Answered twice", catch_html(results));
   parts.section("preferences", "Pairs", preferences_html(results));
   parts.section("comments", "Comments", remarks_html(results.gathered.remarks));
   parts.section("words", "Answers in words", remarks_html(results.gathered.words));
