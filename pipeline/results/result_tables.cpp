@@ -221,6 +221,10 @@ void add_remarks(const Results& results, std::vector<ResultTable>& tables) {
   };
   write(comments_form, results.gathered.remarks);
   write(words_form, results.gathered.words);
+  ResultWriter counts(word_counts_form, results.gathered.simulated);
+  for (const GivenWord& c : results.words)
+    counts.row({c.stimulus, c.item, c.word, whole(c.people), whole(c.asked)});
+  counts.finish(tables);
 }
 
 }  // namespace

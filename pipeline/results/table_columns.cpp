@@ -242,6 +242,12 @@ constexpr std::array demographics_columns = {
 constexpr std::array remark_columns = {Column{"participant", "", "who wrote it"}, stimulus_column,
                                        item_column, Column{"text", "", "what was written"}};
 
+constexpr std::array word_count_columns = {
+    stimulus_column, item_column,
+    Column{"word", "", "a word: answers are divided at commas, semicolons and ends of lines"},
+    Column{"people", "", "who gave it"},
+    Column{"asked", "", "who gave any word about the stimulus"}};
+
 }  // namespace
 
 const TableForm means_form = {"results/means.csv", "a stimulus on a scale", means_columns};
@@ -267,5 +273,7 @@ const TableForm demographics_form = {"results/demographics.csv", "an answer to a
                                      demographics_columns};
 const TableForm comments_form = {"results/comments.csv", "a comment", remark_columns};
 const TableForm words_form = {"results/words.csv", "an answer in words", remark_columns};
+const TableForm word_counts_form = {"results/word_counts.csv", "a word for a stimulus",
+                                    word_count_columns};
 
 }  // namespace mien::pipeline

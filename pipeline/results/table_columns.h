@@ -22,5 +22,6 @@ extern const TableForm catch_summary_form;
 extern const TableForm demographics_form;
 extern const TableForm comments_form;
 extern const TableForm words_form;
+extern const TableForm word_counts_form;
 
 }  // namespace mien::pipeline

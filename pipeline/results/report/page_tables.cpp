@@ -11,12 +11,6 @@ namespace mien::pipeline {
 
 namespace {
 
-/// The page asks which of two is more of the scale's high end.
-std::string asked_of_two(const Gathered& gathered, const std::string& item) {
-  const auto scale = std::ranges::find(gathered.scales, item, &Scale::id);
-  return scale == gathered.scales.end() ? item : "more " + scale->high;
-}
-
 /// What is remarkable about a session.
 std::string state_of(const ParticipantSummary& p, const Gathered& gathered) {
   const bool is_too_short = p.is_unfinished && gathered.without_unfinished;

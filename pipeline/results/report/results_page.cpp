@@ -222,6 +222,17 @@ std::string catch_html(const Results& results) {
          catch_answers_html(results) + "</details>\n";
 }
 
+/// The words that most gave, and behind a click what everybody wrote.
+std::string words_html(const Results& results, const PageParts& parts) {
+  const std::string answers = remarks_html(results.gathered.words);
+  if (answers.empty()) return "";
+  return paragraph(
+             "Answers are divided at commas, semicolons and ends of lines; each word counts once a "
+             "person and video, capital letters as small ones. results/word_counts.csv has all.") +
+         parts.figures("words") + "<details><summary>Every answer</summary>\n" + answers +
+         "</details>\n";
+}
+
 std::string files_html(const std::vector<ResultTable>& tables, bool has_scripts) {
   std::string html = "<ul>\n";
   for (const ResultTable& table : tables)
@@ -256,9 +267,9 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("correlations", "Scales together", parts.figures("correlations"));
   parts.section("agreement", "Agreement", agreement_part(results));
   parts.section("catch", "Answered twice", catch_html(results));
-  parts.section("preferences", "Pairs", preferences_html(results));
+  parts.section("preferences", "Pairs", parts.figures("preferences") + preferences_html(results));
   parts.section("comments", "Comments", remarks_html(results.gathered.remarks));
-  parts.section("words", "Answers in words", remarks_html(results.gathered.words));
+  parts.section("words", "Answers in words", words_html(results, parts));
   parts.section("files", "Files", files_html(tables, !results.gathered.ratings.empty()));
   const std::string mark = results.gathered.simulated ? "Simulated: " : "";
   return html_page(mark + results.gathered.title, results_style,

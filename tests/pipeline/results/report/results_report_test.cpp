@@ -13,8 +13,8 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/plot_texts.h"
 #include "pipeline/ratings/answers.h"
+#include "pipeline/results/figures/result_figures.h"
 #include "pipeline/results/report/dataset.h"
-#include "pipeline/results/result_figures.h"
 #include "pipeline/results/two_emotions.h"
 #include "pipeline/temporary_folder.h"
 
