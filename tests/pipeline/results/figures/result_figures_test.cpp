@@ -8,15 +8,6 @@
 namespace mien::pipeline {
 namespace {
 
-/// A study of pairs: happy walks are chosen.
-Manifest pair_study() {
-  Manifest manifest = two_emotion_study(12);
-  manifest.questionnaire->trials = TrialForm::pair;
-  manifest.questionnaire->pairs = {{"walk", "sad"}, {"walk", "happy"}, {"acted-sad", "happy"}};
-  manifest.questionnaire->scales.ids = {"sad-happy"};
-  return manifest;
-}
-
 Results results_of_study(const Manifest& manifest, const std::vector<AnswerRow>& rows) {
   return results_of(gather(manifest, rows), rows, {});
 }
