@@ -11,6 +11,7 @@
 
 #include "motion/error.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/commands/command_line_fault.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/task_graph.h"
 
@@ -93,7 +94,9 @@ int parse(CLI::App& app, std::vector<std::string> words, const Console& console)
     app.parse(std::move(words));
     return exit_done;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, console.out, console.err) == exit_done ? exit_done : exit_bad_input;
+    if (error.get_exit_code() == 0) return app.exit(error, console.out, console.err);
+    console.err << command_line_fault(app, error) << '\n';
+    return exit_bad_input;
   }
 }
 

@@ -147,6 +147,8 @@ void draw_bar(Canvas& canvas, const BarChart& chart, size_t number, const Scale&
   const double below = scale.plot.bottom() + 14.0;
   canvas.text({x, below}, bar.name, {.size = 9.0, .align = Align::centre, .max_width = slot - 6.0});
   canvas.text({x, below + 12.0}, bar.note,
+              {.size = 7.5, .colour = quiet_ink, .align = Align::centre, .max_width = slot - 6.0});
+  canvas.text({x, below + 22.0}, bar.second_note,
               {.size = 7.5, .colour = quiet_ink, .align = Align::centre});
 }
 

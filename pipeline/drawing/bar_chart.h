@@ -16,6 +16,7 @@ struct Bar {
   double high = 0.0;
   std::string note;              ///< under the name: "n = 13"
   std::optional<Colour> colour;  ///< else the chart's
+  std::string second_note;       ///< under the note
 };
 
 struct BarChart {

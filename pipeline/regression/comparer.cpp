@@ -281,6 +281,10 @@ class StimulusComparer {
 
 }  // namespace
 
+bool ComparedStudy::compares(const std::string& id) const {
+  return only.empty() || std::ranges::find(only, id) != only.end();
+}
+
 StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool draw_anyway) {
   return StimulusComparer(now, study).compare(draw_anyway);
 }

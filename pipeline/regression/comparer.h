@@ -22,6 +22,9 @@ struct ComparedStudy {
   const ComparedPictures* pictures = nullptr;  ///< takes the frames that differ, if any
   int threads = 1;
   std::stop_token stop;
+  std::vector<std::string> only;  ///< ids of the stimuli that are compared; empty: all
+
+  bool compares(const std::string& id) const;
 };
 
 /// Compares a stimulus that both have on every level, and finds out why it differs. `now` are its

@@ -58,8 +58,14 @@ Regression regress(const ComparedStudy& study,
   Regression result;
   const Manifest& manifest = study.now.manifest();
   result.study = manifest.study;
+  const auto asked = std::ranges::count_if(
+      manifest.stimuli, [&](const Stimulus& one) { return study.compares(one.id); });
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (study.stop.stop_requested()) throw Interrupted{};
+    if (!study.compares(stimulus.id)) {
+      result.not_compared.push_back(stimulus.id);
+      continue;
+    }
     if (study.baseline.find(stimulus.id) == nullptr) {
       result.stimuli.push_back(appeared(stimulus.id, study));
     } else {
@@ -77,13 +83,16 @@ Regression regress(const ComparedStudy& study,
       result.audited += int{audit};
     }
     if (done)
-      done(
-          static_cast<double>(result.stimuli.size()) / static_cast<double>(manifest.stimuli.size()),
-          result.stimuli.back());
+      done(static_cast<double>(result.stimuli.size()) / static_cast<double>(asked),
+           result.stimuli.back());
   }
   for (const StimulusFacts& facts : study.baseline.stimuli) {
-    if (find_stimulus(manifest, facts.id) == nullptr)
+    if (find_stimulus(manifest, facts.id) != nullptr) continue;
+    if (study.compares(facts.id)) {
       result.stimuli.push_back(gone(facts, study, result.stimuli));
+    } else {
+      result.not_compared.push_back(facts.id);
+    }
   }
   result.groups = groups_of(result.stimuli);
   result.gate = plant_defects(study);

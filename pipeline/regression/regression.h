@@ -31,6 +31,8 @@ struct Regression {
   Repetitions repetitions;
   /// Of each sentence of wider_limits the stimuli that it is said of.
   std::map<std::string, std::vector<std::string>> wider;
+  /// Ids of stimuli that were not asked for, made or gone: nothing is known about them.
+  std::vector<std::string> not_compared;
   std::vector<std::string> without_videos;  ///< ids: videos were made, and none are approved
   int audited = 0;  ///< stimuli that were drawn although they cannot have changed
 
@@ -46,8 +48,8 @@ struct RegressionOptions {
 /// Told after each stimulus.
 using StimulusDone = std::function<void(double share, const StimulusComparison&)>;
 
-/// Compares all stimuli. `videos` are those that were made of them, by their ids. Throws Error and
-/// Interrupted.
+/// Compares all stimuli, or those of `study.only`. `videos` are those that were made of them, by
+/// their ids. Throws Error and Interrupted.
 Regression regress(const ComparedStudy& study,
                    const std::map<std::string, std::vector<VideoFacts>>& videos,
                    const RegressionOptions& options, const StimulusDone& done);

@@ -52,6 +52,7 @@ Repetitions repeated(const ComparedStudy& study, int times) {
     const ScratchFolder scratch;
     Rendition rendition(study.now.manifest(), scratch.path(), k, study.stop);
     for (const StimulusFacts& approved : study.baseline.stimuli) {
+      if (!study.compares(approved.id)) continue;
       if (find_stimulus(rendition.manifest(), approved.id) == nullptr) continue;
       MadeOnce made = made_of(approved, rendition, threads_of(k), study.stop);
       if (k == 1)

@@ -9,6 +9,11 @@
 
 namespace mien::pipeline {
 
+std::string asked_of_two(const Gathered& gathered, const std::string& item) {
+  const auto scale = std::ranges::find(gathered.scales, item, &Scale::id);
+  return scale == gathered.scales.end() ? item : "more " + scale->high;
+}
+
 std::vector<PreferenceCount> preferences_of(const Gathered& gathered) {
   std::map<std::tuple<std::string, std::size_t, std::size_t>, PreferenceCount> counts;
   for (const CountedPreference& preference : gathered.preferences) {

@@ -21,6 +21,9 @@ struct PreferenceCount {
   double adjusted = 1.0;
 };
 
+/// What is asked of two: the page asks which is more of the scale's high end.
+std::string asked_of_two(const Gathered& gathered, const std::string& item);
+
 /// Of all pairs that were shown.
 std::vector<PreferenceCount> preferences_of(const Gathered& gathered);
 

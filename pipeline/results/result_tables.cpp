@@ -198,6 +198,21 @@ void add_people(const Results& results, std::vector<ResultTable>& tables) {
   demographics.finish(tables);
 }
 
+void add_catch_trials(const Results& results, std::vector<ResultTable>& tables) {
+  ResultWriter answers(catch_form, results.gathered.simulated);
+  for (const CatchAnswer& a : results.catch_answers)
+    answers.row({a.participant, a.is_excluded ? "1" : "0", a.stimulus, a.against, a.item,
+                 whole(a.first_trial), whole(a.second_trial), a.first, a.second,
+                 a.difference ? field_of(*a.difference) : "", a.is_equal() ? "1" : "0"});
+  answers.finish(tables);
+  ResultWriter summaries(catch_summary_form, results.gathered.simulated);
+  for (const CatchSummary& s : results.catch_summaries)
+    summaries.row({s.participant, s.item, s.is_excluded ? "1" : "0", whole(s.answers),
+                   whole(s.equal), field_of(1.0 * s.equal / s.answers), field_of(s.mean_difference),
+                   field_of(s.retest.r), field_of(s.retest.low), field_of(s.retest.high)});
+  summaries.finish(tables);
+}
+
 void add_remarks(const Results& results, std::vector<ResultTable>& tables) {
   const auto write = [&](const TableForm& form, const std::vector<Remark>& remarks) {
     ResultWriter writer(form, results.gathered.simulated);
@@ -206,6 +221,10 @@ void add_remarks(const Results& results, std::vector<ResultTable>& tables) {
   };
   write(comments_form, results.gathered.remarks);
   write(words_form, results.gathered.words);
+  ResultWriter counts(word_counts_form, results.gathered.simulated);
+  for (const GivenWord& c : results.words)
+    counts.row({c.stimulus, c.item, c.word, whole(c.people), whole(c.asked)});
+  counts.finish(tables);
 }
 
 }  // namespace
@@ -221,6 +240,7 @@ std::vector<ResultTable> result_tables(const Results& results) {
   add_reliability(results, tables);
   add_preferences(results, tables);
   add_people(results, tables);
+  add_catch_trials(results, tables);
   add_remarks(results, tables);
   return tables;
 }

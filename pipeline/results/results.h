@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "pipeline/results/axis_correlations.h"
+#include "pipeline/results/catch_trials.h"
 #include "pipeline/results/comparisons.h"
 #include "pipeline/results/confusion.h"
 #include "pipeline/results/gathered.h"
+#include "pipeline/results/given_words.h"
 #include "pipeline/results/participants.h"
 #include "pipeline/results/preferences.h"
 #include "pipeline/results/reliability.h"
@@ -24,7 +26,10 @@ struct Results {
   std::vector<EndCorrelation> correlations;
   std::vector<Reliability> reliability;
   std::vector<PreferenceCount> preferences;
+  std::vector<GivenWord> words;
   std::vector<ParticipantSummary> participants;
+  std::vector<CatchAnswer> catch_answers;  ///< of everybody
+  std::vector<CatchSummary> catch_summaries;
   ParticipantTable demographics;  ///< empty where no table of participants was given
 };
 
@@ -39,7 +44,10 @@ inline Results results_of(Gathered gathered, const std::vector<AnswerRow>& rows,
   results.correlations = end_correlations(results.gathered);
   results.reliability = reliability_of(results.gathered);
   results.preferences = preferences_of(results.gathered);
+  results.words = given_words_of(results.gathered);
   results.participants = participant_summaries(results.gathered, rows);
+  results.catch_answers = catch_answers_of(results.gathered, rows);
+  results.catch_summaries = catch_summaries_of(results.catch_answers);
   results.demographics = std::move(demographics);
   return results;
 }

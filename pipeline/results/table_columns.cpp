@@ -189,19 +189,49 @@ constexpr std::array preference_columns = {
     Column{"p", "", "exact binomial test against one half, two-sided"},
     adjusted_column};
 
+constexpr Column excluded_column = {"excluded", "",
+                                    "1 for who is left out, by the rule of the report"};
+
 constexpr std::array people_columns = {
     Column{"participant", "", "who answered"},
     Column{"trials", "", "trials done, practice and checks among them"},
     Column{"answers", "", "answers that are analysed, unless the participant is excluded"},
     Column{"checks", "", "attention checks"},
     Column{"passed", "", "of these passed"},
-    Column{"excluded", "", "1 for who is left out, by the rule of the report"},
+    excluded_column,
     Column{"median_rt_ms", "ms", "median time of an answer"},
     Column{"stalls", "", "times that a video stopped for want of data"},
     Column{"dropped_frames", "", "frames that were not shown"},
     Column{"blurs", "", "times that the window was left"},
     Column{"constant", "", "1 for who answered everything at the same place; kept"},
     Column{"unfinished", "", "1 for who answered fewer trials than were planned"}};
+
+constexpr std::array catch_columns = {
+    Column{"participant", "", "who answered twice"},
+    excluded_column,
+    stimulus_column,
+    Column{"against", "", "the other one of a pair, or the reference beside"},
+    item_column,
+    Column{"first_trial", "", "number of the trial that counts"},
+    Column{"second_trial", "", "number of the catch trial, which does not count"},
+    Column{"first", "scale points", "answer that counts; of choices, pairs and words what it was"},
+    Column{"second", "scale points", "answer of the catch trial"},
+    Column{"difference", "scale points", "second less first; of ratings alone"},
+    Column{"equal", "", "1 where both are the same"}};
+
+constexpr std::array catch_summary_columns = {
+    Column{"participant", "", "whose answers; empty: of all who count"},
+    Column{"item", "", "the scale or question; empty: all"},
+    excluded_column,
+    Column{"answers", "", "questions answered twice"},
+    Column{"equal", "", "of these the same both times"},
+    Column{"share_equal", "0–1", "their share"},
+    Column{"mean_absolute_difference", "scale points", "mean size of second less first"},
+    Column{"retest_r", "-1–1",
+           "test-retest correlation: Pearson's of first with second ratings; empty where one of "
+           "them does not vary"},
+    Column{"retest_low", "-1–1", "lower end of its 95 % interval (Fisher's z)"},
+    Column{"retest_high", "-1–1", "upper end"}};
 
 constexpr std::array demographics_columns = {
     Column{"question", "", "the question"},
@@ -211,6 +241,12 @@ constexpr std::array demographics_columns = {
 
 constexpr std::array remark_columns = {Column{"participant", "", "who wrote it"}, stimulus_column,
                                        item_column, Column{"text", "", "what was written"}};
+
+constexpr std::array word_count_columns = {
+    stimulus_column, item_column,
+    Column{"word", "", "a word: answers are divided at commas, semicolons and ends of lines"},
+    Column{"people", "", "who gave it"},
+    Column{"asked", "", "who gave any word about the stimulus"}};
 
 }  // namespace
 
@@ -229,9 +265,15 @@ const TableForm agreement_form = {"results/agreement.csv", "a scale", agreement_
 const TableForm preferences_form = {"results/preferences.csv", "a pair of stimuli",
                                     preference_columns};
 const TableForm people_form = {"results/sessions.csv", "a participant", people_columns};
+const TableForm catch_form = {"results/catch_trials.csv", "a question answered twice",
+                              catch_columns};
+const TableForm catch_summary_form = {"results/catch_summary.csv", "some who answered twice",
+                                      catch_summary_columns};
 const TableForm demographics_form = {"results/demographics.csv", "an answer to a question",
                                      demographics_columns};
 const TableForm comments_form = {"results/comments.csv", "a comment", remark_columns};
 const TableForm words_form = {"results/words.csv", "an answer in words", remark_columns};
+const TableForm word_counts_form = {"results/word_counts.csv", "a word for a stimulus",
+                                    word_count_columns};
 
 }  // namespace mien::pipeline

@@ -17,8 +17,11 @@ extern const TableForm correlations_form;
 extern const TableForm agreement_form;
 extern const TableForm preferences_form;
 extern const TableForm people_form;
+extern const TableForm catch_form;
+extern const TableForm catch_summary_form;
 extern const TableForm demographics_form;
 extern const TableForm comments_form;
 extern const TableForm words_form;
+extern const TableForm word_counts_form;
 
 }  // namespace mien::pipeline

@@ -61,6 +61,40 @@ TEST(CommandLine, RefusesWhatItDoesNotKnow) {
   }
 }
 
+/// What a command line is refused with.
+std::string refusal(const std::vector<std::string>& arguments) {
+  const Ended ended = run_mien(arguments);
+  EXPECT_EQ(ended.code, 2) << ended.errors;
+  EXPECT_EQ(ended.output, "");
+  EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 1) << ended.errors;
+  return ended.errors;
+}
+
+TEST(CommandLine, TellsInOneLineWhatIsMissing) {
+  EXPECT_EQ(refusal({"run"}),
+            "mien run: manifest is missing; write mien run <manifest>; mien run --help tells "
+            "more\n");
+  EXPECT_EQ(refusal({"study", "export"}),
+            "mien study export: manifest and --folder are missing; write mien study export "
+            "<manifest> --folder …; mien study export --help tells more\n");
+  EXPECT_TRUE(contains(refusal({"regress", "approve", "study.yaml"}), "--why is missing; write"));
+  EXPECT_TRUE(contains(refusal({"regress"}), "mien regress: before is missing; "));
+  EXPECT_TRUE(contains(refusal({"study"}), "mien study: a command is missing; it is one of "));
+  EXPECT_TRUE(contains(refusal({"run", "a.yaml", "--jobs"}), "--jobs: a value is missing"));
+}
+
+TEST(CommandLine, TellsInOneLineWhichOptionWasMeant) {
+  EXPECT_EQ(refusal({"run", "a.yaml", "--qualty", "draft"}),
+            "mien run: unknown option --qualty; did you mean --quality? mien run --help tells "
+            "more\n");
+  // Whatever else is wrong: its value has taken the manifest's place.
+  EXPECT_TRUE(contains(refusal({"run", "--qualty=draft"}), "did you mean --quality?"));
+  EXPECT_TRUE(contains(refusal({"check", "--nonsense", "a.yaml"}),
+                       "mien check: unknown option --nonsense; mien check --help tells more"));
+  EXPECT_TRUE(contains(refusal({"run", "a.yaml", "b.yaml"}), "\"b.yaml\" is a word too many"));
+  EXPECT_TRUE(contains(refusal({"run", "a.yaml", "--jobs", "0"}), "mien run: --jobs: "));
+}
+
 TEST(CommandLine, NamesTheWordsThatAnOptionTakes) {
   const auto told = [](const std::vector<std::string>& choice) {
     std::vector<std::string> arguments = {"study", "targets", "--examples", "builtin:walks-10"};

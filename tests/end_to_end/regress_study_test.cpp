@@ -97,6 +97,34 @@ TEST_F(RegressStudy, ComparesWithTheBaselineOfACommit) {
             std::string::npos);
 }
 
+TEST_F(RegressStudy, ComparesSomeStimuliAndSaysThatOthersWereNot) {
+  ASSERT_EQ(approve().code, 0);
+  write_manifest(0.6);
+  EXPECT_EQ(regress({}).code, 1);
+  const Ended holds = regress({"--only", "file"});  // what differs is not asked for
+  EXPECT_EQ(holds.code, 0) << holds.output << holds.errors;
+  EXPECT_NE(holds.output.find("NOT COMPARED, for they were not asked for (--only): 1 of 2: blend"),
+            std::string::npos)
+      << holds.output;
+  const fs::path report = fs::path(out()) / "small-regression";
+  const json told = json::parse(text_of(report / "regression.json"));
+  EXPECT_EQ(told.at("not_compared"), json({"blend"}));
+  EXPECT_EQ(told.at("stimuli").size(), 1u);
+  EXPECT_NE(text_of(report / "junit.xml").find("name=\"blend\"><skipped"), std::string::npos);
+  for (const char* file : {"summary.md", "report.html"})
+    EXPECT_NE(text_of(report / file).find("NOT COMPARED"), std::string::npos) << file;
+
+  EXPECT_EQ(regress({"--only", "blend"}).code, 1);
+  const Ended all = regress({"--only", "blend,file", "--json"});
+  EXPECT_EQ(all.code, 1);
+  EXPECT_EQ(json::parse(all.output).at("not_compared"), json::array());
+  const Ended unknown = regress({"--only", "bland"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.errors.find("no stimulus \"bland\"; did you mean \"blend\"?"),
+            std::string::npos)
+      << unknown.errors;
+}
+
 TEST_F(RegressStudy, RefusesWhatHoldsNoBaseline) {
   const Ended none = regress({});
   EXPECT_EQ(none.code, 2);

@@ -14,6 +14,7 @@ constexpr char reported_text[] = R"(mien: 1
 study: gaits
 seed: 7
 examples: {set: builtin:walks-10}
+output: {size: [64, 48], fps: 10, cycles: 1, quality: draft, frames: none, video: [mp4]}
 stimuli:
   - {id: usual, weights: {normal: 1}, factors: {made: as-is, emotion: normal}}
   - {id: sad, weights: {normal: 0.4, sad: 0.6}, factors: {made: modified, emotion: sad}}
@@ -62,6 +63,43 @@ TEST_F(ReportedStudy, GoesFromDesignOverAnswersToTables) {
             std::string::npos);
   EXPECT_NE(text_of(out / "results/comparisons.csv").find("modified-neutral,sad"),
             std::string::npos);
+}
+
+// More participants change none of the earlier plans: it is the same design.
+TEST_F(ReportedStudy, TakesAnswersOfMorePeopleThanWerePlanned) {
+  const std::string more = (folder.path() / "more.csv").string();
+  ASSERT_EQ(run_mien({"study", "simulate", study, "--participants", "8", "-o", more}).code, 0);
+  const Ended ended = report({more});
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  EXPECT_EQ(ended.errors, "");
+  EXPECT_NE(ended.output.find("8 of 8 people count"), std::string::npos) << ended.output;
+  EXPECT_EQ(text_of(out / "report.html").find("the manifest"), std::string::npos);
+}
+
+// Frozen, then reported as it was frozen and otherwise.
+TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
+  const std::string made = (folder.path() / "made").string();
+  const std::string bundle = (folder.path() / "frozen.zip").string();
+  ASSERT_EQ(run_mien({"run", study, "--out", made}).code, 0);
+  const Ended frozen = run_mien({"study", "design", study, "-o", (folder.path() / "p.csv").string(),
+                                 "--freeze", bundle, "--out", made});
+  ASSERT_EQ(frozen.code, 0) << frozen.errors;
+  EXPECT_NE(frozen.errors.find("nothing says how the answers will be looked at"), std::string::npos)
+      << frozen.errors;
+  const std::string names = text_of(bundle);  // those of a zip stand in it as they are
+  EXPECT_NE(names.find("dummy-report/report.html"), std::string::npos);
+  EXPECT_NE(names.find("dummy-report/results/means.csv"), std::string::npos);
+
+  const Ended same = report({answers, "--frozen", bundle, "--made", made});
+  EXPECT_NE(same.output.find("What was run is what was frozen in frozen.zip."), std::string::npos)
+      << same.output << same.errors;
+  const Ended other = report(
+      {answers, "--frozen", bundle, "--made", made, "--correction", "none", "--most-failed", "5"});
+  EXPECT_NE(other.output.find("What was run differs from what was frozen"), std::string::npos)
+      << other.output;
+  for (const char* told :
+       {"--correction none was run, holm was frozen", "--most-failed 5 was run, 1 was frozen"})
+    EXPECT_NE(other.output.find(told), std::string::npos) << other.output;
 }
 
 TEST_F(ReportedStudy, CountsWhatWasSavedTwiceOnce) {

@@ -173,8 +173,10 @@ TEST_F(ServedStudy, IsTakenGoesOnAfterBeingKilledAndEndsWhenTold) {
 
   std::string other = served_text;
   other.replace(other.find("voluntary"), 9, "welcome");
+  fs::remove_all(folder.path() / "out");
   const Ended changed = run_program(command(folder.write("gaits.yaml", other).string()));
   EXPECT_EQ(changed.code, 2);
+  EXPECT_FALSE(fs::exists(folder.path() / "out")) << "was made before it was refused";
   EXPECT_NE(changed.errors.find("was begun with another questionnaire"), std::string::npos)
       << changed.errors;
 }

@@ -136,6 +136,7 @@ constexpr char footer[] =
     "Identical motions always pass. Exit code: 0 when they are alike, 1 when they differ, 2 when "
     "that could not be found out: bad input, a damaged baseline, no room for the report.\n\n"
     "Examples:\n"
+    "  mien regress study.yaml --only sad-walk,happy-walk\n"
     "  mien regress approved/walk.bvh walk.bvh\n"
     "  mien regress approved/walk.bvh walk.glb --position 0.005 --rotation 0.5 --json";
 
@@ -208,6 +209,11 @@ void add_regress_command(CLI::App& app, Command& chosen) {
       ->add_option("--report,-o", study->report,
                    "Folder of the report (default: "
                    "<out>/<study>-regression)")
+      ->group(study_group);
+  command
+      ->add_option("--only", study->production.only,
+                   "Make and compare these stimuli alone; nothing is told about the others")
+      ->delimiter(',')
       ->group(study_group);
   command
       ->add_option("--repeat", study->repeat,

@@ -9,6 +9,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "motion/text/nearest_word.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/regress/study_baseline.h"
@@ -30,6 +31,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using Videos = std::map<std::string, std::vector<VideoFacts>>;
+
+bool is_asked(const std::vector<std::string>& only, const std::string& id) {
+  return only.empty() || std::ranges::find(only, id) != only.end();
+}
 
 /// The study, made in its folder.
 struct MadeStudy {
@@ -54,17 +59,21 @@ void make(MadeStudy& study, const StudyArguments& arguments, const Console& cons
       throw Error({outcome.error}, "the study cannot be made", "mend it; mien run tells all");
     throw std::runtime_error(outcome.error);
   }
-  for (const Stimulus& stimulus : production.manifest().stimuli)
-    study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
+  for (const Stimulus& stimulus : production.manifest().stimuli) {
+    if (is_asked(arguments.production.only, stimulus.id))
+      study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
+  }
 }
 
-/// Read and planned; nothing is made yet.
+/// Read and planned; nothing is made yet. What the manifest has no more cannot be made.
 MadeStudy planned(const StudyArguments& arguments, const Console& console) {
   const fs::path file = manifest_meant(arguments.production.manifest, console);
+  const Manifest manifest = load_manifest(file, process_environment(), arguments.production.out);
+  ProductionOptions options = options_of(arguments.production);
+  std::erase_if(options.only,
+                [&](const std::string& id) { return find_stimulus(manifest, id) == nullptr; });
   MadeStudy study;
-  study.production = std::make_unique<Production>(
-      load_manifest(file, process_environment(), arguments.production.out),
-      options_of(arguments.production));
+  study.production = std::make_unique<Production>(manifest, options);
   study.folder = folder_of(arguments.production, study.production->manifest());
   return study;
 }
@@ -166,12 +175,18 @@ std::string own_name(const Manifest& manifest) {
   return user != nullptr && *user != '\0' ? user : "unknown";
 }
 
-/// What the manifest has no more can be approved too: then it goes.
+/// What the manifest has no more can be approved too, and then goes, or is told to be gone.
 void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifest,
                     const Baseline& baseline) {
+  std::vector<std::string> known;
+  for (const Stimulus& stimulus : manifest.stimuli) known.push_back(stimulus.id);
+  for (const StimulusFacts& facts : baseline.stimuli) {
+    if (find_stimulus(manifest, facts.id) == nullptr) known.push_back(facts.id);
+  }
   for (const std::string& id : ids) {
-    if (find_stimulus(manifest, id) == nullptr && baseline.find(id) == nullptr)
-      throw Error({"--only"}, "the study has no stimulus \"" + id + "\"", "mien plan lists them");
+    if (std::ranges::find(known, id) == known.end())
+      throw Error({"--only"}, "the study has no stimulus \"" + id + "\"",
+                  motion::did_you_mean(id, known));
   }
 }
 
@@ -187,7 +202,11 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
     throw Error({found.folder.string()}, "is the baseline of the study \"" + baseline.study + "\"",
                 "name that of \"" + manifest.study + "\" with --baseline");
   check_files(baseline);
-  if (!arguments.without_videos) make(made_study, arguments, console);
+  const std::vector<std::string>& only = arguments.production.only;
+  refuse_unknown(only, manifest, baseline);
+  const bool is_any_there = std::ranges::any_of(
+      manifest.stimuli, [&](const Stimulus& one) { return is_asked(only, one.id); });
+  if (!arguments.without_videos && is_any_there) make(made_study, arguments, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
   Rendition now(manifest, scratch.path(), threads, console.stop);
@@ -199,7 +218,8 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
       .approved = [&](const std::string& edition) -> Rendition& { return editions.of(edition); },
       .pictures = &pictures,
       .threads = threads,
-      .stop = console.stop};
+      .stop = console.stop,
+      .only = only};
   Regression regression;
   {
     ProgressBar bar(console.err, console.err_is_terminal);
@@ -230,7 +250,7 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
   refuse_other_folder(folder);
   const Baseline before = is_baseline(folder) ? read_baseline(folder) : Baseline{};
   refuse_unknown(arguments.production.only, manifest, before);
-  if (!arguments.without_videos) make(made_study, arguments, console);
+  if (!arguments.without_videos) make(made_study, whole, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
   Rendition now(manifest, scratch.path(), threads, console.stop);

@@ -6,7 +6,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/documents/places.h"
 #include "pipeline/questionnaire/frozen_design.h"
-#include "pipeline/results/results_report.h"
+#include "pipeline/results/report/results_report.h"
 
 namespace mien::pipeline {
 

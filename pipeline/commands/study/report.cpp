@@ -23,7 +23,7 @@
 #include "pipeline/ratings/answers_of_files.h"
 #include "pipeline/results/answer_files.h"
 #include "pipeline/results/people_counted.h"
-#include "pipeline/results/results_report.h"
+#include "pipeline/results/report/results_report.h"
 
 namespace mien::pipeline {
 

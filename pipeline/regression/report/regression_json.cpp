@@ -91,6 +91,7 @@ nlohmann::ordered_json as_json(const Regression& regression) {
             {"differing", regression.repetitions.differing},
             {"largest", regression.repetitions.largest}}},
           {"wider_limits", regression.wider},
+          {"not_compared", regression.not_compared},
           {"audited", regression.audited},
           {"without_approved_videos", regression.without_videos},
           {"stimuli", stimuli}};

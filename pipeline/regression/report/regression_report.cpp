@@ -164,6 +164,12 @@ std::string grounds(const Regression& regression, const Baseline& baseline) {
   return "<p class=\"quiet grounds\">" + html_escaped(text) + "</p>\n";
 }
 
+/// A page about a part of a study must not be taken for one about all of it.
+std::string others_line(const Regression& regression) {
+  const std::string others = not_compared_text(regression);
+  return others.empty() ? "" : "<p class=\"partial\">" + html_escaped(others) + "</p>\n";
+}
+
 constexpr char keys_told[] =
     "<p class=\"keys\"><kbd>J</kbd> <kbd>K</kbd> next and previous stimulus · <kbd>1</kbd> slider "
     "<kbd>2</kbd> blink <kbd>3</kbd> difference <kbd>4</kbd> ꟻLIP · <kbd>[</kbd> <kbd>]</kbd> key "
@@ -192,11 +198,11 @@ std::string regression_report(const Regression& regression, const ComparedStudy&
     data += data_element(i, entry);
   }
   const std::string body = fmt::format(
-      "<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n{}{}{}{}{}<script>\n\"use strict\";\n{}{}{}{}"
+      "<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n{}{}{}{}{}{}<script>\n\"use strict\";\n{}{}{}{}"
       "</script>\n",
       html_escaped(regression.study), regression.passes() ? "holds" : "fails",
-      html_escaped(summary_text(regression)), grounds(regression, study.baseline),
-      causes_section(regression.groups),
+      html_escaped(summary_text(regression)), others_line(regression),
+      grounds(regression, study.baseline), causes_section(regression.groups),
       order.empty() ? "" : "<h2>Stimuli</h2>\n" + left_out(chosen) + keys_told, cards, data,
       embedded_distance_chart_js, embedded_motion_view_js, embedded_picture_view_js,
       embedded_report_js);

@@ -109,6 +109,13 @@ std::string first_words(const StimulusComparison& one) {
   return is_good ? "within the limits, or no more than noise" : std::string(name_of(one.verdict));
 }
 
+std::string not_compared_text(const Regression& regression) {
+  const std::size_t count = regression.not_compared.size();
+  if (count == 0) return "";
+  return fmt::format("NOT COMPARED, for they were not asked for (--only): {} of {}: {}\n", count,
+                     count + regression.stimuli.size(), names_text(regression.not_compared));
+}
+
 std::string unapproved_text(const Regression& regression) {
   const std::size_t count = regression.without_videos.size();
   if (count == 0) return "";
@@ -159,6 +166,7 @@ std::string plain_text(const Regression& regression) {
   }
   text += fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", regression.study,
                       summary_text(regression));
+  text += not_compared_text(regression);
   return text + gate_text(regression.gate) + "\n" + repetitions_text(regression.repetitions) +
          unapproved_text(regression);
 }
@@ -166,6 +174,8 @@ std::string plain_text(const Regression& regression) {
 std::string markdown_text(const Regression& regression) {
   std::string text = fmt::format("## {} {}\n\n{}\n", regression.passes() ? "✅" : "❌",
                                  regression.study, summary_text(regression));
+  if (const std::string others = not_compared_text(regression); !others.empty())
+    text += "\n" + others;
   if (!regression.groups.empty()) text += "\n| cause | what | stimuli |\n|---|---|---|\n";
   for (const CauseGroup& group : regression.groups)
     text += fmt::format("| {} | {} | {}: {} |\n", name_of(group.cause), cell(group.root),
@@ -189,8 +199,9 @@ std::string junit_text(const Regression& regression) {
                        regression.count(Verdict::gone) + int{!regression.gate.holds()};
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
-      xml(regression.study), regression.stimuli.size() + 1, failures);
+      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n",
+      xml(regression.study), regression.stimuli.size() + regression.not_compared.size() + 1,
+      failures, regression.not_compared.size());
   for (const StimulusComparison& one : regression.stimuli) {
     text +=
         fmt::format("  <testcase classname=\"{}\" name=\"{}\"", xml(regression.study), xml(one.id));
@@ -199,6 +210,11 @@ std::string junit_text(const Regression& regression) {
                     : fmt::format("><failure message=\"{}\">{}</failure></testcase>\n",
                                   xml(first_words(one)), xml(details_of(one)));
   }
+  for (const std::string& id : regression.not_compared)
+    text += fmt::format(
+        "  <testcase classname=\"{}\" name=\"{}\"><skipped message=\"not compared: it was not "
+        "asked for (--only)\"/></testcase>\n",
+        xml(regression.study), xml(id));
   text += fmt::format("  <testcase classname=\"{}\" name=\"(planted defects are seen)\"",
                       xml(regression.study));
   text += regression.gate.holds() ? "/>\n"

@@ -44,6 +44,9 @@ std::string first_words(const StimulusComparison& comparison);
 /// Of which stimuli videos were made and none approved, a line; empty where there are none such.
 std::string unapproved_text(const Regression& regression);
 
+/// "NOT COMPARED, …: 2 of 3: blend, file", with a line break; empty when all were compared.
+std::string not_compared_text(const Regression& regression);
+
 /// "72 % left forearm, 20 % left hand, 8 % unexplained"
 std::string shares_text(const std::vector<BodyShare>& shares);
 

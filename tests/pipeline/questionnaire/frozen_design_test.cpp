@@ -105,6 +105,13 @@ TEST_F(FrozenDesign, IsRefusedWhereSomebodyChangedIt) {
   EXPECT_THROW(frozen_differences(bundle_, manifest_, made_), Error);
 }
 
+TEST_F(FrozenDesign, SaysWhereNoAnalysisWasPlanned) {
+  Manifest without = manifest_;
+  without.questionnaire->analysis.plan = {};
+  const ZipFiles files = frozen_design(without, plan_sessions(without), made_);
+  EXPECT_TRUE(holds(files.at("analysis-plan.txt"), "Nothing was written down"));
+}
+
 TEST_F(FrozenDesign, NeedsTheStudyToBeMade) {
   fs::remove(made_ / "videos/c3.mp4");
   EXPECT_THROW(files(), Error);

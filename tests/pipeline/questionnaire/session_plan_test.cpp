@@ -1,6 +1,7 @@
 #include "pipeline/questionnaire/session_plan.h"
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -104,6 +105,20 @@ TEST(SessionPlan, SaysWhenNoOrderKeepsApartWhatHasToBe) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("3 of 4 stimuli have emotion: sad"), std::string::npos)
         << error.what();
+  }
+}
+
+TEST(SessionPlan, SaysAtItsKeyThatAStimulusCannotBeSeenTwice) {
+  try {
+    plan_sessions(asked_study(1, "participants: 2, scales: [sad-happy], catch: {repeat: 1}"));
+    FAIL() << "nothing could come in between";
+  } catch (const Error& error) {
+    const std::string told = error.what();
+    EXPECT_NE(told.find("questionnaire.catch.repeat: p001 cannot see a stimulus a second time with "
+                        "others in between; leave it out, or show more stimuli"),
+              std::string::npos)
+        << told;
+    EXPECT_TRUE(std::regex_search(told, std::regex(":[0-9]+:[0-9]+: "))) << told;
   }
 }
 

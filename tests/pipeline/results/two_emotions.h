@@ -35,6 +35,15 @@ inline Manifest two_emotion_study(int participants = 20, std::uint64_t seed = 1)
   return manifest;
 }
 
+/// The same stimuli, three pairs of them.
+inline Manifest pair_study() {
+  Manifest manifest = two_emotion_study(12);
+  manifest.questionnaire->trials = TrialForm::pair;
+  manifest.questionnaire->pairs = {{"walk", "sad"}, {"walk", "happy"}, {"acted-sad", "happy"}};
+  manifest.questionnaire->scales.ids = {"sad-happy"};
+  return manifest;
+}
+
 /// Few who lean to an end, and answers that stay away from the ends.
 inline constexpr SimulatedPeople steady_people = {
     .spread = {.participant = 0.2, .stimulus = 0.0, .residual = 0.4}, .attentive = 1.0};

@@ -8,6 +8,7 @@
 #include "pipeline/page/page_bundle.h"
 #include "pipeline/questionnaire/experiment/experiment.h"
 #include "pipeline/questionnaire/experiment/jatos_archive.h"
+#include "pipeline/questionnaire/simulated_sessions.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -139,6 +140,25 @@ TEST(Export, IsReplacedByTheNextAndKeepsWhatWasAdded) {
   EXPECT_EQ(read_file(place / "index.html"), "new");
   EXPECT_FALSE(fs::exists(place / "media/a.mp4"));
   EXPECT_EQ(read_file(place / "answers.csv"), "of somebody");
+}
+
+TEST(Export, OfAnotherDesignDoesNotMixWithAnswersToTheFirst) {
+  const TemporaryFolder folder;
+  const fs::path place = folder.path() / "questionnaire";
+  const Exported exported;
+  write_export(exported.files(), place);
+  const std::string design = design_hash(exported.manifest, exported.plans);
+  EXPECT_NO_THROW(refuse_answers_to_another(place, "another"));  // nobody has answered yet
+  write_file(place / "answers/data/subject-p001_description-answers_data.csv", "of somebody");
+  EXPECT_NO_THROW(refuse_answers_to_another(place, design));
+  try {
+    refuse_answers_to_another(place, "another");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("holds answers to another questionnaire"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(Export, WritesIntoNoOtherFolder) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/results/result_figures.h"
+#include "pipeline/results/figures/result_figures.h"
 #include "pipeline/results/result_tables.h"
 #include "pipeline/results/results.h"
 

@@ -1,4 +1,4 @@
-#include "pipeline/results/heat_map.h"
+#include "pipeline/results/figures/heat_map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "pipeline/ratings/answer_row.h"
+#include "pipeline/results/report/results_page.h"
 #include "pipeline/results/results.h"
-#include "pipeline/results/results_page.h"
 
 namespace mien::pipeline {
 

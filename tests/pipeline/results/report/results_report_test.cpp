@@ -1,4 +1,4 @@
-#include "pipeline/results/results_report.h"
+#include "pipeline/results/report/results_report.h"
 
 #include <algorithm>
 #include <fstream>
@@ -13,8 +13,8 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/plot_texts.h"
 #include "pipeline/ratings/answers.h"
-#include "pipeline/results/dataset.h"
-#include "pipeline/results/result_figures.h"
+#include "pipeline/results/figures/result_figures.h"
+#include "pipeline/results/report/dataset.h"
 #include "pipeline/results/two_emotions.h"
 #include "pipeline/temporary_folder.h"
 
@@ -30,7 +30,8 @@ struct Reported {
 
 /// Twelve people who see what was meant, and what some of them wrote.
 Reported reported_study(bool simulated = true) {
-  const Manifest manifest = two_emotion_study(12);
+  Manifest manifest = two_emotion_study(12);
+  manifest.questionnaire->repeated = 1;
   Reported reported;
   reported.rows = answers_to(manifest, {{{"sad", "sad-happy"}, -0.8},
                                         {{"happy", "sad-happy"}, 0.7},
@@ -76,6 +77,8 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "results/correlations.csv",
                            "results/agreement.csv",
                            "results/sessions.csv",
+                           "results/catch_trials.csv",
+                           "results/catch_summary.csv",
                            "results/demographics.csv",
                            "results/comments.csv",
                            "figures/figure-32-histograms-acted.pdf",
@@ -92,6 +95,12 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "README.md"})
     EXPECT_TRUE(files.contains(name)) << name;
   EXPECT_EQ(written_report(reported), files);
+}
+
+TEST(ResultsReport, TellsWhatWasAnsweredTwice) {
+  const std::string page = written_report(reported_study()).at("report.html");
+  EXPECT_NE(page.find("<section id=\"catch\">"), std::string::npos);
+  EXPECT_NE(page.find("href=\"results/catch_summary.csv\""), std::string::npos);
 }
 
 TEST(ResultsReport, NamesTheFiguresOfTheThesisThatItsOwnAreLike) {
@@ -138,6 +147,46 @@ TEST(ResultsReport, SaysNothingOfSimulationWhereAnswersWereGiven) {
   EXPECT_EQ(files.at("report.html").find("Simulated"), std::string::npos);
   EXPECT_EQ(files.at("report.html").find(">simulated<"), std::string::npos);
   EXPECT_EQ(files.at("results/means.csv").find("simulated"), std::string::npos);
+}
+
+/// Of any study, answered by nobody.
+std::map<std::string, std::string> report_on(const Manifest& manifest,
+                                             const std::vector<AnswerRow>& rows) {
+  return written_report({results_of(gather(manifest, rows), rows, {}), rows});
+}
+
+TEST(ResultsReport, OfPairsNamesNoScriptsAndSaysWhatWasAsked) {
+  const Manifest manifest = pair_study();
+  const auto files = report_on(manifest, answers_to(manifest));
+  const std::string& page = files.at("report.html");
+  EXPECT_FALSE(files.contains("analysis/lme4.R"));
+  EXPECT_EQ(page.find("analysis/"), std::string::npos);
+  EXPECT_EQ(files.at("README.md").find("analysis/"), std::string::npos);
+  EXPECT_NE(page.find("more happy"), std::string::npos);
+  EXPECT_NE(page.find("results/preferences.csv"), std::string::npos);
+  EXPECT_EQ(page.find("results/pairs.csv"), std::string::npos);
+}
+
+TEST(ResultsReport, ExplainsChoicesAsChoices) {
+  Manifest manifest = two_emotion_study(6);
+  manifest.questionnaire->trials = TrialForm::emotion;
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  std::erase_if(rows, [](const AnswerRow& row) { return row.item != "emotion"; });
+  const auto files = report_on(manifest, rows);
+  const std::string& page = files.at("report.html");
+  EXPECT_NE(page.find("Choices: each showing is one choice out of 3"), std::string::npos);
+  EXPECT_NE(page.find("one of the 3."), std::string::npos);
+  EXPECT_EQ(page.find("Ratings become points"), std::string::npos);
+  EXPECT_EQ(page.find("one of the ends"), std::string::npos);
+  EXPECT_EQ(page.find("lme4"), std::string::npos);
+}
+
+TEST(ResultsReport, CountsOnePersonAsOne) {
+  const Manifest manifest = two_emotion_study(1);
+  const std::string page = report_on(manifest, answers_to(manifest)).at("report.html");
+  EXPECT_NE(page.find("10 answers of 1 person about 5 videos"), std::string::npos);
+  EXPECT_NE(page.find("1 of 1 person counts."), std::string::npos);
+  EXPECT_EQ(page.find("1 people"), std::string::npos);
 }
 
 TEST(ResultsReport, EscapesWhatParticipantsWrote) {
@@ -255,6 +304,20 @@ TEST(Demographics, AreMeansOfNumbersAndCountsOfWords) {
   EXPECT_EQ(all[4].answer, "man");
   EXPECT_EQ(all[5].value, 2.0);
   EXPECT_EQ(all[5].people, 3);
+}
+
+TEST(Demographics, OfTextsAreCountedEvenWhereTheyAreDigits) {
+  Manifest manifest = two_emotion_study(2);
+  manifest.questionnaire->demographics.resize(1);
+  manifest.questionnaire->demographics[0].id = "shoe";
+  manifest.questionnaire->demographics[0].answer = {};
+  const ParticipantTable people{
+      parse_csv("participant,shoe\np001,33\np002,33\n", "participants.csv")};
+  const auto all = demographics_of(people, gather(manifest, answers_to(manifest)));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].answer, "33");
+  EXPECT_TRUE(all[0].is_count);
+  EXPECT_EQ(all[0].value, 2.0);
 }
 
 TEST(Demographics, OfDifferentQuestionnairesAreNotJoined) {

@@ -1,4 +1,4 @@
-#include "pipeline/results/r_scripts.h"
+#include "pipeline/results/report/r_scripts.h"
 
 #include <set>
 

@@ -1,4 +1,4 @@
-#include "pipeline/results/results_page.h"
+#include "pipeline/results/report/results_page.h"
 
 #include <algorithm>
 #include <set>
@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "pipeline/documents/html.h"
-#include "pipeline/results/page_style.h"
-#include "pipeline/results/page_tables.h"
 #include "pipeline/results/people_counted.h"
+#include "pipeline/results/report/page_style.h"
+#include "pipeline/results/report/page_tables.h"
 
 namespace mien::pipeline {
 
@@ -209,6 +209,30 @@ std::string agreement_part(const Results& results) {
          table;
 }
 
+std::string catch_html(const Results& results) {
+  const std::string table = catch_summary_html(results);
+  if (table.empty()) return "";
+  return paragraph(
+             "Videos that were shown a second time: how alike the answers are. The first answer "
+             "counts in all other results, the second in none. Differences are in points of the "
+             "scale; the correlation is Pearson’s, of the first with the second ratings, all as if "
+             "independent. Who is left out is told but not part of “all”. Attention checks are "
+             "something else: they expect a certain answer, and are told under People.") +
+         table + "<details><summary>Every answer that was given twice</summary>\n" +
+         catch_answers_html(results) + "</details>\n";
+}
+
+/// The words that most gave, and behind a click what everybody wrote.
+std::string words_html(const Results& results, const PageParts& parts) {
+  const std::string answers = remarks_html(results.gathered.words);
+  if (answers.empty()) return "";
+  return paragraph(
+             "Answers are divided at commas, semicolons and ends of lines; each word counts once a "
+             "person and video, capital letters as small ones. results/word_counts.csv has all.") +
+         parts.figures("words") + "<details><summary>Every answer</summary>\n" + answers +
+         "</details>\n";
+}
+
 std::string files_html(const std::vector<ResultTable>& tables, bool has_scripts) {
   std::string html = "<ul>\n";
   for (const ResultTable& table : tables)
@@ -242,9 +266,10 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("confusion", "Confusion", confusion_html(results, parts));
   parts.section("correlations", "Scales together", parts.figures("correlations"));
   parts.section("agreement", "Agreement", agreement_part(results));
-  parts.section("preferences", "Pairs", preferences_html(results));
+  parts.section("catch", "Answered twice", catch_html(results));
+  parts.section("preferences", "Pairs", parts.figures("preferences") + preferences_html(results));
   parts.section("comments", "Comments", remarks_html(results.gathered.remarks));
-  parts.section("words", "Answers in words", remarks_html(results.gathered.words));
+  parts.section("words", "Answers in words", words_html(results, parts));
   parts.section("files", "Files", files_html(tables, !results.gathered.ratings.empty()));
   const std::string mark = results.gathered.simulated ? "Simulated: " : "";
   return html_page(mark + results.gathered.title, results_style,

@@ -1,4 +1,4 @@
-#include "pipeline/results/result_figures.h"
+#include "pipeline/results/figures/result_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,18 +6,17 @@
 #include <fmt/format.h>
 
 #include "pipeline/drawing/bar_chart.h"
-#include "pipeline/results/heat_map.h"
-#include "pipeline/results/rating_grid.h"
+#include "pipeline/results/figures/difference_figures.h"
+#include "pipeline/results/figures/heat_map.h"
+#include "pipeline/results/figures/pair_figures.h"
+#include "pipeline/results/figures/rating_grid.h"
+#include "pipeline/results/figures/word_figures.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 constexpr std::size_t most_columns = 8;  // scales beside each other
-
-std::string named(const std::string& thesis, const std::string& name) {
-  return thesis.empty() ? name : "figure-" + thesis + "-" + name;
-}
 
 RatingPanel panel_of(const Gathered& gathered, const RatingSummary& summary) {
   const Scale& scale = gathered.scales[summary.scale];
@@ -74,7 +73,7 @@ void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
 
 void add_rating_figures(const Results& results, std::vector<ResultFigure>& figures) {
   for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
-    ResultFigure figure{named(group.histograms, "histograms-" + group.name),
+    ResultFigure figure{name_after_thesis(group.histograms, "histograms-" + group.name),
                         "histograms",
                         group.histograms,
                         "How the answers are spread; the line is the mean. On a yellow ground: "
@@ -92,16 +91,6 @@ void add_rating_figures(const Results& results, std::vector<ResultFigure>& figur
                      "emotion that was meant.",
                      {}};
   add_grids(results, every, means, "Means of all videos", mean_grid_plot, figures);
-}
-
-/// Bar charts say in their own words that sessions are simulated; here ratings are.
-Plot marked(Plot plot, bool simulated) {
-  if (!simulated) return plot;
-  plot.draw = [draw = plot.draw, right = plot.width - 18.0](Canvas& canvas) {
-    draw(canvas);
-    draw_simulated_mark(canvas, {right, 49.0});
-  };
-  return plot;
 }
 
 std::string percent_of(double share) { return fmt::format("{:.0f}", 100.0 * share); }
@@ -129,8 +118,8 @@ void add_confusion_figure(const Results& results, const Confusion& confusion,
     map.cells.push_back(std::move(cells));
   }
   const std::string by = confusion.by_points ? "" : "-choices";
-  figures.push_back({named(thesis, "confusion-" + confusion.of + by), "confusion", thesis,
-                     map.words + ".", heat_map_plot(map)});
+  figures.push_back({name_after_thesis(thesis, "confusion-" + confusion.of + by), "confusion",
+                     thesis, map.words + ".", heat_map_plot(map)});
 }
 
 void add_recall_figure(const Results& results, const Confusion& confusion,
@@ -167,65 +156,6 @@ void add_confusion_figures(const Results& results, std::vector<ResultFigure>& fi
   }
 }
 
-BarChart differences_chart(const Gathered& gathered, const std::string& title) {
-  BarChart chart;
-  chart.title = title;
-  chart.axis = "Scale points towards the emotion that was meant";
-  chart.whiskers = fmt::format("95 %; * p < {:g}, corrected", gathered.alpha);
-  chart.one_colour = true;
-  chart.decimals = 2;
-  chart.slot_width = 92.0;
-  return chart;
-}
-
-/// `end` is +1 where positive differences are towards the emotion that was meant, else −1.
-Bar difference_bar(const Gathered& gathered, const std::string& name, int end,
-                   const WithinPersons& within, double p, const std::string& setting) {
-  constexpr int fewest = 5;  // whose interval does not run off the page
-  const bool has_whisker = within.people >= fewest;
-  const double low = has_whisker ? within.t.low(0.95) : std::nan("");
-  const double high = has_whisker ? within.t.high(0.95) : std::nan("");
-  return {name + (p < gathered.alpha ? " *" : ""),
-          end * within.t.mean + 0.0,
-          end > 0 ? low : -high,
-          end > 0 ? high : -low,
-          fmt::format("{}{}n = {}", setting, setting.empty() ? "" : ", ", within.people),
-          created_colours.light};
-}
-
-void add_differences(const Results& results, ComparisonFamily family, const std::string& thesis,
-                     const std::string& title, std::vector<ResultFigure>& figures) {
-  const Gathered& gathered = results.gathered;
-  BarChart chart = differences_chart(gathered, title);
-  for (const Comparison& c : results.comparisons) {
-    if (c.family != family || c.own_end == 0 || c.within.people < 2) continue;
-    const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
-    chart.bars.push_back(difference_bar(gathered, stimulus.emotion, c.own_end, c.within,
-                                        c.paired_adjusted, stimulus.setting));
-  }
-  if (chart.bars.empty()) return;
-  const std::string name(word_of(family_words, family));
-  figures.push_back({named(thesis, "differences-" + name), "differences", thesis,
-                     "Within persons, towards the emotion that was meant.",
-                     marked(bar_chart_plot(chart), gathered.simulated)});
-}
-
-/// Over all settings, emotion by emotion.
-void add_overall(const Results& results, ComparisonFamily family, const std::string& title,
-                 std::vector<ResultFigure>& figures) {
-  const Gathered& gathered = results.gathered;
-  BarChart chart = differences_chart(gathered, title + ", over all settings");
-  for (const OverallComparison& c : results.overall) {
-    if (c.family != family) continue;
-    const std::string name = c.emotion.empty() ? "all" : c.emotion;
-    chart.bars.push_back(difference_bar(gathered, name, 1, c.within, c.paired_adjusted, ""));
-  }
-  if (chart.bars.empty()) return;
-  figures.push_back({"overall-" + std::string(word_of(family_words, family)), "differences", "",
-                     "Of each person the mean over all settings of either side.",
-                     marked(bar_chart_plot(chart), gathered.simulated)});
-}
-
 void add_correlation_figure(const Results& results, std::vector<ResultFigure>& figures) {
   const std::vector<std::string> ends = ends_of(results.gathered.scales);
   constexpr std::size_t most_ends = 24;  // more cannot be read
@@ -251,6 +181,19 @@ void add_correlation_figure(const Results& results, std::vector<ResultFigure>& f
 }
 
 }  // namespace
+
+std::string name_after_thesis(const std::string& thesis, const std::string& name) {
+  return thesis.empty() ? name : "figure-" + thesis + "-" + name;
+}
+
+Plot marked(Plot plot, bool simulated) {
+  if (!simulated) return plot;
+  plot.draw = [draw = plot.draw, right = plot.width - 18.0](Canvas& canvas) {
+    draw(canvas);
+    draw_simulated_mark(canvas, {right, 49.0});
+  };
+  return plot;
+}
 
 std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered) {
   StimulusGroup acted{"acted", "acted motions", {}, "32", "33", "31"};
@@ -279,16 +222,11 @@ std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered) {
 std::vector<ResultFigure> result_figures(const Results& results) {
   std::vector<ResultFigure> figures;
   add_rating_figures(results, figures);
-  const auto differences = [&](ComparisonFamily family, const std::string& thesis,
-                               const std::string& title) {
-    add_overall(results, family, title, figures);
-    add_differences(results, family, thesis, title, figures);
-  };
-  differences(ComparisonFamily::modified_acted, "35", "Modified motions against acted ones");
-  differences(ComparisonFamily::modified_neutral, "36", "Modified motions against neutral ones");
-  differences(ComparisonFamily::acted_neutral, "", "Acted motions against neutral ones");
+  add_difference_figures(results, figures);
   add_confusion_figures(results, figures);
   add_correlation_figure(results, figures);
+  add_pair_figures(results, figures);
+  add_word_figures(results, figures);
   return figures;
 }
 

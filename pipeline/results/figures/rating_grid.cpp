@@ -1,4 +1,4 @@
-#include "pipeline/results/rating_grid.h"
+#include "pipeline/results/figures/rating_grid.h"
 
 #include <algorithm>
 #include <cmath>

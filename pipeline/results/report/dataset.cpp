@@ -1,4 +1,4 @@
-#include "pipeline/results/dataset.h"
+#include "pipeline/results/report/dataset.h"
 
 #include <algorithm>
 #include <array>

@@ -21,6 +21,12 @@ struct ResultFigure {
 /// of all stimuli where others have one of either.
 std::vector<ResultFigure> result_figures(const Results& results);
 
+/// "figure-35-differences": what is like no figure of the thesis has its name alone.
+std::string name_after_thesis(const std::string& thesis, const std::string& name);
+
+/// Of bar charts, which say in their own words that sessions are simulated: here ratings are.
+Plot marked(Plot plot, bool simulated);
+
 /// A group of stimuli that are shown together, and the figures of the thesis that it is like.
 struct StimulusGroup {
   std::string name;   ///< "acted"
