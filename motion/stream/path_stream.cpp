@@ -35,6 +35,8 @@ std::vector<double> band_response(const BandWeights& weights, int levels) {
   return response;
 }
 
+bool carries_legs(size_t joint) { return joint == Pelvis || joint >= LeftHip; }
+
 }  // namespace
 
 PathMix path_mix(const Modification& modification) {
@@ -54,6 +56,7 @@ int path_reach(const PathGains& gains, double frames_per_second) {
 PathStream::PathStream(const PathMix& mix, double frames_per_second, int look_ahead)
     : weights_(band_weights(mix.gains, frames_per_second)),
       share_(mix.share),
+      legs_(mix.legs),
       look_ahead_(look_ahead),
       response_(band_response(weights_, levels_of(weights_))) {
   assert(look_ahead >= 0);
@@ -114,6 +117,7 @@ Pose PathStream::next() {
   waiting_.pop_front();
   Pose longer = original;
   for (size_t j = 0; j < signals_.size(); ++j) {
+    if (!legs_ && carries_legs(j)) continue;
     const Quat& previous = (longer_before_ ? *longer_before_ : original).rotations[j];
     longer.rotations[j] = to_rotation(filtered(signals_[j]), previous);
   }

@@ -15,6 +15,7 @@ namespace mien::motion {
 struct PathMix {
   PathGains gains;
   double share = 0.0;  ///< 0–1
+  bool legs = true;    ///< else pelvis and legs stay as they are, and the feet where they stand
 };
 
 PathMix path_mix(const Modification& modification);
@@ -51,6 +52,7 @@ class PathStream {
 
   BandWeights weights_;
   double share_;
+  bool legs_;
   int look_ahead_;
   std::vector<double>
       response_;  ///< of the weighted bands to a single sample, centre in the middle

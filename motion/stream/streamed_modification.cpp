@@ -58,7 +58,7 @@ void check_streamable(const Modification& m) {
 
 StreamedModification::StreamedModification(const Skeleton& body, double frames_per_second,
                                            const Modification& modification,
-                                           const StreamDelay& delay) {
+                                           const StreamDelay& delay, PathScope scope) {
   check_streamable(modification);
   if (!is_body(body)) {
     throw Error("the stream does not move the canonical body", "map it to the body first");
@@ -67,7 +67,9 @@ StreamedModification::StreamedModification(const Skeleton& body, double frames_p
   limits_ = modification.soft_joint_limits;
   if (changes_paths(modification)) {
     delay_.paths = delay.paths;
-    paths_.emplace(path_mix(modification), frames_per_second, delay.paths);
+    PathMix mix = path_mix(modification);
+    mix.legs = scope == PathScope::body;
+    paths_.emplace(mix, frames_per_second, delay.paths);
   }
   if (modification.acceleration != 0.0) {
     delay_.timing = delay.timing;
@@ -122,8 +124,9 @@ std::vector<Pose> StreamedModification::finish() {
   return rest;
 }
 
-Clip streamed(const Clip& clip, const Modification& modification, const StreamDelay& delay) {
-  StreamedModification stream(clip.body, clip.frames_per_second, modification, delay);
+Clip streamed(const Clip& clip, const Modification& modification, const StreamDelay& delay,
+              PathScope scope) {
+  StreamedModification stream(clip.body, clip.frames_per_second, modification, delay, scope);
   Clip result = clip;
   result.poses.clear();
   for (const Pose& pose : clip.poses) {

@@ -10,6 +10,12 @@
 
 namespace mien::motion {
 
+/// Whose path lengths change.
+enum class PathScope {
+  body,
+  upper_body,  ///< all but pelvis and legs: feet then slide no more than they did
+};
+
 /// How many frames each part of a modification looks ahead, and so delays the motion. Posture and
 /// acceleration do with none.
 struct StreamDelay {
@@ -40,7 +46,8 @@ class StreamedModification {
  public:
   /// Throws as `check_streamable`, and for a skeleton that is not the canonical body.
   StreamedModification(const Skeleton& body, double frames_per_second,
-                       const Modification& modification, const StreamDelay& delay);
+                       const Modification& modification, const StreamDelay& delay,
+                       PathScope scope = PathScope::body);
 
   /// A motion of the same performer that is known beforehand: so far its joints may go.
   void expect(const Clip& known);
@@ -70,6 +77,7 @@ class StreamedModification {
 };
 
 /// The whole clip, which does not loop, as a stream of its frames gives it.
-Clip streamed(const Clip& clip, const Modification& modification, const StreamDelay& delay);
+Clip streamed(const Clip& clip, const Modification& modification, const StreamDelay& delay,
+              PathScope scope = PathScope::body);
 
 }  // namespace mien::motion

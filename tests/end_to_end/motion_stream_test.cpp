@@ -131,6 +131,11 @@ TEST_F(MotionStream, TellsItsDelayAndItsError) {
   EXPECT_NE(ended.errors.find("feet are not repaired"), std::string::npos);
   // The file is whole: it says how many frames there are.
   EXPECT_EQ(run_mien({"motion", "info", out}).code, 0);
+  EXPECT_EQ(stream({walk, "paths: 1.8", "--still-legs", "--measure", "--json", told}).code, 0);
+  const auto still = nlohmann::json::parse(text_of(told));
+  EXPECT_NEAR(still["feet"]["largest_drift_metres"].get<double>(),
+              still["feet"]["largest_drift_of_source_metres"].get<double>(), 1e-4);
+  EXPECT_LT(still["error"]["largest_metres"], 0.01);
   const Ended short_of_it =
       stream({walk, "paths: 1.8", "--measure", "--delay", "200", "--json", told, "-o", out});
   ASSERT_EQ(short_of_it.code, 0) << short_of_it.errors;

@@ -47,7 +47,7 @@ void LiveStream::begin(const motion::BvhHead& head, const motion::Pose& pose) {
     report_.delay.paths = motion::shortest_look_ahead(options_.modification, rate);
   }
   const motion::Skeleton& body = mapping_->mapping().body;
-  stream_.emplace(body, rate, options_.modification, report_.delay);
+  stream_.emplace(body, rate, options_.modification, report_.delay, options_.scope);
   if (options_.calibration) {
     stream_->expect(motion::to_body(*options_.calibration, mapping_->mapping()));
   }
@@ -95,10 +95,17 @@ LiveReport LiveStream::finish() {
   return report_;
 }
 
+/// What a stream that waited for the end would give: of the whole body, `mien motion modify`.
+motion::Clip LiveStream::whole_modified() const {
+  const motion::Modification modification = motion::without_repair(options_.modification);
+  if (options_.scope == motion::PathScope::body) return motion::modified(mapped_, modification);
+  const int all = mapped_.frame_count();
+  return motion::streamed(mapped_, modification, {all, report_.delay.timing, all}, options_.scope);
+}
+
 LiveMeasurement LiveStream::measurement() const {
   LiveMeasurement measured;
-  const motion::Clip offline =
-      motion::modified(mapped_, motion::without_repair(options_.modification));
+  const motion::Clip offline = whole_modified();
   measured.error = motion::stream_error(given_, offline);
   measured.calibration = motion::stream_error(mapped_, motion::to_body(source_));
   const std::vector<motion::FootPlant> plants = motion::foot_plants(mapped_);

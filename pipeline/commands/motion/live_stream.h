@@ -17,6 +17,7 @@ namespace mien::pipeline {
 struct LiveOptions {
   std::string name;  ///< of the source
   motion::Modification modification;
+  motion::PathScope scope = motion::PathScope::body;
   std::optional<double> delay_ms;                ///< the shortest that will do without it
   std::optional<motion::Recording> calibration;  ///< a recording of the stream's rig
   bool measure = false;  ///< keep everything, and hold it against the whole at the end
@@ -62,6 +63,7 @@ class LiveStream {
  private:
   void begin(const motion::BvhHead& head, const motion::Pose& pose);
   bool put(const motion::Pose& pose);
+  motion::Clip whole_modified() const;
   LiveMeasurement measurement() const;
 
   LiveOptions options_;

@@ -32,6 +32,7 @@ struct StreamOptions {
   std::string json;
   std::vector<std::string> leave_out;
   double delay_ms = -1.0;
+  bool still_legs = false;
   bool lines = false;
   bool paced = false;
   bool measure = false;
@@ -67,6 +68,7 @@ LiveOptions live_options(const StreamOptions& options, const std::string& name) 
   live.name = name;
   live.modification = modification_of(options);
   live.measure = options.measure;
+  if (options.still_legs) live.scope = motion::PathScope::upper_body;
   if (options.delay_ms >= 0.0) live.delay_ms = options.delay_ms;
   if (!options.calibration.empty()) live.calibration = motion::read_motion(options.calibration);
   return live;
@@ -230,6 +232,8 @@ void add_motion_stream_command(CLI::App& motion, Command& chosen) {
       ->add_option("--leave-out", options->leave_out,
                    "Part of the change that is not done: tempo, variation, acceleration, paths")
       ->check(CLI::IsMember({"tempo", "variation", "acceleration", "paths"}));
+  command->add_flag("--still-legs", options->still_legs,
+                    "Change path lengths of trunk, head and arms alone, so that feet do not slide");
   command->add_option(
       "--calibration", options->calibration,
       "A recording of the same rig that tells how it is built and where its floor is");

@@ -149,6 +149,20 @@ TEST(StreamedModification, DelaysOnlyWhatItChanges) {
   EXPECT_EQ(StreamedModification(body, 30.0, turned, asked).delay().frames(), 3);
 }
 
+TEST(StreamedModification, OfTheUpperBodyLeavesTheFeetWhereTheyStand) {
+  const Clip walk = performed("actors").front();
+  const Clip longer =
+      streamed(walk, without_limits(with_paths(2.0)), {15, 0, 0}, PathScope::upper_body);
+  const auto before = joint_paths(walk);
+  const auto after = joint_paths(longer);
+  for (size_t f = 0; f < before.size(); ++f) {
+    for (const BodyJoint joint : {LeftAnkle, LeftToe, RightAnkle, RightToe}) {
+      EXPECT_EQ(before[f][joint], after[f][joint]) << f;
+    }
+  }
+  EXPECT_GT(path_length(longer, LeftWrist), 1.3 * path_length(walk, LeftWrist));
+}
+
 TEST(StreamedModification, OfNothingGivesTheSameFramesAtOnce) {
   const Clip clip = performed("walks-10").front();
   EXPECT_EQ(stream_error(streamed(clip, {}, {15, 5, 3}), clip).largest_metres, 0.0);
