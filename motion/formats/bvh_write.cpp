@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/formats/bvh.h"
+#include "motion/formats/bvh_text.h"
 #include "motion/math/rotation.h"
 #include "motion/text/file_contents.h"
 
@@ -138,39 +139,44 @@ Vec3 angles_near(const Quat& rotation, const Vec3& previous) {
   return (one - previous).lpNorm<1>() <= (other - previous).lpNorm<1>() ? one : other;
 }
 
-void append_frame(std::string& text, const Recording& recording, const Pose& pose,
-                  const std::vector<WrittenJoint>& order, const std::vector<bool>& moving,
-                  std::vector<Vec3>& angles) {
-  for (const WrittenJoint& written : order) {
-    const size_t j = written.joint;
+}  // namespace
+
+BvhText::BvhText(Skeleton skeleton, std::vector<bool> moving)
+    : skeleton_(std::move(skeleton)),
+      moving_(std::move(moving)),
+      angles_(skeleton_.joints.size(), Vec3::Zero()) {
+  assert(is_well_formed(skeleton_));
+  moving_.resize(skeleton_.joints.size(), false);
+  for (const WrittenJoint& written : depth_first(skeleton_)) order_.push_back(written.joint);
+}
+
+std::string BvhText::head(std::string_view frames, double frames_per_second) const {
+  std::string text;
+  append_hierarchy(text, skeleton_, depth_first(skeleton_), moving_);
+  text.append("MOTION\nFrames: ").append(frames) += "\nFrame Time: ";
+  append_number(text, 1.0 / frames_per_second, 12);
+  return text += '\n';
+}
+
+void BvhText::append_frame(std::string& text, const Pose& pose) {
+  for (const size_t j : order_) {
     if (j == 0) {
       append_vector(text, pose.root_position, position_decimals);
-    } else if (moving[j]) {
-      const Vec3& offset =
-          pose.offsets.empty() ? recording.skeleton.joints[j].offset : pose.offsets[j];
+    } else if (moving_[j]) {
+      const Vec3& offset = pose.offsets.empty() ? skeleton_.joints[j].offset : pose.offsets[j];
       append_vector(text += ' ', offset, position_decimals);
     }
-    angles[j] = angles_near(pose.rotations[j], angles[j]);
-    append_vector(text += ' ', angles[j] / radians_per_degree, angle_decimals);
+    angles_[j] = angles_near(pose.rotations[j], angles_[j]);
+    append_vector(text += ' ', angles_[j] / radians_per_degree, angle_decimals);
   }
   text += '\n';
 }
 
-}  // namespace
-
 std::string to_bvh(const Recording& recording) {
-  assert(is_well_formed(recording.skeleton) && !recording.poses.empty());
-  const std::vector<WrittenJoint> order = depth_first(recording.skeleton);
-  const std::vector<bool> moving = moving_joints(recording);
-  std::string text;
-  append_hierarchy(text, recording.skeleton, order, moving);
-  text += "MOTION\nFrames: " + std::to_string(recording.poses.size()) + "\nFrame Time: ";
-  append_number(text, 1.0 / recording.frames_per_second, 12);
-  text += '\n';
-  std::vector<Vec3> angles(order.size(), Vec3::Zero());
-  for (const Pose& pose : recording.poses) {
-    append_frame(text, recording, pose, order, moving, angles);
-  }
+  assert(!recording.poses.empty());
+  BvhText bvh(recording.skeleton, moving_joints(recording));
+  std::string text = bvh.head(std::to_string(recording.poses.size()), recording.frames_per_second);
+  for (const Pose& pose : recording.poses) bvh.append_frame(text, pose);
   return text;
 }
 

@@ -64,6 +64,28 @@ Weighted path_neighbours(const Clip& original, const std::vector<FootPlant>& pla
 
 }  // namespace
 
+Pose mean_pose(std::span<const Pose* const> poses, std::span<const double> weights,
+               const Pose& previous) {
+  Pose mean = *poses.front();
+  mean.root_position = Vec3::Zero();
+  for (size_t c = 0; c < poses.size(); ++c) {
+    mean.root_position += weights[c] * poses[c]->root_position;
+  }
+  for (size_t j = 0; j < mean.rotations.size(); ++j) {
+    const Quat& first = poses.front()->rotations[j];
+    const bool same = std::all_of(poses.begin() + 1, poses.end(), [&](const Pose* pose) {
+      return pose->rotations[j].coeffs() == first.coeffs();
+    });
+    if (same) continue;
+    Directions sum = Directions::Zero();
+    for (size_t c = 0; c < poses.size(); ++c) {
+      sum += weights[c] * directions_of(poses[c]->rotations[j]);
+    }
+    mean.rotations[j] = to_rotation(sum, previous.rotations[j]);
+  }
+  return mean;
+}
+
 Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights) {
   assert(!clips.empty() && clips.size() == weights.size());
   if (clips.size() == 1) return clips.front();
@@ -72,24 +94,10 @@ Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights) {
   for (size_t c = 0; c < clips.size(); ++c) {
     mean.cycle_displacement += weights[c] * clips[c].cycle_displacement;
   }
+  std::vector<const Pose*> poses(clips.size());
   for (size_t f = 0; f < mean.poses.size(); ++f) {
-    Pose& pose = mean.poses[f];
-    pose.root_position = Vec3::Zero();
-    for (size_t c = 0; c < clips.size(); ++c) {
-      pose.root_position += weights[c] * clips[c].poses[f].root_position;
-    }
-    for (size_t j = 0; j < pose.rotations.size(); ++j) {
-      const Quat& first = clips.front().poses[f].rotations[j];
-      const bool same = std::all_of(clips.begin() + 1, clips.end(), [&](const Clip& clip) {
-        return clip.poses[f].rotations[j].coeffs() == first.coeffs();
-      });
-      if (same) continue;
-      Directions sum = Directions::Zero();
-      for (size_t c = 0; c < clips.size(); ++c) {
-        sum += weights[c] * directions_of(clips[c].poses[f].rotations[j]);
-      }
-      pose.rotations[j] = to_rotation(sum, f > 0 ? mean.poses[f - 1].rotations[j] : first);
-    }
+    for (size_t c = 0; c < clips.size(); ++c) poses[c] = &clips[c].poses[f];
+    mean.poses[f] = mean_pose(poses, weights, f > 0 ? mean.poses[f - 1] : *poses.front());
   }
   return mean;
 }

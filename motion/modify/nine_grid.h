@@ -9,6 +9,11 @@
 
 namespace mien::motion {
 
+/// The weighted mean of poses of the same body: rotations by their direction vectors, made
+/// orthonormal again (what they lack comes from `previous`), root places by sums. Weights sum to 1.
+Pose mean_pose(std::span<const Pose* const> poses, std::span<const double> weights,
+               const Pose& previous);
+
 /// The weighted mean of clips of the same body, frames and rate: rotations by their direction
 /// vectors, made orthonormal again; root places and ways a cycle by sums. Weights sum to 1. A clip
 /// whose weight is 1 comes out as it is.

@@ -39,10 +39,7 @@ std::vector<Directions> oversampled(const std::vector<Directions>& curve, int fa
 }
 
 /// The filter for one signal of a joint, whatever six numbers it holds.
-struct BandFilter {
-  std::vector<double> gains;
-  double rest_gain = 1.0;
-  int factor = 1;
+struct BandFilter : BandWeights {
   bool loops = false;
 
   std::vector<Directions> operator()(const std::vector<Directions>& curve) const {
@@ -61,19 +58,6 @@ struct BandFilter {
     return result;
   }
 };
-
-BandFilter band_filter(const Clip& clip, const PathGains& gains) {
-  BandFilter filter;
-  filter.loops = clip.loops;
-  filter.rest_gain = gains.low;
-  if (!gains.bands.empty()) {
-    filter.gains = gains.bands;
-    return filter;
-  }
-  filter.factor = oversampling(clip.frames_per_second);
-  filter.gains = band_gains(gains, filter.factor * clip.frames_per_second);
-  return filter;
-}
 
 Quat mean_rotation(const Clip& clip, size_t joint) {
   Quat mean = clip.poses[clip.poses.size() / 2].rotations[joint];
@@ -130,10 +114,16 @@ std::vector<double> band_gains(const PathGains& gains, double rate_hz) {
   }
 }
 
+BandWeights band_weights(const PathGains& gains, double frames_per_second) {
+  if (!gains.bands.empty()) return {gains.bands, gains.low, 1};
+  const int factor = oversampling(frames_per_second);
+  return {band_gains(gains, factor * frames_per_second), gains.low, factor};
+}
+
 Clip with_path_gains(const Clip& clip, const PathGains& gains, RotationSignal signal) {
   Clip result = clip;
   if (clip.poses.empty()) return result;
-  const BandFilter filter = band_filter(clip, gains);
+  const BandFilter filter{band_weights(gains, clip.frames_per_second), clip.loops};
   for (int joint = 0; joint < clip.body.size(); ++joint) {
     if (signal == RotationSignal::quaternions) {
       filter_logarithms(result, joint, filter);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/math/filter.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/posture_units.h"
 #include "motion/skeleton/sole.h"
@@ -22,7 +21,7 @@ struct FadingLimb {
   BodyJoint end;
 };
 
-constexpr std::array<FadingLimb, 4> fading_limbs = {
+constexpr std::array<FadingLimb, fading_limb_count> fading_limbs = {
     {{{LeftClavicle, LeftShoulder, LeftElbow, LeftWrist}, LeftWrist},
      {{RightClavicle, RightShoulder, RightElbow, RightWrist}, RightWrist},
      {{LeftHip, LeftKnee, LeftAnkle, LeftToe}, LeftAnkle},
@@ -46,28 +45,13 @@ Vec3 seen_from_pelvis(const Pose& pose, const JointTransforms& world, BodyJoint 
          (world.positions[static_cast<size_t>(joint)] - pose.root_position);
 }
 
-using Strengths = std::array<std::vector<double>, fading_limbs.size()>;
-
 /// How much of its posture each limb takes, frame by frame.
-Strengths limb_strengths(const Clip& clip) {
-  const Pose standing = standing_pose(clip.body);
-  const JointTransforms neutral = world_transforms(clip.body, standing);
-  Strengths strengths;
-  for (const Pose& pose : clip.poses) {
-    const JointTransforms world = world_transforms(clip.body, pose);
-    for (size_t l = 0; l < fading_limbs.size(); ++l) {
-      const FadingLimb& limb = fading_limbs[l];
-      const Vec3 away =
-          seen_from_pelvis(pose, world, limb.end) - seen_from_pelvis(standing, neutral, limb.end);
-      strengths[l].push_back(fade(away.norm() / limb_length(clip.body, limb)));
-    }
-  }
-  const SignalEnds ends = clip.loops ? SignalEnds::periodic : SignalEnds::open;
-  for (std::vector<double>& strength : strengths) {
-    strength = low_pass(strength, fade_cutoff_hz, clip.frames_per_second, ends);
-    for (double& s : strength) s = std::clamp(s, 0.0, 1.0);
-  }
-  return strengths;
+std::vector<LimbStrengths> smooth_strengths(const Clip& clip) {
+  const LimbFade fade(clip.body);
+  std::vector<LimbStrengths> strengths;
+  for (const Pose& pose : clip.poses) strengths.push_back(fade(pose));
+  return smooth_strengths(strengths, clip.frames_per_second,
+                          clip.loops ? SignalEnds::periodic : SignalEnds::open);
 }
 
 /// The limb that a joint belongs to; the number of limbs for trunk and head.
@@ -114,33 +98,66 @@ PoseDifference pose_difference(const Pose& neutral, const Pose& posed) {
   return difference;
 }
 
-Clip with_posture(const Clip& clip, const std::vector<PostureChange>& changes,
-                  const std::optional<PoseDifference>& difference) {
-  Clip result = clip;
-  Strengths strengths = limb_strengths(clip);
-  const auto strength = [&](BodyJoint joint, size_t frame) {
+LimbFade::LimbFade(const Skeleton& body) : body_(body) {
+  const Pose standing = standing_pose(body);
+  const JointTransforms world = world_transforms(body, standing);
+  for (size_t l = 0; l < fading_limbs.size(); ++l) {
+    rest_[l] = seen_from_pelvis(standing, world, fading_limbs[l].end);
+    lengths_[l] = limb_length(body, fading_limbs[l]);
+  }
+}
+
+LimbStrengths LimbFade::operator()(const Pose& pose) const {
+  const JointTransforms world = world_transforms(body_, pose);
+  LimbStrengths strengths;
+  for (size_t l = 0; l < fading_limbs.size(); ++l) {
+    const Vec3 away = seen_from_pelvis(pose, world, fading_limbs[l].end) - rest_[l];
+    strengths[l] = fade(away.norm() / lengths_[l]);
+  }
+  return strengths;
+}
+
+std::vector<LimbStrengths> smooth_strengths(std::span<const LimbStrengths> strengths,
+                                            double frames_per_second, SignalEnds ends) {
+  std::vector<LimbStrengths> smooth(strengths.begin(), strengths.end());
+  for (size_t l = 0; l < fading_limbs.size(); ++l) {
+    std::vector<double> strength;
+    for (const LimbStrengths& all : strengths) strength.push_back(all[l]);
+    strength = low_pass(strength, fade_cutoff_hz, frames_per_second, ends);
+    for (size_t f = 0; f < smooth.size(); ++f) smooth[f][l] = std::clamp(strength[f], 0.0, 1.0);
+  }
+  return smooth;
+}
+
+void put_posture_on(Pose& pose, const std::vector<PostureChange>& changes,
+                    const std::optional<PoseDifference>& difference,
+                    const LimbStrengths& strengths) {
+  const auto strength = [&](BodyJoint joint) {
     const size_t limb = limb_of(joint);
-    return limb < strengths.size() ? strengths[limb][frame] : 1.0;
+    return limb < strengths.size() ? strengths[limb] : 1.0;
   };
   for (const PostureChange& change : changes) {
     const double angle = change.degrees * radians_per_degree;
     for (const UnitTurn& part : turns_of(change.unit)) {
-      for (size_t f = 0; f < result.poses.size(); ++f) {
-        // Legs that only stay where they are while the pelvis tilts do not fade.
-        const double share =
-            change.unit == PostureUnit::pelvis_tilt ? 1.0 : strength(part.joint, f);
-        turn(result.poses[f].rotations[part.joint], share * angle * part.turn, part.frame);
-      }
+      // Legs that only stay where they are while the pelvis tilts do not fade.
+      const double share = change.unit == PostureUnit::pelvis_tilt ? 1.0 : strength(part.joint);
+      turn(pose.rotations[part.joint], share * angle * part.turn, part.frame);
     }
   }
-  if (!difference) return result;
+  if (!difference) return;
   for (int j = 0; j < body_joint_count; ++j) {
     const Vec3 by = log(difference->turns[static_cast<size_t>(j)]);
     if (by.isZero(0.0)) continue;
-    for (size_t f = 0; f < result.poses.size(); ++f) {
-      turn(result.poses[f].rotations[static_cast<size_t>(j)], strength(BodyJoint(j), f) * by,
-           TurnFrame::own);
-    }
+    turn(pose.rotations[static_cast<size_t>(j)], strength(BodyJoint(j)) * by, TurnFrame::own);
+  }
+}
+
+Clip with_posture(const Clip& clip, const std::vector<PostureChange>& changes,
+                  const std::optional<PoseDifference>& difference) {
+  Clip result = clip;
+  const std::vector<LimbStrengths> strengths = smooth_strengths(clip);
+  for (size_t f = 0; f < result.poses.size(); ++f) {
+    put_posture_on(result.poses[f], changes, difference, strengths[f]);
   }
   return result;
 }

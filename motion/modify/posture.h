@@ -2,10 +2,12 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "motion/math/filter.h"
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/clip.h"
 
@@ -69,6 +71,33 @@ PoseDifference pose_difference(const Pose& neutral, const Pose& posed);
 
 /// The canonical body standing at rest: arms hanging, legs straight, soles on the floor.
 Pose standing_pose(const Skeleton& body);
+
+/// How many limbs take less of a posture as they go away from where they hang: arms, then legs.
+inline constexpr int fading_limb_count = 4;
+
+/// How much of its posture each of them takes, 0–1: left arm, right arm, left leg, right leg.
+using LimbStrengths = std::array<double, fading_limb_count>;
+
+/// The strengths at one moment, as yet not smooth over time; see `with_posture`.
+class LimbFade {
+ public:
+  explicit LimbFade(const Skeleton& body);
+  LimbStrengths operator()(const Pose& pose) const;
+
+ private:
+  Skeleton body_;
+  std::array<Vec3, fading_limb_count> rest_;  ///< their ends at rest, seen from the pelvis
+  std::array<double, fading_limb_count> lengths_;
+};
+
+/// The strengths of a whole clip without what is quicker than 4 Hz.
+std::vector<LimbStrengths> smooth_strengths(std::span<const LimbStrengths> strengths,
+                                            double frames_per_second, SignalEnds ends);
+
+/// One pose in another posture, its limbs at the given strengths.
+void put_posture_on(Pose& pose, const std::vector<PostureChange>& changes,
+                    const std::optional<PoseDifference>& difference,
+                    const LimbStrengths& strengths);
 
 /// The clip in another posture: unit differences first, then the captured difference, each at its
 /// full strength while a limb is about where it hangs at rest, and fading out as the hand or foot

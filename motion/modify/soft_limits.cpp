@@ -57,34 +57,62 @@ double limit_above(double value, double limit, double known, double room) {
   return softly_limited(value, start, end);
 }
 
-void limit_joint(SoftLimits& result, const Clip& original, BodyJoint joint,
-                 const LimitedTurn& turn) {
-  const auto at = static_cast<size_t>(joint);
-  const double side = is_right(joint) && turn.axis > 0 ? -1.0 : 1.0;
+double side_of(BodyJoint joint, const LimitedTurn& turn) {
+  return is_right(joint) && turn.axis > 0 ? -1.0 : 1.0;
+}
+
+double turned(const Pose& pose, BodyJoint joint, const LimitedTurn& turn) {
+  return side_of(joint, turn) * log(pose.rotations[static_cast<size_t>(joint)])[turn.axis];
+}
+
+/// Bends one joint back; by how much, radians.
+double limit_joint(Pose& pose, BodyJoint joint, const LimitedTurn& turn,
+                   const TurnExtremes::Extreme& known) {
   const TurnRange range = range_of(turn);
-  const auto value = [&](const Pose& pose) { return side * log(pose.rotations[at])[turn.axis]; };
-  double least = value(original.poses.front());
-  double most = least;
-  for (const Pose& pose : original.poses) {
-    const double known = value(pose);
-    least = std::min(least, known);
-    most = std::max(most, known);
-  }
-  for (Pose& pose : result.clip.poses) {
-    const double before = value(pose);
-    double after = limit_above(before, range.most * radians_per_degree, most,
-                               range.most == 0.0 ? hinge_room_deg : soft_room_deg);
-    after = -limit_above(-after, -range.least * radians_per_degree, -least,
-                         range.least == 0.0 ? hinge_room_deg : soft_room_deg);
-    if (after == before) continue;
-    Vec3 turned = log(pose.rotations[at]);
-    turned[turn.axis] = side * after;
-    pose.rotations[at] = in_hemisphere_of(pose.rotations[at], exp(turned));
-    result.largest_excess = std::max(result.largest_excess, std::abs(after - before));
+  const double before = turned(pose, joint, turn);
+  double after = limit_above(before, range.most * radians_per_degree, known.most,
+                             range.most == 0.0 ? hinge_room_deg : soft_room_deg);
+  after = -limit_above(-after, -range.least * radians_per_degree, -known.least,
+                       range.least == 0.0 ? hinge_room_deg : soft_room_deg);
+  if (after == before) return 0.0;
+  Quat& rotation = pose.rotations[static_cast<size_t>(joint)];
+  Vec3 turn_vector = log(rotation);
+  turn_vector[turn.axis] = side_of(joint, turn) * after;
+  rotation = in_hemisphere_of(rotation, exp(turn_vector));
+  return std::abs(after - before);
+}
+
+/// Each limited turn on the left, then on the right.
+template <typename Visit>
+void for_each_turn(const Visit& visit) {
+  size_t i = 0;
+  for (const LimitedTurn& turn : limited_turns) {
+    visit(i++, turn.left_joint, turn);
+    visit(i++, mirrored(turn.left_joint), turn);
   }
 }
 
 }  // namespace
+
+void widen(TurnExtremes& extremes, const Pose& pose) {
+  const bool first = extremes.turns.empty();
+  if (first) extremes.turns.resize(2 * limited_turns.size());
+  for_each_turn([&](size_t i, BodyJoint joint, const LimitedTurn& turn) {
+    const double value = turned(pose, joint, turn);
+    TurnExtremes::Extreme& known = extremes.turns[i];
+    known = first
+                ? TurnExtremes::Extreme{value, value}
+                : TurnExtremes::Extreme{std::min(known.least, value), std::max(known.most, value)};
+  });
+}
+
+double limit_softly(Pose& pose, const TurnExtremes& known) {
+  double largest = 0.0;
+  for_each_turn([&](size_t i, BodyJoint joint, const LimitedTurn& turn) {
+    largest = std::max(largest, limit_joint(pose, joint, turn, known.turns[i]));
+  });
+  return largest;
+}
 
 double softly_limited(double value, double start, double limit) {
   if (value <= start) return value;
@@ -95,9 +123,10 @@ double softly_limited(double value, double start, double limit) {
 SoftLimits with_soft_limits(const Clip& clip, const Clip& original) {
   SoftLimits result{clip, 0.0};
   if (clip.poses.empty() || original.poses.empty()) return result;
-  for (const LimitedTurn& turn : limited_turns) {
-    limit_joint(result, original, turn.left_joint, turn);
-    limit_joint(result, original, mirrored(turn.left_joint), turn);
+  TurnExtremes known;
+  for (const Pose& pose : original.poses) widen(known, pose);
+  for (Pose& pose : result.clip.poses) {
+    result.largest_excess = std::max(result.largest_excess, limit_softly(pose, known));
   }
   return result;
 }

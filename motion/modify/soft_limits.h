@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {
@@ -7,6 +9,20 @@ namespace mien::motion {
 /// A value that would pass `limit` bent back so that it never does: unchanged up to `start`, then
 /// start + m·(1 − exp(−(value − start)/m)), m = limit − start > 0.
 double softly_limited(double value, double start, double limit);
+
+/// How far each of the joint turns that have limits goes in a motion.
+struct TurnExtremes {
+  struct Extreme {
+    double least = 0.0, most = 0.0;  ///< radians
+  };
+  std::vector<Extreme> turns;  ///< empty before the first pose
+};
+
+void widen(TurnExtremes& extremes, const Pose& pose);
+
+/// Bends the joints of one pose back as `with_soft_limits` does, where the original goes as far as
+/// `known`, which has seen a pose. By how much at the most, radians.
+double limit_softly(Pose& pose, const TurnExtremes& known);
 
 /// What the joint limits did.
 struct SoftLimits {

@@ -183,6 +183,13 @@ void warn_of_sloping_floor(BodyMapping& mapping, const Recording& recording) {
   mapping.warnings.push_back(warning.str());
 }
 
+void level(Clip& clip, const Quat& levelling) {
+  for (Pose& pose : clip.poses) {
+    pose.root_position = levelling * pose.root_position;
+    pose.rotations[Pelvis] = (levelling * pose.rotations[Pelvis]).normalized();
+  }
+}
+
 void make_continuous(std::vector<Pose>& poses) {
   for (size_t t = 1; t < poses.size(); ++t) {
     for (int j = 0; j < body_joint_count; ++j) {
@@ -192,18 +199,6 @@ void make_continuous(std::vector<Pose>& poses) {
 }
 
 }  // namespace
-
-bool same_rig(const Skeleton& a, const Skeleton& b) {
-  if (a.size() != b.size()) return false;
-  for (int j = 0; j < a.size(); ++j) {
-    const Joint& p = a.joints[j];
-    const Joint& q = b.joints[j];
-    const double length = std::max(p.offset.norm(), q.offset.norm());
-    if (p.name != q.name || p.parent != q.parent) return false;
-    if ((p.offset - q.offset).norm() > 1e-3 * length) return false;
-  }
-  return true;
-}
 
 BodyMapping recognise(std::span<const Recording> recordings) {
   const Recording& first = recordings.front();
@@ -244,20 +239,28 @@ BodyMapping recognise(std::span<const Recording> recordings) {
 
 BodyMapping recognise(const Recording& recording) { return recognise(std::span(&recording, 1)); }
 
-Clip to_body(const Recording& recording, const BodyMapping& mapping) {
+RecordedFloor recorded_floor(const Recording& recording, const BodyMapping& mapping) {
   check_frames(recording);
   check_joints(recording, mapping);
   Clip clip = as_recorded(recording, mapping);
   const Quat levelling = floor_levelling(clip);
-  for (Pose& pose : clip.poses) {
-    pose.root_position = levelling * pose.root_position;
-    pose.rotations[Pelvis] = (levelling * pose.rotations[Pelvis]).normalized();
-  }
+  level(clip, levelling);
+  return {levelling, floor_height(clip)};
+}
+
+Clip to_body(const Recording& recording, const BodyMapping& mapping, const RecordedFloor& floor) {
+  check_frames(recording);
+  check_joints(recording, mapping);
+  Clip clip = as_recorded(recording, mapping);
+  level(clip, floor.levelling);
   make_continuous(clip.poses);
-  const double floor = floor_height(clip);
-  for (Pose& pose : clip.poses) pose.root_position.y() -= floor;
+  for (Pose& pose : clip.poses) pose.root_position.y() -= floor.height;
   for (const BodyJoint toe : {LeftToe, RightToe}) bend_toes_at_floor(clip, toe);
   return clip;
+}
+
+Clip to_body(const Recording& recording, const BodyMapping& mapping) {
+  return to_body(recording, mapping, recorded_floor(recording, mapping));
 }
 
 Clip to_body(const Recording& recording) { return to_body(recording, recognise(recording)); }

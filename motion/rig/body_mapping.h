@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/rig/mapped_joint.h"
+#include "motion/rig/same_rig.h"
 #include "motion/skeleton/clip.h"
 #include "motion/skeleton/recording.h"
 
@@ -34,9 +35,6 @@ BodyMapping recognise(const Recording& recording);
 /// (`same_rig`); throws Error naming one that has not.
 BodyMapping recognise(std::span<const Recording> recordings);
 
-/// Whether two skeletons have the same joint names, parents and offsets.
-bool same_rig(const Skeleton& a, const Skeleton& b);
-
 /// The recording as a motion of the canonical body: +Y up, metres, the floor at y = 0; where it is
 /// and where it heads stay as recorded. Joint positions are those of the rig, exactly where rig
 /// joints correspond one to one and keep their offsets.
@@ -46,6 +44,17 @@ bool same_rig(const Skeleton& a, const Skeleton& b);
 /// that would go through it as a foot rolls off bend (toe_bend.h). Throws Error when the recording
 /// has another rig than the mapping.
 Clip to_body(const Recording& recording, const BodyMapping& mapping);
+
+/// Where the floor of a recording lies on the canonical body, as `to_body` takes it off.
+struct RecordedFloor {
+  Quat levelling = Quat::Identity();  ///< turns a floor that slopes level
+  double height = 0.0;                ///< metres, after that
+};
+
+RecordedFloor recorded_floor(const Recording& recording, const BodyMapping& mapping);
+
+/// As above, on a floor that is known.
+Clip to_body(const Recording& recording, const BodyMapping& mapping, const RecordedFloor& floor);
 
 /// `to_body` with a mapping of its own.
 Clip to_body(const Recording& recording);

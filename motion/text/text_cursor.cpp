@@ -47,11 +47,11 @@ bool is_underflow(std::string_view word) {
 
 TextCursor start_of(std::string_view text, std::string file) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  return {text, std::move(file), 0};
+  return {text, std::move(file)};
 }
 
 Place place_at(const TextCursor& cursor, size_t index) {
-  int line = 1;
+  int line = cursor.first_line;
   size_t line_start = 0;
   const std::string_view before = cursor.text.substr(0, index);
   for (size_t i = 0; i < before.size(); ++i) {

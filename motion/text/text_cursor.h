@@ -10,8 +10,9 @@ namespace mien::motion {
 /// A place in a text that is being read from its start to its end. Lines end with LF, CR LF or CR.
 struct TextCursor {
   std::string_view text;
-  std::string file;  ///< name for error messages
-  size_t at = 0;     ///< index of the next character
+  std::string file;    ///< name for error messages
+  size_t at = 0;       ///< index of the next character
+  int first_line = 1;  ///< number of the line that the text begins with
 };
 
 /// A cursor at the start of the text; a UTF-8 byte order mark is left out.

@@ -42,19 +42,6 @@ motion::Pose pose_of(const PoseSource& source, const Repertoire& repertoire) {
   return clip.poses[static_cast<std::size_t>(source.frame)];
 }
 
-/// The stimulus's modifications, poses read.
-std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
-                                                   const Repertoire& repertoire) {
-  std::vector<motion::Modification> modifications;
-  for (const ModificationStep& step : stimulus.modify) {
-    modifications.push_back(step.modification);
-    if (!step.pose) continue;
-    modifications.back().pose_difference = motion::pose_difference(
-        pose_of(step.pose->neutral, repertoire), pose_of(step.pose->posed, repertoire));
-  }
-  return modifications;
-}
-
 /// One step at a share of its strength.
 void take_step(ModifiedMotion& result, const ModificationStep& step,
                const motion::Modification& modification, double share,
@@ -189,6 +176,18 @@ void append(std::vector<std::string>& parts, const std::string& name,
 }
 
 }  // namespace
+
+std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
+                                                   const Repertoire& repertoire) {
+  std::vector<motion::Modification> modifications;
+  for (const ModificationStep& step : stimulus.modify) {
+    modifications.push_back(step.modification);
+    if (!step.pose) continue;
+    modifications.back().pose_difference = motion::pose_difference(
+        pose_of(step.pose->neutral, repertoire), pose_of(step.pose->posed, repertoire));
+  }
+  return modifications;
+}
 
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
                              const Repertoire& repertoire) {

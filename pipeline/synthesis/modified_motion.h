@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "motion/lint/finding.h"
+#include "motion/modify/modification.h"
 #include "motion/skeleton/example.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/synthesis/repertoire.h"
@@ -19,6 +20,11 @@ struct ModifiedMotion {
   std::vector<std::string> notes;         ///< what was done on the way, plain sentences
   std::vector<std::string> warnings;      ///< what came of faults, plain sentences
 };
+
+/// What each of the stimulus's modifications does at its full strength, poses read; of an older
+/// method, nothing. Throws Error when a pose cannot be had.
+std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
+                                                   const Repertoire& repertoire);
 
 /// Does the stimulus's modifications one after the other and looks the result over. Errors
 /// that neither the original nor the repair of its feet alone has, or that are half as bad again,

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
-#include "pipeline/checks/manifest_reader.h"
+#include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/recipes.h"
@@ -31,48 +30,12 @@ struct ModifyOptions {
   double fps = 0.0;
 };
 
-/// A manifest of one stimulus says the same, so it is what is checked and made. Names of files are
-/// variables in it: whatever stands in them, YAML does not see it.
-std::string manifest_of(const ModifyOptions& options) {
-  std::string change = options.change;
-  if (!change.starts_with('{') && !change.starts_with('[')) {
-    change =
-        change.find(':') == std::string::npos ? "{emotion: " + change + "}" : "{" + change + "}";
-  }
-  return fmt::format(
-      "mien: 1\nstudy: modify\nrecipes: '${{MIEN_RECIPES}}'\non_fault: {}\n"
-      "stimuli:\n- id: motion\n  clip: '${{MIEN_MOTION}}'\n  modify: {}\n",
-      options.on_fault, change);
-}
-
-Environment environment_of(const ModifyOptions& options) {
-  return [&options](const std::string& name) -> std::optional<std::string> {
-    if (name == "MIEN_MOTION") return options.in;
-    if (name == "MIEN_RECIPES") return options.recipes;
-    return process_environment()(name);
-  };
-}
-
-/// As somebody reads it who has written no manifest.
-Fault without_manifest(Fault fault, const fs::path& manifest) {
-  constexpr std::string_view stimulus = "stimuli[0].";
-  if (fault.place.file == manifest.string()) fault.place = {};
-  if (fault.path.starts_with(stimulus)) fault.path.erase(0, stimulus.size());
-  return fault;
-}
-
 int modify_file(const ModifyOptions& options, const Console& console) {
   std::error_code unknown;
   if (fs::equivalent(options.in, options.out, unknown)) {
     throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
   }
-  const fs::path here = fs::current_path() / "command line";
-  ManifestReading reading = parse_manifest(manifest_of(options), here, environment_of(options));
-  if (!reading.faults.empty()) {
-    for (Fault& fault : reading.faults) fault = without_manifest(std::move(fault), here);
-    throw Faults(std::move(reading.faults));
-  }
-  Stimulus& stimulus = reading.manifest.stimuli.front();
+  Stimulus stimulus = stimulus_of({options.in, options.change, options.recipes, options.on_fault});
   stimulus.output.fps =
       options.fps > 0.0 ? options.fps : motion::read_motion(options.in).frames_per_second;
   const Synthesis made = synthesize(stimulus, {});

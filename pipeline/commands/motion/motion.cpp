@@ -15,6 +15,7 @@ void add_motion_command(CLI::App& app, Command& chosen) {
   add_motion_features_command(*motion, chosen);
   add_motion_modify_command(*motion, chosen);
   add_motion_emotions_command(*motion, chosen);
+  add_motion_stream_command(*motion, chosen);
   add_motion_lint_command(*motion, chosen);
   motion->footer("\nReads BVH, AMC (with its ASF), glTF and GLB; writes BVH and GLB.");
 }

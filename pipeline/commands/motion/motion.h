@@ -13,5 +13,6 @@ void add_motion_features_command(CLI::App& motion, Command& chosen);
 void add_motion_modify_command(CLI::App& motion, Command& chosen);
 void add_motion_emotions_command(CLI::App& motion, Command& chosen);
 void add_motion_lint_command(CLI::App& motion, Command& chosen);
+void add_motion_stream_command(CLI::App& motion, Command& chosen);
 
 }  // namespace mien::pipeline

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "motion/modify/limb_timing.h"
+
+namespace mien::motion {
+
+/// Lets limbs slow down more in their pauses (acceleration above 0) or move at more constant speed
+/// (below 0), a frame at a time and `look_ahead` frames late.
+///
+/// Offline, a limb's pauses are stretched within segments of 0.9 s and the rest is quickened, so
+/// that the limb runs before and behind the trunk by turns. What has not come cannot be shown: here
+/// a limb plays what has come at a speed of its own, behind the newest frame by between nothing and
+/// `look_ahead` + `longest_lag_seconds`. It falls behind in its pauses and catches up after them.
+/// Speed of a limb's end relative to the hips, over 0.1 s, against its mean over the last 0.9 s
+/// (1.5 s for constant speed) says what a pause is; how long it lasts is `longest_pause` or
+/// `constant_speed_durations`. Without any change of speed the motion comes out as it went in.
+class TimingStream {
+ public:
+  static constexpr double longest_lag_seconds = 0.25;
+
+  TimingStream(const Modification& modification, const Skeleton& body, double frames_per_second,
+               int look_ahead);
+
+  /// Takes the next frame and gives, once `look_ahead` have passed, the frame that many before it.
+  std::optional<Pose> push(const Pose& pose);
+
+  /// The frames that have not been given yet. Nothing may be pushed after it.
+  std::vector<Pose> finish();
+
+  /// How far a limb was behind the trunk at the most, frames; negative where it went before.
+  double largest_lag() const { return largest_lag_; }
+
+ private:
+  struct Player {
+    Limb limb;
+    std::deque<Vec3> places;     ///< of the limb's end, seen from the hips; as `poses_`
+    double source = 0.0;         ///< frame that is shown
+    double rate = 1.0;           ///< frames of the motion a frame, smooth
+    double mean_duration = 1.0;  ///< over the last segment
+    double mean_speed = -1.0;    ///< likewise, m/s; below 0 before the first
+    double top_speed = 0.0;      ///< likewise
+  };
+
+  Pose next();
+  void play_on(Player& player) const;
+  double wished_duration(Player& player) const;
+  Pose shown_at(const Player& player, const Pose& now) const;
+  void drop_what_is_past();
+
+  Skeleton body_;
+  double acceleration_;
+  double frames_per_second_;
+  int look_ahead_;
+  std::vector<Player> players_;
+  std::deque<Pose> poses_;  ///< from `first_` to the newest
+  long first_ = 0;
+  long given_ = 0;
+  double largest_lag_ = 0.0;
+  std::optional<Pose> before_;
+};
+
+}  // namespace mien::motion

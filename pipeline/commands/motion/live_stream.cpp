@@ -1,0 +1,118 @@
+#include "pipeline/commands/motion/live_stream.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/error.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// As many whole frames as the delay leaves room for.
+int frames_in(double delay_ms, double frames_per_second) {
+  return static_cast<int>(std::floor(delay_ms * frames_per_second / 1000.0 + 1e-6));
+}
+
+}  // namespace
+
+LiveStream::LiveStream(LiveOptions options, MotionSink& sink)
+    : options_(std::move(options)), sink_(sink) {
+  motion::check_streamable(options_.modification);
+}
+
+void LiveStream::begin(const motion::BvhHead& head, const motion::Pose& pose) {
+  const double rate = head.frames_per_second;
+  source_ = {options_.name, "bvh", head.hierarchy.skeleton, rate, {pose}};
+  if (options_.calibration) {
+    mapping_.emplace(*options_.calibration, source_);
+  } else {
+    mapping_.emplace(source_);
+  }
+  source_.poses.clear();
+  report_.frames_per_second = rate;
+  report_.warnings = mapping_->mapping().warnings;
+  if (options_.delay_ms) {
+    report_.delay =
+        motion::shared_out(frames_in(*options_.delay_ms, rate), options_.modification, rate);
+  } else {
+    report_.delay.paths = motion::shortest_look_ahead(options_.modification, rate);
+  }
+  const motion::Skeleton& body = mapping_->mapping().body;
+  stream_.emplace(body, rate, options_.modification, report_.delay, options_.scope);
+  if (options_.calibration) {
+    stream_->expect(motion::to_body(*options_.calibration, mapping_->mapping()));
+  }
+  report_.delay = stream_->delay();
+  mapped_.name = given_.name = options_.name;
+  mapped_.body = given_.body = body;
+  mapped_.frames_per_second = given_.frames_per_second = rate;
+  sink_.begin(body, rate, head.claimed_frames);
+}
+
+bool LiveStream::take(const motion::BvhHead& head, const motion::Pose& pose) {
+  if (!stream_) begin(head, pose);
+  const Clock::time_point start = Clock::now();
+  const motion::Pose mapped = (*mapping_)(pose);
+  const std::optional<motion::Pose> given = stream_->push(mapped);
+  const bool is_read = !given || put(*given);
+  const double computing = milliseconds_since(start);
+  ++report_.frames;
+  report_.mean_computing_ms +=
+      (computing - report_.mean_computing_ms) / static_cast<double>(report_.frames);
+  report_.most_computing_ms = std::max(report_.most_computing_ms, computing);
+  if (options_.measure) {
+    source_.poses.push_back(pose);
+    mapped_.poses.push_back(mapped);
+  }
+  return is_read;
+}
+
+bool LiveStream::put(const motion::Pose& pose) {
+  if (options_.measure) given_.poses.push_back(pose);
+  return sink_.put(pose);
+}
+
+LiveReport LiveStream::finish() {
+  if (!stream_) {
+    throw Error(Place{options_.name}, "no frame came", "send at least one frame after Frame Time:");
+  }
+  for (const motion::Pose& pose : stream_->finish()) {
+    if (!put(pose)) break;
+  }
+  report_.largest_lag = stream_->largest_lag();
+  if (options_.measure && given_.poses.size() == mapped_.poses.size()) {
+    report_.measured = measurement();
+  }
+  return report_;
+}
+
+/// What a stream that waited for the end would give: of the whole body, `mien motion modify`.
+motion::Clip LiveStream::whole_modified() const {
+  const motion::Modification modification = motion::without_repair(options_.modification);
+  if (options_.scope == motion::PathScope::body) return motion::modified(mapped_, modification);
+  const int all = mapped_.frame_count();
+  return motion::streamed(mapped_, modification, {all, report_.delay.timing, all}, options_.scope);
+}
+
+LiveMeasurement LiveStream::measurement() const {
+  LiveMeasurement measured;
+  const motion::Clip offline = whole_modified();
+  measured.error = motion::stream_error(given_, offline);
+  measured.calibration = motion::stream_error(mapped_, motion::to_body(source_));
+  const std::vector<motion::FootPlant> plants = motion::foot_plants(mapped_);
+  measured.plants = static_cast<int>(plants.size());
+  measured.drift_m = motion::planted_drift(given_, plants);
+  measured.drift_of_source_m = motion::planted_drift(mapped_, plants);
+  return measured;
+}
+
+}  // namespace mien::pipeline

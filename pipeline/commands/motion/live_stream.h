@@ -1,0 +1,79 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/formats/bvh_stream.h"
+#include "motion/rig/live_mapping.h"
+#include "motion/stream/look_ahead.h"
+#include "motion/stream/stream_error.h"
+#include "pipeline/commands/motion/motion_sink.h"
+
+namespace mien::pipeline {
+
+/// What a stream is to do.
+struct LiveOptions {
+  std::string name;  ///< of the source
+  motion::Modification modification;
+  motion::PathScope scope = motion::PathScope::body;
+  std::optional<double> delay_ms;                ///< the shortest that will do without it
+  std::optional<motion::Recording> calibration;  ///< a recording of the stream's rig
+  bool measure = false;  ///< keep everything, and hold it against the whole at the end
+};
+
+/// How far a stream came from what is made of the whole motion.
+struct LiveMeasurement {
+  motion::StreamError error;        ///< of the modification, against that of the whole
+  motion::StreamError calibration;  ///< of the mapping, against one calibrated on the whole
+  int plants = 0;
+  double drift_m = 0.0;            ///< horizontal, largest over the plants of the motion that came
+  double drift_of_source_m = 0.0;  ///< likewise, before it was modified
+};
+
+/// What was done.
+struct LiveReport {
+  std::size_t frames = 0;
+  double frames_per_second = 0.0;
+  motion::StreamDelay delay;
+  double mean_computing_ms = 0.0;  ///< from a frame's text to its flushed answer
+  double most_computing_ms = 0.0;
+  double largest_lag = 0.0;  ///< frames that acceleration let a limb fall behind
+  std::vector<std::string> warnings;
+  std::optional<LiveMeasurement> measured;
+};
+
+/// A BVH text that is mapped, modified and written frame by frame.
+class LiveStream {
+ public:
+  LiveStream(LiveOptions options, MotionSink& sink);
+
+  /// Maps, modifies and writes what the first frame tells to begin with, then each. False when
+  /// whoever reads has gone. Throws Error: a rig that cannot be mapped, a modification that cannot
+  /// be streamed.
+  bool take(const motion::BvhHead& head, const motion::Pose& pose);
+
+  /// Whether a frame has come.
+  bool has_begun() const { return stream_.has_value(); }
+
+  /// Writes what the delay has kept back. Throws Error when no frame came.
+  LiveReport finish();
+
+ private:
+  void begin(const motion::BvhHead& head, const motion::Pose& pose);
+  bool put(const motion::Pose& pose);
+  motion::Clip whole_modified() const;
+  LiveMeasurement measurement() const;
+
+  LiveOptions options_;
+  MotionSink& sink_;
+  LiveReport report_;
+  std::optional<motion::LiveMapping> mapping_;
+  std::optional<motion::StreamedModification> stream_;
+  motion::Recording source_;  ///< all of what came, when it is measured
+  motion::Clip mapped_;       ///< likewise, on the body
+  motion::Clip given_;        ///< likewise, modified
+};
+
+}  // namespace mien::pipeline

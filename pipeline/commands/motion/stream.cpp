@@ -1,0 +1,259 @@
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "motion/formats/motion_file.h"
+#include "pipeline/commands/motion/change.h"
+#include "pipeline/commands/motion/live_stream.h"
+#include "pipeline/commands/motion/motion.h"
+#include "pipeline/commands/motion/motion_source.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/synthesis/modified_motion.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct StreamOptions {
+  std::string in;
+  std::string change;
+  std::string out;
+  std::string recipes = "builtin";
+  std::string calibration;
+  std::string json;
+  std::vector<std::string> leave_out;
+  double delay_ms = -1.0;
+  bool still_legs = false;
+  bool lines = false;
+  bool paced = false;
+  bool measure = false;
+};
+
+void leave_out(motion::Modification& modification, const std::string& what) {
+  const motion::Modification unchanged;
+  if (what == "tempo") modification.tempo = unchanged.tempo;
+  if (what == "variation") modification.variation = unchanged.variation;
+  if (what == "acceleration") modification.acceleration = unchanged.acceleration;
+  if (what == "paths") {
+    modification.paths = unchanged.paths;
+    modification.gains.reset();
+  }
+}
+
+motion::Modification modification_of(const StreamOptions& options) {
+  const Stimulus stimulus = stimulus_of({"", options.change, options.recipes});
+  if (stimulus.modify.size() != 1 || stimulus.modify.front().style) {
+    throw Error(
+        stimulus.modify.size() > 1 ? "several changes one after the other"
+                                   : "a change that learns from examples",
+        "a stream takes one change of paths, acceleration and posture: write it as one map");
+  }
+  motion::Modification modification =
+      motion::scaled(modifications_of(stimulus, {}).front(), stimulus.modify.front().strength);
+  for (const std::string& what : options.leave_out) leave_out(modification, what);
+  return modification;
+}
+
+LiveOptions live_options(const StreamOptions& options, const std::string& name) {
+  LiveOptions live;
+  live.name = name;
+  live.modification = modification_of(options);
+  live.measure = options.measure;
+  if (options.still_legs) live.scope = motion::PathScope::upper_body;
+  if (options.delay_ms >= 0.0) live.delay_ms = options.delay_ms;
+  if (!options.calibration.empty()) live.calibration = motion::read_motion(options.calibration);
+  return live;
+}
+
+ordered_json as_json(const motion::StreamError& error) {
+  return {{"largest_metres", error.largest_metres},
+          {"rms_metres", error.rms_metres},
+          {"joint", std::string(motion::name_of(error.joint))},
+          {"frame", error.frame}};
+}
+
+ordered_json as_json(const LiveReport& report) {
+  const double milliseconds = 1000.0 / report.frames_per_second;
+  ordered_json json = {
+      {"frames", report.frames},
+      {"frames_per_second", report.frames_per_second},
+      {"delay",
+       {{"frames", report.delay.frames()},
+        {"milliseconds", report.delay.frames() * milliseconds},
+        {"of_paths_frames", report.delay.paths},
+        {"of_acceleration_frames", report.delay.timing},
+        {"of_posture_frames", report.delay.posture}}},
+      {"largest_limb_lag_milliseconds", report.largest_lag * milliseconds},
+      {"computing_milliseconds",
+       {{"mean", report.mean_computing_ms}, {"largest", report.most_computing_ms}}},
+      {"warnings", report.warnings}};
+  if (!report.measured) return json;
+  const LiveMeasurement& measured = *report.measured;
+  json["error"] = as_json(measured.error);
+  json["calibration_error"] = as_json(measured.calibration);
+  json["feet"] = {{"plants", measured.plants},
+                  {"largest_drift_metres", measured.drift_m},
+                  {"largest_drift_of_source_metres", measured.drift_of_source_m}};
+  return json;
+}
+
+std::string error_text(const motion::StreamError& error) {
+  return fmt::format("{:.1f} mm at the most ({}, frame {}), {:.1f} mm on the average (RMS)",
+                     1000.0 * error.largest_metres, motion::name_of(error.joint), error.frame,
+                     1000.0 * error.rms_metres);
+}
+
+void tell(const LiveReport& report, const Console& console) {
+  const double milliseconds = 1000.0 / report.frames_per_second;
+  for (const std::string& warning : report.warnings) console.err << "warning: " << warning << '\n';
+  console.err << fmt::format(
+      "{} frames at {:g} a second, {} frames ({:.0f} ms) late; {:.2f} ms of computing a frame, "
+      "{:.2f} "
+      "at the most\n",
+      report.frames, report.frames_per_second, report.delay.frames(),
+      report.delay.frames() * milliseconds, report.mean_computing_ms, report.most_computing_ms);
+  if (report.largest_lag != 0.0) {
+    console.err << fmt::format("limbs up to {:.0f} ms {} the trunk\n",
+                               std::abs(report.largest_lag) * milliseconds,
+                               report.largest_lag > 0.0 ? "behind" : "before");
+  }
+  if (!report.measured) return;
+  const LiveMeasurement& measured = *report.measured;
+  console.err
+      << "error against the whole motion modified: " << error_text(measured.error) << '\n'
+      << "error of calibrating beforehand: " << error_text(measured.calibration) << '\n'
+      << fmt::format(
+             "feet are not repaired: planted ones slid by up to {:.0f} mm ({:.0f} mm before "
+             "the change), in {} plants\n",
+             1000.0 * measured.drift_m, 1000.0 * measured.drift_of_source_m, measured.plants);
+}
+
+/// Lets frames through at the rate at which they were captured.
+class Pace {
+ public:
+  explicit Pace(bool is_kept) : is_kept_(is_kept) {}
+
+  void wait(double frames_per_second, const std::stop_token& stop) {
+    if (!is_kept_) return;
+    using namespace std::chrono;
+    if (frames_ == 0) start_ = steady_clock::now();
+    const auto due = start_ + duration_cast<steady_clock::duration>(duration<double>(
+                                  static_cast<double>(frames_++) / frames_per_second));
+    while (!stop.stop_requested() && steady_clock::now() < due) {
+      std::this_thread::sleep_for(
+          std::min<steady_clock::duration>(due - steady_clock::now(), milliseconds(100)));
+    }
+  }
+
+ private:
+  bool is_kept_;
+  long frames_ = 0;
+  std::chrono::steady_clock::time_point start_;
+};
+
+/// False when whoever reads has gone.
+bool pass_on(MotionSource& source, LiveStream& live, bool paced, const std::stop_token& stop) {
+  motion::BvhStream text(source.name());
+  Pace pace(paced);
+  bool is_read = true;
+  const auto pass = [&] {
+    while (is_read && !stop.stop_requested()) {
+      const std::optional<motion::Pose> pose = text.next();
+      if (!pose) return;
+      pace.wait(text.head()->frames_per_second, stop);
+      is_read = live.take(*text.head(), *pose);
+    }
+  };
+  while (is_read) {
+    const std::optional<std::string> piece = source.next(stop);
+    if (!piece) break;
+    text.push(*piece);
+    pass();
+  }
+  if (!is_read || stop.stop_requested()) return is_read;
+  text.finish();
+  pass();
+  return is_read;
+}
+
+void refuse_own_input(const StreamOptions& options) {
+  std::error_code unknown;
+  for (const std::string& written : {options.out, options.json}) {
+    if (written.empty() || !std::filesystem::equivalent(options.in, written, unknown)) continue;
+    throw Error(Place{written}, "is the motion that is read", "name another file to write");
+  }
+}
+
+int stream_motion(const StreamOptions& options, const Console& console) {
+  refuse_own_input(options);
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes is told by the write
+  MotionSource source(options.in);
+  MotionSink sink(console.out, options.out,
+                  options.lines ? MotionSink::Form::lines : MotionSink::Form::bvh);
+  LiveStream live(live_options(options, source.name()), sink);
+  const bool is_read = pass_on(source, live, options.paced, console.stop);
+  if (console.stop.stop_requested() && !live.has_begun()) return exit_interrupted;
+  const LiveReport report = live.finish();
+  sink.publish();
+  if (!is_read) console.err << "whoever read the stream has closed it\n";
+  tell(report, console);
+  if (!options.json.empty()) write_file(options.json, as_json(report).dump(2) + "\n");
+  return console.stop.stop_requested() ? exit_interrupted : exit_done;
+}
+
+}  // namespace
+
+void add_motion_stream_command(CLI::App& motion, Command& chosen) {
+  CLI::App* command = motion.add_subcommand(
+      "stream", "Change the emotional content of a motion while it is captured");
+  const auto options = std::make_shared<StreamOptions>();
+  command->add_option("in", options->in, "BVH file or pipe, - for standard input")->required();
+  command
+      ->add_option("change", options->change,
+                   "An emotion, or what stands behind `modify:` in a manifest")
+      ->required();
+  command->add_option("-o,--out", options->out, "BVH file to write; else standard output");
+  command->add_flag("--lines", options->lines, "Write the frames' lines without the hierarchy");
+  command
+      ->add_option("--delay", options->delay_ms,
+                   "Milliseconds that frames may come late; without it the fewest that keep path "
+                   "lengths within 1 cm, and none for posture and acceleration")
+      ->check(CLI::Range(0.0, 10000.0));
+  command
+      ->add_option("--leave-out", options->leave_out,
+                   "Part of the change that is not done: tempo, variation, acceleration, paths")
+      ->check(CLI::IsMember({"tempo", "variation", "acceleration", "paths"}));
+  command->add_flag("--still-legs", options->still_legs,
+                    "Change path lengths of trunk, head and arms alone, so that feet do not slide");
+  command->add_option(
+      "--calibration", options->calibration,
+      "A recording of the same rig that tells how it is built and where its floor is");
+  command->add_option("--recipes", options->recipes, "builtin, fig29, or a file of recipes")
+      ->capture_default_str();
+  command->add_flag(
+      "--measure", options->measure,
+      "Keep all frames, and tell at the end how far they are from what is made of the "
+      "whole motion");
+  command->add_flag("--paced", options->paced, "Take frames no faster than they were captured");
+  command->add_option("--json", options->json, "File for the delay and what was measured, as JSON");
+  command->footer(
+      "\nFrames are written as soon as they are there; what was done is told on standard error. "
+      "Feet are\nnot repaired, and tempo and variation cannot be streamed. Examples:\n"
+      "  capture | mien motion stream - 'emotion: sad' --leave-out tempo > sad.bvh\n"
+      "  mien motion stream walk.bvh 'posture: {head-flexion: 20}' --paced | viewer\n"
+      "  mien motion stream walk.bvh 'paths: 1.6' --measure -o longer.bvh");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return stream_motion(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline
