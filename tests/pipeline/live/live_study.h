@@ -23,7 +23,7 @@ inline pipeline::Manifest live_manifest(const std::string& interpolation,
 )";
   pipeline::ManifestReading reading = pipeline::parse_manifest(
       text, "/nowhere/live.yaml", [](const std::string&) { return std::nullopt; });
-  EXPECT_TRUE(reading.faults.empty()) << Faults(reading.faults).what();
+  EXPECT_TRUE(reading.faults.empty()) << pipeline::Faults(reading.faults).what();
   return std::move(reading.manifest);
 }
 
