@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "motion/formats/bvh_rotation.h"
 #include "motion/formats/frame_rate.h"
 
 namespace mien::motion {
-
 namespace {
 
 /// Nobody records a motion slower than this; larger numbers are rates.
@@ -46,23 +46,6 @@ std::string frame_time_of(double written) {
   char text[64];
   std::snprintf(text, sizeof text, "%.6g for %g frames a second", 1.0 / rate, rate);
   return text;
-}
-
-/// rotation · (turn about a coordinate axis).
-Quat turned(const Quat& rotation, Axis axis, double degrees) {
-  const double half = 0.5 * degrees * radians_per_degree;
-  const double c = std::cos(half);
-  const double s = std::sin(half);
-  const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
-  switch (axis) {
-    case Axis::x:
-      return {w * c - x * s, x * c + w * s, y * c + z * s, z * c - y * s};
-    case Axis::y:
-      return {w * c - y * s, x * c - z * s, y * c + w * s, z * c + x * s};
-    case Axis::z:
-      return {w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s};
-  }
-  return rotation;
 }
 
 bool moves_other_joints(const BvhHierarchy& hierarchy) {
