@@ -23,6 +23,7 @@ struct Filming {
   const ScriptedWalkOptions& options;
   SteeredWalk walker;
   Clip clip;
+  std::vector<double> moods = {};  ///< of the last segment that named any
 };
 
 Filming filming(const WalkerGaits& gaits, const ScriptedWalkOptions& options, const Vec3& place,
@@ -48,7 +49,8 @@ std::vector<double> moods_at(const ScriptedWalkOptions& options, double seconds)
 }
 
 void film_frame(Filming& film, Steering steering) {
-  steering.moods = moods_at(film.options, film.clip.duration_seconds());
+  steering.moods =
+      film.moods.empty() ? moods_at(film.options, film.clip.duration_seconds()) : film.moods;
   advance(film.gaits, steering, 1.0 / film.clip.frames_per_second, film.walker);
   film.clip.poses.push_back(pose_of(film.gaits, film.walker));
   if (film.clip.duration_seconds() > longest_seconds) {
@@ -150,6 +152,7 @@ Clip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script
   Filming film = filming(gaits, options, options.place, heading);
   for (const WalkSegment& segment : script) {
     check_segment(segment);
+    if (!segment.moods.empty()) film.moods = segment.moods;
     film_segment(film, segment, heading);
   }
   return film.clip;

@@ -20,6 +20,7 @@ struct WalkSegment {
   double degrees = 0.0;        ///< to the left; below 0 to the right
   double pace = 1.0;           ///< of the mood's own speed, 0–1.2; of a turn 0 is on the spot
   double turn_rate_deg = 0.0;  ///< °/s to the left, of a walk
+  std::vector<double> moods;   ///< from its beginning on, as in Steering; none: as before
 };
 
 /// What mood the walker is in from a moment on; between moments as the walker itself follows.
@@ -30,7 +31,8 @@ struct MoodFrom {
 
 struct ScriptedWalkOptions {
   double frames_per_second = 30.0;
-  std::vector<MoodFrom> moods;  ///< by time; before the first of them its mood
+  std::vector<MoodFrom> moods;  ///< by time, until a segment names its own; before the first of
+                                ///< them its mood
   Vec3 place = Vec3::Zero();    ///< where it begins to stand, on the floor
   double heading = 0.0;         ///< which way it faces then, radians about +Y from +Z
 };
