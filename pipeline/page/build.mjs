@@ -24,6 +24,7 @@ const pages = {
     scripts: { questionnaire: "main.ts", turn_view: "turn_view.ts" },
     files: ["index.html", "questionnaire.css"],
   },
+  walk: { scripts: { walk: "main.ts" }, styles: { walk: "walk.css" }, files: ["index.html"] },
 };
 
 /** Of a package that names it and does not bring its text. */

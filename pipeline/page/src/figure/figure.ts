@@ -109,6 +109,15 @@ export class Figure {
     });
   }
 
+  /** Poses it by places and rotations in the world (joints × 3, joints × 4), of whatever motion. */
+  stand_as(positions: ArrayLike<number>, rotations: ArrayLike<number>): void {
+    this.group.visible = true;
+    this.joints.forEach((joint, j) => {
+      joint.position.fromArray(positions, 3 * j);
+      joint.quaternion.fromArray(rotations, 4 * j);
+    });
+  }
+
   release(): void {
     for (const group of this.joints)
       for (const part of group.children) (part as Mesh).geometry.dispose();
