@@ -1,7 +1,8 @@
 #include "motion/procedural/fitted_gait.h"
 
-#include <bit>
 #include <cassert>
+#include <cstring>
+#include <type_traits>
 
 #include "motion/procedural/paced_style.h"
 #include "motion/procedural/stance_fit.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t gait_numbers = sizeof(FittedGait) / sizeof(double);
 using GaitNumbers = std::array<double, gait_numbers>;
+static_assert(std::is_trivially_copyable_v<FittedGait>);
 
 constexpr double weight_over_feet = 0.035;  // of the pelvis before the ankles, of 1.75 m, standing
 
@@ -49,13 +51,15 @@ FittedGait fit_standing(const WalkStyle& style, const Skeleton& body) {
 
 FittedGait blended(std::span<const FittedGait> gaits, std::span<const double> weights) {
   assert(gaits.size() == weights.size());
-  GaitNumbers sum{};
+  GaitNumbers sum{}, numbers{};
   for (std::size_t g = 0; g < gaits.size(); ++g) {
     if (weights[g] == 0.0) continue;
-    const auto numbers = std::bit_cast<GaitNumbers>(gaits[g]);
+    std::memcpy(&numbers, &gaits[g], sizeof numbers);
     for (std::size_t i = 0; i < gait_numbers; ++i) sum[i] += weights[g] * numbers[i];
   }
-  return std::bit_cast<FittedGait>(sum);
+  FittedGait mean;
+  std::memcpy(&mean, &sum, sizeof mean);
+  return mean;
 }
 
 std::array<LegCycle, 2> legs_of(const FittedGait& gait, const Skeleton& body, double speed_m_s) {

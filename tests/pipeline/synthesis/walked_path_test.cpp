@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
-#include "motion/gait/foot_plant.h"
 #include "motion/lint/lint.h"
 #include "motion/skeleton/body.h"
 

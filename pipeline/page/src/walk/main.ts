@@ -1,3 +1,4 @@
+import { open_walker } from "../live/walker";
 import { mount_walk } from "./mount_walk";
 
 declare global {
@@ -18,8 +19,10 @@ async function module_bytes(): Promise<ArrayBuffer | string> {
 async function start(): Promise<void> {
   const place = document.querySelector<HTMLElement>("main")!;
   try {
-    const walk = await mount_walk(place, { module: await module_bytes() });
-    Object.assign(globalThis, { mien_walk: walk });
+    const module = await module_bytes();
+    const walk = await mount_walk(place, { module });
+    // For measurements from outside: what is shown, and a walker that nobody sees.
+    Object.assign(globalThis, { mien_walk: walk, mien_walk_alone: () => open_walker(module) });
   } catch (error) {
     place.textContent = `The walker cannot walk here: ${error instanceof Error ? error.message : String(error)}`;
   }
