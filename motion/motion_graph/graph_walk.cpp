@@ -7,7 +7,7 @@
 #include "motion/gait/foot_lock.h"
 #include "motion/math/random_number.h"
 #include "motion/math/rotation.h"
-#include "motion/motion_graph/foot_stands.h"
+#include "motion/motion_graph/transition_checks.h"
 
 namespace mien::motion {
 

@@ -10,8 +10,8 @@
 #include "motion/error.h"
 #include "motion/gait/contact.h"
 #include "motion/motion_graph/distance_minima.h"
-#include "motion/motion_graph/foot_stands.h"
 #include "motion/motion_graph/graph_edges.h"
+#include "motion/motion_graph/transition_checks.h"
 
 namespace mien::motion {
 
@@ -41,6 +41,9 @@ void check(const MotionGraphOptions& options) {
   }
   if (!(options.most_contact_change >= 0.0 && options.most_contact_change <= 1.0)) {
     throw Error("a motion graph's most_contact_change is no share", "choose it from 0 to 1");
+  }
+  if (!(options.most_facing_change_deg > 0.0)) {
+    throw Error("a motion graph's most_facing_change_deg is not positive", "6 degrees are usual");
   }
   double sum = 0.0;
   for (const double weight : options.cloud.joint_weights) {
@@ -119,6 +122,9 @@ void find_turns(MotionGraph& graph) {
         window_distance(clouds[static_cast<std::size_t>(t.from_clip)], t.from_frame,
                         clouds[static_cast<std::size_t>(t.to_clip)], t.to_frame, graph.window);
     t.turn = distance.alignment.turn;
+    const double change = facing_change(graph, t);
+    const double most = radians_per_degree * graph.most_facing_change_deg;
+    t.turn -= change - std::clamp(change, -most, most);
     t.metres = distance.metres;
   }
 }
@@ -136,6 +142,7 @@ MotionGraph motion_graph(std::span<const Clip> clips, const MotionGraphOptions& 
   MotionGraph graph;
   graph.threshold_m = options.threshold_m;
   graph.cloud = options.cloud;
+  graph.most_facing_change_deg = options.most_facing_change_deg;
   graph.window = std::max(2, static_cast<int>(std::lround(options.cloud.window_seconds *
                                                           clips.front().frames_per_second)));
   std::vector<PointCloud> clouds;

@@ -20,6 +20,10 @@ struct MotionGraphOptions {
   /// Share of the window's frames in which a foot may stand in one motion and not in the other. A
   /// blend of a foot that stands with one that swings slides, which locking it cannot mend.
   double most_contact_change = 0.25;
+  /// Degrees by which the pelvis may face elsewhere in one motion than in the other, on the average
+  /// over the window: what is more is taken off the alignment. The blend turns the pelvis by that
+  /// much beside what the motions do: 5° over a third of a second by less than 1° a frame.
+  double most_facing_change_deg = 5.0;
   /// Threads for the comparison; 0: one a processor. The graph does not depend on it.
   int threads = 0;
   /// Looping clips are unrolled to at least so many seconds, and always by one window more than
@@ -35,7 +39,8 @@ struct GraphTransition {
   int to_clip = 0;
   int to_frame = 0;     ///< first frame of the blend in the clip that is entered
   double metres = 0.0;  ///< distance of the windows
-  double turn = 0.0;    ///< radians about +Y that lay the second clip on the first
+  double turn = 0.0;    ///< radians about +Y that lay the second clip on the first: of the least
+                        ///< distance, within `most_facing_change_deg`
 };
 
 /// A place in a clip from which there is a choice: the next frame to be played would be `frame`.
@@ -60,6 +65,7 @@ struct MotionGraph {
   int window = 10;                             ///< frames of a transition
   double threshold_m = 0.0;
   CloudOptions cloud;
+  double most_facing_change_deg = 5.0;
   std::vector<GraphTransition> transitions;
   std::vector<GraphNode> nodes;
   std::vector<GraphEdge> edges;

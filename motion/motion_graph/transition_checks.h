@@ -17,4 +17,8 @@ FootStands foot_stands(const MotionGraph& graph);
 /// other: that of the foot for which it is more.
 double contact_change(const FootStands& stands, const DistanceMinimum& minimum, int window);
 
+/// Mean difference, radians, between where the pelvis faces in the window of the transition's
+/// second clip, turned by its `turn`, and in that of the first.
+double facing_change(const MotionGraph& graph, const GraphTransition& transition);
+
 }  // namespace mien::motion

@@ -1,6 +1,7 @@
-#include "motion/motion_graph/foot_stands.h"
+#include "motion/motion_graph/transition_checks.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mien::motion {
 
@@ -30,6 +31,22 @@ double contact_change(const FootStands& stands, const DistanceMinimum& minimum, 
     }
   }
   return static_cast<double>(std::max(changes[0], changes[1])) / window;
+}
+
+double facing_change(const MotionGraph& graph, const GraphTransition& transition) {
+  const auto facing_in = [&](int clip, int frame) {
+    const Clip& played = graph.clips[static_cast<std::size_t>(clip)];
+    const Vec3 forward =
+        played.poses[static_cast<std::size_t>(frame)].rotations.front() * Vec3::UnitZ();
+    return std::atan2(forward.x(), forward.z());
+  };
+  double sum = 0.0;
+  for (int f = 0; f < graph.window; ++f) {
+    const double change = facing_in(transition.to_clip, transition.to_frame + f) + transition.turn -
+                          facing_in(transition.from_clip, transition.from_frame + f);
+    sum += std::remainder(change, 2.0 * pi);
+  }
+  return sum / graph.window;
 }
 
 }  // namespace mien::motion
