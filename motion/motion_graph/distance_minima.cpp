@@ -168,9 +168,10 @@ std::vector<DistanceMinimum> distance_minima(std::span<const PointCloud> clouds,
     const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
     const unsigned threads =
         options.threads > 0 ? static_cast<unsigned>(options.threads) : processors;
-    std::vector<std::jthread> others;
+    std::vector<std::thread> others;
     for (unsigned t = 1; t < threads; ++t) others.emplace_back(work);
     work();
+    for (std::thread& other : others) other.join();
   }
   std::vector<DistanceMinimum> minima;
   for (const auto& some : found) minima.insert(minima.end(), some.begin(), some.end());

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "motion/motion_graph/graph_walk.h"
+#include "motion/motion_graph/walk_frames.h"
 
 namespace mien::motion {
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "motion/error.h"
 #include "motion/gait/foot_lock.h"
+#include "motion/interpolation/blend.h"
 #include "motion/math/random_number.h"
-#include "motion/math/rotation.h"
-#include "motion/motion_graph/transition_checks.h"
+#include "motion/procedural/carriage.h"
 
 namespace mien::motion {
 
@@ -15,80 +17,161 @@ namespace {
 
 constexpr double least_between = 0.5;  // seconds from transition to transition, of random walks
 
-const Pose& pose_of_frame(const MotionGraph& graph, int clip, int frame) {
-  return graph.clips[static_cast<std::size_t>(clip)].poses[static_cast<std::size_t>(frame)];
-}
-
-/// The step over the floor that leads to a frame of a clip; of the first frame the step after it.
-Vec3 step_to(const MotionGraph& graph, int clip, int frame) {
-  const int to = std::max(frame, 1);
-  return level(pose_of_frame(graph, clip, to).root_position -
-               pose_of_frame(graph, clip, to - 1).root_position);
-}
-
-Quat turned_by(double turn) { return Quat(Eigen::AngleAxisd(turn, Vec3::UnitY())); }
-
-double blend_share(int frame, int window) {
-  const double p = (frame + 1.0) / (window + 1.0);
-  return 2.0 * p * p * p - 3.0 * p * p + 1.0;
-}
-
 double facing(const Quat& rotation) {
   const Vec3 forward = rotation * Vec3::UnitZ();
   return std::atan2(forward.x(), forward.z());
 }
 
-double seconds_of(const MotionGraph& graph, const WalkFrame& frame) {
-  const auto of_clip = [&](int clip, int at) {
-    if (graph.frame_seconds.empty()) return 1.0 / graph.clips.front().frames_per_second;
-    return graph.frame_seconds[static_cast<std::size_t>(clip)][static_cast<std::size_t>(at)];
-  };
-  const double seconds = of_clip(frame.clip, frame.frame);
-  if (frame.to_clip < 0) return seconds;
-  return frame.share * seconds + (1.0 - frame.share) * of_clip(frame.to_clip, frame.to_frame);
+/// Versions of a graph that are mixed, and how, frame by frame of a walk.
+struct Mix {
+  std::span<const MotionGraph> versions;
+  std::vector<WalkFrame> frames;
+  std::vector<std::vector<double>> shares;  ///< of the versions, a frame; sum 1
+  std::vector<double> times;                ///< at which each frame begins, seconds
+};
+
+std::vector<double> shares_asked(std::span<const MoodFrom> moods, double seconds,
+                                 std::size_t versions) {
+  std::vector<double> shares(versions, 0.0);
+  shares.front() = 1.0;
+  for (const MoodFrom& from : moods) {
+    if (from.seconds > seconds && &from != &moods.front()) continue;
+    double sum = 0.0;
+    for (const double weight : from.moods) sum += weight;
+    for (std::size_t v = 0; v < versions; ++v) {
+      shares[v] = v < from.moods.size() ? from.moods[v] / sum : 0.0;
+    }
+  }
+  return shares;
 }
 
-Clip untimed_clip(const MotionGraph& graph, const std::vector<WalkFrame>& frames,
-                  const GraphWalkOptions& options) {
+/// The frames of a walk with the shares that follow the moods.
+Mix mixed(std::span<const MotionGraph> versions, const GraphWalk& walk,
+          std::span<const MoodFrom> moods) {
+  constexpr double mood_stiffness = 12.0;  // 1/s
+  Mix mix{versions, frames_of(versions.front(), walk), {}, {}};
+  std::vector<Followed> followers;
+  for (const double share : shares_asked(moods, 0.0, versions.size())) {
+    followers.push_back({share, 0.0});
+  }
+  double now = 0.0;
+  for (const WalkFrame& frame : mix.frames) {
+    const std::vector<double> asked = shares_asked(moods, now, versions.size());
+    std::vector<double> shares;
+    double lasts = 0.0;
+    for (std::size_t v = 0; v < versions.size(); ++v) {
+      shares.push_back(followers[v].value);
+      lasts += followers[v].value * seconds_of(versions[v], frame);
+    }
+    for (std::size_t v = 0; v < versions.size(); ++v) {
+      followers[v] = followed(followers[v], asked[v], mood_stiffness, lasts);
+    }
+    mix.shares.push_back(std::move(shares));
+    mix.times.push_back(now);
+    now += lasts;
+  }
+  return mix;
+}
+
+Pose posture_of(const Mix& mix, std::size_t f, double turn) {
+  Pose pose = posture_of(mix.versions.front(), mix.frames[f], turn);
+  if (mix.versions.size() == 1) return pose;
+  std::vector<Pose> poses;
+  std::vector<double> shares;
+  pose.root_position.setZero();
+  for (std::size_t v = 0; v < mix.versions.size(); ++v) {
+    const double share = std::max(0.0, mix.shares[f][v]);
+    if (share < 1e-9) continue;
+    poses.push_back(posture_of(mix.versions[v], mix.frames[f], turn));
+    shares.push_back(share);
+  }
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (double& share : shares) share /= sum;
+  for (std::size_t p = 0; p < poses.size(); ++p) {
+    pose.root_position += shares[p] * poses[p].root_position;
+  }
+  std::vector<Quat> rotations(poses.size());
+  for (std::size_t j = 0; j < pose.rotations.size(); ++j) {
+    for (std::size_t p = 0; p < poses.size(); ++p) rotations[p] = poses[p].rotations[j];
+    pose.rotations[j] = blend_rotations(rotations, shares, RotationBlend::karcher_mean);
+  }
+  return pose;
+}
+
+Vec3 step_of(const Mix& mix, std::size_t f, double turn) {
+  Vec3 step = Vec3::Zero();
+  for (std::size_t v = 0; v < mix.versions.size(); ++v) {
+    step += mix.shares[f][v] * step_of(mix.versions[v], mix.frames[f], turn);
+  }
+  return step;
+}
+
+Clip untimed_clip(const Mix& mix, const GraphWalkOptions& options) {
+  const MotionGraph& graph = mix.versions.front();
+  const std::vector<WalkFrame>& frames = mix.frames;
   Clip clip;
   clip.body = graph.clips.front().body;
   clip.frames_per_second = graph.clips.front().frames_per_second;
-  const WalkFrame& first = frames.front();
-  double turn =
-      options.heading - facing(pose_of_frame(graph, first.clip, first.frame).rotations.front());
+  const Pose& first = graph.clips[static_cast<std::size_t>(frames.front().clip)]
+                          .poses[static_cast<std::size_t>(frames.front().frame)];
+  double turn = options.heading - facing(first.rotations.front());
   Vec3 place = level(options.place);
   for (std::size_t f = 0; f < frames.size(); ++f) {
-    const WalkFrame& frame = frames[f];
     // After a transition the clip that was entered is the one that is played.
     const bool arrived =
         f > 0 && frames[f - 1].to_clip >= 0 &&
-        (frame.clip != frames[f - 1].clip || frame.frame != frames[f - 1].frame + 1);
+        (frames[f].clip != frames[f - 1].clip || frames[f].frame != frames[f - 1].frame + 1);
     if (arrived) turn += frames[f - 1].turn;
-    if (f > 0) place += step_of(graph, frame, turn);
-    Pose pose = posture_of(graph, frame, turn);
+    if (f > 0) place += step_of(mix, f, turn);
+    Pose pose = posture_of(mix, f, turn);
     pose.root_position += place;
     clip.poses.push_back(std::move(pose));
   }
   return clip;
 }
 
-/// The clip at an even frame rate, when its frames last as long as the walk says.
-Clip in_time(const MotionGraph& graph, const std::vector<WalkFrame>& frames, Clip clip) {
-  if (graph.frame_seconds.empty()) return clip;
-  std::vector<double> times = {0.0};
-  for (const WalkFrame& frame : frames) times.push_back(times.back() + seconds_of(graph, frame));
-  times.resize(clip.poses.size());
+/// The clip at an even frame rate, when its frames last as long as they should.
+Clip in_time(const Mix& mix, Clip clip) {
+  const bool even = std::all_of(mix.versions.begin(), mix.versions.end(),
+                                [](const MotionGraph& g) { return g.frame_seconds.empty(); });
+  const std::vector<double>& times = mix.times;
+  if (even || times.size() == 1) return clip;
   std::vector<Pose> poses;
   std::size_t i = 0;
   for (int f = 0; f / clip.frames_per_second <= times.back() + 1e-9; ++f) {
     const double seconds = std::min(f / clip.frames_per_second, times.back());
     while (i + 2 < times.size() && times[i + 1] < seconds) ++i;
-    if (times.size() == 1) break;
     const double t = std::clamp((seconds - times[i]) / (times[i + 1] - times[i]), 0.0, 1.0);
     poses.push_back(interpolate(clip.poses[i], clip.poses[i + 1], t));
   }
   clip.poses = std::move(poses);
   return clip;
+}
+
+void check_versions(std::span<const MotionGraph> versions, std::span<const MoodFrom> moods) {
+  bool alike = !versions.empty();
+  for (const MotionGraph& version : versions) {
+    alike = alike && version.edges.size() == versions.front().edges.size() &&
+            version.clips.size() == versions.front().clips.size();
+    for (std::size_t c = 0; alike && c < version.clips.size(); ++c) {
+      alike = version.clips[c].frame_count() == versions.front().clips[c].frame_count();
+    }
+  }
+  if (!alike) {
+    throw Error("versions of different motion graphs cannot be mixed",
+                "make them of one graph (with_motions)");
+  }
+  for (const MoodFrom& from : moods) {
+    double sum = 0.0;
+    for (const double weight : from.moods) {
+      if (!(weight >= 0.0)) sum = std::numeric_limits<double>::quiet_NaN();
+      sum += weight;
+    }
+    if (!(sum > 0.0) || !std::isfinite(sum) || from.moods.size() > versions.size()) {
+      throw Error("weights of a motion graph's versions that are none",
+                  "give a weight of at least 0 a version, not all 0");
+    }
+  }
 }
 
 /// Those of the plants that touch a transition.
@@ -120,85 +203,23 @@ Clip with_locked_feet(Clip clip, const std::vector<FootPlant>& plants) {
 
 }  // namespace
 
-Pose posture_of(const MotionGraph& graph, const WalkFrame& frame, double turn) {
-  Pose pose = pose_of_frame(graph, frame.clip, frame.frame);
-  pose.rotations.front() = turned_by(turn) * pose.rotations.front();
-  if (frame.to_clip >= 0) {
-    Pose to = pose_of_frame(graph, frame.to_clip, frame.to_frame);
-    to.rotations.front() = turned_by(turn + frame.turn) * to.rotations.front();
-    pose = interpolate(pose, to, 1.0 - frame.share);
-  }
-  pose.root_position = Vec3(0.0, pose.root_position.y(), 0.0);
-  return pose;
-}
-
-Vec3 step_of(const MotionGraph& graph, const WalkFrame& frame, double turn) {
-  const Vec3 step = turned_by(turn) * step_to(graph, frame.clip, frame.frame);
-  if (frame.to_clip < 0) return step;
-  const Vec3 other = turned_by(turn + frame.turn) * step_to(graph, frame.to_clip, frame.to_frame);
-  return frame.share * step + (1.0 - frame.share) * other;
-}
-
-std::vector<WalkFrame> frames_of(const MotionGraph& graph, const GraphWalk& walk) {
-  std::vector<WalkFrame> frames;
-  int node = -1;
-  for (const int number : walk.edges) {
-    const GraphEdge& edge = graph.edges.at(static_cast<std::size_t>(number));
-    if (node >= 0 && edge.from != node) {
-      throw Error("a walk over a motion graph leaps from node to node",
-                  "every edge has to begin where the one before ends");
-    }
-    node = edge.to;
-    const GraphNode& from = graph.nodes[static_cast<std::size_t>(edge.from)];
-    for (int f = 0; f < edge.frames; ++f) {
-      WalkFrame frame;
-      frame.clip = from.clip;
-      frame.frame = from.frame + f;
-      if (edge.transition >= 0) {
-        const GraphTransition& way = graph.transitions[static_cast<std::size_t>(edge.transition)];
-        frame.to_clip = way.to_clip;
-        frame.to_frame = way.to_frame + f;
-        frame.share = blend_share(f, graph.window);
-        frame.turn = way.turn;
-      }
-      frames.push_back(frame);
-    }
-  }
-  return frames;
-}
-
-std::vector<FootPlant> plants_of(const MotionGraph& graph, const std::vector<WalkFrame>& frames) {
-  const FootStands stands = foot_stands(graph);
-  std::vector<FootPlant> plants;
-  for (const bool left : {true, false}) {
-    int first = -1;
-    const auto count = static_cast<int>(frames.size());
-    for (int f = 0; f <= count; ++f) {
-      bool stands_now = false;
-      if (f < count) {
-        const WalkFrame& frame = frames[static_cast<std::size_t>(f)];
-        const bool entered = frame.to_clip >= 0 && frame.share < 0.5;
-        const auto clip = static_cast<std::size_t>(entered ? frame.to_clip : frame.clip);
-        const auto at = static_cast<std::size_t>(entered ? frame.to_frame : frame.frame);
-        stands_now = stands[clip][at][left];
-      }
-      if (stands_now && first < 0) first = f;
-      if (!stands_now && first >= 0) {
-        if (f - first > 2) plants.push_back({left, first, f - 1});
-        first = -1;
-      }
-    }
-  }
-  return plants;
-}
-
 Clip motion_of(const MotionGraph& graph, const GraphWalk& walk, const GraphWalkOptions& options) {
-  const std::vector<WalkFrame> frames = frames_of(graph, walk);
-  if (frames.empty()) throw Error("a walk over a motion graph without a frame", "give it an edge");
-  Clip clip = untimed_clip(graph, frames, options);
-  if (options.lock_feet)
-    clip = with_locked_feet(clip, at_transitions(plants_of(graph, frames), frames));
-  return in_time(graph, frames, std::move(clip));
+  return motion_of(std::span(&graph, 1), walk, {}, options);
+}
+
+Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
+               std::span<const MoodFrom> moods, const GraphWalkOptions& options) {
+  check_versions(versions, moods);
+  if (walk.edges.empty())
+    throw Error("a walk over a motion graph without a frame", "give it an edge");
+  const Mix mix = mixed(versions, walk, moods);
+  Clip clip = untimed_clip(mix, options);
+  if (options.lock_feet) {
+    const std::vector<FootPlant> plants = plants_of(versions.front(), mix.frames);
+    clip =
+        with_locked_feet(clip, versions.size() > 1 ? plants : at_transitions(plants, mix.frames));
+  }
+  return in_time(mix, std::move(clip));
 }
 
 GraphWalk random_walk(const MotionGraph& graph, double seconds, std::uint64_t seed) {

@@ -1,33 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "motion/motion_graph/motion_graph.h"
+#include "motion/motion_graph/walk_frames.h"
+#include "motion/procedural/scripted_walk.h"
 
 namespace mien::motion {
-
-/// A way over the edges of a graph: edge after edge, each from where the one before leads.
-struct GraphWalk {
-  std::vector<int> edges;
-};
-
-/// One frame of a walk: of one clip, or between two during a transition.
-struct WalkFrame {
-  int clip = 0;
-  int frame = 0;
-  int to_clip = -1;  ///< the clip that is entered; −1 outside of transitions
-  int to_frame = 0;
-  double share = 1.0;  ///< of the first clip: 2p³ − 3p² + 1 over the window (Kovar 2002, eq. 6)
-  double turn = 0.0;   ///< of the second clip onto the first, radians
-};
-
-std::vector<WalkFrame> frames_of(const MotionGraph& graph, const GraphWalk& walk);
-
-/// Joints, heading and height of a frame of a walk, the first clip turned by `turn` (radians); over
-/// the floor at x = z = 0. And the step over the floor that leads to it.
-Pose posture_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
-Vec3 step_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
 
 struct GraphWalkOptions {
   Vec3 place = Vec3::Zero();  ///< where the first frame's pelvis stands, on the floor
@@ -45,9 +26,12 @@ struct GraphWalkOptions {
 Clip motion_of(const MotionGraph& graph, const GraphWalk& walk,
                const GraphWalkOptions& options = {});
 
-/// Where the foot stands in each frame of a walk, as stretches. In a transition the foot stands as
-/// in the clip that weighs more.
-std::vector<FootPlant> plants_of(const MotionGraph& graph, const std::vector<WalkFrame>& frames);
+/// The motion of a walk over several versions of one graph (`with_motions`: moods, say), which are
+/// mixed as it goes on: `moods` are the versions' weights from a moment on, ≥ 0, divided by their
+/// sum, and followed within some 0.2 s; without any it is the first version. Tempo is mixed too.
+/// Throws as above, for versions of other graphs, and for weights that are none.
+Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
+               std::span<const MoodFrom> moods, const GraphWalkOptions& options = {});
 
 /// A walk of at least so many seconds that chooses at the nodes at random, of the seed alone, and
 /// lets half a second pass between transitions where the clips go on for so long.

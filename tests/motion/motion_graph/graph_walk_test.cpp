@@ -8,6 +8,7 @@
 #include "motion/error.h"
 #include "motion/gait/foot_lock.h"
 #include "motion/lint/lint.h"
+#include "motion/modify/modification.h"
 
 #include "made_motions.h"
 
@@ -104,13 +105,42 @@ TEST(GraphWalk, IsOfItsSeedAlone) {
   EXPECT_NE(random_walk(graph, 20.0, 7).edges, random_walk(graph, 20.0, 8).edges);
 }
 
+TEST(GraphWalk, AMoodChangesOnTheWay) {
+  Modification droop;
+  droop.posture = {{PostureUnit::head_flexion, 25.0}, {PostureUnit::chest_flexion, 10.0}};
+  std::vector<MotionInStep> bowed;
+  for (const Clip& clip : made_graph().clips) {
+    bowed.push_back({modified(clip, droop), {}});
+    bowed.back().frame_seconds.assign(clip.poses.size(), 1.25 / clip.frames_per_second);
+  }
+  const std::vector<MotionGraph> versions = {made_graph(), with_motions(made_graph(), bowed)};
+  const GraphWalk walk = random_walk(made_graph(), 12.0, 4);
+  const std::vector<MoodFrom> moods = {{0.0, {1.0, 0.0}}, {6.0, {0.0, 1.0}}};
+  const Clip clip = motion_of(versions, walk, moods);
+  const Clip upright = motion_of(made_graph(), walk);
+  const auto face = [](const Clip& of, std::size_t frame) {
+    const JointTransforms world = world_transforms(of.body, of.poses[frame]);
+    return (world.rotations[Head] * Vec3::UnitZ()).y();
+  };
+  EXPECT_NEAR(face(clip, 150), face(upright, 150), 0.01);
+  EXPECT_LT(face(clip, 240), face(upright, 220) - 0.3);
+  // From the sixth second on everything takes a quarter longer.
+  const double expected = 6.0 + 1.25 * (upright.duration_seconds() - 6.0);
+  EXPECT_NEAR(clip.duration_seconds(), expected, 0.15);
+  EXPECT_LT(largest_acceleration(clip), 1.5 * largest_acceleration(upright));
+  EXPECT_THROW(motion_of(versions, walk, std::vector<MoodFrom>{{0.0, {0.0, 0.0}}}), Error);
+  const std::vector<MotionGraph> others = {made_graph(),
+                                           motion_graph(std::vector<Clip>{made_motions()[2]})};
+  EXPECT_THROW(motion_of(others, walk, {}), Error);
+}
+
 TEST(GraphWalk, RefusesLeapsAndNothing) {
   const MotionGraph& graph = made_graph();
-  EXPECT_THROW(motion_of(graph, {}), Error);
+  EXPECT_THROW(motion_of(graph, GraphWalk{}), Error);
   EXPECT_THROW(random_walk(graph, 0.0, 1), Error);
   for (std::size_t e = 1; e < graph.edges.size(); ++e) {
     if (graph.edges[e].from == graph.edges[0].to) continue;
-    EXPECT_THROW(motion_of(graph, {{0, static_cast<int>(e)}}), Error);
+    EXPECT_THROW(motion_of(graph, GraphWalk{{0, static_cast<int>(e)}}), Error);
     break;
   }
 }
