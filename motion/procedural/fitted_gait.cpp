@@ -1,6 +1,7 @@
 #include "motion/procedural/fitted_gait.h"
 
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 
@@ -14,7 +15,27 @@ namespace {
 
 constexpr std::size_t gait_numbers = sizeof(FittedGait) / sizeof(double);
 using GaitNumbers = std::array<double, gait_numbers>;
-static_assert(std::is_trivially_copyable_v<FittedGait>);
+static_assert(std::is_trivially_copyable_v<FittedGait> &&
+              sizeof(GaitNumbers) == sizeof(FittedGait));
+
+GaitNumbers numbers_of_gait(const FittedGait& gait) {
+  GaitNumbers numbers;
+  std::memcpy(&numbers, &gait, sizeof numbers);
+  return numbers;
+}
+
+FittedGait gait_of(const GaitNumbers& numbers) {
+  FittedGait gait;
+  std::memcpy(static_cast<void*>(&gait), &numbers, sizeof numbers);
+  return gait;
+}
+
+/// Whether one leg is the other in the mirror.
+bool are_alike(const LegCycle& a, const LegCycle& b) {
+  const Vec3 other(-b.hip_offset.x(), b.hip_offset.y(), b.hip_offset.z());
+  return (a.hip_offset - other).norm() < 1e-9 && std::abs(a.thigh_m - b.thigh_m) < 1e-9 &&
+         std::abs(a.shank_m - b.shank_m) < 1e-9;
+}
 
 constexpr double weight_over_feet = 0.035;  // of the pelvis before the ankles, of 1.75 m, standing
 
@@ -36,6 +57,10 @@ FittedGait fit_gait(const WalkStyle& style, const Skeleton& body) {
   gait.mean_height_m = legs[0].pelvis.mean_height_m;
   gait.passing_phase = legs[0].ahead_m / legs[0].pelvis.stride_m;
   for (std::size_t side = 0; side < 2; ++side) {
+    if (side == 1 && are_alike(legs[0], legs[1])) {
+      gait.swings[1] = gait.swings[0];
+      continue;
+    }
     const LegCycle leg = fit_swing(legs[side]);
     gait.swings[side] = {leg.knee_peak, leg.lift, leg.landing};
   }
@@ -51,15 +76,13 @@ FittedGait fit_standing(const WalkStyle& style, const Skeleton& body) {
 
 FittedGait blended(std::span<const FittedGait> gaits, std::span<const double> weights) {
   assert(gaits.size() == weights.size());
-  GaitNumbers sum{}, numbers{};
+  GaitNumbers sum{};
   for (std::size_t g = 0; g < gaits.size(); ++g) {
     if (weights[g] == 0.0) continue;
-    std::memcpy(&numbers, &gaits[g], sizeof numbers);
+    const GaitNumbers numbers = numbers_of_gait(gaits[g]);
     for (std::size_t i = 0; i < gait_numbers; ++i) sum[i] += weights[g] * numbers[i];
   }
-  FittedGait mean;
-  std::memcpy(&mean, &sum, sizeof mean);
-  return mean;
+  return gait_of(sum);
 }
 
 std::array<LegCycle, 2> legs_of(const FittedGait& gait, const Skeleton& body, double speed_m_s) {

@@ -190,7 +190,8 @@ Pose pose_of(const WalkerGaits& gaits, const SteeredWalk& walker) {
   for (std::size_t side = 0; side < 2; ++side) {
     const SteppingLeg& leg = walker.legs[side];
     const double x = leg.swinging ? swing_share(leg, leg_moment(moment, walker, side)) : 0.0;
-    const double free = 8.0 * x * x * (1.0 - x) * (1.0 - x);  // metres: a foot in the air follows
+    const double free =
+        20.0 * x * x * x * (1.0 - x) * (1.0 - x);  // metres: a foot in the air follows
     const double highest = highest_pelvis(moment.legs[side], trunk, feet[side]);
     height = softly_less(height, highest + free, soft_reach_m);
   }
