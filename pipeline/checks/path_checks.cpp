@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "motion/formats/motion_file.h"
+#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 
 namespace mien::pipeline {
@@ -104,12 +106,40 @@ void check_points(const std::string& path, const WalkPath& walk, FaultList& list
   }
 }
 
+/// Motions of files have moods and a speed of their own.
+void check_graph(const std::string& path, const WalkPath& walk, FaultList& list) {
+  const std::string graph = member_path(path, "graph");
+  for (std::size_t i = 0; i < walk.graph.size(); ++i) {
+    const std::string at = element_path(graph, i);
+    list.check_file(at, walk.graph[i], "a motion file (.bvh, .amc, .gltf, .glb)",
+                    motion::most_of_recording);
+    if (motion::is_motion_file(walk.graph[i])) continue;
+    list.add(at, "\"" + walk.graph[i].extension().string() + "\" is no kind of motion file",
+             "use .bvh, .amc, .gltf or .glb");
+  }
+  const auto refuse = [&](const std::string& at) {
+    if (!list.was_given(at)) return;
+    list.add(at, "motions of files have a mood and a pace of their own",
+             "leave it out, or leave graph: out to have built-in walks");
+  };
+  if (walk.graph.empty()) {
+    const std::string threshold = member_path(path, "threshold_m");
+    if (list.was_given(threshold))
+      list.add(threshold, "only a graph has this", "add graph: with motion files");
+    return;
+  }
+  for (const char* key : {"set", "mood", "moods", "pace"}) refuse(member_path(path, key));
+  for (std::size_t i = 0; i < walk.script.size(); ++i)
+    refuse(member_path(element_path(member_path(path, "script"), i), "mood"));
+}
+
 }  // namespace
 
 void check_walk_path(const Stimulus& stimulus, FaultList& list) {
   if (!stimulus.walk) return;
   const WalkPath& walk = *stimulus.walk;
   const std::string path = member_path(stimulus.path, "path");
+  check_graph(path, walk, list);
   check_mood(member_path(path, "mood"), walk.mood, walks_of(walk), list);
   if (walk.points.empty()) {
     check_script(path, walk, list);

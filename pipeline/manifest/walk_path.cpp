@@ -91,6 +91,7 @@ std::string described(const WalkPath& path) {
   }
   if (path.pace != 1.0) text += " at pace " + shortest(path.pace);
   text += described(path.mood);
+  if (!path.graph.empty()) text += fmt::format(" by a graph of {} files", path.graph.size());
   for (const MoodChange& change : path.moods)
     text += ", from " + shortest(change.seconds) + " s" + described(change.mood);
   return text;

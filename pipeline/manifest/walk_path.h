@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,7 +56,9 @@ void fields_of(Field&& field, C& change) {
 using FloorPoint = std::array<double, 2>;
 
 /// What a walker under control (motion/procedural/scripted_walk.h) is to do, from standing to
-/// standing on a path, or step by step. Exactly one of script and points is given.
+/// standing on a path, or step by step; or what is to be found for it among motions of files
+/// (motion/motion_graph/guided_walk.h), which have their own moods and speeds. Exactly one of
+/// script and points is given.
 struct WalkPath {
   std::string set = "builtin:walks-10";  ///< that moods are named after
   Mood mood;          ///< at the beginning; none: that of the first step, or the set's first walk
@@ -63,6 +66,8 @@ struct WalkPath {
   std::vector<WalkStep> script;
   std::vector<FloorPoint> points;  ///< of a path along straight lines, whose corners are rounded
   std::vector<MoodChange> moods;   ///< along the points, by time
+  std::vector<std::filesystem::path> graph;  ///< motion files, resolved; none: the walker walks
+  double threshold_m = 0.06;                 ///< of the graph (motion/motion_graph/motion_graph.h)
 
   friend bool operator==(const WalkPath&, const WalkPath&) = default;
 };
@@ -75,6 +80,8 @@ void fields_of(Field&& field, P& path) {
   field("script", path.script, concerns::motion);
   field("points", path.points, concerns::motion);
   field("moods", path.moods, concerns::motion);
+  field("graph", path.graph, concerns::motion);
+  field("threshold_m", path.threshold_m, concerns::motion);
 }
 
 /// `path:`: steps, or a map.

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "motion/formats/motion_file.h"
+#include "motion/motion_graph/guided_walk.h"
+#include "motion/motion_graph/motion_graph.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/procedural/scripted_walk.h"
+#include "motion/rig/body_mapping.h"
+#include "motion/rig/retarget.h"
 
 namespace mien::pipeline {
 
@@ -62,17 +67,42 @@ std::vector<motion::MoodFrom> moods_in_time(const WalkPath& path, const Moods& m
   return changes;
 }
 
+std::vector<motion::Vec3> places_of(const WalkPath& path) {
+  std::vector<motion::Vec3> points;
+  for (const auto& [x, z] : path.points) points.emplace_back(x, 0.0, z);
+  return points;
+}
+
+/// The files' motions, whole, at one frame rate and on one body.
+std::vector<motion::Clip> clips_of(const WalkPath& path, double frames_per_second) {
+  std::vector<motion::Clip> clips;
+  for (const std::filesystem::path& file : path.graph) {
+    const motion::Recording recording = motion::read_motion(file);
+    motion::Clip clip = motion::to_body(recording, motion::recognise(recording));
+    if (!clips.empty()) clip = motion::retarget(clip, clips.front().body);
+    clips.push_back(motion::resampled(clip, frames_per_second));
+    clips.back().name = file.stem().string();
+  }
+  return clips;
+}
+
+motion::Clip walked_by_graph(const WalkPath& path, double frames_per_second) {
+  const motion::MotionGraph graph =
+      motion::motion_graph(clips_of(path, frames_per_second), {.threshold_m = path.threshold_m});
+  if (path.points.empty()) return motion::scripted_walk(graph, segments_of(path, {})).clip;
+  return motion::walk_along(graph, places_of(path)).clip;
+}
+
 }  // namespace
 
 motion::Clip walked(const WalkPath& path, double frames_per_second) {
+  if (!path.graph.empty()) return walked_by_graph(path, frames_per_second);
   const Moods moods = moods_of(path);
   const motion::WalkerGaits gaits = gaits_of(path, moods);
   const motion::ScriptedWalkOptions options{.frames_per_second = frames_per_second,
                                             .moods = moods_in_time(path, moods)};
   if (path.points.empty()) return motion::scripted_walk(gaits, segments_of(path, moods), options);
-  std::vector<motion::Vec3> points;
-  for (const auto& [x, z] : path.points) points.emplace_back(x, 0.0, z);
-  return motion::walk_along(gaits, points, path.pace, options);
+  return motion::walk_along(gaits, places_of(path), path.pace, options);
 }
 
 }  // namespace mien::pipeline
