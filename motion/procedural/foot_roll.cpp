@@ -42,17 +42,21 @@ double stance_pitch(const WalkStyle& style, double phase) {
   return -radians_per_degree * style.toe_off_deg * std::pow(risen, 5.0) * (2.5 - 1.5 * risen);
 }
 
-FootPose stance_foot(const FootShape& shape, const WalkStyle& style, const Vec3& print, double yaw,
-                     double phase) {
+FootPose rolled_foot(const FootShape& shape, const Vec3& print, double yaw, double pitch) {
   FootPose foot;
   foot.yaw = yaw;
-  foot.pitch = stance_pitch(style, phase);
+  foot.pitch = pitch;
   foot.toe_extension = std::max(0.0, -foot.pitch);
   const Vec3& pivot = foot.pitch > 0.0 ? shape.heel : shape.ball;
   const Quat flat(Eigen::AngleAxisd(yaw, Vec3::UnitY()));
   const Vec3 flat_ankle = print + Vec3(0, shape.ankle_height, 0);
   foot.ankle = flat_ankle + flat * pivot - foot_rotation(foot) * pivot;
   return foot;
+}
+
+FootPose stance_foot(const FootShape& shape, const WalkStyle& style, const Vec3& print, double yaw,
+                     double phase) {
+  return rolled_foot(shape, print, yaw, stance_pitch(style, phase));
 }
 
 double toe_clearance(const FootShape& shape, const FootPose& foot) {

@@ -34,6 +34,11 @@ Quat foot_rotation(const FootPose& foot);
 /// slopes that the swing must meet.
 double stance_pitch(const WalkStyle& style, double phase);
 
+/// The foot on the floor at a pitch of its sole, rolled there about the heel's edge (toes up) or
+/// the ball (heel up, toes left flat). `print` is where the ankle's plumb line meets the floor
+/// while the sole is flat: what the foot stands on stays there at every pitch.
+FootPose rolled_foot(const FootShape& shape, const Vec3& print, double yaw, double pitch);
+
 /// The foot while it is on the floor, rolling without slipping: on the heel's edge, then flat, then
 /// on the ball with the toes left flat. `phase` ∈ [0, stance_share] counts from the heel strike;
 /// `print` is where the ankle's plumb line meets the floor while the sole is flat.

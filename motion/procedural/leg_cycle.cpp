@@ -105,21 +105,6 @@ double swing_knee_flexion(const LegCycle& leg, double phase) {
   return std::max(flexion, 0.0);
 }
 
-FootPose swinging_foot(const LegCycle& leg, double phase) {
-  const double x = share_of_swing(leg, phase);
-  LegLine line;
-  line.knee_flexion = swing_knee_flexion(leg, phase);
-  line.swing = at(leg.swing_angle, x);
-  constexpr double circumduction = 0.014;  // of the leg's length: the foot passes outside
-  line.outward = at(leg.outward, x) + circumduction * (leg.thigh_m + leg.shank_m) * bump(x, 3, 3);
-  FootPose foot;
-  foot.yaw = yaw(leg);
-  foot.pitch = at(leg.pitch, x) + 0.5 * leg.lift * bump(x, 3, 3);
-  foot.toe_extension = swing_toe_extension(leg.toe_extension, x);
-  foot.ankle = ankle_at(leg, hip_position(leg, phase + leg.phase_offset), line);
-  return foot;
-}
-
 constexpr int swing_samples = 64;
 
 double swing_phase(const LegCycle& leg, int sample) {
@@ -203,7 +188,7 @@ FootPose planted_foot(const LegCycle& leg, double phase) {
   return stance_foot(leg.foot, leg.pelvis.style, print(leg), yaw(leg), phase);
 }
 
-LegCycle fit_swing(LegCycle leg) {
+LegCycle with_swing_curves(LegCycle leg) {
   constexpr double step = 1e-3;
   const double stance = leg.pelvis.style.stance_share;
   const auto leaving = stance_states(leg, stance, -step);
@@ -218,8 +203,28 @@ LegCycle fit_swing(LegCycle leg) {
   leg.pitch = curve(&StanceState::pitch);
   leg.toe_extension = curve(&StanceState::toe_extension);
   leg.knee_correction.heel_strike.rate = 0.0;
+  return leg;
+}
+
+LegCycle fit_swing(LegCycle leg) {
+  leg = with_swing_curves(leg);
   reach_style(leg);
   return leg;
+}
+
+FootPose swinging_foot(const LegCycle& leg, double phase) {
+  const double x = share_of_swing(leg, phase);
+  LegLine line;
+  line.knee_flexion = swing_knee_flexion(leg, phase);
+  line.swing = at(leg.swing_angle, x);
+  constexpr double circumduction = 0.014;  // of the leg's length: the foot passes outside
+  line.outward = at(leg.outward, x) + circumduction * (leg.thigh_m + leg.shank_m) * bump(x, 3, 3);
+  FootPose foot;
+  foot.yaw = yaw(leg);
+  foot.pitch = at(leg.pitch, x) + 0.5 * leg.lift * bump(x, 3, 3);
+  foot.toe_extension = swing_toe_extension(leg.toe_extension, x);
+  foot.ankle = ankle_at(leg, hip_position(leg, phase + leg.phase_offset), line);
+  return foot;
 }
 
 FootPose foot_at(const LegCycle& leg, double cycle_phase) {

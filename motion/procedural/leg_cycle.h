@@ -58,6 +58,13 @@ FootPose planted_foot(const LegCycle& leg, double phase);
 /// at heel strike without a jump in speed or acceleration, and keep the foot clear of the floor.
 LegCycle fit_swing(LegCycle leg);
 
+/// As `fit_swing`, with `knee_peak`, `lift` and `landing` as they are: the curves alone, which are
+/// soon found.
+LegCycle with_swing_curves(LegCycle leg);
+
+/// The foot of a leg with swing curves at a phase of the leg's own cycle in [stance_share, 1].
+FootPose swinging_foot(const LegCycle& leg, double phase);
+
 /// The foot at any phase of the cycle (phase 0 is left heel strike; 1 is a stride further on).
 FootPose foot_at(const LegCycle& leg, double cycle_phase);
 

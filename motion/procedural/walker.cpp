@@ -12,13 +12,11 @@
 #include "motion/procedural/leg_cycle.h"
 #include "motion/procedural/stance_fit.h"
 #include "motion/procedural/upper_body.h"
-#include "motion/skeleton/two_bone_ik.h"
+#include "motion/procedural/walker_legs.h"
 
 namespace mien::motion {
 
 namespace {
-
-constexpr double reference_leg_length = 0.85;  // of standard_body(1.75)
 
 struct Walker {
   PelvisPath pelvis;
@@ -46,32 +44,6 @@ void check(const WalkStyle& style, double frames_per_second) {
           "a walk's heel_strike_deg or toe_off_deg is negative", "use 0 for a flat foot");
 }
 
-/// The style with its lengths, and with them its speed, in proportion to the legs.
-WalkStyle scaled_to(const Skeleton& body, WalkStyle style) {
-  const double scale = leg_length(body) / reference_leg_length;
-  for (double* metres : {&style.speed_m_s, &style.step_width_m, &style.foot_clearance_m,
-                         &style.bounce_m, &style.sway_m, &style.impact_m}) {
-    *metres *= scale;
-  }
-  return style;
-}
-
-LegCycle make_leg(const Skeleton& body, const PelvisPath& pelvis, bool left) {
-  const BodyJoint hip = left ? LeftHip : RightHip;
-  const auto offset = [&](int below) {
-    return body.joints[static_cast<size_t>(hip + below)].offset;
-  };
-  LegCycle leg;
-  leg.pelvis = pelvis;
-  leg.side = left ? 1.0 : -1.0;
-  leg.phase_offset = left ? 0.0 : 0.5;
-  leg.hip_offset = offset(0);
-  leg.thigh_m = offset(1).norm();
-  leg.shank_m = offset(2).norm();
-  leg.foot = foot_shape(body, BodyJoint(hip + 2));
-  return leg;
-}
-
 Walker make_walker(const WalkStyle& style, double cycle_seconds, const Skeleton& body) {
   PelvisPath pelvis;
   pelvis.style = style;
@@ -84,55 +56,13 @@ Walker make_walker(const WalkStyle& style, double cycle_seconds, const Skeleton&
   return walker;
 }
 
-/// World rotation of the thigh that points a slightly bent leg at the ankle, knee towards `pole`.
-Quat aimed_thigh(const Vec3& line, const Vec3& pole) {
-  return frame_from(line, pole) * frame_from(-Vec3::UnitY(), Vec3::UnitZ()).conjugate();
-}
-
-Vec3 knee_direction(const LegCycle& leg, const Quat& pelvis_rotation, const FootPose& foot) {
-  const double splay = leg.side * radians_per_degree * leg.pelvis.style.knee_splay_deg;
-  const Vec3 forward = pelvis_rotation * Vec3::UnitZ();
-  const double facing = std::atan2(forward.x(), forward.z());
-  const double yaw = 0.4 * facing + 0.6 * foot.yaw + splay;
-  return {std::sin(yaw), 0.0, std::cos(yaw)};
-}
-
-void set_leg(const LegCycle& leg, double phase, const Skeleton& body, Pose& pose) {
-  const BodyJoint hip = leg.side > 0 ? LeftHip : RightHip;
-  const auto offset = [&](int below) {
-    return body.joints[static_cast<size_t>(hip + below)].offset;
-  };
-  const auto local = [&](int below) -> Quat& {
-    return pose.rotations[static_cast<size_t>(hip + below)];
-  };
-  const Quat& pelvis = pose.rotations[Pelvis];
-  const FootPose foot = foot_at(leg, phase);
-  const Vec3 root = pose.root_position + pelvis * offset(0);
-  const Vec3 pole = knee_direction(leg, pelvis, foot);
-
-  const Quat bend(Eigen::AngleAxisd(0.5, Vec3::UnitX()));
-  const Quat thigh_guess = aimed_thigh(foot.ankle - root, pole);
-  const Quat shank_guess = thigh_guess * bend;
-  const Vec3 knee = root + thigh_guess * offset(1);
-  const TwoBoneLimb guess{root, knee, knee + shank_guess * offset(2)};
-  const TwoBoneSolution solution = solve_two_bone(guess, foot.ankle, pole);
-
-  const Quat thigh = solution.upper_turn * thigh_guess;
-  const Quat shank = solution.lower_turn * shank_guess;
-  const Quat sole = foot_rotation(foot);
-  local(0) = pelvis.conjugate() * thigh;
-  local(1) = thigh.conjugate() * shank;
-  local(2) = shank.conjugate() * sole;
-  local(3) = Quat(Eigen::AngleAxisd(-foot.toe_extension, Vec3::UnitX()));
-}
-
 Pose pose_of(const Walker& walker, double phase, const Skeleton& body) {
   Pose pose;
   pose.rotations.assign(body_joint_count, Quat::Identity());
   pose.root_position = pelvis_position(walker.pelvis, phase);
   pose.rotations[Pelvis] = pelvis_rotation(walker.pelvis, phase);
   set_upper_body(walker.pelvis.style, phase, pose.rotations[Pelvis], pose);
-  for (const LegCycle& leg : walker.legs) set_leg(leg, phase, body, pose);
+  for (const LegCycle& leg : walker.legs) set_leg(leg, foot_at(leg, phase), body, pose);
   for (Quat& rotation : pose.rotations) {
     rotation = in_hemisphere_of(Quat::Identity(), rotation.normalized());
   }

@@ -8,6 +8,7 @@
 #include "motion/text/file_contents.h"
 #include "pipeline/checks/document_checks.h"
 #include "pipeline/checks/manifest_checks.h"
+#include "pipeline/checks/matching_checks.h"
 #include "pipeline/checks/questionnaire_checks.h"
 #include "pipeline/look/look_checks.h"
 #include "pipeline/manifest/manifest_builder.h"
@@ -86,9 +87,11 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   const bool has_scales = in_scales.empty();
   reading.faults.insert(reading.faults.end(), in_scales.begin(), in_scales.end());
   std::vector<Fault> in_texts = complete_questionnaire(reading.manifest);
+  append(in_texts, complete_matching(reading.manifest));
   const bool has_all = has_scales && in_texts.empty();
   add_at_new_paths(reading.faults, std::move(in_texts));
   if (has_all) add_at_new_paths(reading.faults, check_questionnaire(reading.manifest));
+  if (has_all) add_at_new_paths(reading.faults, check_matching(reading.manifest));
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
 }

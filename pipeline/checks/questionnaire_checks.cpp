@@ -22,19 +22,6 @@ using Names = std::vector<std::string>;
 
 std::string at(const char* key) { return member_path("questionnaire", key); }
 
-void complete_text(const std::string& path, TextSource& source, FaultList& list) {
-  if (source.file.empty()) return;
-  const motion::FileReading read = motion::bytes_of_file(source.file, motion::most_of_document);
-  if (!read.bytes) {
-    list.check_file(member_path(path, "file"), source.file, "a text file",
-                    motion::most_of_document);
-  } else if (first_invalid_utf8(*read.bytes)) {
-    list.add(member_path(path, "file"), source.file.string() + " is not UTF-8", "save it as UTF-8");
-  } else {
-    source.text = *read.bytes;
-  }
-}
-
 std::vector<Fault> complete_own_scales(ScaleChoice& scales, const Places& places) {
   FaultList list(places);
   if (scales.file.empty()) return {};
@@ -261,6 +248,19 @@ class QuestionnaireCheck {
 };
 
 }  // namespace
+
+void complete_text(const std::string& path, TextSource& source, FaultList& list) {
+  if (source.file.empty()) return;
+  const motion::FileReading read = motion::bytes_of_file(source.file, motion::most_of_document);
+  if (!read.bytes) {
+    list.check_file(member_path(path, "file"), source.file, "a text file",
+                    motion::most_of_document);
+  } else if (first_invalid_utf8(*read.bytes)) {
+    list.add(member_path(path, "file"), source.file.string() + " is not UTF-8", "save it as UTF-8");
+  } else {
+    source.text = *read.bytes;
+  }
+}
 
 std::vector<Fault> complete_questionnaire(Manifest& manifest) {
   if (!manifest.questionnaire) return {};

@@ -10,6 +10,7 @@
 #include "motion/measures/body_part.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/checks/path_checks.h"
 #include "pipeline/documents/fault_list.h"
 
 namespace mien::pipeline {
@@ -207,6 +208,7 @@ void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultLis
   if (has_examples && !manifest.examples.blendable) check_single(stimulus, list);
   check_interpolation(stimulus, list);
   check_clip(stimulus, list);
+  check_walk_path(stimulus, list);
 }
 
 }  // namespace

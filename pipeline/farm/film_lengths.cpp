@@ -61,7 +61,7 @@ class Lengths {
  private:
   int found(const Stimulus& stimulus) {
     if (const auto frames = recorded_frames(stimulus.id, folder_)) return std::max(1, *frames);
-    if (motions_ == nullptr || !stimulus.clip) return assumed_frames(stimulus.output);
+    if (motions_ == nullptr || is_blend(stimulus)) return assumed_frames(stimulus.output);
     if (read_ == most_files_read) return static_cast<int>(frames_read_ / read_);
     const int frames = motions_->shown(stimulus).frame_count();
     ++read_;

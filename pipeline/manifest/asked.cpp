@@ -26,7 +26,26 @@ const Questionnaire& questionnaire_of(const Manifest& manifest) {
               "add questionnaire: {participants: …, scales: […]}");
 }
 
+const Matching& matching_of(const Manifest& manifest) {
+  if (manifest.matching) return *manifest.matching;
+  throw Error(manifest.file.string() + " has no matching experiment",
+              "add matching: {participants: …}");
+}
+
+std::vector<std::string> matching_targets(const Manifest& manifest) {
+  const Matching& matching = matching_of(manifest);
+  if (!matching.targets.empty()) return matching.targets;
+  std::vector<std::string> ids;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.role == Role::target && !is_among(stimulus.id, matching.practice))
+      ids.push_back(stimulus.id);
+  }
+  return ids;
+}
+
 std::string title_of(const Manifest& manifest) {
+  if (!manifest.questionnaire && manifest.matching)
+    return manifest.matching->title.empty() ? manifest.study : manifest.matching->title;
   const std::string& title = questionnaire_of(manifest).title;
   return title.empty() ? manifest.study : title;
 }

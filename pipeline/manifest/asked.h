@@ -14,6 +14,13 @@ namespace mien::pipeline {
 /// The questionnaire. Throws Error where the manifest has none.
 const Questionnaire& questionnaire_of(const Manifest& manifest);
 
+/// The matching experiment. Throws Error where the manifest has none.
+const Matching& matching_of(const Manifest& manifest);
+
+/// Ids of its targets: those that it names, or all stimuli whose role is target and which are no
+/// practice.
+std::vector<std::string> matching_targets(const Manifest& manifest);
+
 /// Its title, or the study's name.
 std::string title_of(const Manifest& manifest);
 

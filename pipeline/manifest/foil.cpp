@@ -53,6 +53,7 @@ void make_like(const Stimulus& original, bool foil_says_on_fault, Stimulus& foil
   foil.features = original.features;
   foil.weights = original.weights;
   foil.clip = original.clip;
+  foil.walk = original.walk;
   foil.interpolation = original.interpolation;
   if (!foil_says_on_fault) foil.on_fault = original.on_fault;
   foil.modify.clear();

@@ -21,9 +21,9 @@ OrderedJson HoldForm::write(const Hold& hold, const Writing& how) {
 }
 
 void resolve_holds(Manifest& manifest) {
-  // A captured motion has no values of its own.
+  // A captured motion has no values of its own, nor has a path.
   const auto is_reference = [](const Stimulus& stimulus) {
-    return stimulus.role == Role::reference && !stimulus.clip;
+    return stimulus.role == Role::reference && is_blend(stimulus);
   };
   const auto found = std::ranges::find_if(manifest.stimuli, is_reference);
   if (found == manifest.stimuli.end()) return;

@@ -9,6 +9,7 @@
 
 #include "pipeline/documents/places.h"
 #include "pipeline/manifest/examples.h"
+#include "pipeline/manifest/matching.h"
 #include "pipeline/manifest/output.h"
 #include "pipeline/manifest/questionnaire.h"
 #include "pipeline/manifest/sheet.h"
@@ -95,6 +96,7 @@ struct Manifest {
   std::vector<Overlay> overlays;
   std::vector<Sheet> sheets;
   std::optional<Questionnaire> questionnaire;
+  std::optional<Matching> matching;
   Places places;
 };
 
@@ -129,6 +131,7 @@ void fields_of(Field&& field, M& manifest) {
              [&] { return plain_overlay(manifest); });
   field.each("sheets", manifest.sheets, concerns::page, [] { return Sheet(); });
   field("questionnaire", manifest.questionnaire, concerns::nothing);
+  field("matching", manifest.matching, concerns::nothing);
 }
 
 /// All that films are made of: the stimuli, then the overlays.

@@ -19,6 +19,7 @@
 #include "pipeline/manifest/modification.h"
 #include "pipeline/manifest/output.h"
 #include "pipeline/manifest/regression_limits.h"
+#include "pipeline/manifest/walk_path.h"
 
 namespace mien::pipeline {
 
@@ -98,7 +99,7 @@ struct StepsForm {
   }
 };
 
-/// One motion to make. Exactly one of adjectives, features, weights, clip and foil is given.
+/// One motion to make. Exactly one of adjectives, features, weights, clip, path and foil is given.
 struct Stimulus {
   std::string path;  ///< in the manifest: "stimuli[2]"
   std::string id;    ///< safe as a file name
@@ -109,10 +110,11 @@ struct Stimulus {
   NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
   NamedValues weights;     ///< example → share, ≥ 0, not all 0
   std::optional<ClipSource> clip;
-  std::optional<Foil> foil;     ///< all of the motion is then as that of another (resolve_foils)
-  Look look;                    ///< the manifest's with this stimulus's own values over it
-  Output output;                ///< likewise
-  Interpolation interpolation;  ///< likewise
+  std::optional<WalkPath> walk;  ///< `path:`
+  std::optional<Foil> foil;      ///< all of the motion is then as that of another (resolve_foils)
+  Look look;                     ///< the manifest's with this stimulus's own values over it
+  Output output;                 ///< likewise
+  Interpolation interpolation;   ///< likewise
   std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
   OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
   RegressionLimits regression;           ///< the manifest's with this stimulus's own over it
@@ -134,8 +136,12 @@ void fields_of(Field&& field, S& stimulus) {
   field("features", stimulus.features, concerns::motion);
   field("weights", stimulus.weights, concerns::motion);
   field("clip", stimulus.clip, concerns::motion);
+  field.by("path", stimulus.walk, concerns::motion, WalkPathForm());
   field.by("modify", stimulus.modify, concerns::motion, StepsForm());
   field("interpolation", stimulus.interpolation, concerns::motion);
 }
+
+/// Whether it is blended from examples, and not shown from a file or walked along a path.
+inline bool is_blend(const Stimulus& stimulus) { return !stimulus.clip && !stimulus.walk; }
 
 }  // namespace mien::pipeline

@@ -19,6 +19,18 @@ Stimulus stimulus_of(const SampledTarget& target, const TargetSet& set, const Ma
   return stimulus;
 }
 
+/// With adjectives where the examples are rated: targets that are places of features may be of such
+/// that are not.
+Matching matching_of(const TargetSet& set) {
+  Matching matching;
+  matching.participants = 12;
+  if (set.are_features) matching.interfaces = {"features", "weights"};
+  for (const SampledTarget& target : set.targets)
+    (target.practice ? matching.practice : matching.targets).push_back(target.id);
+  if (!set.are_features) matching.primary = set.parameters;
+  return matching;
+}
+
 }  // namespace
 
 std::string target_manifest(const Manifest& source, const TargetSet& set,
@@ -32,6 +44,7 @@ std::string target_manifest(const Manifest& source, const TargetSet& set,
   manifest.scales = source.scales;
   for (const SampledTarget& target : set.targets)
     manifest.stimuli.push_back(stimulus_of(target, set, manifest));
+  manifest.matching = matching_of(set);
   return fmt::format(
              "# Targets of a matching experiment, sampled by mien study targets with seed {}.\n",
              set.seed) +

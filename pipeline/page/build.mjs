@@ -12,13 +12,19 @@ if (!folder) {
   process.exit(2);
 }
 
-/** What each page is made of: scripts with what starts them, and files that go in as they are. */
+/** What each page is made of: scripts and styles with what starts them, and files that go in as they are. */
 const pages = {
   live: { scripts: { live: "global.ts" }, files: [] },
+  matching: {
+    scripts: { matching: "main.ts" },
+    styles: { matching: "matching.css" },
+    files: ["index.html"],
+  },
   questionnaire: {
     scripts: { questionnaire: "main.ts", turn_view: "turn_view.ts" },
     files: ["index.html", "questionnaire.css"],
   },
+  walk: { scripts: { walk: "main.ts" }, styles: { walk: "walk.css" }, files: ["index.html"] },
 };
 
 /** Of a package that names it and does not bring its text. */
@@ -62,15 +68,15 @@ async function licences_of(scripts, inputs) {
   return licences;
 }
 
-for (const [name, { scripts, files }] of Object.entries(pages)) {
+for (const [name, { scripts, styles = {}, files }] of Object.entries(pages)) {
   const source = join(here, "src", name);
   const out = join(folder, name);
   await rm(out, { recursive: true, force: true });
   await mkdir(out, { recursive: true });
   const result = await build({
     absWorkingDir: here,
-    entryPoints: Object.fromEntries(
-      Object.entries(scripts).map(([script, start]) => [script, join(source, start)])),
+    entryPoints: [...Object.entries(scripts), ...Object.entries(styles)].map(
+      ([out_name, start]) => ({ in: join(source, start), out: out_name })),
     outdir: out,
     bundle: true,
     minify: true,

@@ -62,7 +62,7 @@ OrderedJson resolved_settings(const Stimulus& stimulus) {
   OrderedJson map = film_of(stimulus);
   map.erase("modify");
   if (stimulus.modify.empty()) map.erase("on_fault");
-  if (stimulus.clip) map.erase("interpolation");
+  if (!is_blend(stimulus)) map.erase("interpolation");
   for (const ModificationStep& step : stimulus.modify) map["modify"].push_back(step_of(step));
   return map;
 }

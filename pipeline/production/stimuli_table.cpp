@@ -34,6 +34,7 @@ std::string listed(const NamedValues& values) {
 }
 
 std::string asked_of(const Stimulus& stimulus) {
+  if (stimulus.walk) return described(*stimulus.walk);
   if (!stimulus.clip)
     return listed(stimulus.adjectives) + listed(stimulus.features) + listed(stimulus.weights);
   std::string text = stimulus.clip->file.filename().string();

@@ -11,14 +11,16 @@
 
 namespace mien::pipeline {
 
-enum class TrialKind { rating, emotion, pair, attention };
+enum class TrialKind { rating, emotion, pair, attention, matching };
 
 inline constexpr Words<TrialKind> trial_kind_words = {{"rating", TrialKind::rating},
                                                       {"emotion", TrialKind::emotion},
                                                       {"pair", TrialKind::pair},
-                                                      {"attention", TrialKind::attention}};
+                                                      {"attention", TrialKind::attention},
+                                                      {"matching", TrialKind::matching}};
 
-/// One question of a trial: a scale by its id, or `emotion_item` (manifest/asked.h).
+/// One question of a trial: a scale by its id, or `emotion_item` (manifest/asked.h). Of a trial of
+/// matching: the interface, whose stimulus is the target.
 struct AskedItem {
   std::string item;
   bool flipped = false;  ///< the high end is at the left

@@ -51,8 +51,8 @@ inline void assign(const nlohmann::json* value, std::uint64_t& target) {
   target = value->get<std::uint64_t>();
 }
 
-template <std::size_t Count>
-void assign(const nlohmann::json* value, std::array<int, Count>& target) {
+template <class Number, std::size_t Count>
+void assign(const nlohmann::json* value, std::array<Number, Count>& target) {
   if (value == nullptr || !value->is_array() || value->size() != Count) return;
   for (std::size_t i = 0; i < Count; ++i) assign(&(*value)[i], target[i]);
 }

@@ -44,6 +44,14 @@ void tell_files(const Manifest& manifest, MethodsText& out) {
   out.say(count_of(files.size(), "stimulus shows", "stimuli show") + " recorded motion");
 }
 
+void tell_paths(const Manifest& manifest, MethodsText& out) {
+  const auto paths = stimuli_from(manifest, "path");
+  if (paths.empty()) return;
+  out.say(count_of(paths.size(), "stimulus was", "stimuli were") +
+          " walked along a path by a parametric walker that plans each step as it goes, and is no "
+          "recorded motion");
+}
+
 }  // namespace
 
 Methods methods_of(const Manifest& manifest, Motions& motions) {
@@ -53,6 +61,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   if (uses_examples(manifest)) tell_examples(manifest, motions, out);
   tell_blends(manifest, motions, out);
   tell_files(manifest, out);
+  tell_paths(manifest, out);
   tell_modifications(manifest, motions, out);
   out.end_paragraph();
   tell_pictures(manifest, motions, out);

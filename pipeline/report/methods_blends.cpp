@@ -42,7 +42,7 @@ class BlendsWriter {
     Names rotations, warps;
     bool locks = false;
     for (const Stimulus& stimulus : manifest_.stimuli) {
-      if (stimulus.clip) continue;
+      if (!is_blend(stimulus)) continue;
       add_once(rotations, mean_of(stimulus.interpolation.rotations));
       add_once(warps, warp_of(stimulus.interpolation.time_warp));
       locks = locks || stimulus.interpolation.foot_lock;

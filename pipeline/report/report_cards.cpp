@@ -51,7 +51,7 @@ std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
                          clip.cycle_displacement.norm(),
                          clip.cycle_displacement.norm() / clip.duration_seconds());
   }
-  if (!stimulus.clip && stimulus.weights.empty()) {
+  if (is_blend(stimulus) && stimulus.weights.empty()) {
     facts +=
         fmt::format(", {} interpolation", motion::name_of(stimulus.interpolation.weights.method));
   }

@@ -19,6 +19,7 @@ std::string ratings_of(const Stimulus* stimulus, Motions& motions) {
 
 std::string_view source_of(const Stimulus& stimulus) {
   if (stimulus.clip) return "clip";
+  if (stimulus.walk) return "path";
   if (!stimulus.features.empty()) return "features";
   return stimulus.adjectives.empty() ? "weights" : "adjectives";
 }
@@ -32,7 +33,7 @@ std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_
 }
 
 std::string method_of(const Stimulus& stimulus) {
-  if (stimulus.clip) return "";
+  if (!is_blend(stimulus)) return "";
   return std::string(motion::name_of(stimulus.weights.empty()
                                          ? stimulus.interpolation.weights.method
                                          : motion::InterpolationMethod::direct));

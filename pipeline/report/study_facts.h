@@ -19,7 +19,7 @@ std::string_view name_of(Role role);
 /// and examples (nullptr).
 std::string ratings_of(const Stimulus* stimulus, Motions& motions);
 
-/// What a motion is made from: "adjectives", "features", "weights" or "clip".
+/// What a motion is made from: "adjectives", "features", "weights", "clip" or "path".
 std::string_view source_of(const Stimulus& stimulus);
 
 /// Those that are made from it.

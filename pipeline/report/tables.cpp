@@ -126,7 +126,7 @@ std::string joint_distances_csv(const Manifest& manifest, Motions& motions) {
 std::string weights_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table = table_of(weights_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
-    if (stimulus.clip) continue;
+    if (!is_blend(stimulus)) continue;
     const Eigen::VectorXd& weights = motions.of(stimulus.id).weights;
     for (Eigen::Index i = 0; i < weights.size(); ++i) {
       table.row({stimulus.id, ratings_of(&stimulus, motions),
@@ -160,7 +160,7 @@ std::string parameters_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table = table_of(parameters_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
-    if (stimulus.clip) continue;
+    if (!is_blend(stimulus)) continue;
     const Repertoire& repertoire = motions.repertoire();
     for (const ParameterRow& row : parameter_rows(made, repertoire)) {
       const bool is_wish = !row.asked.empty();

@@ -16,6 +16,7 @@ std::string origin_of(const std::string& name, Motions& motions) {
   const Stimulus* stimulus = motions.stimulus(name);
   if (stimulus == nullptr) return "example";
   if (stimulus->clip) return "as captured";
+  if (stimulus->walk) return "along a path";
   if (!stimulus->features.empty()) return "from features";
   if (!stimulus->adjectives.empty()) return "from adjectives";
   return stimulus->weights.size() == 1 ? stimulus->weights.front().first : "from weights";

@@ -53,7 +53,7 @@ Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterm
     task.determinants.add("motion", name);
     const Stimulus* stimulus = motions.stimulus(name);
     if (stimulus != nullptr) task.inputs.push_back("motion:" + name);
-    uses_examples = uses_examples || stimulus == nullptr || !stimulus->clip;
+    uses_examples = uses_examples || stimulus == nullptr || is_blend(*stimulus);
   }
   if (uses_examples) {
     task.determinants.add("repertoire", shared.repertoire).add("made at", manifest.output.fps);

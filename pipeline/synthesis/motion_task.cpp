@@ -46,7 +46,7 @@ Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Mot
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
   add_motion(task.determinants, stimulus, shared.files);
-  if (!stimulus.clip || names_examples(stimulus)) {
+  if (is_blend(stimulus) || names_examples(stimulus)) {
     task.determinants.add("repertoire", shared.repertoire);
   }
   task.products.push_back({".mien/motions/" + stimulus.id + ".json", {}});

@@ -91,8 +91,8 @@ Synthesis Motions::make(const std::string& name) {
   if (asked == nullptr) {
     return synthesize_example(name, manifest_.output, manifest_.interpolation, repertoire());
   }
-  // A file needs no examples, unless its modifications do; there may be none.
-  if (asked->clip && !names_examples(*asked)) return synthesize(*asked, Repertoire{});
+  // A file or a path needs no examples, unless its modifications do; there may be none.
+  if (!is_blend(*asked) && !names_examples(*asked)) return synthesize(*asked, Repertoire{});
   return synthesize(*asked, repertoire());
 }
 
@@ -105,7 +105,7 @@ bool names_examples(const Stimulus& stimulus) {
 
 bool blends_examples(const Manifest& manifest) {
   return std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
-                     [](const Stimulus& stimulus) { return !stimulus.clip; });
+                     is_blend);
 }
 
 const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id) {

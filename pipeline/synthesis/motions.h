@@ -70,7 +70,7 @@ class Motions {
 /// Whether a modification of the stimulus takes something from an example.
 bool names_examples(const Stimulus& stimulus);
 
-/// Whether anything is made from examples, and not from a file alone.
+/// Whether anything is made from examples, and not from files or along paths alone.
 bool blends_examples(const Manifest& manifest);
 
 /// The stimulus of that id, or nullptr. Looks at one after the other: for a few ids.

@@ -15,6 +15,7 @@
 #include "motion/rig/body_mapping.h"
 #include "pipeline/synthesis/modified_motion.h"
 #include "pipeline/synthesis/slider_interface.h"
+#include "pipeline/synthesis/walked_path.h"
 #include "pipeline/synthesis/wish.h"
 
 namespace mien::pipeline {
@@ -216,8 +217,19 @@ Synthesis as_captured(const Stimulus& stimulus) {
   return result;
 }
 
+Synthesis as_walked(const Stimulus& stimulus) {
+  Synthesis result;
+  result.motion.name = stimulus.id;
+  result.motion.clip = walked(*stimulus.walk, stimulus.output.fps);
+  result.motion.keytimes = {0.0, result.motion.clip.duration_seconds()};
+  result.planted_drift_m =
+      motion::planted_drift(result.motion.clip, motion::foot_plants(result.motion.clip));
+  return result;
+}
+
 Synthesis unmodified(const Stimulus& stimulus, const Repertoire& repertoire) {
   if (stimulus.clip) return as_captured(stimulus);
+  if (stimulus.walk) return as_walked(stimulus);
   if (!wishes_of(stimulus).empty()) return from_parameters(stimulus, repertoire);
   return from_weights(given_weights(stimulus.weights, repertoire), stimulus.output,
                       stimulus.interpolation, repertoire);
@@ -239,7 +251,7 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
 }  // namespace
 
 Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
-  assert(!stimulus.clip);
+  assert(is_blend(stimulus));
   if (wishes_of(stimulus).empty()) return given_weights(stimulus.weights, repertoire);
   // Features are met by trial (with_met_features).
   if (!stimulus.features.empty()) return from_parameters(stimulus, repertoire).weights;

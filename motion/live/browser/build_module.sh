@@ -15,7 +15,15 @@ files='error.cpp
   examples/compared_example.cpp examples/make_example.cpp examples/settled_feet.cpp
   formats/bvh_as_read.cpp formats/bvh_rotation.cpp formats/frame_rate.cpp
   measures/distance.cpp measures/feature_curves.cpp measures/feature_parameter.cpp
-  measures/feature_scale.cpp measures/motion_feature_list.cpp measures/motion_features.cpp'
+  measures/feature_scale.cpp measures/motion_feature_list.cpp measures/motion_features.cpp
+  motion_graph/live_walk.cpp
+  procedural/affective_walk.cpp procedural/builtin_styles.cpp procedural/carriage.cpp
+  procedural/expressive_walks.cpp procedural/fitted_gait.cpp procedural/foot_roll.cpp
+  procedural/leg_cycle.cpp procedural/paced_style.cpp procedural/pelvis_path.cpp
+  procedural/stance_fit.cpp procedural/steered_moment.cpp procedural/steered_pose.cpp
+  procedural/steered_walk.cpp procedural/step_plan.cpp procedural/stepping_leg.cpp
+  procedural/upper_body.cpp procedural/walk_curves.cpp procedural/walk_style.cpp
+  procedural/walker.cpp procedural/walker_gaits.cpp procedural/walker_legs.cpp'
 
 # Exceptions as WebAssembly has them: Chrome 95, Firefox 100, Safari 15.2. Without -msimd128: clang 14
 # vectorizes motion/rig/rest_calibration.cpp wrongly, and Eigen makes no use of it.
@@ -44,6 +52,6 @@ while read -r source; do
 done <sources
 xargs -r -P "${JOBS:-$(nproc)}" -n 2 sh -c 'em++ '"$flags"' -Iinclude -c "$0" -o "$1"' <stale
 em++ $flags -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=33554432 -sTOTAL_STACK=1048576 \
-  -sEXPORTED_FUNCTIONS=_live_open,_live_room,_live_leave,_live_set,_live_slider,_live_make,_live_distance,_live_example,_live_target,_live_result,_live_result_size \
+  -sEXPORTED_FUNCTIONS=_live_open,_live_room,_live_leave,_live_set,_live_slider,_live_make,_live_distance,_live_example,_live_target,_live_result,_live_result_size,_walker_open,_walker_mood,_walker_steer,_walker_advance,_walker_frame,_walker_frame_size,_walker_told,_walker_told_size \
   --no-entry @linked -o part.wasm
 mv part.wasm live_core.wasm

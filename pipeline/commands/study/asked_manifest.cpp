@@ -13,4 +13,10 @@ Manifest asked_manifest(const std::string& name, const Console& console) {
   return manifest;
 }
 
+Manifest participants_manifest(const std::string& name, const Console& console) {
+  Manifest manifest = load_manifest(manifest_meant(name, console), process_environment());
+  if (!manifest.matching) questionnaire_of(manifest);
+  return manifest;
+}
+
 }  // namespace mien::pipeline

@@ -11,8 +11,12 @@ namespace mien::pipeline {
 /// none.
 Manifest asked_manifest(const std::string& name, const Console& console);
 
+/// The manifest of that name, which must have a questionnaire or a matching experiment. Throws
+/// likewise.
+Manifest participants_manifest(const std::string& name, const Console& console);
+
 inline constexpr char asked_manifest_help[] =
-    "Manifest (YAML) with a questionnaire, the name of one of mien manifests, or a study's "
+    "Manifest (YAML) with a questionnaire or a matching experiment, the name of one of mien manifests, or a study's "
     "provenance.json";
 
 }  // namespace mien::pipeline

@@ -11,6 +11,7 @@
 #include "pipeline/checks/session_checks.h"
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/frozen_archive.h"
+#include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
@@ -119,7 +120,13 @@ std::vector<fs::path> files_of_design(const DesignCommand& command, const Manife
 }
 
 int design(const DesignCommand& command, const Console& console) {
-  Manifest manifest = asked_manifest(command.manifest, console);
+  Manifest manifest = participants_manifest(command.manifest, console);
+  if (manifest.matching) {
+    if (command.power || !command.balance.empty() || !command.frozen.empty())
+      throw Error("--power, --balance and --freeze are about questionnaires",
+                  "leave them out for a matching experiment");
+    return design_matching(manifest, {command.participants, command.plans}, console);
+  }
   if (command.participants > 0) manifest.questionnaire->participants = command.participants;
   const std::vector<SessionPlan> plans = plan_sessions(manifest, video_seconds(manifest));
   const Balance balance = balance_of(manifest, plans);
@@ -188,7 +195,7 @@ void add_power_options(CLI::App& command, DesignCommand& options) {
 
 void add_study_design_command(CLI::App& study, Command& chosen) {
   CLI::App* command = study.add_subcommand(
-      "design", "Lay out a questionnaire's sessions: plans, balance, duration, power");
+      "design", "Lay out the sessions of participants: plans, balance, duration, power");
   const auto options = std::make_shared<DesignCommand>();
   command->add_option("manifest", options->manifest, asked_manifest_help)->required();
   command->add_option("-o,--output", options->plans,

@@ -10,6 +10,8 @@
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/study.h"
+#include "pipeline/live/live_script.h"
+#include "pipeline/matching/experiment/matching_export.h"
 #include "pipeline/page/page_bundle.h"
 #include "pipeline/questionnaire/simulated_sessions.h"
 
@@ -24,11 +26,26 @@ struct ExportOptions {
   std::string folder;
 };
 
-int export_questionnaire(const ExportOptions& options, const Console& console) {
+int export_matching(const Manifest& manifest, const fs::path& folder, const Console& console) {
+  const fs::path pages = page_bundle("matching");
+  const fs::path module = live_module();
+  Motions motions(manifest);
+  const MatchingStudy study = matching_study(manifest, motions);
+  refuse_answers_to_another(folder, study.experiment.at("design"));
+  write_export(exported_matching(manifest, study, pages, module), folder);
+  console.out << fmt::format("{}: {} participants, {} trials each\n{}\n{}\n", folder.string(),
+                             study.plans.size(), study.plans.front().trials.size(),
+                             (folder / "index.html").string(),
+                             (folder / (manifest.study + ".jzip")).string());
+  return exit_done;
+}
+
+int export_study(const ExportOptions& options, const Console& console) {
   // What would stop it later is told before anything is drawn.
-  const fs::path pages = page_bundle("questionnaire");
   refuse_foreign_folder(options.folder);
-  const Manifest asked = asked_manifest(options.study.manifest, console);
+  const Manifest asked = participants_manifest(options.study.manifest, console);
+  if (asked.matching) return export_matching(asked, options.folder, console);
+  const fs::path pages = page_bundle("questionnaire");
   refuse_answers_to_another(options.folder, design_hash(asked, plan_sessions(asked)));
   const MadeQuestionnaire made = made_questionnaire(options.study, console);
   write_export(exported_questionnaire(made.manifest, made.plans, made.media, pages),
@@ -45,7 +62,7 @@ int export_questionnaire(const ExportOptions& options, const Console& console) {
 
 void add_study_export_command(CLI::App& study, Command& chosen) {
   CLI::App* command = study.add_subcommand(
-      "export", "The questionnaire as a folder that any browser opens, and for JATOS");
+      "export", "The questionnaire or matching experiment as a folder that any browser opens, and for JATOS");
   const auto options = std::make_shared<ExportOptions>();
   add_questionnaire_options(*command, options->study);
   command
@@ -53,11 +70,11 @@ void add_study_export_command(CLI::App& study, Command& chosen) {
                    "Folder to write, new or of an earlier export; answers put there stay")
       ->required();
   command->footer(
-      "\nMakes the study first, as mien run does. The folder works offline by a double click on\n"
+      "\nMakes what a questionnaire shows first, as mien run does. The folder works offline by a double click on\n"
       "index.html, on any web server, and on JATOS (.jzip); its README.txt tells how.\n"
       "\nExample:\n  mien study export study.yaml -o questionnaire");
   command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return export_questionnaire(*options, console); };
+    chosen = [options](const Console& console) { return export_study(*options, console); };
   });
 }
 

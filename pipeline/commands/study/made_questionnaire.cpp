@@ -58,7 +58,8 @@ MadeQuestionnaire made_questionnaire(const ProductionArguments& arguments, const
 void add_questionnaire_options(CLI::App& command, ProductionArguments& arguments) {
   command
       .add_option("manifest", arguments.manifest,
-                  "Manifest (YAML) with a questionnaire, or the name of one of mien manifests")
+                  "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
+                  "one of mien manifests")
       ->required();
   command.add_option("--out", arguments.out, "Folder in which studies are made")
       ->capture_default_str();

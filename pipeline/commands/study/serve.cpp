@@ -13,6 +13,7 @@
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/matching/experiment/matching_study.h"
 #include "pipeline/page/page_bundle.h"
 #include "pipeline/questionnaire/service/collected_answers.h"
 #include "pipeline/questionnaire/service/service.h"
@@ -140,17 +141,9 @@ std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest&
   return store;
 }
 
-int serve(const ServeOptions& options, const Console& console) {
-  // What would stop it later is told before anything is drawn.
-  const fs::path pages = page_bundle("questionnaire");
-  base_url(options, options.port);
-  const Manifest asked = asked_manifest(options.study.manifest, console);
-  const ServedFiles files = served_files(options, asked);
-  std::unique_ptr<SessionStore> opened = store_so_far(files.answers, asked);
-  const MadeQuestionnaire made = made_questionnaire(options.study, console);
-  const ServedStudy study = served_study(made.manifest, made.plans, made.media, pages);
-  if (!opened) opened = std::make_unique<SessionStore>(files.answers);
-  SessionStore& store = *opened;
+/// Until told to end.
+int serve_study(const ServedStudy& study, SessionStore& store, const ServeOptions& options,
+                const ServedFiles& files, const Console& console) {
   QuestionnaireService service(study, store);
   Troubles troubles(console);
   const HttpSettings settings{.listen = options.listen, .port = options.port};
@@ -171,11 +164,35 @@ int serve(const ServeOptions& options, const Console& console) {
   return exit_done;
 }
 
+int serve_matching(const Manifest& manifest, const ServeOptions& options, const Console& console) {
+  const fs::path pages = page_bundle("matching");
+  const ServedFiles files = served_files(options, manifest);
+  Motions motions(manifest);
+  const ServedStudy study = served_matching(matching_study(manifest, motions), pages);
+  make_folder(files.answers.parent_path());
+  SessionStore store(files.answers);
+  return serve_study(study, store, options, files, console);
+}
+
+int serve(const ServeOptions& options, const Console& console) {
+  // What would stop it later is told before anything is drawn.
+  base_url(options, options.port);
+  const Manifest asked = participants_manifest(options.study.manifest, console);
+  if (asked.matching) return serve_matching(asked, options, console);
+  const fs::path pages = page_bundle("questionnaire");
+  const ServedFiles files = served_files(options, asked);
+  std::unique_ptr<SessionStore> opened = store_so_far(files.answers, asked);
+  const MadeQuestionnaire made = made_questionnaire(options.study, console);
+  const ServedStudy study = served_study(made.manifest, made.plans, made.media, pages);
+  if (!opened) opened = std::make_unique<SessionStore>(files.answers);
+  return serve_study(study, *opened, options, files, console);
+}
+
 }  // namespace
 
 void add_study_serve_command(CLI::App& study, Command& chosen) {
   CLI::App* command =
-      study.add_subcommand("serve", "The questionnaire from this machine, for a laboratory");
+      study.add_subcommand("serve", "The questionnaire or matching experiment from this machine, for a laboratory");
   const auto options = std::make_shared<ServeOptions>();
   add_questionnaire_options(*command, options->study);
   command->add_option("--port", options->port, "Port to listen at; 0: any that is free")
@@ -191,7 +208,7 @@ void add_study_serve_command(CLI::App& study, Command& chosen) {
                       "How participants reach this server, if not at its address and port");
   command->add_flag("--json", options->json, "Tell the links as JSON");
   command->footer(
-      "\nMakes the study first, as mien run does. Each participant has a link of their own, each\n"
+      "\nMakes what a questionnaire shows first, as mien run does. Each participant has a link of their own, each\n"
       "answer is on the disk before the page goes on, and the experimenter's page shows who is\n"
       "where and gives the answers out as CSV. Other machines reach it with --listen only.\n"
       "\nExamples:\n"

@@ -12,6 +12,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/example_source.h"
+#include "pipeline/matching/experiment/simulated_matching.h"
 #include "pipeline/production/study_inputs.h"
 #include "pipeline/questionnaire/simulated_sessions.h"
 #include "pipeline/synthesis/repertoire.h"
@@ -73,8 +74,22 @@ StatedTruth truth_of(const SimulateCommand& command, const Manifest& manifest) {
   return asked_scales(manifest).scales.empty() ? StatedTruth{} : measured_truth(manifest);
 }
 
+int simulate_matched(const SimulateCommand& command, const Manifest& manifest,
+                     const Console& console) {
+  if (!command.truth.empty())
+    throw Error("--truth is about questionnaires", "leave it out for a matching experiment");
+  Motions motions(manifest);
+  const MatchingStudy study = matching_study(manifest, motions, command.participants);
+  const std::vector<MatchedTrial> trials = simulated_matching(manifest, motions, study);
+  return put_answers(command, manifest, matching_trials_csv(trials),
+                     fmt::format("{} simulated participants, {} trials", study.plans.size(),
+                                 trials.size()),
+                     console);
+}
+
 int simulate_questionnaire(const SimulateCommand& command, const Console& console) {
-  const Manifest manifest = asked_manifest(command.manifest, console);
+  const Manifest manifest = participants_manifest(command.manifest, console);
+  if (manifest.matching) return simulate_matched(command, manifest, console);
   const std::vector<SessionPlan> plans = plan_sessions(manifest, {}, command.participants);
   const std::vector<AnswerRow> rows =
       simulated_sessions(manifest, plans, truth_of(command, manifest), command.people);
@@ -85,7 +100,7 @@ int simulate_questionnaire(const SimulateCommand& command, const Console& consol
 
 int simulate(const SimulateCommand& command, const Console& console) {
   if (command.manifest.empty() == command.examples.empty())
-    throw Error("simulate takes a manifest with a questionnaire, or --examples",
+    throw Error("simulate takes a manifest with a questionnaire or a matching experiment, or --examples",
                 "give one of the two");
   return command.manifest.empty() ? simulate_examples(command, console)
                                   : simulate_questionnaire(command, console);
@@ -118,7 +133,7 @@ void add_people_options(CLI::App& command, SimulateCommand& options) {
 
 void add_study_simulate_command(CLI::App& study, Command& chosen) {
   CLI::App* command = study.add_subcommand(
-      "simulate", "Answers that nobody gave: to a questionnaire, or about examples");
+      "simulate", "Answers that nobody gave: to a questionnaire, about examples, or in matching");
   const auto options = std::make_shared<SimulateCommand>();
   command->add_option("manifest", options->manifest, asked_manifest_help);
   add_people_options(*command, *options);
@@ -136,6 +151,7 @@ void add_study_simulate_command(CLI::App& study, Command& chosen) {
       "\nEvery row is marked as simulated. Examples:\n"
       "  mien study simulate emotion-study -o answers.csv\n"
       "  mien study simulate study.yaml --truth truth.csv --participants 40 -o answers.csv\n"
+      "  mien study simulate matching-experiment -o trials.csv\n"
       "  mien study simulate --examples builtin:walks-27 -o answers.csv\n"
       "  mien study simulate --examples 'captures/*walk*.bvh' --scales five.scales.yaml");
   command->callback([&chosen, options] {

@@ -22,24 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// A text with one piece of it replaced; the piece must be there.
-std::string with(std::string text, std::string_view piece, std::string_view other) {
-  const std::size_t at = text.find(piece);
-  if (at == text.npos)
-    throw std::logic_error(fmt::format("the page has no \"{}\" to replace", piece));
-  return text.replace(at, piece.size(), other);
-}
-
-/// The page as JATOS shows it: with its script, and without a policy that would keep it from
-/// talking to its server.
-std::string page_of_jatos(std::string page) {
-  const std::size_t policy = page.find("<meta http-equiv=\"Content-Security-Policy\"");
-  if (policy != page.npos) page.erase(policy, page.find('\n', policy) + 1 - policy);
-  page = with(std::move(page), "content=\"static\"", "content=\"jatos\"");
-  return with(std::move(page), "<script src=\"questionnaire.js\"",
-              "<script src=\"jatos.js\"></script>\n<script src=\"questionnaire.js\"");
-}
-
 std::string in_base64(std::string_view bytes) {
   constexpr std::string_view letters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -85,7 +67,7 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
   }
   // What participants need is all that JATOS is given.
   ZipFiles assets = files;
-  assets["index.html"] = page_of_jatos(std::move(assets["index.html"]));
+  assets["index.html"] = page_of_jatos(std::move(assets["index.html"]), "questionnaire.js");
   const std::string title = title_of(manifest);
   files[manifest.study + ".jzip"] =
       jatos_archive({.title = title,

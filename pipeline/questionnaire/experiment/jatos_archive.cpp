@@ -1,5 +1,8 @@
 #include "pipeline/questionnaire/experiment/jatos_archive.h"
 
+#include <stdexcept>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/tasks/hash.h"
@@ -53,7 +56,23 @@ ordered_json study_json(const JatosStudy& study) {
             {"batchList", ordered_json::array({batch_json(study)})}}}};
 }
 
+/// A text with one piece of it replaced; the piece must be there.
+std::string with(std::string text, std::string_view piece, std::string_view other) {
+  const std::size_t at = text.find(piece);
+  if (at == text.npos)
+    throw std::logic_error(fmt::format("the page has no \"{}\" to replace", piece));
+  return text.replace(at, piece.size(), other);
+}
+
 }  // namespace
+
+std::string page_of_jatos(std::string page, const std::string& script) {
+  const std::size_t policy = page.find("<meta http-equiv=\"Content-Security-Policy\"");
+  if (policy != page.npos) page.erase(policy, page.find('\n', policy) + 1 - policy);
+  page = with(std::move(page), "content=\"static\"", "content=\"jatos\"");
+  const std::string own = "<script src=\"" + script + "\"";
+  return with(std::move(page), own, "<script src=\"jatos.js\"></script>\n" + own);
+}
 
 std::string named_uuid(const std::string& name) {
   std::string digits = hash_of("mien/" + name);

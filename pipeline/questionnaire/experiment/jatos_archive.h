@@ -22,6 +22,10 @@ struct JatosStudy {
 /// the same bytes.
 std::string jatos_archive(const JatosStudy& study, const ZipFiles& assets);
 
+/// The page of an export as JATOS shows it: with its script before the page's own (`script`,
+/// "questionnaire.js"), and without a policy that would keep it from talking to its server.
+std::string page_of_jatos(std::string page, const std::string& script);
+
 /// A UUID of version 8 (RFC 9562), which follows from the name.
 std::string named_uuid(const std::string& name);
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "pipeline/documents/csv.h"
+#include "pipeline/questionnaire/service/matching_rows.h"
 #include "pipeline/questionnaire/service/record_check.h"
 
 namespace mien::pipeline {
@@ -22,7 +23,34 @@ PageRecord parsed(const StoredRecord& stored) {
   return read_record(nlohmann::json::parse(stored.content));
 }
 
+std::vector<MatchedTrial> matched_trials(const ServedStudy& study, const StudySessions& sessions) {
+  std::vector<MatchedTrial> trials;
+  std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
+  for (const SessionState& state : sessions.states()) {
+    const SessionPlan plan = sessions.plan_of(state.session);
+    for (const StoredRecord& stored : records[state.session.index]) {
+      PageRecord record = parsed(stored);
+      const Trial* trial = trial_of(plan, stored.name);
+      if (trial == nullptr || !record.matching) continue;
+      trials.push_back({.participant = plan.participant,
+                        .session = record.session,
+                        .design = study.facts.design,
+                        .trial = *trial,
+                        .match = std::move(*record.matching)});
+    }
+  }
+  return trials;
+}
+
 }  // namespace
+
+std::string trials_csv(const ServedStudy& study, const StudySessions& sessions) {
+  return matching_trials_csv(matched_trials(study, sessions));
+}
+
+std::string changes_csv(const ServedStudy& study, const StudySessions& sessions) {
+  return matching_changes_csv(matched_trials(study, sessions));
+}
 
 std::string answers_csv(const ServedStudy& study, const StudySessions& sessions) {
   std::vector<AnswerRow> rows;

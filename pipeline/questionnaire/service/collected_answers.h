@@ -11,6 +11,10 @@ namespace mien::pipeline {
 /// One row an answer (answer_row.h), by participant and trial.
 std::string answers_csv(const ServedStudy& study, const StudySessions& sessions);
 
+/// Trials of a matching experiment, and what was done in them (matching_rows.h).
+std::string trials_csv(const ServedStudy& study, const StudySessions& sessions);
+std::string changes_csv(const ServedStudy& study, const StudySessions& sessions);
+
 /// One row a participant who has agreed to take part: participant, session, design, consented_at,
 /// finished, and a column a question.
 std::string participants_csv(const ServedStudy& study, const StudySessions& sessions);

@@ -51,6 +51,7 @@ nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions&
   return {{"study", study.experiment.at("study")},
           {"title", study.experiment.at("title")},
           {"design", study.facts.design},
+          {"is_matching", study.facts.matching.has_value()},
           {"trouble", trouble},
           {"planned", study.plans.size()},
           {"join", "/join/" + sessions.join_link() + "/"},
@@ -93,7 +94,12 @@ std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedS
     return HttpResponse{.type = "text/javascript; charset=utf-8", .body = embedded_lab_js};
   if (name == "status.json")
     return http_json(lab_status(study, sessions, trouble, now).dump(-1, ' ', false, replace));
-  if (name == "answers.csv") return saved_as(file, csv, answers_csv(study, sessions));
+  if (study.facts.matching && name == "trials.csv")
+    return saved_as(file, csv, trials_csv(study, sessions));
+  if (study.facts.matching && name == "changes.csv")
+    return saved_as(file, csv, changes_csv(study, sessions));
+  if (!study.facts.matching && name == "answers.csv")
+    return saved_as(file, csv, answers_csv(study, sessions));
   if (name == "participants.csv") return saved_as(file, csv, participants_csv(study, sessions));
   if (name == "links.csv") return saved_as(file, csv, links_csv(sessions, base_of(request)));
   if (name == "answers.json")

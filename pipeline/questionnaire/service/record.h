@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/questionnaire/service/matching_record.h"
 #include "pipeline/questionnaire/session_plan.h"
 #include "pipeline/ratings/answer_row.h"
 
@@ -38,6 +39,7 @@ struct AskedFacts {
   std::vector<std::string> choices;          ///< of emotion trials: ids
   std::vector<AskedQuestion> questions;
   std::map<std::string, std::string> sha256;  ///< of the media, by stimulus
+  std::optional<MatchingFacts> matching;      ///< of a matching experiment
 };
 
 /// As experiment.json tells it, of all its sessions. Throws nlohmann::json::exception when that is
@@ -66,12 +68,7 @@ struct PageRecord {
   std::optional<int> dropped_frames, blurs, viewport_width, viewport_height;
   std::optional<double> refresh_hz;
   std::vector<std::string> media_sha256;  ///< of what was shown, then of the reference
-};
-
-/// Why a record is not taken.
-class RecordFault : public std::runtime_error {
- public:
-  explicit RecordFault(const std::string& wrong) : runtime_error(wrong) {}
+  std::optional<MatchingRecord> matching;  ///< of a trial of matching
 };
 
 /// Throws RecordFault: members that are unknown, missing or of another kind, numbers out of any

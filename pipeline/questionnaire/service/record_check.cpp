@@ -83,6 +83,12 @@ void check_media(const AskedFacts& facts, const Trial& trial, const PageRecord& 
 
 void check_trial_record(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
                         const PageRecord& record) {
+  if (record.matching.has_value() != (trial.kind == TrialKind::matching))
+    throw RecordFault("the record is of another kind of trial");
+  if (record.matching) {
+    check_items(record, {});
+    return check_matching_record(facts.matching.value(), trial, *record.matching);
+  }
   std::vector<std::string> items;
   for (const AskedItem& item : trial.items) items.push_back(item.item);
   if (items.empty() && trial.kind == TrialKind::attention) items = {attention_item};
@@ -130,6 +136,8 @@ bool is_refusal(const PageRecord& record) {
 }
 
 void check_record(const AskedFacts& facts, const SessionPlan& plan, const PageRecord& record) {
+  if (record.matching && trial_of(plan, record.name) == nullptr)
+    throw RecordFault("nothing is matched on this page");
   if (record.name == consent_record) {
     check_consent(record);
   } else if (record.name == demographics_record) {

@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/live/live_motions.h"
 #include "pipeline/page/served_page.h"
 #include "pipeline/questionnaire/experiment/media.h"
 #include "pipeline/questionnaire/service/record.h"
@@ -29,6 +31,7 @@ struct ServedStudy {
   std::map<std::string, ServedMedia> media;  ///< by token
   std::map<std::string, ServedFile> page;    ///< by name; "index.html" is the page itself
   AskedFacts facts;                          ///< of `experiment`
+  std::unique_ptr<LiveMotions> live;         ///< of a matching experiment: what its sliders make
 };
 
 /// A study that has been made, to be served with the pages of that folder (page_bundle).

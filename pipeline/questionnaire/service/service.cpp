@@ -6,6 +6,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/documents/html.h"
 #include "pipeline/questionnaire/service/lab_page.h"
+#include "pipeline/questionnaire/service/matching_distances.h"
 #include "pipeline/questionnaire/service/record_check.h"
 
 namespace mien::pipeline {
@@ -84,6 +85,7 @@ QuestionnaireService::QuestionnaireService(const ServedStudy& study, SessionStor
       clock_(clock),
       sessions_(study, store, clock),
       link_rate_(rates.link),
+      live_rate_(rates.live),
       wrong_rate_(rates.wrong),
       joining_rate_(rates.joining) {}
 
@@ -130,6 +132,8 @@ HttpResponse QuestionnaireService::answer_session(const HttpRequest& request) {
   if (request.path.size() < 2) return unknown(request);
   const std::optional<int> session = sessions_.find(request.path[1]);
   if (!session) return unknown(request);
+  if (study_.live && request.path.size() == 4 && request.path[2] == "live")
+    return answer_live(request);
   if (!link_rate_.allows(request.path[1])) return too_often();
   if (request.path.size() == 4 && request.path[2] == "records")
     return request.method == "POST" ? take_record(request, *session) : wrong_method("POST");
@@ -154,6 +158,11 @@ HttpResponse QuestionnaireService::answer_own(const HttpRequest& request, int se
   return file ? *file : unknown(request);
 }
 
+HttpResponse QuestionnaireService::answer_live(const HttpRequest& request) {
+  if (!live_rate_.allows(request.path[1])) return too_often();
+  return study_.live->answer(request, std::span(request.path).subspan(3));
+}
+
 std::optional<HttpResponse> QuestionnaireService::page_file(const std::string& name) const {
   const auto file = study_.page.find(name.empty() ? "index.html" : name);
   if (file == study_.page.end()) return std::nullopt;
@@ -166,7 +175,9 @@ HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int s
   if (std::ranges::find(state.names, name) == state.names.end())
     return http_refusal(404, "unknown", "this session has no such page", "load the page again");
   return with_record(request, [&](const PageRecord& record, const std::string& content) {
-    check_record(study_.facts, sessions_.plan_of(state.session), record);
+    const SessionPlan plan = sessions_.plan_of(state.session);
+    check_record(study_.facts, plan, record);
+    if (record.matching) check_distances(*study_.live, *trial_of(plan, record.name), *record.matching);
     return keep_record(session, record, content);
   });
 }

@@ -12,6 +12,7 @@ namespace mien::pipeline {
 /// How often things may be asked for.
 struct ServiceRates {
   Rate link{.burst = 300, .per_second = 10};    ///< by one participant's link
+  Rate live{.burst = 600, .per_second = 120};   ///< motions, by one participant's link
   Rate wrong{.burst = 60, .per_second = 0.5};   ///< links that do not exist, by one address
   Rate joining{.burst = 100, .per_second = 1};  ///< new sessions, by one address
 };
@@ -21,6 +22,7 @@ struct ServiceRates {
 ///   /s/<link>/                    a participant's page, and the files of it
 ///   /s/<link>/session.json        what it shows, and what was given already
 ///   /s/<link>/records/<name>      POST: something is given
+///   /s/<link>/live/…              motions of a matching experiment (live_motions.h)
 ///   /media/<token>                a video
 ///   /join/<link>/                 the page for somebody who has no session: it asks for consent
 ///   /join/<link>/records/consent  POST: who agrees is given a session
@@ -46,6 +48,7 @@ class QuestionnaireService {
   HttpResponse answer_kind(const HttpRequest& request);
   HttpResponse answer_session(const HttpRequest& request);
   HttpResponse answer_own(const HttpRequest& request, int session);
+  HttpResponse answer_live(const HttpRequest& request);
   HttpResponse take_record(const HttpRequest& request, int session);
   HttpResponse keep_record(int session, const PageRecord& record, const std::string& content);
   HttpResponse answer_media(const HttpRequest& request) const;
@@ -61,7 +64,7 @@ class QuestionnaireService {
   StudySessions sessions_;
   mutable std::mutex trouble_mutex_;
   std::string trouble_;
-  RateLimit link_rate_, wrong_rate_, joining_rate_;
+  RateLimit link_rate_, live_rate_, wrong_rate_, joining_rate_;
 };
 
 }  // namespace mien::pipeline

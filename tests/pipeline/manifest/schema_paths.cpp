@@ -45,9 +45,11 @@ std::map<std::string, json> properties_of(const json& schema) {
   SchemaWalk walk(schema);
   walk.walk(schema, "");
   std::map<std::string, json> found = walk.take();
-  // One step of a row of steps is written with or without the row.
+  // One step of a row of steps is written with or without the row, and a row of steps with or
+  // without a map around it.
   std::erase_if(found, [](const auto& property) {
-    return property.first.find("modify[]") != std::string::npos;
+    return property.first.find("modify[]") != std::string::npos ||
+           property.first.find("stimuli[].path[]") != std::string::npos;
   });
   return found;
 }

@@ -42,6 +42,8 @@ constexpr char with_folder[] =
     R"({"examples": {"set": null, "ratings": "simulated"}, "stimuli": [{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"normal": 1}}]})";
 constexpr char with_a_folder_or_set[] =
     R"({"stimuli": [{"id": "a", "features": {"step-length": 0.5}}, {"id": "b", "clip": "one/sad.bvh"}]})";
+constexpr char with_points[] =
+    R"({"stimuli": [{"id": "a", "path": {"points": [[0, 0], [0, 1]]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
 constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
 
@@ -108,6 +110,19 @@ const Surroundings surroundings[] = {
     {"examples.expect[].", "{}", R"({"parameter": "quickness", "order": ["sad", "normal"]})"},
     {"stimuli[].features", "{}", "{}"},
     {"stimuli[].clip.frames", "{}", R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].path.script[].walk", "{}", "{}"},
+    {"stimuli[].path.script[].turn", "{}", "{}"},
+    {"stimuli[].path.script[].stand", "{}", "{}"},
+    {"stimuli[].path.script[].", "{}", R"({"walk": 1})"},
+    {"stimuli[].path.script", "{}", "{}"},
+    {"stimuli[].path.points", "{}", "{}"},
+    {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}]})"},
+    {"stimuli[].path.threshold_m", "{}",
+     R"({"graph": ["one/normal.bvh", "one/sad.bvh"], "script": [{"walk": 1}]})"},
+    {"stimuli[].path.moods[].at", with_points, R"({"mood": {"sad": 1}})"},
+    {"stimuli[].path.moods[].mood", with_points, R"({"at": 0.1})"},
+    {"stimuli[].path.moods", with_points, "{}"},
+    {"stimuli[].path.", "{}", R"({"script": [{"walk": 1}]})"},
     {"camera.position", "{}", R"({"target": [0, 1, 0]})"},
     {"camera.target", "{}", R"({"position": [3, 1, 1]})"},
     {"screen.distance_cm", "{}", R"({"width_cm": 50})"},
@@ -135,6 +150,23 @@ struct Values {
 };
 
 const Values chosen_values[] = {
+    {"stimuli[].path", R"([[{"walk": 1}], {"points": [[0, 0], [0, 1]]}])"},
+    {"stimuli[].path.script", R"([[{"walk": 1}], [{"turn": 30}]])"},
+    {"stimuli[].path.script[].walk", "[1, 1.5]"},
+    {"stimuli[].path.script[].turn", "[30, -30]"},
+    {"stimuli[].path.script[].stand", "[0.5, 1]"},
+    {"stimuli[].path.script[].pace", "[0.5, 1]"},
+    {"stimuli[].path.graph", R"([["one/normal.bvh"], ["one/normal.bvh", "one/sad.bvh"]])"},
+    {"stimuli[].path.threshold_m", "[0.1, 0.2]"},
+    {"stimuli[].path.points", "[[[0, 0], [0, 1]], [[0, 0], [0.5, 1]]]"},
+    {"stimuli[].path.pace", "[0.5, 1]"},
+    {"stimuli[].path.set", R"(["builtin:walks-10", "builtin:walks-27"])"},
+    {"stimuli[].path.mood", R"([{"sad": 1}, {"sad": 1, "happy": 1}])"},
+    {"stimuli[].path.script[].mood", R"([{"sad": 1}, {"sad": 1, "happy": 1}])"},
+    {"stimuli[].path.moods",
+     R"([[{"at": 0.1, "mood": {"sad": 1}}], [{"at": 0.2, "mood": {"sad": 1}}]])"},
+    {"stimuli[].path.moods[].at", "[0.1, 0.2]"},
+    {"stimuli[].path.moods[].mood", R"([{"sad": 1}, {"happy": 1}])"},
     {"questionnaire",
      R"([{"participants": 4, "scales": "all"}, {"participants": 5, "scales": "emotions"}])"},
     {"questionnaire.title", R"(["How?", "What?"])"},
@@ -392,7 +424,8 @@ void add_around(json& manifest, const std::string& path) {
   }
   if (path.starts_with("stimuli[].") && !path.starts_with("stimuli[].adjectives")) {
     json& stimulus = manifest["stimuli"][0];
-    const bool other = path.starts_with("stimuli[].clip") || path == "stimuli[].features";
+    const bool other = path.starts_with("stimuli[].clip") || path == "stimuli[].features" ||
+                       path.starts_with("stimuli[].path");
     if (other) stimulus.erase("weights");
   }
   if (path == "stimuli[].adjectives") manifest["stimuli"][0].erase("weights");

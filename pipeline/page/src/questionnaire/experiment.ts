@@ -1,3 +1,5 @@
+import type { MatchingRecord } from "../matching/experiment";
+
 /** What a questionnaire shows, as `mien study export` and `serve` write it. */
 export interface Experiment {
   format: "mien-questionnaire-1";
@@ -96,6 +98,16 @@ export interface Response {
   rt_ms: number;
 }
 
+/** What stores must know of a study: a questionnaire, or a matching experiment. */
+export interface Planned<Own extends { participant: string } = Session> {
+  design: string;
+  sessions: Own[];
+  kept?: string[];
+  browser?: string;
+  refused?: boolean;
+  joining?: boolean;
+}
+
 /** What is kept of a page: of the consent, the demographics, a trial or the ending. */
 export interface PageRecord {
   record: string;
@@ -115,6 +127,8 @@ export interface PageRecord {
   viewport_height?: number;
   refresh_hz?: number | null;
   media_sha256?: string[];
+  /** Of a trial of a matching experiment. */
+  matching?: MatchingRecord;
 }
 
 /** Throws with words for whoever runs the study. */

@@ -7,7 +7,7 @@ export interface SavedFile {
   save(): void;
 }
 
-function download(name: string, type: string, text: string): void {
+export function download(name: string, type: string, text: string): void {
   const link = document.createElement("a");
   const url = URL.createObjectURL(new Blob([text], { type }));
   link.href = url;
@@ -16,6 +16,23 @@ function download(name: string, type: string, text: string): void {
   link.click();
   link.remove();
   setTimeout(() => URL.revokeObjectURL(url), 60000);
+}
+
+export interface TextFile {
+  name: string;
+  type: string;
+  text: string;
+}
+
+/** Saves files among the downloads, by itself only once; says how to do so again. */
+export function save_once(files: TextFile[], store: Pick<Store, "is_saved" | "note_saved">): SavedFile[] {
+  const saved = files.map((file) => ({ name: file.name,
+    save: () => download(file.name, file.type, file.text) }));
+  if (!store.is_saved?.()) {
+    saved.forEach(({ save }, index) => setTimeout(save, 300 * index));
+    setTimeout(() => store.note_saved?.(), 300 * (saved.length - 1));
+  }
+  return saved;
 }
 
 /**
@@ -33,11 +50,5 @@ export function save_files(experiment: Experiment, store: Store): SavedFile[] {
     { name: `${begin}_description-participant_data.csv`, type: "text/csv", text: participants_csv(experiment, session, records) },
     { name: `${begin}_records.json`, type: "application/json", text: JSON.stringify(everything, null, 1) },
   ];
-  const saved = files.map((file) => ({ name: file.name,
-    save: () => download(file.name, file.type, file.text) }));
-  if (!store.is_saved?.()) {
-    saved.forEach(({ save }, index) => setTimeout(save, 300 * index));
-    setTimeout(() => store.note_saved?.(), 300 * (saved.length - 1));
-  }
-  return saved;
+  return save_once(files, store);
 }

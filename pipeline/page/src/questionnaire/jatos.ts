@@ -1,5 +1,4 @@
-import type { Experiment, PageRecord } from "./experiment";
-import { answers_csv, participants_csv } from "./rows";
+import type { PageRecord, Planned } from "./experiment";
 import { least_taken, named_session, pause, random_name, type Remembered, type Store } from "./store";
 
 /** What is used of jatos.js. */
@@ -31,7 +30,7 @@ export function loaded_jatos(): Promise<Jatos> {
  * Counts the session that is taken in the batch session, which all participants of a batch share.
  * JATOS refuses a change that was made on an old state; then another one is chosen.
  */
-async function least_taken_of_batch(experiment: Experiment, jatos: Jatos): Promise<string> {
+async function least_taken_of_batch(experiment: Planned<{ participant: string }>, jatos: Jatos): Promise<string> {
   for (let tries = 0; ; tries += 1) {
     const taken = jatos.batchSession?.get("mien_taken") ?? {};
     const { participant } = least_taken(experiment.sessions, taken);
@@ -46,8 +45,17 @@ async function least_taken_of_batch(experiment: Experiment, jatos: Jatos): Promi
   }
 }
 
-/** The result data is the CSV of the answers so far; a reload goes on from the study session. */
-export async function jatos_store(experiment: Experiment): Promise<Store> {
+/** Tables of a session, as they are handed in. */
+export interface Tables<Own> {
+  /** Complete after every record. */
+  results(session: Own, records: Record<string, PageRecord>): string;
+  /** Name → text, at the end. */
+  files(session: Own, records: Record<string, PageRecord>): Record<string, string>;
+}
+
+/** The result data is a table of what was given so far; a reload goes on from the study session. */
+export async function jatos_store<Own extends { participant: string }>(
+  experiment: Planned<Own>, tables: Tables<Own>): Promise<Store<Own>> {
   const jatos = await loaded_jatos();
   let own = jatos.studySessionData?.mien;
   if (!own) {
@@ -72,7 +80,7 @@ export async function jatos_store(experiment: Experiment): Promise<Store> {
       }
     }
   };
-  const store: Store = {
+  const store: Store<Own> = {
     session,
     name: kept.name,
     records: kept.records,
@@ -81,11 +89,11 @@ export async function jatos_store(experiment: Experiment): Promise<Store> {
       kept.records[record.record] = record;
       store.kept.add(record.record);
       await send(() => jatos.setStudySessionData({ ...jatos.studySessionData, mien: kept }), wait);
-      await send(() => jatos.submitResultData(answers_csv(experiment, session, kept.records)), wait);
+      await send(() => jatos.submitResultData(tables.results(session, kept.records)), wait);
     },
     async finish() {
       const files: [string, string][] = [
-        ["participants.csv", participants_csv(experiment, session, kept.records)],
+        ...Object.entries(tables.files(session, kept.records)),
         ["records.json", JSON.stringify(kept)],
       ];
       if (jatos.uploadResultFile) {

@@ -1,28 +1,18 @@
 import { initJsPsych } from "jspsych";
-import { element, heading, paragraphs, button } from "./elements";
+import { button, element } from "./elements";
 import { checked, records_of, type Experiment, type PageRecord } from "./experiment";
 import { save_files } from "./files";
-import { jatos_store } from "./jatos";
 import { LoadPage } from "./load_page";
 import { is_phone, is_touched, refresh_rate } from "./measures";
 import { fill, run_script, type Stock } from "./media";
+import { answers_csv, participants_csv } from "./rows";
 import { load_turn_view } from "./screen";
-import { folder_store, joining_store, served_store, SessionClosed, unsent_record, type Store } from "./store";
-import { page_record, TextPage, wait_note, type GivenOnPage } from "./text_page";
+import { SessionClosed, type Store } from "./store";
+import { base, mode_of_page, root, show, show_closed, store_of, type Mode } from "./surroundings";
+import { TextPage } from "./text_page";
+import { page_record, wait_note, type GivenOnPage } from "./text_view";
 import { texts_of, type Texts } from "./texts";
 import { TrialPage, type TrialSurroundings } from "./trial_page";
-
-type Mode = "static" | "served" | "jatos";
-
-const root = (): HTMLElement => document.getElementById("page")!;
-
-function mode_of_page(): Mode {
-  const meta = document.querySelector<HTMLMetaElement>('meta[name="mien-mode"]');
-  return meta?.content === "served" || meta?.content === "jatos" ? meta.content : "static";
-}
-
-/** Where the page lies, with a slash at its end. */
-const base = (): string => location.pathname.replace(/[^/]*$/, "");
 
 async function experiment_of(mode: Mode): Promise<Experiment> {
   if (mode === "served") {
@@ -32,36 +22,6 @@ async function experiment_of(mode: Mode): Promise<Experiment> {
   }
   await run_script("experiment.js");
   return checked((globalThis as { mienExperiment?: unknown }).mienExperiment);
-}
-
-async function store_of(mode: Mode, experiment: Experiment, texts: Texts): Promise<Store> {
-  if (mode === "jatos") return jatos_store(experiment);
-  if (mode === "static")
-    return folder_store(experiment, new URLSearchParams(location.search).get("participant"));
-  if (experiment.joining) return joining_store(experiment, base());
-  const unsent = unsent_record(experiment, base());
-  const store = served_store(experiment, base());
-  if (unsent) await store.keep(unsent, wait_note(root(), texts));
-  return store;
-}
-
-/** The last page, which nothing follows. */
-function show(title: string, texts: string[], ...more: HTMLElement[]): void {
-  const head = heading(title);
-  root().replaceChildren(element("article", { class: "page" }, head, ...paragraphs(texts), ...more));
-  head.focus();
-}
-
-/** Where nothing more can be taken, and why. */
-function show_closed(error: unknown, texts: Texts): void {
-  if (!(error instanceof SessionClosed)) {
-    console.error(error);
-    show(texts.trouble, [error instanceof Error ? error.message : String(error)]);
-  } else if (error.why === "elsewhere") {
-    show(texts.elsewhere, [texts.go_on_there]);
-  } else {
-    show(texts.thanks, [error.why === "refused" ? texts.refused : texts.enough]);
-  }
 }
 
 /** The timeline: what is kept already is left out. */
@@ -160,7 +120,10 @@ async function main(): Promise<void> {
     show(experiment.title, [texts.phone]);
     return;
   }
-  const store = await store_of(mode, experiment, texts);
+  const store = await store_of(mode, experiment, texts, {
+    results: (session, records) => answers_csv(experiment, session, records),
+    files: (session, records) => ({ "participants.csv": participants_csv(experiment, session, records) }),
+  });
   const names = records_of(experiment, store.session);
   if (names.every((name) => store.kept.has(name))) {
     show_ending(mode, experiment, store, texts);

@@ -102,7 +102,7 @@ export function answers_csv(
 
 /** Who took part, as CSV of one row. */
 export function participants_csv(
-  experiment: Experiment, session: Session, records: Record<string, PageRecord>,
+  experiment: Pick<Experiment, "demographics" | "design">, session: { participant: string }, records: Record<string, PageRecord>,
 ): string {
   const questions = experiment.demographics.map(({ id }) => id);
   const row: Record<string, string> = {

@@ -1,8 +1,10 @@
-import type { Experiment, PageRecord, Session } from "./experiment";
+import type { PageRecord, Planned, Session } from "./experiment";
+
+type Named = { participant: string };
 
 /** Where the records of a session are kept while it lasts. */
-export interface Store {
-  session: Session;
+export interface Store<Own extends Named = Session> {
+  session: Own;
   /** Random name of this browser session; a reload keeps it. */
   name: string;
   /** What was kept before the page was opened, by name. */
@@ -34,8 +36,8 @@ export function random_name(): string {
 }
 
 /** A random one of those that were taken least. */
-export function least_taken(sessions: Session[], taken: Record<string, number>): Session {
-  const times = (session: Session) => taken[session.participant] ?? 0;
+export function least_taken<Own extends Named>(sessions: Own[], taken: Record<string, number>): Own {
+  const times = (session: Own) => taken[session.participant] ?? 0;
   const least = Math.min(...sessions.map(times));
   const free = sessions.filter((session) => times(session) === least);
   const drawn = crypto.getRandomValues(new Uint32Array(1))[0]! / 2 ** 32;
@@ -43,7 +45,7 @@ export function least_taken(sessions: Session[], taken: Record<string, number>):
 }
 
 /** The plan of that name. Throws, with those that there are. */
-export function named_session(sessions: Session[], participant: string): Session {
+export function named_session<Own extends Named>(sessions: Own[], participant: string): Own {
   const found = sessions.find((session) => session.participant === participant);
   if (found) return found;
   const last = sessions[sessions.length - 1]!.participant;
@@ -63,7 +65,7 @@ export interface Remembered {
  * A text under a name in this browser; where the browser keeps nothing, in the name of this window,
  * which outlives a reload.
  */
-class Drawer {
+export class Drawer {
   constructor(private key: string) {}
 
   read<T>(): T | null {
@@ -101,7 +103,8 @@ function texts_of_window(): Record<string, string> {
 }
 
 /** Which plan: ?participant=p003, else a random one of those taken least in this browser. */
-export function folder_store(experiment: Experiment, wanted: string | null): Store {
+export function folder_store<Own extends Named>(
+  experiment: Planned<Own>, wanted: string | null): Store<Own> {
   const current = new Drawer(`mien/${experiment.design}/session`);
   const counts = new Drawer(`mien/${experiment.design}/taken`);
   let own = current.read<Remembered>();
@@ -173,11 +176,11 @@ async function post(base: string, record: PageRecord, wait: Wait): Promise<{ ses
   }
 }
 
-const drawer_of = (experiment: Experiment, base: string): Drawer =>
+const drawer_of = (experiment: { design: string }, base: string): Drawer =>
   new Drawer(`mien/${experiment.design}/${base}`);
 
 /** Each record is posted beside the page. */
-export function served_store(experiment: Experiment, base: string): Store {
+export function served_store<Own extends Named>(experiment: Planned<Own>, base: string): Store<Own> {
   const session = experiment.sessions[0]!;
   const drawer = drawer_of(experiment, base);
   const own = drawer.read<Remembered>() ??
@@ -208,7 +211,7 @@ export function served_store(experiment: Experiment, base: string): Store {
  * Of somebody who has no session: who agrees is given one, and goes on at its own address under the
  * name of this window. Each time the page is opened somebody else may sit here.
  */
-export function joining_store(experiment: Experiment, base: string): Store {
+export function joining_store<Own extends Named>(experiment: Planned<Own>, base: string): Store<Own> {
   const name = random_name();
   return {
     session: experiment.sessions[0]!,
@@ -230,7 +233,7 @@ export function joining_store(experiment: Experiment, base: string): Store {
 class RefusedRecord extends Error {}
 
 /** A record that was given and not yet acknowledged when the window was closed. */
-export function unsent_record(experiment: Experiment, base: string): PageRecord | null {
+export function unsent_record(experiment: { design: string; kept?: string[] }, base: string): PageRecord | null {
   const own = drawer_of(experiment, base).read<Remembered>();
   const record = own && Object.values(own.records)[0];
   return record && !(experiment.kept ?? []).includes(record.record) ? record : null;

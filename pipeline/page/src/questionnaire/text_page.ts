@@ -1,7 +1,5 @@
 import { ParameterType, type JsPsych, type JsPsychPlugin, type TrialType } from "jspsych";
-import type { Demographic, PageRecord, Response } from "./experiment";
-import { button, element, heading, paragraphs } from "./elements";
-import type { Texts } from "./texts";
+import { show_text_page, type AskedPage } from "./text_view";
 
 const info = {
   name: "mien-text-page",
@@ -23,129 +21,13 @@ const info = {
   },
 } as const;
 
-export interface GivenOnPage {
-  pressed: number;
-  responses: Response[];
-  comment: string;
-  started_at: string;
-}
-
-export type KeepPage = (given: GivenOnPage, page: HTMLElement) => Promise<void>;
-
-interface Question {
-  id: string;
-  root: HTMLElement;
-  focus(): void;
-  /** The answer; null where it was left out, a text where it is wrong. */
-  read(): { value: number | string | null; wrong?: string; at: number };
-}
-
-function question_of(asked: Demographic, texts: Texts): Question {
-  const name = `about-${asked.id}`;
-  const error = element("p", { class: "wrong", id: `${name}-wrong`, role: "alert" });
-  let at = performance.now();
-  const optional = asked.required ? "" : ` (${texts.optional})`;
-  if (Array.isArray(asked.answer)) {
-    const root = element("fieldset", { class: "question" }, element("legend", {}, asked.ask + optional));
-    const inputs = asked.answer.map((text, index) => {
-      const input = element("input", { type: "radio", name, value: text, id: `${name}-${index}` });
-      input.addEventListener("change", () => { at = performance.now(); });
-      root.append(element("div", { class: "line" }, input, element("label", { for: input.id }, text)));
-      return input;
-    });
-    root.append(error);
-    return {
-      id: asked.id, root, focus: () => inputs[0]?.focus(),
-      read() {
-        const value = inputs.find((input) => input.checked)?.value ?? null;
-        error.textContent = value === null && asked.required ? texts.answer_wanted : "";
-        return { value, wrong: error.textContent, at };
-      },
-    };
-  }
-  const is_number = asked.answer === "number";
-  const input = element("input", { type: "text", id: name, maxlength: "200", "aria-describedby": error.id,
-    autocomplete: "off", ...(is_number ? { inputmode: "decimal" } : {}) });
-  input.addEventListener("input", () => { at = performance.now(); });
-  return {
-    id: asked.id,
-    root: element("div", { class: "question" },
-      element("label", { for: name }, asked.ask + optional), input, error),
-    focus: () => input.focus(),
-    read() {
-      // Digits of Japanese keyboards are wide.
-      const text = input.value.trim();
-      const narrow = text.normalize("NFKC");
-      const is_wrong = is_number && text !== "" && !(/^[-+]?\d+([.,]\d+)?$/.test(narrow));
-      error.textContent = is_wrong ? texts.number_wanted
-        : text === "" && asked.required ? texts.answer_wanted : "";
-      input.setAttribute("aria-invalid", String(error.textContent !== ""));
-      const value = text === "" ? null : is_number ? Number(narrow.replace(",", ".")) : text;
-      return { value, wrong: error.textContent, at };
-    },
-  };
-}
-
 /** A page of texts and questions: consent, instructions, about you, the ending. */
 export class TextPage implements JsPsychPlugin<typeof info> {
   static info = info;
   constructor(private jsPsych: JsPsych) {}
 
   trial(display: HTMLElement, trial: TrialType<typeof info>): void {
-    const texts = trial.words as Texts;
-    const began = performance.now();
-    const started_at = new Date().toISOString();
-    const title = heading(trial.title as string);
-    const questions = (trial.questions as Demographic[]).map((asked) => question_of(asked, texts));
-    const comment = element("textarea", { rows: "4", maxlength: "4000", id: "last-words" });
-    const page = element("article", { class: "page" }, title, ...paragraphs(trial.texts as string[]),
-      ...questions.map(({ root }) => root));
-    if (trial.comment)
-      page.append(element("div", { class: "question" },
-        element("label", { for: comment.id }, trial.comment as string), comment));
-
-    const press = async (pressed: number) => {
-      const read = questions.map((question) => ({ question, ...question.read() }));
-      const wrong = read.find((one) => one.wrong);
-      if (wrong && pressed === 0) return wrong.question.focus();
-      for (const one of buttons) one.disabled = true;
-      const responses = read.flatMap(({ question, value, at }): Response[] => value === null ? []
-        : [{ item: question.id, value_raw: value, rt_ms: Math.round(at - began) }]);
-      await (trial.keep as KeepPage | null)?.({ pressed, responses, comment: comment.value.trim(), started_at }, page);
-      this.jsPsych.finishTrial({ pressed });
-    };
-    const buttons = (trial.buttons as string[]).map((text, index) =>
-      button(text, () => void press(index), index === 0 ? "main" : ""));
-    page.append(element("div", { class: "buttons" }, ...buttons));
-    // Enter goes on from a field as it does in any form; elsewhere it shows first what it would press.
-    const enter = (event: KeyboardEvent) => {
-      if (!page.isConnected) return document.removeEventListener("keydown", enter);
-      const at = event.target;
-      if (event.key !== "Enter" || event.isComposing || at instanceof HTMLTextAreaElement) return;
-      if (event.repeat) event.preventDefault();
-      if (event.repeat || at instanceof HTMLButtonElement) return;
-      event.preventDefault();
-      if (at instanceof HTMLInputElement) void press(0);
-      else buttons[0]?.focus();
-    };
-    document.addEventListener("keydown", enter);
-    display.replaceChildren(page);
-    scrollTo(0, 0);
-    if (questions[0]) questions[0].focus();
-    else if (buttons.length > 1) title.focus();  // no choice is made by a key too many
-    else buttons[0]?.focus({ preventScroll: true });
+    void show_text_page(display, trial as unknown as AskedPage)
+      .then((pressed) => this.jsPsych.finishTrial({ pressed }));
   }
 }
-
-/** The note that saving takes long, at the foot of a page. */
-export function wait_note(page: HTMLElement, texts: Texts): (why: "saving" | "failed") => void {
-  const note = element("p", { class: "waiting", role: "status" });
-  return (why) => {
-    if (!note.isConnected) page.append(note);
-    note.textContent = why === "saving" ? texts.saving : texts.save_failed;
-  };
-}
-
-export const page_record = (record: string, session: string, given: GivenOnPage): PageRecord => ({
-  record, session, responses: given.responses, comment: given.comment, started_at: given.started_at,
-});

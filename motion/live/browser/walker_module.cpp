@@ -1,0 +1,89 @@
+// What a page calls of the walker under control where it is compiled to WebAssembly. One walker a
+// module. Functions that answer 1 have done it; of those that answer 0, walker_told() and
+// walker_told_size() give an error in plain words.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/live/walker_frame.h"
+#include "motion/skeleton/body.h"
+
+namespace {
+
+using namespace mien::motion;
+
+LiveWalk walker;
+WalkWish wish;
+std::vector<double> frame;
+std::string told;
+
+template <class Do>
+int done(Do act) {
+  try {
+    act();
+    return 1;
+  } catch (const std::exception& error) {
+    told = error.what();
+  } catch (...) {
+    told = "the walker failed";
+  }
+  return 0;
+}
+
+/// Names between commas.
+bool is_among(std::string_view name, std::string_view names) {
+  while (!names.empty()) {
+    const std::string_view one = names.substr(0, names.find(','));
+    if (one == name) return true;
+    names.remove_prefix(std::min(one.size() + 1, names.size()));
+  }
+  return false;
+}
+
+}  // namespace
+
+extern "C" {
+
+/// A walker that stands; moods are those walks of the built-in set that `moods` names (between
+/// commas), or all when it is empty. walker_told() is then what walker_info (walker_frame.h) says.
+int walker_open(const char* set, std::size_t set_size, const char* moods, std::size_t moods_size) {
+  return done([&] {
+    const std::string name(set, set_size);
+    const std::string_view wanted(moods, moods_size);
+    std::vector<NamedStyle> styles = builtin_styles(name);
+    if (!wanted.empty())
+      std::erase_if(styles, [&](const NamedStyle& one) { return !is_among(one.name, wanted); });
+    walker = make_live_walk(styles, standard_body());
+    wish = {};
+    wish.moods.assign(walker.moods.size(), 0.0);
+    wish.moods.front() = 1.0;
+    told = walker_info(walker, name);
+    write_frame(walker, pose_of(walker.gaits, walker.walker), frame);
+  });
+}
+
+/// What is wanted from now on. The heading is wanted when it is a number, °.
+void walker_mood(std::size_t mood, double share) {
+  if (mood < wish.moods.size()) wish.moods[mood] = share;
+}
+void walker_steer(double pace, double heading_deg, double turn_deg_s) {
+  wish.pace = pace;
+  wish.heading_deg = std::isnan(heading_deg) ? std::nullopt : std::optional<double>(heading_deg);
+  wish.turn_deg_s = turn_deg_s;
+}
+
+/// So many seconds later; walker_frame() is then its pose (walker_frame.h).
+int walker_advance(double seconds) {
+  return done([&] { write_frame(walker, advance(walker, seconds, wish), frame); });
+}
+const double* walker_frame() { return frame.data(); }
+std::size_t walker_frame_size() { return frame.size(); }
+
+const char* walker_told() { return told.data(); }
+std::size_t walker_told_size() { return told.size(); }
+}

@@ -1,0 +1,254 @@
+#include "motion/motion_graph/graph_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "motion/error.h"
+#include "motion/gait/foot_lock.h"
+#include "motion/interpolation/blend.h"
+#include "motion/math/random_number.h"
+#include "motion/procedural/carriage.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double least_between = 0.5;  // seconds from transition to transition, of random walks
+
+double facing(const Quat& rotation) {
+  const Vec3 forward = rotation * Vec3::UnitZ();
+  return std::atan2(forward.x(), forward.z());
+}
+
+/// Versions of a graph that are mixed, and how, frame by frame of a walk.
+struct Mix {
+  std::span<const MotionGraph> versions;
+  std::vector<WalkFrame> frames;
+  std::vector<std::vector<double>> shares;  ///< of the versions, a frame; sum 1
+  std::vector<double> times;                ///< at which each frame begins, seconds
+};
+
+std::vector<double> shares_asked(std::span<const MoodFrom> moods, double seconds,
+                                 std::size_t versions) {
+  std::vector<double> shares(versions, 0.0);
+  shares.front() = 1.0;
+  for (const MoodFrom& from : moods) {
+    if (from.seconds > seconds && &from != &moods.front()) continue;
+    double sum = 0.0;
+    for (const double weight : from.moods) sum += weight;
+    for (std::size_t v = 0; v < versions; ++v) {
+      shares[v] = v < from.moods.size() ? from.moods[v] / sum : 0.0;
+    }
+  }
+  return shares;
+}
+
+/// The frames of a walk with the shares that follow the moods.
+Mix mixed(std::span<const MotionGraph> versions, const GraphWalk& walk,
+          std::span<const MoodFrom> moods) {
+  constexpr double mood_stiffness = 12.0;  // 1/s
+  Mix mix{versions, frames_of(versions.front(), walk), {}, {}};
+  std::vector<Followed> followers;
+  for (const double share : shares_asked(moods, 0.0, versions.size())) {
+    followers.push_back({share, 0.0});
+  }
+  double now = 0.0;
+  for (const WalkFrame& frame : mix.frames) {
+    const std::vector<double> asked = shares_asked(moods, now, versions.size());
+    std::vector<double> shares;
+    double lasts = 0.0;
+    for (std::size_t v = 0; v < versions.size(); ++v) {
+      shares.push_back(followers[v].value);
+      lasts += followers[v].value * seconds_of(versions[v], frame);
+    }
+    for (std::size_t v = 0; v < versions.size(); ++v) {
+      followers[v] = followed(followers[v], asked[v], mood_stiffness, lasts);
+    }
+    mix.shares.push_back(std::move(shares));
+    mix.times.push_back(now);
+    now += lasts;
+  }
+  return mix;
+}
+
+Pose posture_of(const Mix& mix, std::size_t f, double turn) {
+  Pose pose = posture_of(mix.versions.front(), mix.frames[f], turn);
+  if (mix.versions.size() == 1) return pose;
+  std::vector<Pose> poses;
+  std::vector<double> shares;
+  pose.root_position.setZero();
+  for (std::size_t v = 0; v < mix.versions.size(); ++v) {
+    const double share = std::max(0.0, mix.shares[f][v]);
+    if (share < 1e-9) continue;
+    poses.push_back(posture_of(mix.versions[v], mix.frames[f], turn));
+    shares.push_back(share);
+  }
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (double& share : shares) share /= sum;
+  for (std::size_t p = 0; p < poses.size(); ++p) {
+    pose.root_position += shares[p] * poses[p].root_position;
+  }
+  std::vector<Quat> rotations(poses.size());
+  for (std::size_t j = 0; j < pose.rotations.size(); ++j) {
+    for (std::size_t p = 0; p < poses.size(); ++p) rotations[p] = poses[p].rotations[j];
+    pose.rotations[j] = blend_rotations(rotations, shares, RotationBlend::karcher_mean);
+  }
+  return pose;
+}
+
+Vec3 step_of(const Mix& mix, std::size_t f, double turn) {
+  Vec3 step = Vec3::Zero();
+  for (std::size_t v = 0; v < mix.versions.size(); ++v) {
+    step += mix.shares[f][v] * step_of(mix.versions[v], mix.frames[f], turn);
+  }
+  return step;
+}
+
+Clip untimed_clip(const Mix& mix, const GraphWalkOptions& options) {
+  const MotionGraph& graph = mix.versions.front();
+  const std::vector<WalkFrame>& frames = mix.frames;
+  Clip clip;
+  clip.body = graph.clips.front().body;
+  clip.frames_per_second = graph.clips.front().frames_per_second;
+  const Pose& first = graph.clips[static_cast<std::size_t>(frames.front().clip)]
+                          .poses[static_cast<std::size_t>(frames.front().frame)];
+  double turn = options.heading - facing(first.rotations.front());
+  Vec3 place = level(options.place);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    // After a transition the clip that was entered is the one that is played.
+    const bool arrived =
+        f > 0 && frames[f - 1].to_clip >= 0 &&
+        (frames[f].clip != frames[f - 1].clip || frames[f].frame != frames[f - 1].frame + 1);
+    if (arrived) turn += frames[f - 1].turn;
+    if (f > 0) place += step_of(mix, f, turn);
+    Pose pose = posture_of(mix, f, turn);
+    pose.root_position += place;
+    clip.poses.push_back(std::move(pose));
+  }
+  return clip;
+}
+
+/// The clip at an even frame rate, when its frames last as long as they should.
+Clip in_time(const Mix& mix, Clip clip) {
+  const bool even = std::all_of(mix.versions.begin(), mix.versions.end(),
+                                [](const MotionGraph& g) { return g.frame_seconds.empty(); });
+  const std::vector<double>& times = mix.times;
+  if (even || times.size() == 1) return clip;
+  std::vector<Pose> poses;
+  std::size_t i = 0;
+  for (int f = 0; f / clip.frames_per_second <= times.back() + 1e-9; ++f) {
+    const double seconds = std::min(f / clip.frames_per_second, times.back());
+    while (i + 2 < times.size() && times[i + 1] < seconds) ++i;
+    const double t = std::clamp((seconds - times[i]) / (times[i + 1] - times[i]), 0.0, 1.0);
+    poses.push_back(interpolate(clip.poses[i], clip.poses[i + 1], t));
+  }
+  clip.poses = std::move(poses);
+  return clip;
+}
+
+void check_versions(std::span<const MotionGraph> versions, std::span<const MoodFrom> moods) {
+  bool alike = !versions.empty();
+  for (const MotionGraph& version : versions) {
+    alike = alike && version.edges.size() == versions.front().edges.size() &&
+            version.clips.size() == versions.front().clips.size();
+    for (std::size_t c = 0; alike && c < version.clips.size(); ++c) {
+      alike = version.clips[c].frame_count() == versions.front().clips[c].frame_count();
+    }
+  }
+  if (!alike) {
+    throw Error("versions of different motion graphs cannot be mixed",
+                "make them of one graph (with_motions)");
+  }
+  for (const MoodFrom& from : moods) {
+    double sum = 0.0;
+    for (const double weight : from.moods) {
+      if (!(weight >= 0.0)) sum = std::numeric_limits<double>::quiet_NaN();
+      sum += weight;
+    }
+    if (!(sum > 0.0) || !std::isfinite(sum) || from.moods.size() > versions.size()) {
+      throw Error("weights of a motion graph's versions that are none",
+                  "give a weight of at least 0 a version, not all 0");
+    }
+  }
+}
+
+/// Those of the plants that touch a transition.
+std::vector<FootPlant> at_transitions(const std::vector<FootPlant>& plants,
+                                      const std::vector<WalkFrame>& frames) {
+  std::vector<FootPlant> touching;
+  for (const FootPlant& plant : plants) {
+    const auto first = frames.begin() + plant.first;
+    if (std::any_of(first, frames.begin() + plant.last + 1,
+                    [](const WalkFrame& frame) { return frame.to_clip >= 0; })) {
+      touching.push_back(plant);
+    }
+  }
+  return touching;
+}
+
+/// Locked until the feet stand: once is not always enough where the legs hardly reach.
+Clip with_locked_feet(Clip clip, const std::vector<FootPlant>& plants) {
+  constexpr double still_m = 0.002;
+  constexpr int most_locks = 6;
+  FootLockOptions lock;
+  lock.keep_velocity = true;
+  lock.extension = 0.995;
+  for (int i = 0; i < most_locks && planted_drift(clip, plants) > still_m; ++i) {
+    clip = foot_locked(clip, plants, lock);
+  }
+  return clip;
+}
+
+}  // namespace
+
+Clip motion_of(const MotionGraph& graph, const GraphWalk& walk, const GraphWalkOptions& options) {
+  return motion_of(std::span(&graph, 1), walk, {}, options);
+}
+
+Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
+               std::span<const MoodFrom> moods, const GraphWalkOptions& options) {
+  check_versions(versions, moods);
+  if (walk.edges.empty())
+    throw Error("a walk over a motion graph without a frame", "give it an edge");
+  const Mix mix = mixed(versions, walk, moods);
+  Clip clip = untimed_clip(mix, options);
+  if (options.lock_feet) {
+    const std::vector<FootPlant> plants = plants_of(versions.front(), mix.frames);
+    clip =
+        with_locked_feet(clip, versions.size() > 1 ? plants : at_transitions(plants, mix.frames));
+  }
+  return in_time(mix, std::move(clip));
+}
+
+GraphWalk random_walk(const MotionGraph& graph, double seconds, std::uint64_t seed) {
+  if (!(seconds > 0.0) || seconds > 3600.0) {
+    throw Error("a random walk that does not last between 0 and 3600 seconds",
+                "choose its seconds");
+  }
+  GraphWalk walk;
+  const double step = 1.0 / graph.clips.front().frames_per_second;
+  double walked = 0.0;
+  std::uint64_t draw = 0;
+  const auto choose = [&](std::size_t count) {
+    const double share = 0.5 + 0.5 * random_number(seed, "walk over a motion graph", draw++);
+    return std::min(static_cast<std::size_t>(share * static_cast<double>(count)), count - 1);
+  };
+  auto node = choose(graph.nodes.size());
+  double since = 0.0;  // the last transition, seconds
+  while (walked < seconds) {
+    const std::vector<int>& leaving = graph.leaving[node];
+    const bool goes_on = graph.edges[static_cast<std::size_t>(leaving.front())].transition < 0;
+    const bool early = since < least_between && goes_on;
+    const int edge = leaving[early ? 0 : choose(leaving.size())];
+    walk.edges.push_back(edge);
+    const GraphEdge& taken = graph.edges[static_cast<std::size_t>(edge)];
+    walked += step * taken.frames;
+    since = taken.transition >= 0 ? 0.0 : since + step * taken.frames;
+    node = static_cast<std::size_t>(graph.edges[static_cast<std::size_t>(edge)].to);
+  }
+  return walk;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "motion/motion_graph/motion_graph.h"
+#include "motion/motion_graph/walk_frames.h"
+#include "motion/procedural/scripted_walk.h"
+
+namespace mien::motion {
+
+struct GraphWalkOptions {
+  Vec3 place = Vec3::Zero();  ///< where the first frame's pelvis stands, on the floor
+  double heading = 0.0;       ///< radians about +Y from +Z: where the first frame's pelvis faces
+  /// Feet that stand on both sides of a transition stand through it, and the others come down
+  /// where they stay: feet are locked (gait/foot_lock.h) in plants that touch a transition.
+  bool lock_feet = true;
+};
+
+/// The motion of a walk, which does not loop. Over the floor the root goes on, frame by frame, by
+/// the steps and turns of its clips, in transitions by their weighted mean, so its path has no jump
+/// but those of the clips; joints and height are interpolated. Frames last as long as the graph
+/// says (`frame_seconds`), and are sampled at its frame rate. Throws mien::Error for a walk without
+/// frames, and for edges that do not follow one another.
+Clip motion_of(const MotionGraph& graph, const GraphWalk& walk,
+               const GraphWalkOptions& options = {});
+
+/// The motion of a walk over several versions of one graph (`with_motions`: moods, say), which are
+/// mixed as it goes on: `moods` are the versions' weights from a moment on, ≥ 0, divided by their
+/// sum, and followed within some 0.2 s; without any it is the first version. Tempo is mixed too.
+/// Throws as above, for versions of other graphs, and for weights that are none.
+Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
+               std::span<const MoodFrom> moods, const GraphWalkOptions& options = {});
+
+/// A walk of at least so many seconds that chooses at the nodes at random, of the seed alone, and
+/// lets half a second pass between transitions where the clips go on for so long.
+/// Throws mien::Error for a duration that is not positive or more than an hour.
+GraphWalk random_walk(const MotionGraph& graph, double seconds, std::uint64_t seed);
+
+}  // namespace mien::motion

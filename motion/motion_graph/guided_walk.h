@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+
+#include "motion/motion_graph/graph_walk.h"
+#include "motion/procedural/scripted_walk.h"
+
+namespace mien::motion {
+
+struct GuidedWalkOptions {
+  /// How far the search looks ahead, and how much of what it finds is kept before it looks again,
+  /// seconds (Kovar, Gleicher and Pighin 2002, section 5.2: 80–120 and 25–30 frames).
+  double ahead_seconds = 2.5;
+  double kept_seconds = 0.8;
+  /// Seconds that a clip is played at least between transitions, where it goes on for so long.
+  double between_seconds = 0.4;
+  /// Edges that are tried for each stretch; the best walk found until then is taken.
+  int most_edges = 60000;
+};
+
+/// A walk found for a purpose, and the motion that it makes.
+struct GuidedWalk {
+  GraphWalk walk;
+  Clip clip;
+};
+
+/// A walk along a path over the floor (a polyline; x, z in metres), found by branch and bound in
+/// stretches (Kovar, Gleicher and Pighin 2002, section 5): of all walks that look so far ahead the
+/// one with the least sum of squared distances from the path and of lost progress. It begins on the
+/// first point, facing along, and ends when the path does. Deterministic.
+///
+/// Throws mien::Error for a path that is none (floor_path.h), for options out of range, and when
+/// the graph's motions do not get on (less than 2 cm of the path in a stretch) or stray by more
+/// than a metre, as straight walks do on a path that turns.
+GuidedWalk walk_along(const MotionGraph& graph, std::span<const Vec3> path,
+                      const GuidedWalkOptions& options = {});
+
+/// A walk that does what a script says (scripted_walk.h), likewise: at each moment it is to have
+/// the speed and heading of the script, where `pace` 1 is the fastest tenth of the graph's frames
+/// and turns are made at 60°/s. Moods are not looked at. Throws as above, and for an empty script.
+GuidedWalk scripted_walk(const MotionGraph& graph, std::span<const WalkSegment> script,
+                         const GuidedWalkOptions& options = {});
+
+}  // namespace mien::motion

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/motion_graph/motion_graph.h"
+
+namespace mien::motion {
+
+/// A way over the edges of a graph: edge after edge, each from where the one before leads.
+struct GraphWalk {
+  std::vector<int> edges;
+};
+
+/// One frame of a walk: of one clip, or between two during a transition.
+struct WalkFrame {
+  int clip = 0;
+  int frame = 0;
+  int to_clip = -1;  ///< the clip that is entered; −1 outside of transitions
+  int to_frame = 0;
+  double share = 1.0;  ///< of the first clip: 2p³ − 3p² + 1 over the window (Kovar 2002, eq. 6)
+  double turn = 0.0;   ///< of the second clip onto the first, radians
+};
+
+std::vector<WalkFrame> frames_of(const MotionGraph& graph, const GraphWalk& walk);
+
+/// Joints, heading and height of a frame of a walk, the first clip turned by `turn` (radians); over
+/// the floor at x = z = 0. And the step over the floor that leads to it.
+Pose posture_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
+Vec3 step_of(const MotionGraph& graph, const WalkFrame& frame, double turn);
+
+/// How long the frame lasts, seconds.
+double seconds_of(const MotionGraph& graph, const WalkFrame& frame);
+
+/// Where the foot stands in each frame of a walk, as stretches. In a transition the foot stands as
+/// in the clip that weighs more.
+std::vector<FootPlant> plants_of(const MotionGraph& graph, const std::vector<WalkFrame>& frames);
+
+}  // namespace mien::motion

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+
+#include "motion/motion_graph/edge_steps.h"
+#include "motion/motion_graph/graph_walk.h"
+#include "motion/motion_graph/guided_walk.h"
+
+namespace mien::motion {
+
+/// Where a walk has come to.
+struct WalkState {
+  int node = 0;
+  double turn = 0.0;          ///< of the node's clip, radians
+  Vec3 place = Vec3::Zero();  ///< of the pelvis on the floor
+  double facing = 0.0;        ///< radians
+  double seconds = 0.0;       ///< since the walk began
+  double since = 0.0;         ///< since the last transition, seconds
+  double way = 0.0;           ///< along what is followed; kept by the cost
+};
+
+/// What one more frame costs, ≥ 0: the state is after it but for `way`, which the cost may move on.
+using FrameCost = std::function<double(WalkState& state, const Vec3& step)>;
+/// Whether the purpose is reached.
+using WalkDone = std::function<bool(const WalkState& state)>;
+
+/// The cheapest walk from each of some starts (of one cost), stretch by stretch by branch and
+/// bound, until it is done. Throws mien::Error when `way` does not get on (`gets_on`).
+GraphWalk searched_walk(const MotionGraph& graph, const std::vector<WalkState>& starts,
+                        const FrameCost& cost, const WalkDone& done,
+                        const GuidedWalkOptions& options);
+
+}  // namespace mien::motion

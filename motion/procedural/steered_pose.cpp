@@ -1,0 +1,224 @@
+#include <algorithm>
+#include <cmath>
+
+#include "motion/math/rotation.h"
+#include "motion/procedural/steered_moment.h"
+#include "motion/procedural/upper_body.h"
+#include "motion/procedural/walker_legs.h"
+#include "motion/skeleton/joint_transform.h"
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double least_knee_deg = 2.5;          // of a leg that reaches as far as it may
+constexpr double most_dorsiflexion_deg = 17.0;  // before the heel rises
+constexpr double soft_reach_m = 0.0015;         // within which the pelvis gives way
+
+Quat about_x(double radians) { return Quat(Eigen::AngleAxisd(radians, Vec3::UnitX())); }
+Quat about_y(double radians) { return Quat(Eigen::AngleAxisd(radians, Vec3::UnitY())); }
+Quat about_z(double radians) { return Quat(Eigen::AngleAxisd(radians, Vec3::UnitZ())); }
+
+/// Slow movements of one who stands: sums of sines that do not repeat soon.
+struct Sway {
+  double breath = 0.0;  ///< −1 … 1
+  Vec3 pelvis = Vec3::Zero();
+  double head_yaw = 0.0;
+};
+
+Sway sway_at(double seconds, double stillness) {
+  const auto sine = [&](double hertz, double phase) {
+    return std::sin(2.0 * pi * (hertz * seconds + phase));
+  };
+  Sway sway;
+  sway.breath = sine(0.26, 0.0);
+  // Of the order of quiet stance: some millimetres, now and then the weight goes to one leg.
+  sway.pelvis = stillness * Vec3(0.009 * sine(0.071, 0.0) + 0.0025 * sine(0.31, 0.2), 0.0,
+                                 0.004 * sine(0.113, 0.0) + 0.002 * sine(0.41, 0.6));
+  sway.head_yaw = stillness * radians_per_degree * (2.5 * sine(0.053, 0.0) + 1.0 * sine(0.17, 0.0));
+  return sway;
+}
+
+/// The body in the frame of its carriage, as yet without legs.
+struct Trunk {
+  Vec3 pelvis = Vec3::Zero();
+  Quat rotation = Quat::Identity();  ///< of the pelvis
+  Quat unlent = Quat::Identity();    ///< of the pelvis, without what it leans into curves
+};
+
+Trunk trunk_of(const SteeredMoment& moment, const SteeredWalk& walker, const Sway& sway) {
+  const PelvisPath& path = moment.legs[0].pelvis;
+  const Carriage& carriage = walker.carriage;
+  const double sideways = carriage.speed.value * carriage.turning.value;  // m/s², to the left
+  const double side_lean = std::clamp(0.045 * sideways, -0.12, 0.12);
+  const double front_lean = std::clamp(0.03 * carriage.speed.rate, -0.06, 0.08);
+  Trunk trunk;
+  trunk.unlent = pelvis_rotation(path, walker.phase);
+  trunk.rotation = about_z(-side_lean) * about_x(front_lean) * trunk.unlent;
+  trunk.pelvis = pelvis_position(path, walker.phase) + sway.pelvis;
+  trunk.pelvis.z() -= path.stride_m * walker.phase;
+  trunk.pelvis.x() += 0.5 * side_lean * path.mean_height_m;
+  return trunk;
+}
+
+/// Highest pelvis from which the leg reaches its foot.
+double highest_pelvis(const LegCycle& leg, const Trunk& trunk, const FootPose& foot) {
+  const Vec3 hip = trunk.pelvis + trunk.rotation * leg.hip_offset;
+  const double longest = leg_length_at(leg, radians_per_degree * least_knee_deg);
+  const double across = std::hypot(hip.x() - foot.ankle.x(), hip.z() - foot.ankle.z());
+  const double height = std::sqrt(std::max(0.01, longest * longest - across * across));
+  return trunk.pelvis.y() + foot.ankle.y() + height - hip.y();
+}
+
+LegMoment leg_moment(const SteeredMoment& moment, const SteeredWalk& walker, std::size_t side) {
+  return {moment.legs[side], walker.carriage, walker.phase, walker.phase_rate};
+}
+
+std::array<FootPose, 2> feet_of(const SteeredMoment& moment, const SteeredWalk& walker) {
+  std::array<FootPose, 2> feet;
+  for (std::size_t side = 0; side < 2; ++side) {
+    feet[side] = foot_of(walker.legs[side], leg_moment(moment, walker, side));
+  }
+  return feet;
+}
+
+/// The smaller of two numbers, rounded off over `soft`.
+double softly_less(double a, double b, double soft) {
+  const double low = std::min(a, b);
+  return low - soft * std::log1p(std::exp(-(std::max(a, b) - low) / soft));
+}
+
+/// Draws a swinging foot towards the hip where the leg would be straighter than it may.
+void pull_within_reach(const LegCycle& leg, const Trunk& trunk, FootPose& foot) {
+  constexpr double soft_m = 0.002;
+  const Vec3 hip = trunk.pelvis + trunk.rotation * leg.hip_offset;
+  const Vec3 line = foot.ankle - hip;
+  const double longest = leg_length_at(leg, radians_per_degree * least_knee_deg) + soft_m;
+  foot.ankle = hip + line * (softly_less(line.norm(), longest, soft_m) / line.norm());
+}
+
+/// Turns a joint by a rotation of the carriage's frame.
+void turn(const Skeleton& body, Pose& pose, BodyJoint joint, const Quat& rotation) {
+  const Quat parent = world_transform(body, pose, body_parents[joint]).rotation;
+  Quat& local = pose.rotations[static_cast<std::size_t>(joint)];
+  local = parent.conjugate() * rotation * parent * local;
+}
+
+void breathe(const Sway& sway, Pose& pose) {
+  const double lift = radians_per_degree * 0.7 * sway.breath;
+  Quat& chest = pose.rotations[Chest];
+  chest = chest * about_x(-lift);
+  pose.rotations[Neck] = about_x(0.8 * lift) * pose.rotations[Neck];
+  pose.rotations[LeftClavicle] = about_z(lift) * pose.rotations[LeftClavicle];
+  pose.rotations[RightClavicle] = about_z(-lift) * pose.rotations[RightClavicle];
+}
+
+/// By how much the pelvis is too high for the leg, metres; below 0 there is room.
+double out_of_reach(const LegCycle& leg, const Trunk& trunk, const FootPose& foot) {
+  return trunk.pelvis.y() - highest_pelvis(leg, trunk, foot);
+}
+
+/// `x` where it is large, 0 where it is small, rounded off over `soft`.
+double softly_positive(double x, double soft) {
+  return x > 30.0 * soft ? x : soft * std::log1p(std::exp(x / soft));
+}
+
+/// How far the shank leans over the foot, forward, radians: dorsiflexion of the flat foot.
+double shank_lean(const LegCycle& leg, const Trunk& trunk, const FootPose& foot) {
+  const Vec3 line = trunk.pelvis + trunk.rotation * leg.hip_offset - foot.ankle;
+  const double length = line.norm();
+  const double knee = knee_flexion_at(leg, length);
+  const double forward = line.x() * std::sin(foot.yaw) + line.z() * std::cos(foot.yaw);
+  return std::atan2(forward, line.y()) +
+         std::asin(std::clamp(leg.thigh_m * std::sin(knee) / length, -1.0, 1.0));
+}
+
+/// Rise of the heel with which a standing leg reaches its foot and its ankle need not bend too far.
+double heel_rise_for(SteppingLeg leg, const LegMoment& moment, const Trunk& trunk) {
+  leg.heel_rise = {};
+  const FootPose foot = foot_of(leg, moment);
+  if (foot.pitch > 0.0) return 0.0;
+  constexpr double soft_m = 0.002;
+  constexpr double soft_angle = 0.03;
+  const double reach = softly_positive(out_of_reach(moment.steady, trunk, foot), soft_m) /
+                       moment.steady.foot.ball.z();
+  const double bend = shank_lean(moment.steady, trunk, foot) + foot.pitch -
+                      radians_per_degree * most_dorsiflexion_deg;
+  return std::min(0.9, std::max(reach, softly_positive(bend, soft_angle)));
+}
+
+/// What will be missing, metres, when a swinging leg comes down.
+double missing_at_landing(const SteeredMoment& moment, const SteeredWalk& walker,
+                          std::size_t side) {
+  const SteppingLeg& leg = walker.legs[side];
+  SteeredWalk then = walker;
+  then.phase = leg.lands_at;
+  return out_of_reach(moment.legs[side], trunk_of(moment, then, {}),
+                      landing_foot(leg, leg_moment(moment, walker, side)));
+}
+
+Sway sway_of(const SteeredWalk& walker) {
+  return sway_at(walker.seconds, std::max(0.0, 1.0 - walker.activity.value));
+}
+
+}  // namespace
+
+void follow_reach(const SteeredMoment& moment, double seconds, SteeredWalk& walker) {
+  const Trunk trunk = trunk_of(moment, walker, sway_of(walker));
+  Trunk sunken = trunk;
+  sunken.pelvis.y() -= walker.crouch.value;
+  double missing = 0.0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    SteppingLeg& leg = walker.legs[side];
+    const LegMoment now = leg_moment(moment, walker, side);
+    if (!leg.swinging) settle(leg, heel_rise_for(leg, now, sunken), seconds);
+    missing = std::max(missing, leg.swinging ? missing_at_landing(moment, walker, side)
+                                             : out_of_reach(now.steady, trunk, foot_of(leg, now)));
+  }
+  constexpr double sinking = 12.0;  // 1/s
+  constexpr double rising = 4.0;
+  const double stiffness = missing > walker.crouch.value ? sinking : rising;
+  walker.crouch = followed(walker.crouch, missing, stiffness, seconds);
+}
+
+Pose pose_of(const WalkerGaits& gaits, const SteeredWalk& walker) {
+  const SteeredMoment moment = moment_at(gaits, walker);
+  const Sway sway = sway_of(walker);
+  Trunk trunk = trunk_of(moment, walker, sway);
+  std::array<FootPose, 2> feet = feet_of(moment, walker);
+  double height = trunk.pelvis.y() - walker.crouch.value;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const SteppingLeg& leg = walker.legs[side];
+    const double x = leg.swinging ? swing_share(leg, leg_moment(moment, walker, side)) : 0.0;
+    const double free =
+        20.0 * x * x * x * (1.0 - x) * (1.0 - x);  // metres: a foot in the air follows
+    const double highest = highest_pelvis(moment.legs[side], trunk, feet[side]);
+    height = softly_less(height, highest + free, soft_reach_m);
+  }
+  trunk.pelvis.y() = height;
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (walker.legs[side].swinging) pull_within_reach(moment.legs[side], trunk, feet[side]);
+  }
+
+  Pose pose;
+  pose.rotations.assign(body_joint_count, Quat::Identity());
+  pose.root_position = trunk.pelvis;
+  set_upper_body(moment.upper, walker.phase, trunk.unlent, pose);
+  pose.rotations[Pelvis] = trunk.rotation;
+  breathe(sway, pose);
+  const double gaze = walker.gaze.value;
+  turn(gaits.body, pose, Chest, about_y(0.2 * gaze));
+  turn(gaits.body, pose, Neck, about_y(0.3 * gaze));
+  turn(gaits.body, pose, Head, about_y(0.5 * gaze + sway.head_yaw));
+  for (std::size_t side = 0; side < 2; ++side) {
+    set_leg(moment.legs[side], feet[side], gaits.body, pose);
+  }
+  pose.root_position = to_world(walker.carriage, pose.root_position);
+  pose.rotations[Pelvis] = about_y(walker.carriage.heading) * pose.rotations[Pelvis];
+  for (Quat& rotation : pose.rotations) {
+    rotation = in_hemisphere_of(Quat::Identity(), rotation.normalized());
+  }
+  return pose;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,112 @@
+#include "pipeline/checks/matching_checks.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "pipeline/checks/questionnaire_checks.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/ratings/feature_parameters.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string matching_path(const char* key) { return member_path("matching", key); }
+
+/// Holds a matching experiment against the manifest around it.
+class MatchingCheck {
+ public:
+  explicit MatchingCheck(const Manifest& manifest)
+      : manifest_(manifest), matching_(*manifest.matching), list_(manifest.places) {}
+
+  std::vector<Fault> faults() {
+    if (manifest_.questionnaire)
+      list_.add("matching", "there is a questionnaire, too",
+                "participants take one or the other: put each into a manifest of its own");
+    check_targets();
+    check_sliders();
+    check_demographics();
+    return list_.take();
+  }
+
+ private:
+  using Names = std::vector<std::string>;
+
+  bool uses(const char* kind) const {
+    return std::ranges::find(matching_.interfaces, kind) != matching_.interfaces.end();
+  }
+
+  void check_names(const char* key, const Names& names, const char* what, const Names& known) {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string path = element_path(matching_path(key), i);
+      if (!known.empty()) list_.check_word(path, names[i], what, known);
+      if (!taken.insert(names[i]).second)
+        list_.add(path, "\"" + names[i] + "\" stands here twice", "name it once");
+    }
+  }
+
+  void check_targets() {
+    Names ids;
+    for (const Stimulus& stimulus : manifest_.stimuli) ids.push_back(stimulus.id);
+    check_names("targets", matching_.targets, "stimulus", ids);
+    check_names("practice", matching_.practice, "stimulus", ids);
+    if (matching_targets(manifest_).empty())
+      list_.add("matching", "there is no motion to be matched",
+                "name stimuli as targets: […], or give stimuli role: target");
+  }
+
+  /// Groups and pairs: those that have no rating are told when the experiment is made.
+  Names adjectives() const {
+    const ScaleSet scales = scales_of(manifest_.scales);
+    Names names;
+    for (const ScaleGroup& group : scales.groups) names.push_back(group.id);
+    for (const Scale& scale : scales.scales) names.push_back(scale.id);
+    return names;
+  }
+
+  void check_sliders() {
+    check_names("interfaces", matching_.interfaces, "interface", {});
+    check_names("primary", matching_.primary, "adjective", adjectives());
+    check_names("pairs_offered", matching_.offered, "adjective", adjectives());
+    check_names("features", matching_.features, "feature", feature_parameter_names());
+    const bool asks_adjectives = !matching_.primary.empty() || !matching_.offered.empty();
+    if (asks_adjectives && !uses("adjectives"))
+      list_.add(matching_path(matching_.primary.empty() ? "pairs_offered" : "primary"),
+                "no interface has adjectives", "add adjectives to the interfaces");
+    if (!matching_.features.empty() && !uses("features"))
+      list_.add(matching_path("features"), "no interface has features",
+                "add features to the interfaces");
+  }
+
+  void check_demographics() {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < matching_.demographics.size(); ++i) {
+      if (!taken.insert(matching_.demographics[i].id).second)
+        list_.add(member_path(element_path(matching_path("demographics"), i), "id"),
+                  "there is another question with this id", "give each its own");
+    }
+  }
+
+  const Manifest& manifest_;
+  const Matching& matching_;
+  FaultList list_;
+};
+
+}  // namespace
+
+std::vector<Fault> complete_matching(Manifest& manifest) {
+  if (!manifest.matching) return {};
+  FaultList list(manifest.places);
+  complete_text(matching_path("consent"), manifest.matching->consent, list);
+  complete_text(matching_path("instructions"), manifest.matching->instructions, list);
+  complete_text(matching_path("ending"), manifest.matching->ending, list);
+  return list.take();
+}
+
+std::vector<Fault> check_matching(const Manifest& manifest) {
+  return manifest.matching ? MatchingCheck(manifest).faults() : std::vector<Fault>();
+}
+
+}  // namespace mien::pipeline

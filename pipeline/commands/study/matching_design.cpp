@@ -1,0 +1,69 @@
+#include "pipeline/commands/study/matching_design.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "pipeline/commands/study/new_tables.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/matching/experiment/matching_plan.h"
+#include "pipeline/production/study_inputs.h"
+#include "pipeline/questionnaire/balance.h"
+#include "pipeline/questionnaire/latin_square.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+void tell_matching(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                   std::ostream& out) {
+  const Matching& matching = *manifest.matching;
+  const std::size_t targets = matching_targets(manifest).size();
+  const auto practised = std::ranges::count_if(plans[0].trials, &Trial::practice);
+  out << fmt::format(
+      "{}: {} participants, {} trials each: {} of practice, then {} targets with each of {} "
+      "interfaces\n",
+      manifest.study, plans.size(), plans[0].trials.size(), practised, targets,
+      matching.interfaces.size());
+  const std::size_t orders = williams_rows(matching.interfaces.size());
+  if (plans.size() % orders == 0)
+    out << "Every order of the interfaces' square is given to equally many participants.\n";
+  else
+    out << fmt::format(
+        "Orders of interfaces are given to equally many participants when these are a multiple of "
+        "{}.\n",
+        orders);
+  const std::size_t whole = orders * williams_rows(targets);
+  if (plans.size() % whole != 0)
+    out << fmt::format(
+        "Each target is as often in each place with each interface when they are a multiple of "
+        "{}.\n",
+        whole);
+  out << fmt::format(
+      "Expected duration of a session: {:.0f} min, were half of the limit taken for each match.\n",
+      plans[0].expected_seconds / 60.0);
+}
+
+}  // namespace
+
+int design_matching(const Manifest& manifest, const MatchingDesign& design,
+                    const Console& console) {
+  const std::vector<SessionPlan> plans = plan_matching(manifest, design.participants);
+  const std::string csv = plans_csv(plans);
+  if (design.plans.empty()) {
+    console.out << csv;
+    tell_matching(manifest, plans, console.err);
+    return exit_done;
+  }
+  std::vector<std::filesystem::path> read;
+  for (const InputCopy& input : input_copies(manifest)) read.push_back(input.source);
+  refuse_losing_files({{design.plans, csv}}, read);
+  tell_matching(manifest, plans, console.out);
+  write_file(design.plans, csv);
+  console.out << design.plans.string() << '\n';
+  return exit_done;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "pipeline/commands/cli.h"
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+struct MatchingDesign {
+  int participants = 0;         ///< 0: as planned
+  std::filesystem::path plans;  ///< CSV to write; empty: standard output
+};
+
+/// Lays out the sessions of a matching experiment and tells how evenly, and how long they take.
+int design_matching(const Manifest& manifest, const MatchingDesign& design,
+                    const Console& console);
+
+}  // namespace mien::pipeline

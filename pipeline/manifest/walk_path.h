@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/documents/concerns.h"
+
+namespace mien::pipeline {
+
+/// How much of which built-in walks somebody walks like: weights ≥ 0, not all 0.
+using Mood = std::vector<std::pair<std::string, double>>;
+
+/// One thing that a walker does: exactly one of walk, turn and stand is given.
+struct WalkStep {
+  std::optional<double> walk_s;    ///< seconds
+  std::optional<double> turn_deg;  ///< to the left; below 0 to the right; not 0
+  std::optional<double> stand_s;   ///< seconds, from when it has come to stand
+  std::optional<double> pace;      ///< else that of the whole path, and of turns what came before
+  double curve_deg_s = 0.0;        ///< of a walk: °/s to the left
+  Mood mood;                       ///< from here on; none: as before
+
+  friend bool operator==(const WalkStep&, const WalkStep&) = default;
+};
+
+template <class Field, MaybeConst<WalkStep> S>
+void fields_of(Field&& field, S& step) {
+  field("walk", step.walk_s, concerns::motion);
+  field("turn", step.turn_deg, concerns::motion);
+  field("stand", step.stand_s, concerns::motion);
+  field("pace", step.pace, concerns::motion);
+  field("curve", step.curve_deg_s, concerns::motion);
+  field("mood", step.mood, concerns::motion);
+}
+
+/// A mood that somebody walks in from a moment on.
+struct MoodChange {
+  double seconds = 0.0;  ///< since the beginning
+  Mood mood;
+
+  friend bool operator==(const MoodChange&, const MoodChange&) = default;
+};
+
+template <class Field, MaybeConst<MoodChange> C>
+void fields_of(Field&& field, C& change) {
+  field("at", change.seconds, concerns::motion | concerns::required);
+  field("mood", change.mood, concerns::motion | concerns::required);
+}
+
+/// A place on the floor, metres: to the left of where the world's +Z goes, and along it.
+using FloorPoint = std::array<double, 2>;
+
+/// What a walker under control (motion/procedural/scripted_walk.h) is to do, from standing to
+/// standing on a path, or step by step; or what is to be found for it among motions of files
+/// (motion/motion_graph/guided_walk.h), which have their own moods and speeds. Exactly one of
+/// script and points is given.
+struct WalkPath {
+  std::string set = "builtin:walks-10";  ///< that moods are named after
+  Mood mood;          ///< at the beginning; none: that of the first step, or the set's first walk
+  double pace = 1.0;  ///< share of the mood's own speed
+  std::vector<WalkStep> script;
+  std::vector<FloorPoint> points;  ///< of a path along straight lines, whose corners are rounded
+  std::vector<MoodChange> moods;   ///< along the points, by time
+  std::vector<std::filesystem::path> graph;  ///< motion files, resolved; none: the walker walks
+  double threshold_m = 0.06;                 ///< of the graph (motion/motion_graph/motion_graph.h)
+
+  friend bool operator==(const WalkPath&, const WalkPath&) = default;
+};
+
+template <class Field, MaybeConst<WalkPath> P>
+void fields_of(Field&& field, P& path) {
+  field("set", path.set, concerns::motion);
+  field("mood", path.mood, concerns::motion);
+  field("pace", path.pace, concerns::motion);
+  field("script", path.script, concerns::motion);
+  field("points", path.points, concerns::motion);
+  field("moods", path.moods, concerns::motion);
+  field("graph", path.graph, concerns::motion);
+  field("threshold_m", path.threshold_m, concerns::motion);
+}
+
+/// `path:`: steps, or a map.
+struct WalkPathForm {
+  static void read(const Given& given, std::optional<WalkPath>& path);
+  static nlohmann::ordered_json write(const std::optional<WalkPath>& path, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.template of<WalkPath>();
+  }
+};
+
+/// Names of the walks that the set holds; none for a set that there is not.
+std::vector<std::string> walks_of(const WalkPath& path);
+
+/// Those of them that the walker ever walks like, in the set's order; the set's first if none is
+/// named.
+std::vector<std::string> moods_of(const WalkPath& path);
+
+/// In few words: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".
+std::string described(const WalkPath& path);
+
+/// Metres of the straight lines through the points.
+double length_of(const std::vector<FloorPoint>& points);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,224 @@
+import { open_served, open_wasm, type LiveCore } from "../live/core";
+import { element, button, heading } from "../questionnaire/elements";
+import type { PageRecord } from "../questionnaire/experiment";
+import { save_once } from "../questionnaire/files";
+import { is_phone, is_touched } from "../questionnaire/measures";
+import { run_script } from "../questionnaire/media";
+import { participants_csv } from "../questionnaire/rows";
+import { Drawer, SessionClosed, type Store } from "../questionnaire/store";
+import { base, mode_of_page, root, show, show_closed, store_of, type Mode } from "../questionnaire/surroundings";
+import { page_record, show_text_page, wait_note, type AskedPage, type GivenOnPage } from "../questionnaire/text_view";
+import { texts_of, type Texts } from "../questionnaire/texts";
+import { checked_matching, type MatchingExperiment, type MatchingSession, type MatchingTrial } from "./experiment";
+import { changes_csv, trials_csv } from "./rows";
+import { matching_texts } from "./texts";
+import { run_trial, type MatchingSurroundings } from "./trial_page";
+
+async function experiment_of(mode: Mode): Promise<MatchingExperiment> {
+  if (mode === "served") {
+    const answer = await fetch(`${base()}session.json`, { cache: "no-store" });
+    if (!answer.ok) throw new Error(`The server gives no experiment (${answer.status}).`);
+    return checked_matching(await answer.json());
+  }
+  await run_script("experiment.js");
+  return checked_matching((globalThis as { mienExperiment?: unknown }).mienExperiment);
+}
+
+/** Behind the server, or in this browser from a script that brings the module. */
+async function core_of(mode: Mode): Promise<LiveCore> {
+  if (mode === "served") return open_served(`${base()}live/`);
+  await run_script("live_core.js");
+  const files = (globalThis as { mien_live_files?: { module: string; bundle: string } }).mien_live_files;
+  if (!files) throw new Error("live_core.js brings no motion core.");
+  return open_wasm(files.module, files.bundle);
+}
+
+const names_of = (experiment: MatchingExperiment, session: MatchingSession): string[] => [
+  "consent",
+  ...(experiment.demographics.length ? ["demographics"] : []),
+  ...session.trials.map(({ number }) => `trial-${number}`),
+  "ending",
+];
+
+/** How often a trial was begun in this browser, this time counted: more than once after a reload. */
+function attempt_at(experiment: MatchingExperiment, store: Store<MatchingSession>, trial: MatchingTrial): number {
+  const drawer = new Drawer(`mien/${experiment.design}/${store.name}/begun`);
+  const begun = drawer.read<Record<string, number>>() ?? {};
+  const attempt = (begun[trial.number] ?? 0) + 1;
+  drawer.write({ ...begun, [trial.number]: attempt });
+  return attempt;
+}
+
+/** The pages of a session, one after the other. */
+class Session {
+  private words;
+  constructor(
+    private mode: Mode, private experiment: MatchingExperiment, private store: Store<MatchingSession>,
+    private texts: Texts,
+  ) {
+    this.words = matching_texts(experiment.language);
+  }
+
+  async run(): Promise<void> {
+    if (!this.has("consent")) await this.consent();
+    if (this.experiment.joining) return;
+    await this.explain();
+    if (this.experiment.demographics.length && !this.has("demographics"))
+      await this.keeping("demographics",
+        { title: this.texts.about_you, questions: this.experiment.demographics, buttons: [this.texts.next] });
+    await this.trials(await this.prepared());
+    if (!this.has("ending"))
+      await this.keeping("ending",
+        { title: this.texts.almost, comment: this.texts.last_words, buttons: [this.texts.finish] });
+    await this.store.finish();
+  }
+
+  private has = (name: string): boolean => this.store.kept.has(name);
+
+  private page(asked: Omit<AskedPage, "words">): Promise<number> {
+    return show_text_page(root(), { ...asked, words: this.texts });
+  }
+
+  private async keep(record: PageRecord, page: HTMLElement): Promise<void> {
+    try {
+      await this.store.keep(record, wait_note(page, this.texts));
+    } catch (error) {
+      show_closed(error, this.texts);
+      await new Promise(() => {});  // nothing follows
+    }
+  }
+
+  private keeping(name: string, asked: Omit<AskedPage, "words" | "keep">): Promise<number> {
+    return this.page({ ...asked,
+      keep: (given, page) => this.keep(page_record(name, this.store.name, given), page) });
+  }
+
+  private async consent(): Promise<void> {
+    const { experiment, texts, mode } = this;
+    const { consent } = experiment.texts;
+    await this.page({
+      title: experiment.title || texts.welcome, texts: consent,
+      buttons: consent.length ? [texts.agree, texts.refuse] : [texts.next],
+      keep: async (given: GivenOnPage, page) => {
+        const agreed = given.pressed === 0;
+        const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
+        if (agreed || mode !== "static")
+          await this.keep(page_record("consent", this.store.name, { ...given, responses }), page);
+        if (agreed) return;
+        if (mode === "static") this.store.clear?.();
+        show(texts.thanks, [texts.refused]);
+        await new Promise(() => {});  // nothing follows
+      },
+    });
+  }
+
+  private async explain(): Promise<void> {
+    const { experiment, texts, words } = this;
+    const is_resumed = this.store.session.trials.some(({ number }) => this.has(`trial-${number}`));
+    await this.page({
+      title: texts.instructions, buttons: [texts.next],
+      texts: [...(is_resumed ? [texts.resumed] : []), ...experiment.texts.instructions, ...words.how,
+        ...(experiment.matching.shows_distance ? [] : [words.how_hidden]), ...(is_touched() ? [] : [words.keys])],
+    });
+  }
+
+  private async prepared(): Promise<MatchingSurroundings> {
+    const { experiment, texts, words, store } = this;
+    const note = element("p", { role: "status" });
+    const bar = element("progress", { "aria-label": words.preparing });
+    root().replaceChildren(element("article", { class: "page" }, heading(words.preparing), bar, note));
+    for (;;) {
+      try {
+        return { experiment, core: await core_of(this.mode), name: store.name, texts, words,
+          seeing: { arrangement: "over", step: "keytimes" } };
+      } catch (error) {
+        console.error(error);
+        note.textContent = `${words.not_prepared} ${error instanceof Error ? error.message : ""}`;
+        await new Promise<void>((again) => {
+          const more = button(texts.again, () => { more.remove(); again(); }, "main");
+          note.after(more);
+          more.focus();
+        });
+      }
+    }
+  }
+
+  private async trials(around: MatchingSurroundings): Promise<void> {
+    const { session } = this.store;
+    let before: MatchingTrial | undefined;
+    for (const trial of session.trials) {
+      if (this.has(`trial-${trial.number}`)) continue;
+      await this.before_trial(trial, before);
+      const alike = session.trials.filter(({ practice }) => practice === trial.practice);
+      const place = alike.indexOf(trial) + 1;
+      const title = trial.practice ? this.words.practice_of(place, alike.length)
+        : this.words.motion_of(place, alike.length);
+      const record = await run_trial(root(), trial, title, attempt_at(this.experiment, this.store, trial), around);
+      await this.keep(record, root());
+      before = trial;
+    }
+  }
+
+  /** A rest, and what comes where the interface changes. */
+  private async before_trial(trial: MatchingTrial, before: MatchingTrial | undefined): Promise<void> {
+    const { texts, words } = this;
+    const main = this.store.session.trials.filter(({ practice }) => !practice);
+    const done = main.indexOf(trial);
+    const title = trial.practice ? texts.practice : before && !before.practice ? words.rest : this.experiment.title;
+    const said: string[] = [];
+    if (trial.practice && !before) said.push(texts.practice_begins);
+    if (!trial.practice && before?.practice) said.push(texts.main_begins);
+    if (done > 0) said.push(words.rest_text(done, main.length));
+    if (!before || before.interface !== trial.interface || before.practice !== trial.practice)
+      said.push(words.next_are(words.interfaces[trial.interface]), words.explains[trial.interface]);
+    await this.page({ title, texts: said, buttons: [texts.next] });
+  }
+}
+
+function show_ending(
+  mode: Mode, experiment: MatchingExperiment, store: Store<MatchingSession>, texts: Texts): void {
+  if (mode !== "static") return show(texts.thanks, [...experiment.texts.ending, texts.finished]);
+  const { session, records, name } = store;
+  const begin = `subject-${session.participant}_session-${name.slice(0, 8)}`;
+  const everything = { format: "mien-matching-session-1", study: experiment.study, design: experiment.design,
+    participant: session.participant, session: name, seed: session.seed, trials: session.trials, records };
+  const csv_of = (what: string, text: string) =>
+    ({ name: `${begin}_description-${what}_data.csv`, type: "text/csv", text });
+  const saved = save_once([
+    csv_of("trials", trials_csv(experiment, session, records)),
+    csv_of("changes", changes_csv(experiment, session, records)),
+    csv_of("participant", participants_csv(experiment, session, records)),
+    { name: `${begin}_records.json`, type: "application/json", text: JSON.stringify(everything, null, 1) },
+  ], store);
+  const again = saved.map((file) => button(texts.save_file(file.name), file.save));
+  const next = button(texts.next_participant, () => {
+    store.clear?.();
+    location.replace(location.pathname);
+  });
+  show(texts.thanks, [...experiment.texts.ending, texts.finished_files],
+    element("div", { class: "buttons column" }, ...again), element("div", { class: "buttons" }, next));
+}
+
+async function main(): Promise<void> {
+  const mode = mode_of_page();
+  const experiment = await experiment_of(mode);
+  const texts = texts_of(experiment.language);
+  document.documentElement.lang = experiment.language;
+  document.title = experiment.title;
+  if (experiment.settings.phones === "refused" && is_phone()) return show(experiment.title, [texts.phone]);
+  const store = await store_of(mode, experiment, texts, {
+    results: (session, records) => trials_csv(experiment, session, records),
+    files: (session, records) => ({
+      "changes.csv": changes_csv(experiment, session, records),
+      "participants.csv": participants_csv(experiment, session, records),
+    }),
+  });
+  if (!names_of(experiment, store.session).every((name) => store.kept.has(name))) {
+    if (experiment.refused) throw new SessionClosed("refused");
+    if (experiment.browser && experiment.browser !== store.name) throw new SessionClosed("elsewhere");
+    await new Session(mode, experiment, store, texts).run();
+  }
+  show_ending(mode, experiment, store, texts);
+}
+
+main().catch((error: unknown) => show_closed(error, texts_of(document.documentElement.lang)));

@@ -1,0 +1,31 @@
+import { open_walker } from "../live/walker";
+import { mount_walk } from "./mount_walk";
+
+declare global {
+  // Beside the page, or before it in a script: live_core.js.
+  // eslint-disable-next-line no-var
+  var mien_live_files: { module: string } | undefined;
+}
+
+/** The motion core: of a script that came before, else from beside the page. */
+async function module_bytes(): Promise<ArrayBuffer | string> {
+  const files = globalThis.mien_live_files;
+  if (files?.module) return files.module;
+  const answer = await fetch("live_core.wasm");
+  if (!answer.ok) throw new Error(`live_core.wasm is not there (${answer.status})`);
+  return answer.arrayBuffer();
+}
+
+async function start(): Promise<void> {
+  const place = document.querySelector<HTMLElement>("main")!;
+  try {
+    const module = await module_bytes();
+    const walk = await mount_walk(place, { module });
+    // For measurements from outside: what is shown, and a walker that nobody sees.
+    Object.assign(globalThis, { mien_walk: walk, mien_walk_alone: () => open_walker(module) });
+  } catch (error) {
+    place.textContent = `The walker cannot walk here: ${error instanceof Error ? error.message : String(error)}`;
+  }
+}
+
+void start();

@@ -1,0 +1,120 @@
+// A walker that somebody steers, on any page that has room for it.
+
+import { open_walker, type WalkFrame, type WalkWish, type Walker } from "../live/walker";
+import { element } from "../questionnaire/elements";
+import { MoodPanel, slider } from "./mood_panel";
+import { Steering, type Hold } from "./steering";
+import { WalkView } from "./walk_view";
+
+export interface WalkOptions {
+  /** The motion core for browsers (live_core.wasm), as bytes or base64. */
+  module: ArrayBuffer | string;
+  /** The built-in walks that moods are taken from, and which of them. */
+  set?: string;
+  moods?: string[];
+  colour?: string;
+}
+
+/** Milliseconds that a frame took. */
+export interface WalkTimes {
+  walker: number;
+  drawing: number;
+}
+
+export interface MountedWalk {
+  readonly walker: Walker;
+  /** What is wanted of the walker now. */
+  wish(): WalkWish;
+  /** Called with each frame that is shown, seconds since the one before, and what it took. */
+  watch(seen: (frame: WalkFrame, seconds: number, times: WalkTimes) => void): void;
+  /** Takes it off the page again. */
+  release(): void;
+}
+
+const help = "Arrow keys or W, A, D: walk and turn; Shift: faster; Space: walk on; a gamepad's stick does the same. " +
+  "Drag to turn the camera, wheel to come nearer.";
+
+function hold_button(text: string, label: string, what: Hold, steering: Steering): HTMLElement {
+  const made = element("button", { type: "button", class: "hold", "aria-label": label }, text);
+  const set = (is_held: boolean) => () => steering.hold(what, is_held);
+  made.addEventListener("pointerdown", (event) => {
+    made.setPointerCapture(event.pointerId);
+    steering.hold(what, true);
+  });
+  for (const end of ["pointerup", "pointercancel", "lostpointercapture", "blur"]) made.addEventListener(end, set(false));
+  made.addEventListener("keydown", (event) => {
+    if (event.code === "Enter" || event.code === "Space") steering.hold(what, true);
+  });
+  made.addEventListener("keyup", set(false));
+  return made;
+}
+
+function check(text: string, value: boolean, changed: (value: boolean) => void): [HTMLElement, HTMLInputElement] {
+  const box = element("input", { type: "checkbox" });
+  box.checked = value;
+  box.addEventListener("change", () => changed(box.checked));
+  return [element("label", { class: "check" }, box, text), box];
+}
+
+/** The controls beside the view. */
+function panel_of(steering: Steering, view: WalkView, moods: MoodPanel): HTMLElement {
+  const [on_field, on] = check("walk on", false, (value) => (steering.walks_on = value));
+  steering.changed = () => (on.checked = steering.walks_on);
+  const [along_field] = check("camera turns along", true, (value) => (view.turns_along = value));
+  const pace = slider("pace", steering.pace, 1.2, (value) => (steering.pace = value));
+  return element("div", { class: "walk-panel" },
+    element("div", { class: "holds" },
+      hold_button("↰", "turn left", "left", steering), hold_button("↑", "walk", "forward", steering),
+      hold_button("↱", "turn right", "right", steering)),
+    element("div", { class: "mood-row" }, element("span", {}, "pace"), pace),
+    on_field, along_field, moods.element, element("p", { class: "help" }, help));
+}
+
+/**
+ * Puts a walker into the element, with what steers it: keys while the focus is in it, a gamepad, buttons,
+ * and a slider a mood. Rejects with an Error when there is no motion core or no WebGL.
+ */
+export async function mount_walk(place: HTMLElement, options: WalkOptions): Promise<MountedWalk> {
+  const walker = await open_walker(options.module, options.set, options.moods);
+  const view = new WalkView(walker.info, options.colour ?? "#3f7fbf", "a walker, steered by keys");
+  const status = element("p", { class: "walk-status", role: "status" });
+  const root = element("div", { class: "walk" });
+  const steering = new Steering(root);
+  let shares = [] as number[];
+  const moods = new MoodPanel(walker.info.moods, () => (shares = moods.shares()));
+  shares = moods.shares();
+  root.append(element("div", { class: "walk-stage" }, view.element, status), panel_of(steering, view, moods));
+  place.append(root);
+  view.element.focus();
+
+  let seen: Parameters<MountedWalk["watch"]>[0] = () => undefined;
+  let last = 0, told = 0, is_released = false;
+  const wish = (): WalkWish => ({ ...steering.now(), moods: shares });
+  const show = (now: number): void => {
+    if (is_released) return;
+    const seconds = last === 0 ? 0 : Math.min(0.25, Math.max(0, (now - last) / 1000));
+    last = now;
+    const begun = performance.now();
+    const frame = walker.advance(seconds, wish());
+    const walked = performance.now();
+    view.draw(frame, seconds);
+    seen(frame, seconds, { walker: walked - begun, drawing: performance.now() - walked });
+    if (now - told > 250) {
+      told = now;
+      status.textContent = `${frame.speed.toFixed(2)} m/s`;
+    }
+    requestAnimationFrame(show);
+  };
+  requestAnimationFrame(show);
+  return {
+    walker,
+    wish,
+    watch: (watcher) => (seen = watcher),
+    release() {
+      is_released = true;
+      steering.release();
+      view.release();
+      root.remove();
+    },
+  };
+}

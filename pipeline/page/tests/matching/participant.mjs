@@ -1,0 +1,160 @@
+// Somebody who takes a matching experiment in a browser, by mouse or by keyboard alone, and finds the
+// sliders' places as one would: one after the other, up or down, by what the distance says.
+
+/** What is on the page: "matching", "text", "load" or "end". */
+const sight = (page) => page.evaluate(() => {
+  if (document.querySelector(".matching")) return "matching";
+  if (document.querySelector(".page progress")) return "load";
+  if (document.querySelector(".page .buttons .main")) return "text";
+  return document.querySelector(".page") ? "end" : "nothing";
+});
+
+const mark = (page) => page.evaluate(() => {
+  const shown = document.querySelector(".page, .matching");
+  if (shown && !shown.dataset.mark) shown.dataset.mark = String(Math.random());
+  return shown?.dataset.mark ?? "";
+});
+
+const is_past = (page, before) => page.waitForFunction((old) => {
+  const shown = document.querySelector(".page, .matching");
+  return shown && shown.dataset.mark !== old;
+}, before, { timeout: 60000 });
+
+/** Moves sliders inside the page, each move once its distance is known, until the trial is over. */
+const search = (page) => page.evaluate(async () => {
+  const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+  const matching = document.querySelector(".matching");
+  const readings = document.querySelector(".readings");
+  const sliders = [...document.querySelectorAll('.sliders input[type="range"]')];
+  const is_over = () => matching.dataset.step === "over";
+  const look = async (slider, value) => {
+    delete readings.dataset.d;
+    slider.value = String(value);
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+    for (let i = 0; i < 4000 && readings.dataset.d === undefined && !is_over(); i += 1) await pause(2);
+    return Number(readings.dataset.d ?? 0);
+  };
+  let best = Number(readings.dataset.d);
+  for (let step = 0.24; step > 0.009 && !is_over(); step /= 2) {
+    for (let better = true; better && !is_over();) {
+      better = false;
+      for (const slider of sliders) {
+        const from = Number(slider.value);
+        for (const by of [step, -step]) {
+          const to = Math.round(100 * Math.min(1, Math.max(0, from + by))) / 100;
+          if (to === from || is_over()) continue;
+          const d = await look(slider, to);
+          if (is_over() || d < best - 1e-6) {
+            best = d;
+            better = true;
+            break;
+          }
+          await look(slider, from);
+        }
+      }
+    }
+  }
+  return is_over();
+});
+
+/** The same by keys: whatever has the focus is used. */
+async function search_by_keys(page) {
+  const d = () => page.evaluate(() => Number(document.querySelector(".readings").dataset.d ?? "NaN"));
+  const is_over = () => page.evaluate(() => document.querySelector(".matching").dataset.step === "over");
+  const press = async (key, times) => {
+    for (let i = 0; i < times; i += 1) await page.keyboard.press(key);
+    await page.waitForTimeout(120);
+    return d();
+  };
+  const count = await page.locator('.sliders input[type="range"]').count();
+  let best = await d();
+  for (const times of [16, 8, 4, 2, 1]) {
+    for (let better = true; better;) {
+      better = false;
+      for (let i = 0; i < count; i += 1) {
+        for (const [there, back] of [["ArrowRight", "ArrowLeft"], ["ArrowLeft", "ArrowRight"]]) {
+          const from = await page.evaluate(() => document.activeElement.value);
+          const found = await press(there, times);
+          if (await is_over()) return true;
+          if (found < best - 1e-6) {
+            best = found;
+            better = true;
+            break;
+          }
+          // Ends of a slider stop some of the steps.
+          while (await page.evaluate(() => document.activeElement.value) !== from)
+            await page.keyboard.press(back);
+        }
+        await page.keyboard.press(i + 1 < count ? "Tab" : "Shift");
+      }
+      for (let i = 1; i < count; i += 1) await page.keyboard.press("Shift+Tab");
+    }
+  }
+  return is_over();
+}
+
+const tab_to = async (page, css) => {
+  for (let i = 0; i < 80; i += 1) {
+    if (await page.evaluate((wanted) => document.activeElement?.matches(wanted), css)) return;
+    await page.keyboard.press("Tab");
+  }
+  throw new Error(`no Tab leads to ${css}`);
+};
+
+async function match(page, by_keys, seen) {
+  const press_main = async () => {
+    if (!by_keys) return page.locator(".control .main:visible").click();
+    await tab_to(page, ".control .main");
+    return page.keyboard.press("Enter");
+  };
+  await seen("guess");
+  await press_main();
+  await page.waitForFunction(() => document.querySelector(".matching").dataset.step !== "guess", null, { timeout: 60000 });
+  await seen("adjust");
+  if (await page.evaluate(() => document.querySelector(".matching").dataset.step === "adjust")) {
+    if (by_keys) {
+      await tab_to(page, '.sliders input[type="range"]');
+      await search_by_keys(page);
+    } else await search(page);
+  }
+  await page.waitForFunction(() => document.querySelector(".matching").dataset.step === "over", null, { timeout: 400000 });
+  await seen("over");
+  await press_main();
+}
+
+/**
+ * Takes the experiment that is open to its end. `each(sight, title)` is told of every page and of every
+ * step of a trial ("guess", "adjust", "over"); of pages it may reload, and then returns true.
+ */
+export async function take(page, { by_keys = false, each = async () => false, most = 500 } = {}) {
+  for (let pages = 0; pages < most; pages += 1) {
+    await page.waitForSelector(".page, .matching", { timeout: 60000 });
+    const seen = await sight(page);
+    if (seen === "load") {
+      await page.waitForFunction(() => !document.querySelector(".page progress"), null, { timeout: 60000 });
+      continue;
+    }
+    const title = await page.locator("h1").first().textContent();
+    if (await each(seen, title)) continue;
+    if (seen === "end") return;
+    const before = await mark(page);
+    if (seen === "matching") await match(page, by_keys, (step) => each(step, title));
+    else if (by_keys) {
+      await tab_to(page, ".buttons .main");
+      await page.keyboard.press("Enter");
+    } else await page.locator(".page .buttons .main").click();
+    await is_past(page, before);
+  }
+}
+
+/** Texts of the files that the page saves: "trials", "changes", "participant", "records". */
+export function downloads_of(page) {
+  const saved = {};
+  page.on("download", async (download) => {
+    const stream = await download.createReadStream();
+    let text = "";
+    for await (const part of stream) text += part;
+    saved[download.suggestedFilename().match(/trials|changes|participant|records/)[0]] = text;
+  });
+  return saved;
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/questionnaire/service/record.h"
+
+namespace mien::pipeline {
+
+/// A trial of matching that somebody, or nobody, has gone through.
+struct MatchedTrial {
+  std::string participant;
+  std::string session;  ///< browser session; empty of simulated ones
+  std::string design;
+  Trial trial;
+  MatchingRecord match;
+  bool simulated = false;
+};
+
+/// A row a trial, as `mien study evaluate` reads it, without practice: participant, target,
+/// interface, first_guess_d (m), time_s, success, simulated; and trial, d (of the last setting, m),
+/// guess_s, attempt, session, design.
+std::string matching_trials_csv(const std::vector<MatchedTrial>& trials);
+
+/// A row a change, practice included: participant, trial, target, interface, is_practice, attempt,
+/// time_s (since the trial began), step, action, slider, value, d, simulated.
+std::string matching_changes_csv(const std::vector<MatchedTrial>& trials);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,91 @@
+#include "motion/motion_graph/guided_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "motion/error.h"
+
+#include "made_motions.h"
+
+namespace mien::motion {
+namespace {
+
+using test::made_graph;
+using test::made_motions;
+using Kind = WalkSegment::Kind;
+
+double farthest_beside(const std::vector<Vec3>& path, const Clip& clip) {
+  double farthest = 0.0;
+  for (const Pose& pose : clip.poses) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec3& point : path)
+      nearest = std::min(nearest, (level(pose.root_position) - point).norm());
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+std::vector<Vec3> circle(double radius) {
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 400; ++i) {
+    const double angle = 2.0 * pi * i / 400;
+    points.emplace_back(radius * std::sin(angle), 0.0, radius - radius * std::cos(angle));
+  }
+  return points;
+}
+
+std::vector<Vec3> slalom() {
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 400; ++i) {
+    points.emplace_back(0.6 * std::sin(4.0 * pi * i / 400), 0.0, 0.025 * i);
+  }
+  return points;
+}
+
+TEST(GuidedWalk, CirclesAndSlalomsAreFollowedWithin30Centimetres) {
+  for (const std::vector<Vec3>& path : {circle(2.0), circle(4.0), slalom()}) {
+    const Clip clip = walk_along(made_graph(), path).clip;
+    EXPECT_LT(farthest_beside(path, clip), 0.3);
+    EXPECT_LT((level(clip.poses.back().root_position) - path.back()).norm(), 0.3);
+  }
+}
+
+TEST(GuidedWalk, IsTheSameEveryTime) {
+  const std::vector<Vec3> path = {{0, 0, 0}, {0, 0, 4}};
+  EXPECT_EQ(walk_along(made_graph(), path).walk.edges, walk_along(made_graph(), path).walk.edges);
+}
+
+TEST(GuidedWalk, DoesWhatAScriptSays) {
+  const std::vector<WalkSegment> script = {{.kind = Kind::walk, .seconds = 3.0},
+                                           {.kind = Kind::turn, .degrees = 90.0, .pace = 0.0},
+                                           {.kind = Kind::stand, .seconds = 1.5}};
+  const Clip clip = scripted_walk(made_graph(), script).clip;
+  EXPECT_NEAR(clip.duration_seconds(), 6.0, 0.5);
+  const auto way = [&](std::size_t from, std::size_t to) {
+    return level(clip.poses[to].root_position - clip.poses[from].root_position).norm();
+  };
+  EXPECT_GT(way(30, 60), 1.0);
+  const std::size_t last = clip.poses.size() - 1;
+  EXPECT_LT(way(last - 20, last), 0.15);
+  const Vec3 forward = clip.poses[last].rotations.front() * Vec3::UnitZ();
+  EXPECT_NEAR(std::atan2(forward.x(), forward.z()) / radians_per_degree, 90.0, 35.0);
+}
+
+TEST(GuidedWalk, StraightWalksCannotGoRound) {
+  const MotionGraph straight = motion_graph(std::vector<Clip>{made_motions()[2]});
+  EXPECT_THROW(walk_along(straight, circle(2.0)), Error);
+}
+
+TEST(GuidedWalk, RefusesWhatIsNoPathAndNoScript) {
+  EXPECT_THROW(walk_along(made_graph(), std::vector<Vec3>{{0, 0, 0}}), Error);
+  EXPECT_THROW(scripted_walk(made_graph(), std::vector<WalkSegment>{}), Error);
+  GuidedWalkOptions options;
+  options.kept_seconds = 9.0;
+  EXPECT_THROW(walk_along(made_graph(), circle(2.0), options), Error);
+}
+
+}  // namespace
+}  // namespace mien::motion
