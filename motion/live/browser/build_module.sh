@@ -17,27 +17,33 @@ files='error.cpp
   measures/distance.cpp measures/feature_curves.cpp measures/feature_parameter.cpp
   measures/feature_scale.cpp measures/motion_feature_list.cpp measures/motion_features.cpp'
 
-# Exceptions as WebAssembly has them and 128-bit vectors: Chrome 95, Firefox 100, Safari 16.4.
-flags="-std=c++20 ${LIVE_OPTIMISE:--O3} -DNDEBUG -ffp-contract=off -fwasm-exceptions -msimd128"
+# Exceptions as WebAssembly has them: Chrome 95, Firefox 100, Safari 15.2. Without -msimd128: clang 14
+# vectorizes motion/rig/rest_calibration.cpp wrongly, and Eigen makes no use of it.
+flags="-std=c++20 ${LIVE_OPTIMISE:--O3} -DNDEBUG -ffp-contract=off -fwasm-exceptions"
 
-# Eigen's headers alone: nothing else of the folder that they lie in.
-mkdir -p "$out/objects" "$out/include"
-ln -sfn "$eigen/Eigen" "$out/include/Eigen"
-ln -sfn "$eigen/unsupported" "$out/include/unsupported"
+# From within the folder, whose name may hold blanks: the sources, and Eigen's headers alone of the folder
+# that they lie in.
+cd "$out"
+mkdir -p objects include
+ln -sfn "$root/motion" include/motion
+ln -sfn "$eigen/Eigen" include/Eigen
+ln -sfn "$eigen/unsupported" include/unsupported
 
-cd "$root/motion"
-for room in $rooms; do ls "$room"/*.cpp; done >"$out/sources"
-printf '%s\n' $files >>"$out/sources"
-# A file is compiled again when any header or source has changed since.
-newest=$(find "$root/motion" -name '*.h' -newer "$out/live_core.wasm" 2>/dev/null | head -n 1)
-[ -f "$out/live_core.wasm" ] && [ -z "$newest" ] || rm -f "$out/objects"/*.o
+# A file is compiled again when it, or any header, has changed since.
+changed=$(find -L include/motion \( -name '*.h' -o -name build_module.sh \) -newer live_core.wasm 2>/dev/null |
+  head -n 1)
+[ -f live_core.wasm ] && [ -z "$changed" ] || rm -f objects/*.o
+for room in $rooms; do (cd include/motion && ls "$room"/*.cpp); done >sources
+printf '%s\n' $files >>sources
+: >linked
+: >stale
 while read -r source; do
-  object=$out/objects/$(echo "$source" | tr / _).o
-  [ "$object" -nt "$source" ] || echo "$source $object"
-done <"$out/sources" >"$out/stale"
-xargs -r -P "${JOBS:-$(nproc)}" -n 2 sh -c \
-  'em++ '"$flags"' -I"'"$root"'" -isystem "'"$out/include"'" -c "$0" -o "$1"' <"$out/stale"
+  object=objects/$(echo "$source" | tr / _).o
+  echo "$object" >>linked
+  [ "$object" -nt "include/motion/$source" ] || echo "include/motion/$source $object" >>stale
+done <sources
+xargs -r -P "${JOBS:-$(nproc)}" -n 2 sh -c 'em++ '"$flags"' -Iinclude -c "$0" -o "$1"' <stale
 em++ $flags -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=33554432 -sTOTAL_STACK=1048576 \
   -sEXPORTED_FUNCTIONS=_live_open,_live_room,_live_leave,_live_set,_live_slider,_live_make,_live_distance,_live_example,_live_target,_live_result,_live_result_size \
-  --no-entry "$out/objects"/*.o -o "$out/live_core.part.wasm"
-mv "$out/live_core.part.wasm" "$out/live_core.wasm"
+  --no-entry @linked -o part.wasm
+mv part.wasm live_core.wasm

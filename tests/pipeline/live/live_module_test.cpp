@@ -8,6 +8,7 @@
 #include "motion/live/live_answer.h"
 #include "motion/live/live_core.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/live/live_script.h"
 #include "pipeline/live/live_study.h"
 #include "pipeline/temporary_folder.h"
 
@@ -118,6 +119,48 @@ TEST_F(LiveModule, MakesTheSameMotionsAndDistances) {
   }
   RecordProperty("motions", std::to_string(motions_apart));
   std::printf("motions within %.2g, distances within %.2g\n", motions_apart, distances_apart);
+}
+
+TEST_F(LiveModule, RunsOnAPageThatNobodyServes) {
+  const fs::path driver = pages() / "work/tests/live/static_page.mjs";
+  if (std::system("chromium --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no Chromium here";
+  if (!fs::exists(driver) || !fs::exists(pages() / "work/node_modules/playwright-core"))
+    GTEST_SKIP() << "no playwright-core in build/release/pages/work: ./mien test brings it";
+  const Manifest manifest = test::live_manifest("{method: reach}");
+  Motions motions(manifest);
+  LiveChoice choice = live_choice(manifest);
+  choice.targets = {"by-weights"};
+  const motion::LiveBundle bundle = live_bundle(manifest, motions, choice);
+  const LiveSetting setting = test::setting_of(manifest.stimuli[0]);
+  write_file(folder.path() / "live_files.js",
+             live_script(pages() / "live_core/live_core.wasm", bundle));
+  fs::copy_file(pages() / "live/live.js", folder.path() / "live.js");
+  write_file(
+      folder.path() / "requests.json",
+      json({{{"what", "make"}, {"setting", request_of(setting)}},
+            {{"what", "distance"}, {"target", "by-weights"}, {"setting", request_of(setting)}},
+            {{"what", "target"}, {"name", "nobody"}}})
+          .dump());
+  const std::string command = "node '" + driver.string() + "' '" + folder.path().string() + "' '" +
+                              (folder.path() / "requests.json").string() + "' >'" +
+                              (folder.path() / "found.json").string() + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const json found = json::parse(read_file(folder.path() / "found.json"));
+  EXPECT_EQ(found["faults"], json::array());
+  EXPECT_EQ(found["worker"], true);
+  motion::LiveCore core(bundle);
+  const motion::Clip clip = core.make(setting).motion.clip;
+  const auto joints = motion::world_positions(clip.body, clip.poses.back());
+  ASSERT_EQ(found["answers"][0]["frames"], clip.frame_count());
+  for (std::size_t i = 0; i < 3 * joints.size(); ++i) {
+    const double there = found["answers"][0]["joints"][i];
+    EXPECT_NEAR(there, joints[i / 3][static_cast<int>(i % 3)], 1e-6);
+  }
+  const double d = core.distance("by-weights", setting).mean;
+  EXPECT_NEAR(found["answers"][1]["D"].get<double>(), d, 1e-9);
+  EXPECT_EQ(found["answers"][2]["error"], "there is no target \"nobody\"; name one of the targets");
+  std::printf("milliseconds of a slider's change in Chromium: %s\n",
+              found["milliseconds"].dump().c_str());
 }
 
 TEST_F(LiveModule, SaysWhyItRefuses) {

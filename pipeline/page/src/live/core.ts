@@ -68,7 +68,10 @@ export interface LiveSetting {
   values: number[];
 }
 
-/** Every function rejects with an Error that says what is wrong. Answers come in the order asked. */
+/**
+ * Every function rejects with an Error that says what is wrong. Motions come in the order asked, and so
+ * do distances; motions do not wait for distances.
+ */
 export interface LiveCore {
   readonly info: LiveInfo;
   example(name: string): Promise<LiveMotion>;

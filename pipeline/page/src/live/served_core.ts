@@ -18,7 +18,6 @@ export async function open_served(base: string): Promise<LiveCore> {
   const told = await fetch(`${base}info`);
   if (!told.ok) throw await refusal_of(told);
   const info = (await told.json()) as LiveInfo;
-  let last: Promise<unknown> = Promise.resolve();
 
   const send = async (what: string, body: unknown): Promise<ArrayBuffer> => {
     const response = await fetch(base + what, {
@@ -29,18 +28,23 @@ export async function open_served(base: string): Promise<LiveCore> {
     if (!response.ok) throw await refusal_of(response);
     return response.arrayBuffer();
   };
-  // One after the other, so that answers come in the order asked.
-  const ask = (what: string, body: unknown): Promise<ArrayBuffer> => {
-    const answer = last.then(() => send(what, body));
-    last = answer.catch(() => undefined);
-    return answer;
+  // One after the other, so that answers come in the order asked; no motion waits for a distance.
+  const in_order = () => {
+    let last: Promise<unknown> = Promise.resolve();
+    return (what: string, body: unknown): Promise<ArrayBuffer> => {
+      const answer = last.then(() => send(what, body));
+      last = answer.catch(() => undefined);
+      return answer;
+    };
   };
+  const ask = in_order();
+  const measure = in_order();
 
   return {
     info,
     example: async (name) => read_motion(await ask("example", { name })),
     target: async (name) => read_motion(await ask("target", { name })),
     make: async (setting) => read_motion(await ask("make", setting)),
-    distance: async (target, setting) => read_distance(await ask("distance", { target, ...setting })),
+    distance: async (target, setting) => read_distance(await measure("distance", { target, ...setting })),
   };
 }

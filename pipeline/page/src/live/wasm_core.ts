@@ -66,22 +66,33 @@ async function on_page(open: WasmRequest): Promise<{ answer: WasmAnswer; info: A
   return { answer, info };
 }
 
+/** As given, but not before it is first asked for anything. */
+function when_asked(start: () => Promise<WasmAnswer>): WasmAnswer {
+  let started: Promise<WasmAnswer> | undefined;
+  return async (request) => (await (started ??= start()))(request);
+}
+
 /**
- * The motion core inside the browser: in a worker where workers can be had, else on the page.
+ * The motion core inside the browser: in workers where workers can be had, else on the page. Distances,
+ * which take longer, are measured in a worker of their own, so that no motion waits for them.
  * `module`: the WebAssembly module, `bundle`: what it blends; bytes or base64 (globalThis.mien_live_files).
  */
 export async function open_wasm(module: ArrayBuffer | string, bundle: ArrayBuffer | string): Promise<LiveCore> {
   const bytes_of = (given: ArrayBuffer | string) => (typeof given === "string" ? from_base64(given) : given);
   const open: WasmRequest = { what: "open", module: bytes_of(module), bundle: bytes_of(bundle) };
+  const start = () => in_worker(open);
   // What fails in a worker and on the page alike is told as the page has it.
-  const { answer, info } = await (typeof Worker === "undefined"
-    ? on_page(open)
-    : in_worker(open).catch(() => on_page(open)));
+  const can_work = typeof Worker !== "undefined";
+  const { answer, info, is_worker } = await (can_work
+    ? start().then((worker) => ({ ...worker, is_worker: true }))
+    : Promise.reject(new Error("no workers"))
+  ).catch(() => on_page(open).then((page) => ({ ...page, is_worker: false })));
+  const measure = is_worker ? when_asked(() => start().then((worker) => worker.answer, () => answer)) : answer;
   return {
     info: JSON.parse(new TextDecoder().decode(info)) as LiveInfo,
     example: async (name) => read_motion(await answer({ what: "example", name })),
     target: async (name) => read_motion(await answer({ what: "target", name })),
     make: async (setting) => read_motion(await answer({ what: "make", setting })),
-    distance: async (target, setting) => read_distance(await answer({ what: "distance", target, setting })),
+    distance: async (target, setting) => read_distance(await measure({ what: "distance", target, setting })),
   };
 }
