@@ -72,10 +72,9 @@ class MatchingPage : public testing::Test {
 
   json played(const std::string& scenario, const std::string& where) {
     const std::string said = run_program({"sh", "-c", "command -v " + chromium()}).output;
-    const Ended ended =
-        run_program({"env", "MIEN_CHROMIUM=" + said.substr(0, said.find('\n')), "node",
-                     matching_scenarios().string(), scenario, where},
-                    500.0);
+    const Ended ended = run_program({"env", "MIEN_CHROMIUM=" + said.substr(0, said.find('\n')),
+                                     "node", matching_scenarios().string(), scenario, where},
+                                    500.0);
     EXPECT_EQ(ended.code, 0) << ended.errors;
     const json told = json::parse(ended.output, nullptr, false);
     if (told.contains("troubles")) {
@@ -117,9 +116,9 @@ class MatchingPage : public testing::Test {
   /// As a stimulus says it.
   static std::string wishes(const json& setting) {
     const std::string first = setting.at("sliders").at(0);
-    const std::string kind = first == "normal"        ? "weights"
+    const std::string kind = first == "normal"      ? "weights"
                              : first == "quickness" ? "adjectives"
-                                                      : "features";
+                                                    : "features";
     std::string all;
     bool is_nothing = true;
     for (std::size_t i = 0; i < setting.at("sliders").size(); ++i) {

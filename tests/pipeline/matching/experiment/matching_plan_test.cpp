@@ -70,11 +70,11 @@ TEST(MatchingPlan, IsTheSameWithMoreParticipants) {
 }
 
 TEST(MatchingPlan, IsBalancedOnceEveryRowOfBothSquaresHasCome) {
-  for (const auto& interfaces :
-       {std::vector<std::string>{"weights"}, std::vector<std::string>{"features", "weights"}, three}) {
+  for (const auto& interfaces : {std::vector<std::string>{"weights"},
+                                 std::vector<std::string>{"features", "weights"}, three}) {
     for (const int targets : {2, 3, 5}) {
-      const auto participants = williams_rows(interfaces.size()) *
-                                williams_rows(static_cast<std::size_t>(targets));
+      const auto participants =
+          williams_rows(interfaces.size()) * williams_rows(static_cast<std::size_t>(targets));
       std::map<std::pair<std::string, std::size_t>, int> block_at;
       std::map<std::tuple<std::string, std::string, std::size_t>, int> target_at;
       for (const SessionPlan& plan :

@@ -41,7 +41,8 @@ TEST(MatchingChecks, RefuseWhatIsNotThere) {
   EXPECT_EQ(fault_of("{participants: 2}"), "");
   EXPECT_NE(fault_of("{participants: 2, targets: [t3]}").find("did you mean"), std::string::npos);
   EXPECT_NE(fault_of("{participants: 2, targets: [t1, t1]}").find("twice"), std::string::npos);
-  EXPECT_NE(fault_of("{participants: 2, primary: [quicknes]}").find("quickness"), std::string::npos);
+  EXPECT_NE(fault_of("{participants: 2, primary: [quicknes]}").find("quickness"),
+            std::string::npos);
   EXPECT_NE(fault_of("{participants: 2, features: [step-lenght]}").find("step-length"),
             std::string::npos);
   EXPECT_NE(fault_of("{participants: 2, interfaces: [weights], primary: [quickness]}")
