@@ -17,8 +17,9 @@ struct Matching {
   std::vector<std::string> targets;          ///< stimuli; empty: those whose role is target
   std::vector<std::string> practice;         ///< stimuli, tried before all others
   std::vector<std::string> interfaces = {"adjectives", "features", "weights"};
-  std::vector<std::string> primary;  ///< adjectives shown at once; empty: the scales' groups, or all
-  std::vector<std::string> offered;  ///< adjectives that may be added; empty: all rated pairs
+  std::vector<std::string>
+      primary;  ///< adjectives shown at once; empty: the scales' groups, or all
+  std::vector<std::string> offered;   ///< adjectives that may be added; empty: all rated pairs
   std::vector<std::string> features;  ///< shown at once; empty: the four groups
   double limit_s = 300.0;             ///< for a match, after the guess
   double threshold_m = 0.06;          ///< D below which a motion matches, metres
@@ -49,7 +50,8 @@ void fields_of(Field&& field, M& matching) {
   field("target_colour", matching.target_colour, concerns::nothing);
   field("created_colour", matching.created_colour, concerns::nothing);
   field("phones", matching.phones, concerns::nothing, phones_words);
-  field.each("demographics", matching.demographics, concerns::nothing, [] { return Demographic(); });
+  field.each("demographics", matching.demographics, concerns::nothing,
+             [] { return Demographic(); });
 }
 
 }  // namespace mien::pipeline

@@ -30,6 +30,12 @@ void for_each_document(M& manifest, const Visit& visit) {
     }
     if (!asked.scales.file.empty()) visit(asked.scales.file);
   }
+  if (manifest.matching) {
+    auto& matching = *manifest.matching;
+    for (auto* text : {&matching.consent, &matching.instructions, &matching.ending}) {
+      if (!text->file.empty()) visit(text->file);
+    }
+  }
   visit_set(manifest.look);
   for (auto& stimulus : manifest.stimuli) visit_set(stimulus.look);
   for (auto& overlay : manifest.overlays) visit_set(overlay.film.look);

@@ -16,7 +16,8 @@ Manifest asked_manifest(const std::string& name, const Console& console);
 Manifest participants_manifest(const std::string& name, const Console& console);
 
 inline constexpr char asked_manifest_help[] =
-    "Manifest (YAML) with a questionnaire or a matching experiment, the name of one of mien manifests, or a study's "
+    "Manifest (YAML) with a questionnaire or a matching experiment, the name of one of mien "
+    "manifests, or a study's "
     "provenance.json";
 
 }  // namespace mien::pipeline

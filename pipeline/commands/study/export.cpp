@@ -62,7 +62,8 @@ int export_study(const ExportOptions& options, const Console& console) {
 
 void add_study_export_command(CLI::App& study, Command& chosen) {
   CLI::App* command = study.add_subcommand(
-      "export", "The questionnaire or matching experiment as a folder that any browser opens, and for JATOS");
+      "export",
+      "The questionnaire or matching experiment as a folder that any browser opens, and for JATOS");
   const auto options = std::make_shared<ExportOptions>();
   add_questionnaire_options(*command, options->study);
   command
@@ -70,7 +71,8 @@ void add_study_export_command(CLI::App& study, Command& chosen) {
                    "Folder to write, new or of an earlier export; answers put there stay")
       ->required();
   command->footer(
-      "\nMakes what a questionnaire shows first, as mien run does. The folder works offline by a double click on\n"
+      "\nMakes what a questionnaire shows first, as mien run does. The folder works offline by a "
+      "double click on\n"
       "index.html, on any web server, and on JATOS (.jzip); its README.txt tells how.\n"
       "\nExample:\n  mien study export study.yaml -o questionnaire");
   command->callback([&chosen, options] {

@@ -13,7 +13,6 @@ struct MatchingDesign {
 };
 
 /// Lays out the sessions of a matching experiment and tells how evenly, and how long they take.
-int design_matching(const Manifest& manifest, const MatchingDesign& design,
-                    const Console& console);
+int design_matching(const Manifest& manifest, const MatchingDesign& design, const Console& console);
 
 }  // namespace mien::pipeline

@@ -141,15 +141,25 @@ std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest&
   return store;
 }
 
+/// Sliders ask for a motion with every step, and a trial of matching keeps all of them.
+HttpSettings settings_of(const ServeOptions& options, const ServedStudy& study) {
+  HttpSettings settings{.listen = options.listen, .port = options.port};
+  if (study.live) {
+    settings.requests = {.burst = 20000, .per_second = 2000};
+    settings.limits.body_bytes = std::size_t{4} << 20U;
+  }
+  return settings;
+}
+
 /// Until told to end.
 int serve_study(const ServedStudy& study, SessionStore& store, const ServeOptions& options,
                 const ServedFiles& files, const Console& console) {
   QuestionnaireService service(study, store);
   Troubles troubles(console);
-  const HttpSettings settings{.listen = options.listen, .port = options.port};
   {
     const HttpServer server(
-        settings, [&](const HttpRequest& request) { return service.answer(request); },
+        settings_of(options, study),
+        [&](const HttpRequest& request) { return service.answer(request); },
         [&](const std::string& failure) { troubles.tell(failure); });
     const std::string base = base_url(options, server.port());
     write_links(files.links, links_csv(service.sessions(), base));
@@ -191,8 +201,8 @@ int serve(const ServeOptions& options, const Console& console) {
 }  // namespace
 
 void add_study_serve_command(CLI::App& study, Command& chosen) {
-  CLI::App* command =
-      study.add_subcommand("serve", "The questionnaire or matching experiment from this machine, for a laboratory");
+  CLI::App* command = study.add_subcommand(
+      "serve", "The questionnaire or matching experiment from this machine, for a laboratory");
   const auto options = std::make_shared<ServeOptions>();
   add_questionnaire_options(*command, options->study);
   command->add_option("--port", options->port, "Port to listen at; 0: any that is free")
@@ -208,7 +218,8 @@ void add_study_serve_command(CLI::App& study, Command& chosen) {
                       "How participants reach this server, if not at its address and port");
   command->add_flag("--json", options->json, "Tell the links as JSON");
   command->footer(
-      "\nMakes what a questionnaire shows first, as mien run does. Each participant has a link of their own, each\n"
+      "\nMakes what a questionnaire shows first, as mien run does. Each participant has a link of "
+      "their own, each\n"
       "answer is on the disk before the page goes on, and the experimenter's page shows who is\n"
       "where and gives the answers out as CSV. Other machines reach it with --listen only.\n"
       "\nExamples:\n"

@@ -81,10 +81,10 @@ int simulate_matched(const SimulateCommand& command, const Manifest& manifest,
   Motions motions(manifest);
   const MatchingStudy study = matching_study(manifest, motions, command.participants);
   const std::vector<MatchedTrial> trials = simulated_matching(manifest, motions, study);
-  return put_answers(command, manifest, matching_trials_csv(trials),
-                     fmt::format("{} simulated participants, {} trials", study.plans.size(),
-                                 trials.size()),
-                     console);
+  return put_answers(
+      command, manifest, matching_trials_csv(trials),
+      fmt::format("{} simulated participants, {} trials", study.plans.size(), trials.size()),
+      console);
 }
 
 int simulate_questionnaire(const SimulateCommand& command, const Console& console) {
@@ -100,8 +100,9 @@ int simulate_questionnaire(const SimulateCommand& command, const Console& consol
 
 int simulate(const SimulateCommand& command, const Console& console) {
   if (command.manifest.empty() == command.examples.empty())
-    throw Error("simulate takes a manifest with a questionnaire or a matching experiment, or --examples",
-                "give one of the two");
+    throw Error(
+        "simulate takes a manifest with a questionnaire or a matching experiment, or --examples",
+        "give one of the two");
   return command.manifest.empty() ? simulate_examples(command, console)
                                   : simulate_questionnaire(command, console);
 }

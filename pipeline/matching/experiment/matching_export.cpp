@@ -26,8 +26,10 @@ std::string readme(const Manifest& manifest, const MatchingStudy& study) {
   const SessionPlan& first = study.plans.front();
   std::string text = fmt::format(
       "{}\n{}\n\n"
-      "The matching experiment of the study {}: {} participants ({} to {}), {} trials and about {}\n"
-      "minutes each. Motions are made inside the browser: nothing here needs a network, and nothing\n"
+      "The matching experiment of the study {}: {} participants ({} to {}), {} trials and about "
+      "{}\n"
+      "minutes each. Motions are made inside the browser: nothing here needs a network, and "
+      "nothing\n"
       "is sent anywhere.\n\n",
       title, std::string(title.size(), '='), manifest.study, study.plans.size(), first.participant,
       study.plans.back().participant, first.trials.size(),
@@ -35,14 +37,17 @@ std::string readme(const Manifest& manifest, const MatchingStudy& study) {
   text += fmt::format(
       "On this computer\n"
       "    Open index.html in a browser (a double click will do). At the end the browser saves\n"
-      "    four files among its downloads: trials, changes and the participant (CSV), and all that\n"
-      "    was recorded (JSON). Who reloads the page begins the running trial anew, and goes on.\n\n"
+      "    four files among its downloads: trials, changes and the participant (CSV), and all "
+      "that\n"
+      "    was recorded (JSON). Who reloads the page begins the running trial anew, and goes "
+      "on.\n\n"
       "    The browser takes one of the plans that it has given least often. To say which:\n"
       "        index.html?participant={}\n\n"
       "On a web server\n"
       "    Put index.html, LICENSES.txt and all files that end in .js or .css there.\n\n"
       "On JATOS\n"
-      "    Import {}.jzip (Studies, +, Import). The result data is the CSV of the trials, complete\n"
+      "    Import {}.jzip (Studies, +, Import). The result data is the CSV of the trials, "
+      "complete\n"
       "    after every trial; files of results hold the rest.\n\n",
       first.participant, manifest.study);
   if (manifest.matching->phones == Phones::refused)

@@ -18,10 +18,9 @@ namespace mien::pipeline {
 ///     answers/data/README.md            where the files of participants go
 ///     README.txt                        for the lab
 ///
-/// `pages` is the folder of the built page, `module` the motion core (live_module()). The same study
-/// gives the same bytes.
+/// `pages` is the folder of the built page, `module` the motion core (live_module()). The same
+/// study gives the same bytes.
 ZipFiles exported_matching(const Manifest& manifest, const MatchingStudy& study,
-                           const std::filesystem::path& pages,
-                           const std::filesystem::path& module);
+                           const std::filesystem::path& pages, const std::filesystem::path& module);
 
 }  // namespace mien::pipeline

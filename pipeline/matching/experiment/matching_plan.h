@@ -11,9 +11,9 @@ namespace mien::pipeline {
 /// not 0. A trial is a target (its stimulus) and an interface (its item).
 ///
 /// Practice comes first: its motions one after the other, with the interfaces in the participant's
-/// own order, so many trials that each motion and each interface comes. Then one block an interface,
-/// in each of which every target comes once. Blocks follow a row of Williams' square of the
-/// interfaces (latin_square.h); targets a row of theirs, another one in each block and for each
+/// own order, so many trials that each motion and each interface comes. Then one block an
+/// interface, in each of which every target comes once. Blocks follow a row of Williams' square of
+/// the interfaces (latin_square.h); targets a row of theirs, another one in each block and for each
 /// participant of the same order of blocks. Every plan is a pure function of (manifest, its index).
 std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count = 0);
 

@@ -22,8 +22,8 @@ Strings practised_and_matched(const Manifest& manifest) {
   return ids;
 }
 
-/// Sliders that are shown at once and those that may be added: of `all`, those that are named; where
-/// none are, those that `info` has as primary, and all others.
+/// Sliders that are shown at once and those that may be added: of `all`, those that are named;
+/// where none are, those that `info` has as primary, and all others.
 ordered_json shown_and_offered(const ordered_json& info, const Strings& shown,
                                const Strings& offered) {
   ordered_json sliders = {{"shown", shown}, {"offered", ordered_json::array()}};
@@ -109,30 +109,29 @@ ordered_json experiment_of(const Manifest& manifest, const motion::LiveBundle& b
   const auto texts_of = [&](const TextSource& source) {
     return paragraphs_of(source.text, matching.language);
   };
-  ordered_json experiment = {
-      {"format", "mien-matching-1"},
-      {"study", manifest.study},
-      {"title", title_of(manifest)},
-      {"language", word_of(language_words, matching.language)},
-      {"design", ""},
-      {"simulated", false},
-      {"texts",
-       {{"consent", texts_of(matching.consent)},
-        {"instructions", texts_of(matching.instructions)},
-        {"ending", texts_of(matching.ending)}}},
-      {"settings", {{"phones", word_of(phones_words, matching.phones)}}},
-      {"matching",
-       {{"limit_s", matching.limit_s},
-        {"threshold_m", matching.threshold_m},
-        {"shows_distance", matching.shows_distance},
-        {"target_colour", matching.target_colour},
-        {"created_colour", matching.created_colour},
-        {"sliders", sliders_json(manifest, bundle)}}},
-      {"items", ordered_json::object()},
-      {"demographics", demographics_of(matching)},
-      {"media", ordered_json::object()},
-      {"stimuli", ordered_json::object()},
-      {"sessions", sessions_of(plans)}};
+  ordered_json experiment = {{"format", "mien-matching-1"},
+                             {"study", manifest.study},
+                             {"title", title_of(manifest)},
+                             {"language", word_of(language_words, matching.language)},
+                             {"design", ""},
+                             {"simulated", false},
+                             {"texts",
+                              {{"consent", texts_of(matching.consent)},
+                               {"instructions", texts_of(matching.instructions)},
+                               {"ending", texts_of(matching.ending)}}},
+                             {"settings", {{"phones", word_of(phones_words, matching.phones)}}},
+                             {"matching",
+                              {{"limit_s", matching.limit_s},
+                               {"threshold_m", matching.threshold_m},
+                               {"shows_distance", matching.shows_distance},
+                               {"target_colour", matching.target_colour},
+                               {"created_colour", matching.created_colour},
+                               {"sliders", sliders_json(manifest, bundle)}}},
+                             {"items", ordered_json::object()},
+                             {"demographics", demographics_of(matching)},
+                             {"media", ordered_json::object()},
+                             {"stimuli", ordered_json::object()},
+                             {"sessions", sessions_of(plans)}};
   experiment["design"] = hash_of(experiment.dump());
   return experiment;
 }

@@ -24,8 +24,7 @@ class SimulatedMatch {
       : manifest_(manifest), motions_(motions), core_(core), target_(trial.stimuli.front()) {
     const std::string& interface = trial.items.front().item;
     interface_.kind = motion::interface_kind(interface).value();
-    interface_.sliders =
-        study.experiment.at("matching").at("sliders").at(interface).at("shown");
+    interface_.sliders = study.experiment.at("matching").at("sliders").at(interface).at("shown");
   }
 
   MatchingRecord run(const std::string& participant) {
@@ -65,15 +64,14 @@ class SimulatedMatch {
   /// What is looked at differs from what was before in one slider, or is taken back first.
   double look(const Eigen::RowVectorXd& settings) {
     const SliderSetting now = setting(settings);
-    const double d = core_
-                         .distance(target_, {.kind = interface_.kind,
-                                             .sliders = now.sliders,
-                                             .values = now.values})
-                         .mean;
+    const double d =
+        core_
+            .distance(target_,
+                      {.kind = interface_.kind, .sliders = now.sliders, .values = now.values})
+            .mean;
     const double seconds = guess_seconds + look_seconds * looks_;
     if (looks_++ == 0) {
-      record_.changes.push_back(
-          {.seconds = seconds, .step = "guess", .action = "guess", .d = d});
+      record_.changes.push_back({.seconds = seconds, .step = "guess", .action = "guess", .d = d});
     } else {
       for (std::size_t i = 0; i < now.values.size(); ++i) {
         if (now.values[i] != record_.last.values[i])

@@ -60,7 +60,8 @@ function show_overview(status) {
   const count = (state) => status.participants.filter((one) => one.state === state).length;
   const answers = status.histograms.reduce((sum, one) => sum + one.answers, 0);
   const numbers = [["Planned", status.planned], ["Here now", count("here")], ["Done", count("done")],
-    ["Away", count("away")], ["Refused", count("refused")], ["Answers", answers]];
+    ["Away", count("away")], ["Refused", count("refused")],
+    ...(status.is_matching ? [] : [["Answers", answers]])];
   const list = at("overview");
   if (list.children.length !== numbers.length)
     list.replaceChildren(...numbers.map(() => {
@@ -176,6 +177,8 @@ function show(status) {
   set_text(at("about"), `Study ${status.study}, design ${status.design.slice(0, 8)}`);
   const link = whole_link(status.join);
   if (at("join").value !== link) at("join").value = link;
+  for (const part of document.querySelectorAll(".of-matching")) part.hidden = !status.is_matching;
+  for (const part of document.querySelectorAll(".of-questionnaire")) part.hidden = status.is_matching;
   show_overview(status);
   show_participants(status.participants);
   show_answers(status);

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 namespace {
 
 constexpr std::size_t most_sliders = 4000;
-constexpr std::size_t most_changes = 100'000;
+constexpr std::size_t most_changes = 30'000;
 constexpr double longest_s = longest_ms / 1000.0;
 constexpr double farthest_m = 1000.0;
 

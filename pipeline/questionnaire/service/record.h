@@ -67,7 +67,7 @@ struct PageRecord {
   std::optional<double> stall_ms;
   std::optional<int> dropped_frames, blurs, viewport_width, viewport_height;
   std::optional<double> refresh_hz;
-  std::vector<std::string> media_sha256;  ///< of what was shown, then of the reference
+  std::vector<std::string> media_sha256;   ///< of what was shown, then of the reference
   std::optional<MatchingRecord> matching;  ///< of a trial of matching
 };
 

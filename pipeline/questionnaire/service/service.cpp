@@ -177,7 +177,8 @@ HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int s
   return with_record(request, [&](const PageRecord& record, const std::string& content) {
     const SessionPlan plan = sessions_.plan_of(state.session);
     check_record(study_.facts, plan, record);
-    if (record.matching) check_distances(*study_.live, *trial_of(plan, record.name), *record.matching);
+    if (record.matching)
+      check_distances(*study_.live, *trial_of(plan, record.name), *record.matching);
     return keep_record(session, record, content);
   });
 }

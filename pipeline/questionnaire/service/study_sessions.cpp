@@ -45,8 +45,8 @@ StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, Cloc
   const bool has_same_design = store_.fact(design_fact) == study_.facts.design;
   if (!has_same_design || store_.fact(media_fact) != media_hash(study_))
     throw Error({store_.file().string()},
-                has_same_design ? (study_.live ? "was begun with other motions"
-                                               : "was begun with other videos")
+                has_same_design
+                    ? (study_.live ? "was begun with other motions" : "was begun with other videos")
                     : "was begun with another questionnaire: its texts, plans or participants have "
                       "changed since",
                 "serve the study as it was, or begin anew with --store and another file: "

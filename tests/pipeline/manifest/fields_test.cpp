@@ -79,6 +79,7 @@ TEST(Fields, HaveTheDefaultsThatTheSchemaStates) {
   expect_defaults<Sheet>("sheets[]");
   expect_defaults<Questionnaire>("questionnaire");
   expect_defaults<Demographic>("questionnaire.demographics[]");
+  expect_defaults<Matching>("matching");
 }
 
 Manifest parsed(const std::string& text) {
@@ -116,6 +117,24 @@ questionnaire: {participants: 4, scales: emotions, consent: "yes: no", stimuli: 
   EXPECT_EQ(again.stimuli[0].look.figure, manifest.stimuli[0].look.figure);
   EXPECT_EQ(again.stimuli[1].modify[0].edit.named, manifest.stimuli[1].modify[0].edit.named);
   EXPECT_EQ(again.stimuli[1].modify[1].style->order, 4);
+}
+
+TEST(Fields, OfMatchingAreReadAgain) {
+  const Manifest manifest = parsed(R"(mien: 1
+study: s
+examples: {set: builtin:walks-10}
+stimuli: [{id: a, weights: {sad: 1}}, {id: b, weights: {normal: 1}}]
+matching: {participants: 4, language: ja, consent: "yes: no", targets: [a], practice: [b], interfaces: [weights],
+  limit_s: 90.5, threshold_m: 0.05, show_distance: false, target_colour: "#112233", phones: served,
+  demographics: [{id: age, ask: "How old?", answer: number}]}
+)");
+  const OrderedJson text = written(manifest, Writing{});
+  const Manifest again = parsed(text.dump());
+  EXPECT_EQ(written(again, Writing{}), text);
+  ASSERT_TRUE(again.matching);
+  EXPECT_EQ(again.matching->interfaces, std::vector<std::string>{"weights"});
+  EXPECT_EQ(again.matching->limit_s, 90.5);
+  EXPECT_EQ(again.matching->demographics.size(), 1u);
 }
 
 TEST(Fields, ThatAreLaidOverOthersLeaveTheRestAsItIs) {

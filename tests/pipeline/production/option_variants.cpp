@@ -54,7 +54,13 @@ constexpr char with_questions_and_factors[] =
 constexpr char with_questions_and_glb[] =
     R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"], "clips": ["bvh", "glb"]}})";
 
+constexpr char with_matching[] =
+    R"({"matching": {"participants": 4}, "stimuli": [{"id": "a", "role": "target", "weights": {"normal": 1}}, {"id": "b", "role": "target", "weights": {"sad": 1}}, {"id": "c", "weights": {"proud": 1}}]})";
+
 const Surroundings surroundings[] = {
+    {"matching.demographics[].", with_matching,
+     R"({"id": "age", "ask": "How old?", "answer": "text"})"},
+    {"matching", with_matching, "{}"},
     {"questionnaire.order", with_questions_and_factors, "{}"},
     {"questionnaire.apart", with_questions_and_factors, "{}"},
     {"questionnaire.view", with_questions_and_glb, "{}"},
@@ -167,6 +173,16 @@ const Values chosen_values[] = {
      R"([[{"at": 0.1, "mood": {"sad": 1}}], [{"at": 0.2, "mood": {"sad": 1}}]])"},
     {"stimuli[].path.moods[].at", "[0.1, 0.2]"},
     {"stimuli[].path.moods[].mood", R"([{"sad": 1}, {"happy": 1}])"},
+    {"matching", R"([{"participants": 4}, {"participants": 5, "limit_s": 100}])"},
+    {"matching.title", R"(["Same?", "Alike?"])"},
+    {"matching.targets", R"([["a"], ["a", "b"]])"},
+    {"matching.practice", R"([["b"], ["c"]])"},
+    {"matching.interfaces", R"([["adjectives"], ["weights", "features"]])"},
+    {"matching.primary", R"([["quickness"], ["quickness", "largeness"]])"},
+    {"matching.pairs_offered", R"([["slow-fast"], ["quickness"]])"},
+    {"matching.features", R"([["step-length"], ["step-length", "lateral-swing"]])"},
+    {"matching.target_colour", R"(["#112233", "#445566"])"},
+    {"matching.created_colour", R"(["#112233", "#445566"])"},
     {"questionnaire",
      R"([{"participants": 4, "scales": "all"}, {"participants": 5, "scales": "emotions"}])"},
     {"questionnaire.title", R"(["How?", "What?"])"},

@@ -8,10 +8,10 @@ import { participants_csv } from "../questionnaire/rows";
 import { Drawer, SessionClosed, type Store } from "../questionnaire/store";
 import { base, mode_of_page, root, show, show_closed, store_of, type Mode } from "../questionnaire/surroundings";
 import { page_record, show_text_page, wait_note, type AskedPage, type GivenOnPage } from "../questionnaire/text_view";
-import { texts_of, type Texts } from "../questionnaire/texts";
+import type { Texts } from "../questionnaire/texts";
 import { checked_matching, type MatchingExperiment, type MatchingSession, type MatchingTrial } from "./experiment";
 import { changes_csv, trials_csv } from "./rows";
-import { matching_texts } from "./texts";
+import { matching_texts, shared_texts } from "./texts";
 import { run_trial, type MatchingSurroundings } from "./trial_page";
 
 async function experiment_of(mode: Mode): Promise<MatchingExperiment> {
@@ -202,7 +202,7 @@ function show_ending(
 async function main(): Promise<void> {
   const mode = mode_of_page();
   const experiment = await experiment_of(mode);
-  const texts = texts_of(experiment.language);
+  const texts = shared_texts(experiment.language);
   document.documentElement.lang = experiment.language;
   document.title = experiment.title;
   if (experiment.settings.phones === "refused" && is_phone()) return show(experiment.title, [texts.phone]);
@@ -221,4 +221,4 @@ async function main(): Promise<void> {
   show_ending(mode, experiment, store, texts);
 }
 
-main().catch((error: unknown) => show_closed(error, texts_of(document.documentElement.lang)));
+main().catch((error: unknown) => show_closed(error, shared_texts(document.documentElement.lang)));

@@ -1,4 +1,5 @@
 import type { InterfaceKind } from "../live/core";
+import { texts_of, type Texts } from "../questionnaire/texts";
 
 /** What the page itself says of matching; what it shares with questionnaires stands there. */
 const english = {
@@ -37,7 +38,7 @@ const english = {
   clock: "Time left",
   distance: "Distance",
   goal: (centimetres: string) => `goal: below ${centimetres} cm`,
-  matched: (seconds: number) => `Matched after ${seconds} seconds. Well done!`,
+  matched: (seconds: number) => `Matched after ${seconds} ${seconds === 1 ? "second" : "seconds"}. Well done!`,
   matched_at_once: "Your guess matches already. Well done!",
   over: "The time is up. That is fine: go on with the next motion.",
   view: "A green and a blue figure, seen in three dimensions. Arrow keys turn them, plus and minus bring them nearer, Home brings them back.",
@@ -124,3 +125,33 @@ const japanese: MatchingTexts = {
 };
 
 export const matching_texts = (language: string): MatchingTexts => (language === "ja" ? japanese : english);
+
+/** What pages of questionnaires say, where they speak of questionnaires. */
+const instead: Record<"en" | "ja", Partial<Texts>> = {
+  en: {
+    practice_begins: "We begin with practice. What you do there is not used.",
+    last_words: "Would you like to tell us anything about this experiment?",
+    finished: "The experiment is finished and what you did is saved. You may close this window.",
+    finished_files: "The experiment is finished. What you did was saved as files in the download folder of this computer. If one is missing, save it again here.",
+    phone: "This experiment needs a larger screen than that of a phone. Please open it on a computer or a tablet.",
+    trouble: "The experiment cannot be shown",
+    elsewhere: "This experiment is open elsewhere",
+    go_on_there: "It was begun in another window or browser. What is done here is not saved: please go on there. If you cannot, ask the experimenter for another link.",
+    save_failed: "The connection is lost. What you did is kept here and is being sent again; please leave this window open.",
+  },
+  ja: {
+    practice_begins: "まず練習をします。練習の結果は使われません。",
+    last_words: "この実験について何かあればお書きください。",
+    finished: "実験は終わりました。結果は保存されました。この画面を閉じてください。",
+    finished_files: "実験は終わりました。結果はこのコンピューターのダウンロードフォルダーに保存されました。足りないものがあれば、ここでもう一度保存してください。",
+    phone: "この実験には電話より大きな画面が必要です。パソコンかタブレットで開いてください。",
+    trouble: "実験を表示できません",
+    elsewhere: "この実験は別の画面で開かれています",
+    go_on_there: "別のウィンドウまたはブラウザーで始められています。ここでの操作は保存されません。そちらで続けてください。続けられない場合は、実験者に別のリンクをお尋ねください。",
+    save_failed: "接続が切れました。結果はここに保存され、再送しています。この画面を開いたままにしてください。",
+  },
+};
+
+/** The texts that matching shares with questionnaires. */
+export const shared_texts = (language: string): Texts =>
+  ({ ...texts_of(language), ...instead[language === "ja" ? "ja" : "en"] });

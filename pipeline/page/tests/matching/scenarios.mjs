@@ -1,0 +1,113 @@
+// Participants of a matching experiment in a real browser.
+//   node scenarios.mjs NAME FOLDER-OR-ADDRESS [PICTURES]
+// prints what came of it as JSON: the files that were saved, and whatever the browser complained of.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+import { open_browser } from "../questionnaire/participant.mjs";
+import { downloads_of, take } from "./participant.mjs";
+
+const [name, given, pictures] = process.argv.slice(2);
+const address = given.startsWith("http") ? given : `file://${resolve(given)}/index.html`;
+const is_served = given.startsWith("http");
+const desktop = { viewport: { width: 1366, height: 768 } };
+const phone = { viewport: { width: 390, height: 844 }, screen: { width: 390, height: 844 },
+  hasTouch: true, isMobile: true };
+
+const browser = await open_browser();
+
+async function open(how = desktop) {
+  const context = await browser.newContext({ acceptDownloads: true, ...how });
+  const page = await context.newPage();
+  const troubles = [];
+  const asked = [];
+  const posted = {};
+  page.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });
+  page.on("pageerror", (error) => troubles.push(error.message));
+  page.on("request", (request) => {
+    if (/^http/.test(request.url())) asked.push(request.url());
+    if (/\/records\//.test(request.url())) posted[request.url().split("/").pop()] = request.postDataJSON();
+  });
+  const saved = downloads_of(page);
+  await page.goto(address);
+  return { page, troubles, saved, asked, posted };
+}
+
+/** Until all four files are there; a server has what it was given. */
+async function with_files({ page, saved, troubles, asked, posted }, more = {}) {
+  for (let i = 0; !is_served && i < 100 && Object.keys(saved).length < 4; i += 1) await page.waitForTimeout(100);
+  return { ...saved, troubles, requests: asked.length, posted, ...more };
+}
+
+/** Pictures of every page and step, where a folder for them is given. */
+const with_pictures = (page, begin) => {
+  let shots = 0;
+  return async (seen) => {
+    if (pictures && seen !== "matching")
+      await page.screenshot({ path: join(pictures, `${begin}-${String(shots++).padStart(2, "0")}-${seen}.png`) });
+    return false;
+  };
+};
+
+async function whole() {
+  const opened = await open();
+  await take(opened.page, { each: with_pictures(opened.page, "desktop") });
+  return with_files(opened);
+}
+
+async function keys() {
+  const opened = await open();
+  await take(opened.page, { by_keys: true });
+  return with_files(opened);
+}
+
+/** A reload in the first trial, while its clock runs. */
+async function reload() {
+  const opened = await open();
+  const { page } = opened;
+  let reloads = 0;
+  await take(page, { each: async (seen) => {
+    if (seen !== "matching" || reloads > 0) return false;
+    await page.locator(".control .main:visible").click();
+    await page.waitForFunction(() => document.querySelector(".matching").dataset.step !== "guess");
+    reloads += 1;
+    await page.reload();
+    return true;
+  } });
+  return with_files(opened, { reloads });
+}
+
+/** On a phone's screen: what is told there, or the whole of it where phones are served. */
+async function on_phone() {
+  const opened = await open(phone);
+  const text = await opened.page.locator("main").innerText();
+  const is_told = (await opened.page.locator(".button").count()) === 0;
+  if (!is_told) await take(opened.page, { each: with_pictures(opened.page, "phone") });
+  return with_files(opened, { text, is_told });
+}
+
+/** Faults of accessibility on every page and in every step, as wide as a laptop and as a phone. */
+async function accessibility() {
+  const script = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+  const faults = [];
+  let checked = 0;
+  for (const how of [desktop, { viewport: phone.viewport }]) {
+    const { page } = await open({ ...how, bypassCSP: true });
+    await take(page, { each: async (seen, title) => {
+      if (!(await page.evaluate(() => !!window.axe))) await page.evaluate(script);
+      const { violations } = await page.evaluate(() => window.axe.run());
+      checked += 1;
+      for (const { id, impact, nodes } of violations)
+        faults.push(`${impact} ${id} on ${title} (${seen}): ${nodes[0].html.slice(0, 120)}`);
+      return false;
+    } });
+  }
+  return { faults: [...new Set(faults)], checked };
+}
+
+const scenarios = { whole, keys, reload, on_phone, accessibility };
+try {
+  console.log(JSON.stringify(await scenarios[name]()));
+} finally {
+  await browser.close();
+}

@@ -1,0 +1,201 @@
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/browser.h"
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr char study_text[] = R"(mien: 1
+study: alike
+seed: 7
+examples: {set: builtin:walks-10, ratings: builtin}
+output: {fps: 30, size: [32, 24], quality: draft, video: [gif], frames: none, clips: [bvh]}
+stimuli:
+  - {id: aim, role: target, weights: {normal: 0.6, sad: 0.4}}
+)";
+
+constexpr char matching_text[] = R"(matching:
+  title: Make the same walk
+  participants: 2
+  consent: Taking part is voluntary.
+  ending: Thank you.
+)";
+
+fs::path matching_scenarios() {
+  return fs::path(MIEN_PROGRAM).parent_path() / "pages/work/tests/matching/scenarios.mjs";
+}
+
+fs::path browser_core() {
+  return fs::path(MIEN_PROGRAM).parent_path() / "pages/live_core/live_core.wasm";
+}
+
+/// An experiment that is served or was exported, and people who take it in Chromium.
+class MatchingPage : public testing::Test {
+ protected:
+  static std::string hindrance() {
+    if (chromium().empty()) return "no Chromium here: install it to test pages";
+    if (run_program({"node", "--version"}).code != 0) return "no Node.js here";
+    if (!fs::exists(matching_scenarios().parent_path() / "../../node_modules/playwright-core"))
+      return "no playwright-core in build/release/pages/work: ./mien test brings it";
+    return "";
+  }
+
+  void SetUp() override {
+    if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+    scratch.write("alike.yaml", std::string(study_text) + matching_text);
+  }
+
+  fs::path study() const { return scratch.path() / "alike.yaml"; }
+  fs::path folder() const { return scratch.path() / "experiment"; }
+
+  /// Whether there is what an export needs; exports then.
+  bool is_exported() {
+    if (!fs::exists(browser_core())) return false;
+    const Ended ended =
+        run_mien({"study", "export", study().string(), "-o", folder().string()}, 60.0);
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    return true;
+  }
+
+  json played(const std::string& scenario, const std::string& where) {
+    const std::string said = run_program({"sh", "-c", "command -v " + chromium()}).output;
+    const Ended ended = run_program({"env", "MIEN_CHROMIUM=" + said.substr(0, said.find('\n')),
+                                     "node", matching_scenarios().string(), scenario, where},
+                                    500.0);
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    const json told = json::parse(ended.output, nullptr, false);
+    if (told.contains("troubles")) {
+      EXPECT_EQ(told.at("troubles"), json::array());
+    }
+    return told;
+  }
+
+  /// Every trial has been matched, and D is what the written clips have.
+  void expect_matches(const json& records) {
+    std::string stimuli = study_text;
+    std::vector<std::pair<std::string, double>> made;
+    for (const auto& [name, record] : records.items()) {
+      if (!name.starts_with("trial-")) continue;
+      const json& match = record.at("matching");
+      EXPECT_TRUE(match.at("success").get<bool>()) << name;
+      EXPECT_LT(match.at("d").get<double>(), 0.06) << name;
+      for (const char* when : {"first", "last"}) {
+        const std::string id = name + "-" + when;
+        stimuli += "  - {id: " + id + ", " + wishes(match.at(when)) + "}\n";
+        made.emplace_back(id, match.at(when == std::string("first") ? "first_guess_d" : "d"));
+      }
+    }
+    ASSERT_EQ(made.size(), 6u);
+    const fs::path clips = scratch.write("clips.yaml", stimuli);
+    const Ended run =
+        run_mien({"run", clips.string(), "--out", (scratch.path() / "out").string()}, 300.0);
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const fs::path bvh = scratch.path() / "out/alike/clips";
+    for (const auto& [id, d] : made) {
+      const Ended compared = run_mien({"motion", "compare", (bvh / "aim.bvh").string(),
+                                       (bvh / (id + ".bvh")).string(), "--json"});
+      ASSERT_EQ(compared.code, 0) << compared.errors;
+      const json found = json::parse(compared.output);
+      EXPECT_NEAR(found.at("D").get<double>(), d, 1e-9) << id;
+    }
+  }
+
+  /// As a stimulus says it.
+  static std::string wishes(const json& setting) {
+    const std::string first = setting.at("sliders").at(0);
+    const std::string kind = first == "normal"      ? "weights"
+                             : first == "quickness" ? "adjectives"
+                                                    : "features";
+    std::string all;
+    bool is_nothing = true;
+    for (std::size_t i = 0; i < setting.at("sliders").size(); ++i) {
+      const double value = setting.at("values").at(i);
+      is_nothing = is_nothing && value == 0.0;
+      all += (i == 0 ? "" : ", ") + setting.at("sliders").at(i).get<std::string>() + ": " +
+             setting.at("values").at(i).dump();
+    }
+    // Shares that are all 0 make the mean of all.
+    if (kind == "weights" && is_nothing) {
+      all.clear();
+      for (const json& name : setting.at("sliders"))
+        all += (all.empty() ? "" : ", ") + name.get<std::string>() + ": 0.1";
+    }
+    return kind + ": {" + all + "}";
+  }
+
+  Scratch scratch;
+};
+
+TEST_F(MatchingPage, IsMatchedWithEveryInterfaceWithoutAServer) {
+  if (!is_exported()) GTEST_SKIP() << "no motion core for browsers here: ./mien test brings it";
+  const json told = played("whole", folder().string());
+  EXPECT_EQ(told.at("requests"), 0);
+  expect_matches(json::parse(told.at("records").get<std::string>()).at("records"));
+  const fs::path trials = scratch.write("trials.csv", told.at("trials").get<std::string>());
+  const Ended evaluated = run_mien({"study", "evaluate", trials.string(), "-o",
+                                    (scratch.path() / "evaluation").string(), "--json"});
+  EXPECT_EQ(evaluated.code, 0) << evaluated.errors;
+  EXPECT_EQ(json::parse(evaluated.output).at("sessions"), "given");
+}
+
+TEST_F(MatchingPage, GoesOnAfterAReloadAndTellsIt) {
+  if (!is_exported()) GTEST_SKIP() << "no motion core for browsers here: ./mien test brings it";
+  const json told = played("reload", folder().string());
+  EXPECT_EQ(told.at("reloads"), 1);
+  const json records = json::parse(told.at("records").get<std::string>()).at("records");
+  EXPECT_EQ(records.at("trial-1").at("matching").at("attempt"), 2);
+  EXPECT_EQ(records.at("trial-2").at("matching").at("attempt"), 1);
+}
+
+TEST_F(MatchingPage, IsWorkedByKeyboardAlone) {
+  if (!is_exported()) GTEST_SKIP() << "no motion core for browsers here: ./mien test brings it";
+  const json told = played("keys", folder().string());
+  const json records = json::parse(told.at("records").get<std::string>()).at("records");
+  for (const char* trial : {"trial-1", "trial-2", "trial-3"})
+    EXPECT_TRUE(records.at(trial).at("matching").at("success").get<bool>()) << trial;
+}
+
+TEST_F(MatchingPage, HasNoFaultOfAccessibilityAndTellsPhones) {
+  if (!is_exported()) GTEST_SKIP() << "no motion core for browsers here: ./mien test brings it";
+  const json checked = played("accessibility", folder().string());
+  EXPECT_GT(checked.at("checked").get<int>(), 20);
+  EXPECT_EQ(checked.at("faults"), json::array());
+  EXPECT_TRUE(played("on_phone", folder().string()).at("is_told").get<bool>());
+}
+
+TEST_F(MatchingPage, IsMatchedWithEveryInterfaceOnAServer) {
+  const fs::path store = scratch.path() / "kept.db";
+  Running server({MIEN_PROGRAM, "study", "serve", study().string(), "--port", "0", "--json",
+                  "--store", store.string()});
+  const fs::path links = scratch.path() / "kept-links.csv";
+  std::string link;
+  for (int tries = 0; tries < 600 && link.empty(); ++tries) {
+    pause_for(0.1);
+    if (!fs::exists(links)) continue;
+    const std::string text = text_of(links);
+    const std::size_t begin = text.find("http://");
+    if (begin != text.npos) link = text.substr(begin, text.find('\n', begin) - begin);
+  }
+  ASSERT_FALSE(link.empty());
+  const json told = played("whole", link);
+  EXPECT_GT(told.at("requests").get<int>(), 10);
+  expect_matches(told.at("posted"));
+  server.send(SIGINT);
+  EXPECT_EQ(server.wait().code, 0);
+}
+
+}  // namespace
+}  // namespace mien::test
