@@ -26,6 +26,11 @@ Recording read_bvh(const std::filesystem::path& path);
 /// As `read_bvh`, of a text in memory; `file_name` serves error messages and the recording's name.
 Recording parse_bvh(std::string_view text, const std::string& file_name);
 
+/// Decimals of what is written: positions, angles (degrees), seconds a frame.
+inline constexpr int bvh_position_decimals = 7;
+inline constexpr int bvh_angle_decimals = 9;
+inline constexpr int bvh_time_decimals = 12;
+
 /// The recording as BVH text: joints depth first, channels X, Y, Z position then Z, X, Y rotation
 /// on the root, Z, X, Y rotation on the others, and all six on a joint whose offset changes over
 /// the poses. Angles run on over ±180° so that curves between frames do not jump. Positions have 7
@@ -33,6 +38,11 @@ Recording parse_bvh(std::string_view text, const std::string& file_name);
 ///
 /// The recording has at least one pose. The same recording gives the same text.
 std::string to_bvh(const Recording& recording);
+
+/// What `parse_bvh` finds in `to_bvh(recording)`, to the last bit and without the text, for a
+/// recording as `to_recording` makes it: joints depth first, with names that can be written, and no
+/// offsets of poses.
+Recording as_read_from_bvh(const Recording& recording);
 
 /// Writes `to_bvh`. Throws mien::Error when the file cannot be written.
 void write_bvh(const Recording& recording, const std::filesystem::path& path);

@@ -5,6 +5,7 @@
 
 #include "motion/formats/bvh.h"
 #include "motion/formats/bvh_hierarchy.h"
+#include "motion/formats/bvh_rotation.h"
 #include "motion/formats/frame_rate.h"
 #include "motion/formats/recording_limits.h"
 #include "motion/text/file_contents.h"
@@ -62,23 +63,6 @@ double take_frame_rate(TextCursor& cursor) {
   }
   expect_line_end(cursor);
   return snapped_frame_rate(1.0 / seconds);
-}
-
-/// rotation · (turn about a coordinate axis).
-Quat turned(const Quat& rotation, Axis axis, double degrees) {
-  const double half = 0.5 * degrees * radians_per_degree;
-  const double c = std::cos(half);
-  const double s = std::sin(half);
-  const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
-  switch (axis) {
-    case Axis::x:
-      return {w * c - x * s, x * c + w * s, y * c + z * s, z * c - y * s};
-    case Axis::y:
-      return {w * c - y * s, x * c - z * s, y * c + w * s, z * c + x * s};
-    case Axis::z:
-      return {w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s};
-  }
-  return rotation;
 }
 
 bool moves_other_joints(const BvhHierarchy& hierarchy) {

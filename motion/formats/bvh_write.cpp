@@ -5,16 +5,12 @@
 #include <cmath>
 
 #include "motion/formats/bvh.h"
-#include "motion/math/rotation.h"
+#include "motion/formats/bvh_rotation.h"
 #include "motion/text/file_contents.h"
 
 namespace mien::motion {
 
 namespace {
-
-constexpr std::array<Axis, 3> rotation_order = {Axis::z, Axis::x, Axis::y};
-constexpr int position_decimals = 7;
-constexpr int angle_decimals = 9;
 
 /// Fixed notation, rounded to `decimals`, trailing zeros left out.
 void append_number(std::string& text, double value, int decimals) {
@@ -85,7 +81,7 @@ void append_line(std::string& text, size_t depth, std::string_view line) {
 
 void append_offset(std::string& text, size_t depth, const Vec3& offset) {
   text.append(depth, '\t') += "OFFSET ";
-  append_vector(text, offset, position_decimals);
+  append_vector(text, offset, bvh_position_decimals);
   text += '\n';
 }
 
@@ -120,38 +116,20 @@ void append_hierarchy(std::string& text, const Skeleton& skeleton,
   }
 }
 
-/// The angle plus the whole turns that bring it nearest to `previous`.
-double continued(double angle, double previous) {
-  return angle + 2.0 * pi * std::round((previous - angle) / (2.0 * pi));
-}
-
-Vec3 continued(const Vec3& angles, const Vec3& previous) {
-  return {continued(angles[0], previous[0]), continued(angles[1], previous[1]),
-          continued(angles[2], previous[2])};
-}
-
-/// Of the two triples of angles that make a rotation, the one nearer to the previous frame's.
-Vec3 angles_near(const Quat& rotation, const Vec3& previous) {
-  const Vec3 angles = to_euler(rotation_order, rotation);
-  const Vec3 one = continued(angles, previous);
-  const Vec3 other = continued({angles[0] + pi, pi - angles[1], angles[2] + pi}, previous);
-  return (one - previous).lpNorm<1>() <= (other - previous).lpNorm<1>() ? one : other;
-}
-
 void append_frame(std::string& text, const Recording& recording, const Pose& pose,
                   const std::vector<WrittenJoint>& order, const std::vector<bool>& moving,
                   std::vector<Vec3>& angles) {
   for (const WrittenJoint& written : order) {
     const size_t j = written.joint;
     if (j == 0) {
-      append_vector(text, pose.root_position, position_decimals);
+      append_vector(text, pose.root_position, bvh_position_decimals);
     } else if (moving[j]) {
       const Vec3& offset =
           pose.offsets.empty() ? recording.skeleton.joints[j].offset : pose.offsets[j];
-      append_vector(text += ' ', offset, position_decimals);
+      append_vector(text += ' ', offset, bvh_position_decimals);
     }
-    angles[j] = angles_near(pose.rotations[j], angles[j]);
-    append_vector(text += ' ', angles[j] / radians_per_degree, angle_decimals);
+    angles[j] = bvh_angles(pose.rotations[j], angles[j]);
+    append_vector(text += ' ', angles[j] / radians_per_degree, bvh_angle_decimals);
   }
   text += '\n';
 }
@@ -165,7 +143,7 @@ std::string to_bvh(const Recording& recording) {
   std::string text;
   append_hierarchy(text, recording.skeleton, order, moving);
   text += "MOTION\nFrames: " + std::to_string(recording.poses.size()) + "\nFrame Time: ";
-  append_number(text, 1.0 / recording.frames_per_second, 12);
+  append_number(text, 1.0 / recording.frames_per_second, bvh_time_decimals);
   text += '\n';
   std::vector<Vec3> angles(order.size(), Vec3::Zero());
   for (const Pose& pose : recording.poses) {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
+#include <cstdio>
 
 #include "motion/error.h"
 #include "motion/math/rotation.h"
@@ -177,10 +176,10 @@ void warn_of_sloping_floor(BodyMapping& mapping, const Recording& recording) {
   const double slope =
       angle_between(Quat::Identity(), floor_levelling(as_recorded(recording, mapping)));
   if (slope == 0.0) return;
-  std::ostringstream warning;
-  warning << "The floor of " << recording.name << " slopes by " << std::fixed
-          << std::setprecision(1) << slope / radians_per_degree << "°; it is levelled.";
-  mapping.warnings.push_back(warning.str());
+  char degrees[32];
+  std::snprintf(degrees, sizeof degrees, "%.1f", slope / radians_per_degree);
+  mapping.warnings.push_back("The floor of " + recording.name + " slopes by " + degrees +
+                             "°; it is levelled.");
 }
 
 void make_continuous(std::vector<Pose>& poses) {

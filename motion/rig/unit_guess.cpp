@@ -1,7 +1,6 @@
 #include "motion/rig/unit_guess.h"
 
-#include <iomanip>
-#include <sstream>
+#include <cstdio>
 
 namespace mien::motion {
 
@@ -12,10 +11,11 @@ UnitGuess guess_unit(double height, const std::string& format) {
     const double tall = height * metres;
     if (tall >= 1.2 && tall <= 2.2) return {metres, ""};
   }
-  std::ostringstream warning;
-  warning << "The figure stands " << std::setprecision(4) << height
-          << " units tall, which fits no known unit of length; it is scaled to 1.70 m.";
-  return {1.7 / height, warning.str()};
+  char tall[32];
+  std::snprintf(tall, sizeof tall, "%.4g", height);
+  return {1.7 / height, "The figure stands " + std::string(tall) +
+                            " units tall, which fits no known unit of length; it is scaled to "
+                            "1.70 m."};
 }
 
 }  // namespace mien::motion

@@ -9,9 +9,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "motion/interpolation/blend.h"
-#include "motion/interpolation/interpolation_options.h"
-#include "motion/interpolation/time_warp.h"
+#include "motion/interpolation/synthesis_options.h"
 #include "pipeline/documents/concerns.h"
 #include "pipeline/look/look.h"
 #include "pipeline/look/look_fields.h"
@@ -51,14 +49,7 @@ inline constexpr Words<motion::WarpShape> time_warp_words = {
     {"monotone", motion::WarpShape::monotone}, {"linear", motion::WarpShape::linear}};
 
 /// How examples become a clip.
-struct Interpolation {
-  motion::InterpolationOptions weights;  ///< from adjectives to shares of the examples
-  motion::RotationBlend rotations = motion::RotationBlend::karcher_mean;
-  motion::WarpShape time_warp = motion::WarpShape::monotone;
-  bool foot_lock = true;
-
-  friend bool operator==(const Interpolation&, const Interpolation&) = default;
-};
+using Interpolation = motion::SynthesisOptions;
 
 template <class Field, MaybeConst<Interpolation> I>
 void fields_of(Field&& field, I& how) {

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "motion/measures/feature_parameter.h"
 #include "motion/measures/feature_scale.h"
 #include "motion/skeleton/example.h"
 #include "pipeline/ratings/parameter_table.h"
@@ -20,12 +18,7 @@ struct FeatureParameters {
 
 FeatureParameters feature_parameters(const motion::ExampleSet& examples);
 
-/// What `features:` may name: the four groups ("lateral-swing", …), then the 51 features.
-std::vector<std::string> feature_parameter_names();
-
-/// Value of a feature parameter for a motion whose scaled features are given; empty when the motion
-/// has no such feature. `name` is one of `feature_parameter_names`.
-std::optional<double> feature_parameter(std::string_view name,
-                                        const motion::FeatureValues& scaled_values);
+using motion::feature_parameter;
+using motion::feature_parameter_names;
 
 }  // namespace mien::pipeline

@@ -2,21 +2,7 @@
 
 #include <algorithm>
 
-#include "motion/interpolation/blend.h"
-
 namespace mien::pipeline {
-
-const char* name_of(InterfaceKind kind) {
-  switch (kind) {
-    case InterfaceKind::adjectives:
-      return "adjectives";
-    case InterfaceKind::features:
-      return "features";
-    case InterfaceKind::weights:
-      break;
-  }
-  return "weights";
-}
 
 const motion::ExampleSet& examples_for(const Interpolation& interpolation,
                                        const Repertoire& repertoire) {
@@ -25,27 +11,17 @@ const motion::ExampleSet& examples_for(const Interpolation& interpolation,
 
 FittedInterface fit_interface(const SliderInterface& interface, const Interpolation& interpolation,
                               const Repertoire& repertoire, Eigen::Index held) {
-  const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
-  if (interface.kind == InterfaceKind::weights) {
-    const auto count = static_cast<Eigen::Index>(interface.sliders.size());
-    return {interface, motion::fit_interpolator(examples, Eigen::MatrixXd::Identity(count, count),
-                                                {.method = motion::InterpolationMethod::direct})};
-  }
   const ParameterTable& table =
       interface.kind == InterfaceKind::features ? repertoire.features.table : repertoire.parameters;
-  return {interface,
-          motion::fit_interpolator(examples, places_of_examples(interface.sliders, table),
-                                   interpolation.weights, interface.sliders, held)};
+  return motion::fit_interface(interface, interpolation, examples_for(interpolation, repertoire),
+                               table, held);
 }
 
 motion::Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
                           const Interpolation& interpolation, const Repertoire& repertoire,
                           double frames_per_second) {
-  return motion::motion_at(interface.interpolator, examples_for(interpolation, repertoire),
-                           settings,
-                           {.frames_per_second = frames_per_second,
-                            .rotations = interpolation.rotations,
-                            .warp = interpolation.time_warp});
+  return motion::motion_of(interface, settings, interpolation,
+                           examples_for(interpolation, repertoire), frames_per_second);
 }
 
 Eigen::RowVectorXd ideal_settings(const SliderInterface& interface, const motion::Example& target,

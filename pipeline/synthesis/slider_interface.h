@@ -1,34 +1,17 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include <Eigen/Core>
 
-#include "motion/interpolation/interpolation.h"
+#include "motion/live/slider_interface.h"
 #include "pipeline/synthesis/repertoire.h"
 
 namespace mien::pipeline {
 
-// Interfaces for making motions: sliders for adjectives, for features, or for the weights of the
-// examples. A stimulus that names parameters is one setting of such sliders.
+// Interfaces for making motions (motion/live/slider_interface.h) of a repertoire.
 
-enum class InterfaceKind { adjectives, features, weights };
-
-/// "adjectives", "features", "weights".
-const char* name_of(InterfaceKind kind);
-
-/// Sliders from 0 to 1 and what they make.
-struct SliderInterface {
-  InterfaceKind kind = InterfaceKind::adjectives;
-  std::vector<std::string> sliders;
-};
-
-/// An interface ready to make motions: what lies between its sliders and the examples, fitted once.
-struct FittedInterface {
-  SliderInterface sliders;
-  motion::Interpolator interpolator;  ///< of the weights' interface: the shares themselves
-};
+using motion::FittedInterface;
+using motion::InterfaceKind;
+using motion::SliderInterface;
 
 /// The examples that an interpolation blends: with settled feet where feet are to be locked.
 const motion::ExampleSet& examples_for(const Interpolation& interpolation,

@@ -9,11 +9,10 @@
 #include "motion/formats/motion_file.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
-#include "motion/interpolation/blend.h"
 #include "motion/interpolation/interpolation.h"
 #include "motion/lint/lint.h"
+#include "motion/live/made_motion.h"
 #include "motion/rig/body_mapping.h"
-#include "motion/skeleton/straighten.h"
 #include "pipeline/synthesis/modified_motion.h"
 #include "pipeline/synthesis/slider_interface.h"
 #include "pipeline/synthesis/wish.h"
@@ -48,28 +47,6 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
   return motion::direct_weights(result);
 }
 
-/// Features of a blend are not quite what its weights sum up to: so often it is tried again with
-/// wishes moved by what was missed, until no feature is missed by more than this.
-constexpr int feature_trials = 8;
-constexpr double feature_met = 0.005;
-
-/// Features are measured of the motion; what people would say of it can only be summed.
-NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& repertoire,
-                               const Synthesis& made) {
-  const ParameterTable& table = table_of(stimulus, repertoire);
-  NamedValues reached;
-  std::optional<motion::FeatureValues> features;
-  if (!stimulus.features.empty()) {
-    features = motion::scaled(repertoire.features.scale, motion::measure_features(made.motion));
-  }
-  for (const auto& [name, value] : made.asked) {
-    const auto measured = features ? feature_parameter(name, *features) : std::nullopt;
-    const auto row = table.values.row(parameter_row(name, table));
-    reached.emplace_back(name, measured ? *measured : row.dot(made.weights));
-  }
-  return reached;
-}
-
 NamedValues blended(const NamedValues& wishes, const ParameterTable& table,
                     const Eigen::VectorXd& weights) {
   NamedValues values;
@@ -78,6 +55,21 @@ NamedValues blended(const NamedValues& wishes, const ParameterTable& table,
     values.emplace_back(wish.first, table.values.row(row).dot(weights));
   }
   return values;
+}
+
+/// Features are measured of the motion; what people would say of it can only be summed.
+NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& repertoire,
+                               const motion::MadeMotion& made) {
+  const NamedValues& wishes = wishes_of(stimulus);
+  if (stimulus.features.empty()) return blended(wishes, repertoire.parameters, made.found.weights);
+  std::vector<std::string> names;
+  for (const auto& wish : wishes) names.push_back(wish.first);
+  const Eigen::RowVectorXd measured = motion::measured_parameters(
+      names, made, {repertoire.features.scale, repertoire.features.table});
+  NamedValues reached;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    reached.emplace_back(names[i], measured[static_cast<Eigen::Index>(i)]);
+  return reached;
 }
 
 void warn_of_missed_features(const ParameterTable& table, Synthesis& synthesis) {
@@ -139,40 +131,33 @@ void note_single_example(const Repertoire& repertoire, Synthesis& synthesis) {
       100.0 * weight, repertoire.names[static_cast<std::size_t>(largest)].name, count));
 }
 
-void lock_feet(const Interpolation& interpolation, Synthesis& synthesis) {
-  motion::Clip& clip = synthesis.motion.clip;
-  const std::vector<motion::FootPlant> plants = motion::foot_plants(clip);
-  if (interpolation.foot_lock) clip = motion::foot_locked(clip, plants);
-  synthesis.planted_drift_m = motion::planted_drift(clip, plants);
+motion::Making making_of(const Interpolation& interpolation, const Output& output,
+                         const Repertoire& repertoire) {
+  return {examples_for(interpolation, repertoire), interpolation, output.fps};
+}
+
+Synthesis as_synthesis(motion::MadeMotion made) {
+  Synthesis result;
+  result.planted_drift_m = motion::planted_drift(made.motion.clip, made.plants);
+  result.motion = std::move(made.motion);
+  result.weights = std::move(made.found.weights);
+  result.expected_error_m = made.found.expected_error_m;
+  return result;
 }
 
 Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
                        const Interpolation& interpolation, const Repertoire& repertoire) {
-  Synthesis result;
-  result.weights = weights;
-  const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
-  const motion::BlendOptions options = {.frames_per_second = output.fps,
-                                        .rotations = interpolation.rotations,
-                                        .warp = interpolation.time_warp};
-  if (examples.blendable) {
-    result.motion = motion::blend(examples, weights, options);
-  } else {
-    Eigen::Index only = 0;
-    weights.maxCoeff(&only);
-    const motion::ExampleSet alone{"", {examples.examples[static_cast<std::size_t>(only)]}};
-    result.motion = motion::blend(alone, Eigen::VectorXd::Ones(1), options);
-  }
-  lock_feet(interpolation, result);
-  return result;
+  return as_synthesis(
+      motion::made_of_weights(weights, making_of(interpolation, output, repertoire)));
 }
 
 /// What was asked for and held, and what became of it.
 void tell_wishes(const Stimulus& stimulus, const Wish& wish, const Repertoire& repertoire,
-                 Synthesis& made) {
+                 NamedValues reached, Synthesis& made) {
   const ParameterTable& table = table_of(stimulus, repertoire);
   const bool by_features = !stimulus.features.empty();
   made.asked = wishes_of(stimulus);
-  made.reached = reached_parameters(stimulus, repertoire, made);
+  made.reached = std::move(reached);
   for (Eigen::Index i = wish.settings.size() - wish.held; i < wish.settings.size(); ++i)
     made.held.emplace_back(wish.sliders.sliders[static_cast<std::size_t>(i)], wish.settings[i]);
   made.held_reached = blended(made.held, table, made.weights);
@@ -187,61 +172,19 @@ void tell_wishes(const Stimulus& stimulus, const Wish& wish, const Repertoire& r
   if (is_blend) note_single_example(repertoire, made);
 }
 
-/// At settings of its own sliders, which may not be what was wished for.
-Synthesis made_at(const Eigen::RowVectorXd& settings, const FittedInterface& sliders,
-                  const Stimulus& stimulus, const Repertoire& repertoire) {
-  const Interpolation& how = stimulus.interpolation;
-  const motion::InterpolatedWeights found = motion::weights_at(sliders.interpolator, settings);
-  Synthesis result;
-  result.weights = found.weights;
-  result.expected_error_m = found.expected_error_m;
-  result.warnings = sliders.interpolator.remarks;
-  result.warnings.insert(result.warnings.end(), found.remarks.begin(), found.remarks.end());
-  result.motion = motion_of(sliders, settings, how, repertoire, stimulus.output.fps);
-  lock_feet(how, result);
-  return result;
-}
-
-/// What is measured of a motion that was made for the wishes.
-Eigen::RowVectorXd measured(const Stimulus& stimulus, const Repertoire& repertoire,
-                            Synthesis& made) {
-  made.asked = wishes_of(stimulus);
-  Eigen::RowVectorXd values(static_cast<Eigen::Index>(made.asked.size()));
-  Eigen::Index i = 0;
-  for (const auto& reached : reached_parameters(stimulus, repertoire, made))
-    values[i++] = reached.second;
-  return values;
-}
-
-/// The motion whose features, as measured, are nearest to those asked for.
-Synthesis with_met_features(const Wish& wish, const FittedInterface& sliders,
-                            const Stimulus& stimulus, const Repertoire& repertoire) {
-  Eigen::RowVectorXd settings = wish.settings;
-  std::optional<Synthesis> best;
-  double least = 0.0;
-  for (int trial = 0; trial < feature_trials; ++trial) {
-    Synthesis made = made_at(settings, sliders, stimulus, repertoire);
-    const Eigen::RowVectorXd missed = wish.settings - measured(stimulus, repertoire, made);
-    const double worst = missed.lpNorm<Eigen::Infinity>();
-    if (!best || worst < least) {
-      best = std::move(made);
-      least = worst;
-    }
-    if (least < feature_met) break;
-    settings += missed;
-  }
-  return std::move(*best);
-}
-
 Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire) {
   const Interpolation& how = stimulus.interpolation;
   const Wish wish = wish_of(stimulus, repertoire);
   const FittedInterface sliders = fit_interface(wish.sliders, how, repertoire, wish.held);
-  const bool is_exact = how.weights.method == motion::InterpolationMethod::reach;
-  Synthesis result = is_exact && !stimulus.features.empty()
-                         ? with_met_features(wish, sliders, stimulus, repertoire)
-                         : made_at(wish.settings, sliders, stimulus, repertoire);
-  tell_wishes(stimulus, wish, repertoire, result);
+  motion::MadeMotion made =
+      motion::made_for(sliders, wish.settings, making_of(how, stimulus.output, repertoire),
+                       {repertoire.features.scale, repertoire.features.table});
+  std::vector<std::string> warnings = sliders.interpolator.remarks;
+  warnings.insert(warnings.end(), made.found.remarks.begin(), made.found.remarks.end());
+  NamedValues reached = reached_parameters(stimulus, repertoire, made);
+  Synthesis result = as_synthesis(std::move(made));
+  result.warnings = std::move(warnings);
+  tell_wishes(stimulus, wish, repertoire, std::move(reached), result);
   return result;
 }
 
@@ -338,9 +281,7 @@ Synthesis synthesize_example(const std::string& name, const Output& output,
 }
 
 motion::Clip shown_clip(const Synthesis& synthesis, const Output& output) {
-  const motion::Clip& clip = synthesis.motion.clip;
-  if (!clip.loops) return output.in_place ? motion::kept_in_place(clip) : clip;
-  return motion::repeated(output.in_place ? motion::in_place(clip) : clip, output.cycles);
+  return motion::shown_clip(synthesis.motion.clip, {output.cycles, output.in_place});
 }
 
 }  // namespace mien::pipeline

@@ -5,11 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "motion/examples/make_example.h"
-#include "motion/examples/settled_feet.h"
+#include "motion/examples/compared_example.h"
 #include "motion/formats/motion_file.h"
 #include "motion/measures/distance.h"
-#include "motion/rig/body_mapping.h"
 #include "pipeline/commands/motion/motion.h"
 
 namespace mien::pipeline {
@@ -25,21 +23,6 @@ struct CompareOptions {
   bool as_captured = false;
   bool json = false;
 };
-
-/// Whether feet that stand stand still in the world; those of a walk on the spot do not.
-bool travels_or_stands(const motion::Clip& clip) {
-  return !clip.loops || !clip.cycle_displacement.isZero(1e-6);
-}
-
-/// One gait cycle where there is one, else all of the motion. Its feet are settled, as those of a
-/// blend are: captures hang above the floor, and else their height would be most of the distance.
-motion::Example example_in(const std::string& file, bool settle) {
-  motion::Example example = motion::make_example(motion::to_body(motion::read_motion(file)));
-  if (settle && travels_or_stands(example.clip)) {
-    example.clip = motion::with_settled_feet(example.clip);
-  }
-  return example;
-}
 
 std::string joint_name(std::size_t row) {
   return std::string(motion::name_of(static_cast<motion::BodyJoint>(row + 1)));
@@ -96,11 +79,15 @@ void show_text(const motion::Distance& distance, const Basis& basis, const Conso
   }
 }
 
+motion::Example example_in(const std::string& file, const CompareOptions& options) {
+  return motion::compared_example(motion::read_motion(file), !options.as_captured);
+}
+
 int compare(const CompareOptions& options, const Console& console) {
   const auto alignment =
       options.align == "world" ? motion::Alignment::world : motion::Alignment::pelvis;
-  const motion::Example target = example_in(options.target, !options.as_captured);
-  const motion::Example created = example_in(options.created, !options.as_captured);
+  const motion::Example target = example_in(options.target, options);
+  const motion::Example created = example_in(options.created, options);
   const motion::Distance distance = motion::distance(target, created, alignment);
   const Basis basis{basis_of(target), basis_of(created)};
   if (options.json) {

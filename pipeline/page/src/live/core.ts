@@ -13,6 +13,8 @@ export interface Slider {
   high?: string;
   /** Shown at once; the others are added by who wants them. */
   primary: boolean;
+  /** What it is called by language tag, where that is not its name: { en: "…", ja: "…" }. */
+  labels?: Record<string, string>;
   /** The ends by language tag: { ja: ["…", "…"] }. */
   texts?: Record<string, [string, string]>;
   /** Of the examples: the neutral setting, 0 to 1. */

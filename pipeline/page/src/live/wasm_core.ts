@@ -1,9 +1,87 @@
-import type { LiveCore } from "./core";
+import { read_distance, read_motion } from "./answers";
+import type { LiveCore, LiveInfo } from "./core";
+import { wasm_instance, type WasmAnswer, type WasmRequest } from "./wasm_instance";
+
+function from_base64(text: string): ArrayBuffer {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes.buffer;
+}
+
+/** What a worker runs: answers each message with { id, bytes } or { id, error }. */
+function worker_script(): string {
+  return `"use strict";
+const answer = (${wasm_instance.toString()})();
+let last = Promise.resolve();
+onmessage = ({ data: { id, request } }) => {
+  last = last.then(() => answer(request)).then(
+    (bytes) => postMessage({ id, bytes }, [bytes]),
+    (error) => postMessage({ id, error: String(error && error.message || error) }));
+};`;
+}
+
+/** Answers from a worker; rejects when there cannot be one, or it cannot run the module. */
+async function in_worker(open: WasmRequest): Promise<{ answer: WasmAnswer; info: ArrayBuffer }> {
+  const address = URL.createObjectURL(new Blob([worker_script()], { type: "text/javascript" }));
+  const worker = new Worker(address);
+  const waiting = new Map<number, { resolve(bytes: ArrayBuffer): void; reject(error: Error): void }>();
+  let asked = 0;
+  worker.onmessage = ({ data }: MessageEvent<{ id: number; bytes?: ArrayBuffer; error?: string }>) => {
+    const asker = waiting.get(data.id);
+    waiting.delete(data.id);
+    if (data.bytes) asker?.resolve(data.bytes);
+    else asker?.reject(new Error(data.error));
+  };
+  worker.onerror = (event) => {
+    for (const asker of waiting.values()) asker.reject(new Error(event.message || "no worker"));
+    waiting.clear();
+  };
+  const answer: WasmAnswer = (request) =>
+    new Promise((resolve, reject) => {
+      const id = ++asked;
+      waiting.set(id, { resolve, reject });
+      worker.postMessage({ id, request });
+    });
+  try {
+    return { answer, info: await answer(open) };
+  } catch (error) {
+    worker.terminate();
+    throw error;
+  } finally {
+    URL.revokeObjectURL(address);
+  }
+}
+
+/** On the page itself, one request after the other. */
+async function on_page(open: WasmRequest): Promise<{ answer: WasmAnswer; info: ArrayBuffer }> {
+  const instance = wasm_instance();
+  const info = await instance(open);
+  let last: Promise<unknown> = Promise.resolve();
+  const answer: WasmAnswer = (request) => {
+    const made = last.then(() => instance(request));
+    last = made.catch(() => undefined);
+    return made;
+  };
+  return { answer, info };
+}
 
 /**
  * The motion core inside the browser: in a worker where workers can be had, else on the page.
  * `module`: the WebAssembly module, or its base64; `bundle`: what it blends.
  */
-export async function open_wasm(_module: ArrayBuffer | string, _bundle: ArrayBuffer): Promise<LiveCore> {
-  throw new Error("the motion core does not run in the browser yet");
+export async function open_wasm(module: ArrayBuffer | string, bundle: ArrayBuffer): Promise<LiveCore> {
+  const bytes = typeof module === "string" ? from_base64(module) : module;
+  const open: WasmRequest = { what: "open", module: bytes, bundle };
+  // What fails in a worker and on the page alike is told as the page has it.
+  const { answer, info } = await (typeof Worker === "undefined"
+    ? on_page(open)
+    : in_worker(open).catch(() => on_page(open)));
+  return {
+    info: JSON.parse(new TextDecoder().decode(info)) as LiveInfo,
+    example: async (name) => read_motion(await answer({ what: "example", name })),
+    target: async (name) => read_motion(await answer({ what: "target", name })),
+    make: async (setting) => read_motion(await answer({ what: "make", setting })),
+    distance: async (target, setting) => read_distance(await answer({ what: "distance", target, setting })),
+  };
 }

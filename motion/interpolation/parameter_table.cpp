@@ -1,12 +1,10 @@
-#include "pipeline/ratings/parameter_table.h"
+#include "motion/interpolation/parameter_table.h"
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "motion/error.h"
 
-namespace mien::pipeline {
+namespace mien::motion {
 
 int ParameterTable::find(const std::string& name) const {
   const auto found = std::find(names.begin(), names.end(), name);
@@ -16,7 +14,7 @@ int ParameterTable::find(const std::string& name) const {
 Eigen::Index parameter_row(const std::string& name, const ParameterTable& table) {
   const int row = table.find(name);
   if (row >= 0) return row;
-  throw Error(fmt::format("the examples have no parameter \"{}\"", name),
+  throw Error("the examples have no parameter \"" + name + "\"",
               "name a scale that was rated, or a feature that all examples have");
 }
 
@@ -30,4 +28,4 @@ Eigen::MatrixXd places_of_examples(std::span<const std::string> parameters,
   return places;
 }
 
-}  // namespace mien::pipeline
+}  // namespace mien::motion

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "motion/interpolation/blend.h"
+#include "motion/interpolation/interpolation_options.h"
+#include "motion/interpolation/time_warp.h"
+
+namespace mien::motion {
+
+/// How examples become a clip.
+struct SynthesisOptions {
+  InterpolationOptions weights;  ///< from parameters to shares of the examples
+  RotationBlend rotations = RotationBlend::karcher_mean;
+  WarpShape time_warp = WarpShape::monotone;
+  bool foot_lock = true;
+
+  friend bool operator==(const SynthesisOptions&, const SynthesisOptions&) = default;
+};
+
+}  // namespace mien::motion
