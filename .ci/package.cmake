@@ -6,6 +6,7 @@ install(DIRECTORY scenes/sets/ DESTINATION share/mien/scenes/sets
   FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json")
 # The pages, where they have been built (./mien package does): who installs the package needs no Node.js.
 install(DIRECTORY ${CMAKE_BINARY_DIR}/pages/questionnaire DESTINATION share/mien/pages OPTIONAL)
+install(FILES ${CMAKE_BINARY_DIR}/pages/live_core/live_core.wasm DESTINATION share/mien/pages/live_core OPTIONAL)
 
 # The manual page and the completions are what the program says of itself.
 install(CODE "set(program \"$<TARGET_FILE:mien>\")\nset(pages \"${CMAKE_BINARY_DIR}/pages\")")

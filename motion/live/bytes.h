@@ -17,8 +17,8 @@
 
 namespace mien::motion {
 
-// Values as bytes, little endian, doubles exact. What a thing consists of is told once, by a function
-// template that shows its parts to a ByteWriter or to a ByteReader alike:
+// Values as bytes, little endian, doubles exact. What a thing consists of is told once, by a
+// function template that shows its parts to a ByteWriter or to a ByteReader alike:
 //
 //     template <class Bytes, class J>
 //     void parts_of(Bytes& bytes, J& joint) { bytes.text(joint.name); bytes.vector(joint.offset); }

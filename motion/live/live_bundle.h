@@ -25,8 +25,8 @@ struct LiveTarget {
 
 /// All that sliders need to make motions where there are no files: in a browser.
 struct LiveBundle {
-  std::string info;       ///< JSON, for pages: what there is to choose from
-  ExampleSet examples;    ///< that can be blended; with settled feet where feet are locked
+  std::string info;           ///< JSON, for pages: what there is to choose from
+  ExampleSet examples;        ///< that can be blended; with settled feet where feet are locked
   ParameterTable adjectives;  ///< may be empty
   ParameterTable features;
   FeatureScale feature_scale;
@@ -39,8 +39,8 @@ struct LiveBundle {
 /// Layout of the bytes. Raised with every change of it.
 inline constexpr int live_bundle_version = 1;
 
-/// "MIENLIVE", version, length and checksum of what follows, then the bundle: little endian, doubles
-/// exact. The same bundle gives the same bytes.
+/// "MIENLIVE", version, length and checksum of what follows, then the bundle: little endian,
+/// doubles exact. The same bundle gives the same bytes.
 std::string to_bytes(const LiveBundle& bundle);
 
 /// Throws Error when the bytes are no bundle, are of another version, cut short or changed, or hold

@@ -90,9 +90,8 @@ bool is_usable(const LiveBundle& bundle) {
       std::all_of(examples.begin(), examples.end(), [&](const Example& example) {
         return is_sound(example) && are_alike(example, examples.front());
       });
-  const bool sound_targets =
-      std::all_of(bundle.targets.begin(), bundle.targets.end(),
-                  [](const LiveTarget& target) { return is_sound(target); });
+  const bool sound_targets = std::all_of(bundle.targets.begin(), bundle.targets.end(),
+                                         [](const LiveTarget& target) { return is_sound(target); });
   return sound_examples && sound_targets && is_sound(bundle.adjectives, examples.size()) &&
          is_sound(bundle.features, examples.size()) && are_features(bundle.features.names) &&
          is_sound(bundle.how.weights) && is_between(bundle.frames_per_second, 1.0, 1000.0) &&

@@ -17,7 +17,8 @@ std::size_t index_of_example(std::string_view name, const ExampleSet& set) {
   for (std::size_t i = 0; i < set.examples.size(); ++i) {
     if (set.examples[i].name == name) return i;
   }
-  throw Error("there is no example \"" + std::string(name) + "\"", "name one of the set's examples");
+  throw Error("there is no example \"" + std::string(name) + "\"",
+              "name one of the set's examples");
 }
 
 void check_values(const LiveSetting& setting) {
@@ -113,8 +114,8 @@ const FittedInterface& LiveCore::fitted(const SliderInterface& interface) {
 LiveMotion LiveCore::make(const LiveSetting& setting) {
   const Placed placed = placed_sliders(setting, bundle_.examples);
   const FittedInterface& interface = fitted(placed.interface);
-  return as_live(made_for(interface, placed.settings, making(),
-                          {bundle_.feature_scale, bundle_.features}));
+  return as_live(
+      made_for(interface, placed.settings, making(), {bundle_.feature_scale, bundle_.features}));
 }
 
 const Example& LiveCore::compared_target(std::string_view name) {

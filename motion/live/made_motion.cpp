@@ -50,10 +50,9 @@ MadeMotion made_at(const FittedInterface& interface, const Eigen::RowVectorXd& s
   MadeMotion made;
   made.found = weights_at(interface.interpolator, settings);
   const bool is_blend = !std::holds_alternative<StatisticalModel>(interface.interpolator.method);
-  made.motion =
-      is_blend
-          ? blend(making.examples, made.found.weights, blend_options(making))
-          : motion_of(interface, settings, making.how, making.examples, making.frames_per_second);
+  made.motion = is_blend ? blend(making.examples, made.found.weights, blend_options(making))
+                         : motion_of(interface, settings, making.how, making.examples,
+                                     making.frames_per_second);
   lock_feet(making, made);
   return made;
 }

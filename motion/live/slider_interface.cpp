@@ -37,10 +37,9 @@ FittedInterface fit_interface(const SliderInterface& interface, const SynthesisO
 Example motion_of(const FittedInterface& interface, const Eigen::RowVectorXd& settings,
                   const SynthesisOptions& how, const ExampleSet& examples,
                   double frames_per_second) {
-  return motion_at(interface.interpolator, examples, settings,
-                   {.frames_per_second = frames_per_second,
-                    .rotations = how.rotations,
-                    .warp = how.time_warp});
+  return motion_at(
+      interface.interpolator, examples, settings,
+      {.frames_per_second = frames_per_second, .rotations = how.rotations, .warp = how.time_warp});
 }
 
 }  // namespace mien::motion

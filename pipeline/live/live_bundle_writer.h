@@ -14,7 +14,8 @@ struct LiveChoice {
   std::vector<std::string> targets;  ///< stimulus ids; what they are of is not looked at
   Interpolation interpolation;       ///< of what sliders make
   Output output;                     ///< its frame rate, and how often and where a clip shows it
-  std::vector<std::string> primary;  ///< adjectives shown at once; empty: the scales' groups, or all
+  std::vector<std::string>
+      primary;  ///< adjectives shown at once; empty: the scales' groups, or all
 };
 
 /// As the manifest has it, without targets.

@@ -14,6 +14,7 @@ if (!folder) {
 
 /** What each page is made of: scripts with what starts them, and files that go in as they are. */
 const pages = {
+  live: { scripts: { live: "global.ts" }, files: [] },
   questionnaire: {
     scripts: { questionnaire: "main.ts", turn_view: "turn_view.ts" },
     files: ["index.html", "questionnaire.css"],

@@ -48,9 +48,7 @@ int live_open(const char* bytes, std::size_t size) {
   });
 }
 
-char* live_room(std::size_t size) {
-  return static_cast<char*>(::operator new(size, std::nothrow));
-}
+char* live_room(std::size_t size) { return static_cast<char*>(::operator new(size, std::nothrow)); }
 void live_leave(char* room) { ::operator delete(room); }
 
 /// Begins a setting: 0 adjectives, 1 features, 2 weights.

@@ -68,11 +68,11 @@ async function on_page(open: WasmRequest): Promise<{ answer: WasmAnswer; info: A
 
 /**
  * The motion core inside the browser: in a worker where workers can be had, else on the page.
- * `module`: the WebAssembly module, or its base64; `bundle`: what it blends.
+ * `module`: the WebAssembly module, `bundle`: what it blends; bytes or base64 (globalThis.mien_live_files).
  */
-export async function open_wasm(module: ArrayBuffer | string, bundle: ArrayBuffer): Promise<LiveCore> {
-  const bytes = typeof module === "string" ? from_base64(module) : module;
-  const open: WasmRequest = { what: "open", module: bytes, bundle };
+export async function open_wasm(module: ArrayBuffer | string, bundle: ArrayBuffer | string): Promise<LiveCore> {
+  const bytes_of = (given: ArrayBuffer | string) => (typeof given === "string" ? from_base64(given) : given);
+  const open: WasmRequest = { what: "open", module: bytes_of(module), bundle: bytes_of(bundle) };
   // What fails in a worker and on the page alike is told as the page has it.
   const { answer, info } = await (typeof Worker === "undefined"
     ? on_page(open)
