@@ -118,14 +118,19 @@ void add_studio_command(CLI::App& app, Command& chosen) {
   command->add_option("--port", options->port, "Port to listen at; 0: any that is free")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
-  command->add_option("--jobs,-j", options->jobs, "Threads of stills and videos (default: one a processor)")
+  command
+      ->add_option("--jobs,-j", options->jobs,
+                   "Threads of stills and videos (default: one a processor)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--no-browser", options->no_browser, "Tell the link and open nothing");
   command->add_flag("--json", options->json, "Tell the link as JSON and open nothing");
   command->footer(
-      "\nOpens a page that shows the manifest's stimuli and makes what is changed at once. Only this\n"
-      "machine reaches it, by a link that is new each time. Saving changes the lines of the manifest\n"
-      "that were changed in the page; comments stay. Stills and videos by the real renderer lie in\n"
+      "\nOpens a page that shows the manifest's stimuli and makes what is changed at once. Only "
+      "this\n"
+      "machine reaches it, by a link that is new each time. Saving changes the lines of the "
+      "manifest\n"
+      "that were changed in the page; comments stay. Stills and videos by the real renderer lie "
+      "in\n"
       "<out>/<study>.studio.\n"
       "\nExamples:\n"
       "  mien studio my.yaml\n"

@@ -1,14 +1,13 @@
 #include "pipeline/studio/open_browser.h"
 
+#include <array>
 #include <cstdlib>
+#include <string_view>
+#include <system_error>
 
 #include <fcntl.h>
 #include <spawn.h>
 #include <unistd.h>
-
-#include <array>
-#include <string_view>
-#include <system_error>
 
 #include "pipeline/documents/html.h"
 #include "pipeline/server/session_store.h"
@@ -37,8 +36,8 @@ std::string sending_page(const std::string& link) {
 bool write_private(const fs::path& file, std::string_view text) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor < 0) return false;
-  const bool is_whole = ::write(descriptor, text.data(), text.size()) ==
-                        static_cast<ssize_t>(text.size());
+  const bool is_whole =
+      ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   ::close(descriptor);
   return is_whole;
 }
