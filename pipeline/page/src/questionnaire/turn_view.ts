@@ -1,72 +1,16 @@
 import {
-  AnimationMixer, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, HemisphereLight,
-  LineBasicMaterial, LineSegments, LoopOnce, Mesh, MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer, type AnimationAction, type Object3D,
+  AnimationMixer, LoopOnce, Mesh, MeshStandardMaterial, PerspectiveCamera, Vector3, WebGLRenderer,
+  type AnimationAction, type Object3D, type Scene,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { let_turn, stand, within, type Turn } from "../figure/camera_turn";
+import { floor, lit_scene } from "../figure/stage";
 import type { Screen, ScreenEvents, TurnView } from "./screen";
-
-const background = "#808080";
-
-/** Where the camera stands about what it looks at; radians and metres. */
-interface Turn {
-  azimuth: number;
-  elevation: number;
-  distance: number;
-}
-
-const within = (least: number, value: number, most: number): number =>
-  Math.min(most, Math.max(least, value));
-
-/** Mouse, fingers and keys turn the camera; plus and minus, or the wheel, bring it nearer. */
-function let_turn(canvas: HTMLCanvasElement, turn: Turn, changed: () => void): void {
-  const by = (azimuth: number, elevation: number, nearer = 1) => {
-    turn.azimuth += azimuth;
-    turn.elevation = within(-0.2, turn.elevation + elevation, 1.45);
-    turn.distance = within(1.5, turn.distance * nearer, 12);
-    changed();
-  };
-  canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
-  canvas.addEventListener("pointermove", (event) => {
-    if (canvas.hasPointerCapture(event.pointerId))
-      by(-event.movementX * 0.008, event.movementY * 0.006);
-  });
-  canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    by(0, 0, Math.exp(event.deltaY * 0.001));
-  }, { passive: false });
-  canvas.addEventListener("keydown", (event) => {
-    const step = 0.12;
-    const steps: Record<string, [number, number, number]> = {
-      ArrowLeft: [-step, 0, 1], ArrowRight: [step, 0, 1], ArrowUp: [0, step, 1],
-      ArrowDown: [0, -step, 1], "+": [0, 0, 0.9], "-": [0, 0, 1 / 0.9],
-    };
-    const found = steps[event.key];
-    if (!found) return;
-    event.preventDefault();
-    by(...found);
-  });
-}
-
-/** Squares of half a metre, in short pieces: some drivers lose lines that begin behind the camera. */
-function floor(): LineSegments {
-  const points: number[] = [];
-  for (let across = -10; across <= 10; across += 0.5) {
-    for (let along = -10; along < 10; along += 0.5)
-      points.push(across, 0, along, across, 0, along + 0.5, along, 0, across, along + 0.5, 0, across);
-  }
-  const lines = new BufferGeometry();
-  lines.setAttribute("position", new Float32BufferAttribute(points, 3));
-  return new LineSegments(lines, new LineBasicMaterial({ color: "#727272" }));
-}
 
 /** A floor to walk on, light from above, a figure of one colour. */
 function scene_of(figure: Object3D, colour: string): Scene {
-  const scene = new Scene();
-  scene.background = new Color(background);
-  scene.add(new HemisphereLight("#ffffff", "#777777", 2.2));
-  const sun = new DirectionalLight("#ffffff", 1.6);
-  sun.position.set(2, 4, 3);
-  scene.add(sun, floor(), figure);
+  const scene = lit_scene();
+  scene.add(floor(), figure);
   figure.traverse((part) => {
     if (!(part instanceof Mesh)) return;
     part.material = new MeshStandardMaterial({ color: colour, roughness: 0.75, flatShading: true });
@@ -160,11 +104,7 @@ class TurnScreen implements Screen {
     this.camera.updateProjectionMatrix();
     figure.updateMatrixWorld(true);
     const centre = hips.getWorldPosition(new Vector3());
-    centre.y = 0.9;
-    const flat = Math.cos(turn.elevation) * turn.distance;
-    this.camera.position.set(centre.x + flat * Math.sin(turn.azimuth),
-      centre.y + Math.sin(turn.elevation) * turn.distance, centre.z + flat * Math.cos(turn.azimuth));
-    this.camera.lookAt(centre);
+    stand(this.camera, turn, centre.x, 0.9, centre.z);
     this.renderer.render(scene, this.camera);
   }
 

@@ -1,0 +1,219 @@
+import { PerspectiveCamera, WebGLRenderer, type LineSegments, type Scene } from "three";
+import type { LiveMotion } from "../live/core";
+import type { Body } from "./body_shape";
+import { let_turn, stand, within, type Turn } from "./camera_turn";
+import { Figure } from "./figure";
+import { corresponding_phase, phase_in_round, round_seconds, seconds_of, type Step } from "./playing";
+import { floor, floor_square, lit_scene } from "./stage";
+
+/** Over each other, the first shining through, or each in its own part of the view, seen alike. */
+export type Arrangement = "over" | "beside";
+
+/** Where the camera may be sent. */
+export type Side = "front" | "side" | "back" | "above";
+
+const sides: Record<Side, Pick<Turn, "azimuth" | "elevation">> = {
+  front: { azimuth: 0, elevation: 0.12 },
+  side: { azimuth: Math.PI / 2, elevation: 0.12 },
+  back: { azimuth: Math.PI, elevation: 0.12 },
+  above: { azimuth: Math.PI / 2, elevation: 1.4 },
+};
+
+const field_of_view = 32;  // degrees, upright
+
+/**
+ * Figures of one body that play motions, again and again, walking in place on a floor that passes
+ * under the first one that is shown. The camera is turned by mouse, fingers and keys (let_turn).
+ *
+ * The element fills what it stands in; its size may change. `release` ends it.
+ */
+export class FigureView {
+  readonly element: HTMLCanvasElement;
+  private renderer: WebGLRenderer;
+  private camera = new PerspectiveCamera(32, 4 / 3, 0.05, 60);
+  private turn: Turn = { azimuth: 1.1, elevation: 0.14, distance: 4.4 };
+  private scene: Scene = lit_scene();
+  private ground: LineSegments = floor();
+  private figures: Figure[];
+  /** Of each figure's round, 0 to 1. */
+  private parts: number[];
+  private arrangement: Arrangement = "over";
+  private step: Step = "keytimes";
+  private is_playing = true;
+  private is_released = false;
+  private is_stale = true;
+  private last = 0;
+  private waiting: (() => void)[] = [];
+  private resized: ResizeObserver;
+
+  /** `colours`: of the figures, the first of which is the one that is looked at most. */
+  constructor(body: Body, colours: string[], label: string) {
+    this.element = document.createElement("canvas");
+    this.element.tabIndex = 0;
+    this.element.setAttribute("role", "img");
+    this.element.setAttribute("aria-label", label);
+    this.element.className = "figure-view";
+    this.renderer = new WebGLRenderer({ canvas: this.element, antialias: true });
+    this.figures = colours.map((colour) => new Figure(body, colour));
+    this.parts = colours.map(() => 0);
+    this.scene.add(this.ground, ...this.figures.map((figure) => figure.group));
+    let_turn(this.element, this.turn, () => this.changed());
+    this.resized = new ResizeObserver(() => this.changed());
+    this.resized.observe(this.element);
+    this.arrange("over");
+    requestAnimationFrame(this.frame);
+  }
+
+  /** A figure plays this from now on, from the phase where it was; null: it is gone. */
+  show(figure: number, motion: LiveMotion | null): void {
+    this.figures[figure]!.show(motion);
+    this.arrange(this.arrangement);
+  }
+
+  /** Resolved when what was asked for before is on the screen. */
+  drawn(): Promise<void> {
+    this.is_stale = true;
+    return new Promise((resolve) => this.waiting.push(resolve));
+  }
+
+  arrange(arrangement: Arrangement): void {
+    this.arrangement = arrangement;
+    const shown = this.figures.filter((figure) => figure.shows());
+    const shines = arrangement === "over" && shown.length > 1;
+    shown.forEach((figure, place) => figure.set_opacity(shines && place === 0 ? 0.62 : 1));
+    this.changed();
+  }
+
+  keep(step: Step): void {
+    this.step = step;
+    if (step === "time") return;
+    const first = this.parts[this.leader()] ?? 0;
+    this.parts.fill(first);
+  }
+
+  /** Colours of a figure's joints; null: its own again. */
+  paint(figure: number, colours: string[] | null): void {
+    this.figures[figure]!.paint(colours);
+    this.changed();
+  }
+
+  look_from(side: Side): void {
+    Object.assign(this.turn, sides[side]);
+    this.changed();
+  }
+
+  play(): void {
+    this.is_playing = true;
+  }
+
+  pause(): void {
+    this.is_playing = false;
+  }
+
+  plays(): boolean {
+    return this.is_playing;
+  }
+
+  /** All figures stand where the first one's motion is at a phase, 0 to 1. */
+  seek(phase: number): void {
+    const motion = this.figures[this.leader()]?.shows();
+    const part = motion ? phase * seconds_of(motion) / round_seconds(motion) : phase;
+    this.parts.fill(within(0, part, 1));
+    this.changed();
+  }
+
+  /** The phase of the first figure that is shown. */
+  phase(): number {
+    const leader = this.leader();
+    const motion = this.figures[leader]?.shows();
+    return motion ? phase_in_round(motion, this.parts[leader]!) : 0;
+  }
+
+  release(): void {
+    this.is_released = true;
+    this.resized.disconnect();
+    for (const figure of this.figures) figure.release();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  private changed(): void {
+    this.is_stale = true;
+  }
+
+  private leader(): number {
+    return Math.max(0, this.figures.findIndex((figure) => figure.shows()));
+  }
+
+  private frame = (now: number): void => {
+    if (this.is_released) return;
+    const seconds = this.last === 0 ? 0 : within(0, (now - this.last) / 1000, 0.25);
+    this.last = now;
+    if (this.is_playing) this.advance(seconds);
+    if (this.is_playing || this.is_stale) this.draw();
+    requestAnimationFrame(this.frame);
+  };
+
+  private advance(seconds: number): void {
+    this.figures.forEach((figure, k) => {
+      const motion = figure.shows();
+      if (motion) this.parts[k] = (this.parts[k]! + seconds / round_seconds(motion)) % 1;
+    });
+    if (this.step === "keytimes") this.parts.fill(this.parts[this.leader()]!);
+  }
+
+  /** Where a figure is in its motion. */
+  private phase_of(figure: Figure): number {
+    const k = this.figures.indexOf(figure);
+    const leader = this.leader();
+    const first = this.figures[leader]?.shows();
+    const motion = figure.shows();
+    if (!motion || !first) return 0;
+    return this.step === "keytimes" && k !== leader
+      ? corresponding_phase(first, this.phase(), motion)
+      : phase_in_round(motion, this.parts[k]!);
+  }
+
+  private pose(): void {
+    for (const figure of this.figures) figure.pose(this.phase_of(figure));
+  }
+
+  private draw(): void {
+    const { element } = this;
+    const width = element.clientWidth;
+    const height = element.clientHeight;
+    if (!width || !height) return;
+    this.is_stale = false;
+    const ratio = Math.min(2, devicePixelRatio);
+    if (element.width !== Math.floor(width * ratio) || element.height !== Math.floor(height * ratio)) {
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(width, height, false);
+    }
+    this.pose();
+    const shown = this.figures.filter((figure) => figure.shows());
+    const panes = this.arrangement === "beside" && shown.length > 1 ? shown.map((one) => [one]) : [shown];
+    panes.forEach((figures, pane) =>
+      this.draw_pane(figures, pane * width / panes.length, width / panes.length, height));
+    const told = this.waiting.splice(0);
+    for (const tell of told) tell();
+  }
+
+  /** Part of the view, from `left`, CSS pixels. */
+  private draw_pane(figures: Figure[], left: number, width: number, height: number): void {
+    const { renderer, camera } = this;
+    for (const figure of this.figures) figure.group.visible = figures.includes(figure);
+    const travelled = figures[0]?.travelled(this.phase_of(figures[0])) ?? 0;
+    this.ground.position.z = -(travelled % floor_square);
+    camera.aspect = width / height;
+    // What is narrow still shows the whole figure.
+    const wider = Math.max(1, 0.62 / camera.aspect);
+    const half = Math.tan(field_of_view / 2 * Math.PI / 180) * wider;
+    camera.fov = 2 * Math.atan(half) * 180 / Math.PI;
+    camera.updateProjectionMatrix();
+    stand(camera, this.turn, 0, 0.9, 0);
+    renderer.setViewport(left, 0, width, height);
+    renderer.setScissor(left, 0, width, height);
+    renderer.setScissorTest(true);
+    renderer.render(this.scene, camera);
+  }
+}

@@ -1,0 +1,32 @@
+import {
+  BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, HemisphereLight, LineBasicMaterial,
+  LineSegments, Scene,
+} from "three";
+
+/** The side of a square of the floor, metres. */
+export const floor_square = 0.5;
+
+/** Squares, in short pieces: some drivers lose lines that begin behind the camera. */
+export function floor(): LineSegments {
+  const points: number[] = [];
+  for (let across = -10; across <= 10; across += floor_square) {
+    for (let along = -10; along < 10; along += floor_square) {
+      const next = along + floor_square;
+      points.push(across, 0, along, across, 0, next, along, 0, across, next, 0, across);
+    }
+  }
+  const lines = new BufferGeometry();
+  lines.setAttribute("position", new Float32BufferAttribute(points, 3));
+  return new LineSegments(lines, new LineBasicMaterial({ color: "#727272" }));
+}
+
+/** Middle grey, with light from above and the front. */
+export function lit_scene(): Scene {
+  const scene = new Scene();
+  scene.background = new Color("#808080");
+  scene.add(new HemisphereLight("#ffffff", "#777777", 2.2));
+  const sun = new DirectionalLight("#ffffff", 1.6);
+  sun.position.set(2, 4, 3);
+  scene.add(sun);
+  return scene;
+}
