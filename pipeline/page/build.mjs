@@ -19,6 +19,7 @@ const pages = {
     scripts: { questionnaire: "main.ts", turn_view: "turn_view.ts" },
     files: ["index.html", "questionnaire.css"],
   },
+  studio: { scripts: { studio: "main.ts" }, files: ["index.html", "studio.css"] },
 };
 
 /** Of a package that names it and does not bring its text. */

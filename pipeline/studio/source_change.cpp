@@ -14,7 +14,6 @@ using nlohmann::ordered_json;
 using Kind = SourceNode::Kind;
 using ChangeKind = DocumentChange::Kind;
 
-constexpr std::size_t longest_line = 100;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 [[noreturn]] void refuse_alias(const SourceNode& node) {
@@ -119,18 +118,6 @@ class SpotChange {
     return text;
   }
 
-  /// What stands below a key in block style, or behind it.
-  std::string member_text(const std::string& name, const ordered_json& value,
-                          std::size_t column) const {
-    ordered_json map = ordered_json::object();
-    map[name] = value;
-    const std::size_t head = column + name.size() + 2;
-    const std::size_t width = head < longest_line ? longest_line - head : 0;
-    const std::string line = yaml_line(value);
-    if (line.size() <= width) return yaml_line(name) + ": " + line;
-    return yaml_lines(map, column, longest_line - std::min(column, longest_line));
-  }
-
   TextChange at(std::size_t begin, std::size_t end, std::string text) const {
     const bool is_there = spot_.index < count();
     return {begin, end, std::move(text),
@@ -163,10 +150,10 @@ TextChange SpotChange::replaced(const ordered_json& value) const {
     text = quoted_yaml(value.get<std::string>(), first);
   if (old.begin == old.end) text = " " + text;
   if (old.begin == old.end && old.end < text_.size() && text_[old.end] == '#') text += " ";
-  const bool is_long = old.content - begin_of_line(text_, old.content) + text.size() > longest_line;
+  const bool is_long = old.content - begin_of_line(text_, old.content) + text.size() > yaml_width;
   if (is_long && !parent().is_flow && parent().kind == Kind::map && old.kind != Kind::null) {
     const std::string margin = "\n" + std::string(parent().column + 2, ' ');
-    const std::string lines = yaml_lines(value, parent().column + 2, longest_line - margin.size());
+    const std::string lines = yaml_lines(value, parent().column + 2, yaml_width - margin.size());
     const bool is_on_line =
         begin_of_line(text_, old.content) == begin_of_line(text_, parent().keys[spot_.index].begin);
     if (lines.find('\n') != std::string::npos)
@@ -187,7 +174,7 @@ TextChange SpotChange::added_member(const ordered_json& value) const {
   }
   const std::size_t end = end_of_line(text_, end_of(count() - 1));
   const std::string margin = "\n" + std::string(parent().column, ' ');
-  return at(end, end, with_breaks(margin + member_text(spot_.name, value, parent().column)));
+  return at(end, end, with_breaks(margin + yaml_member(spot_.name, value, parent().column)));
 }
 
 TextChange SpotChange::inserted(const ordered_json& value) const {
@@ -201,19 +188,8 @@ TextChange SpotChange::inserted(const ordered_json& value) const {
     const std::size_t end = end_of(spot_.index - 1);
     return at(end, end, ", " + element);
   }
-  const std::size_t column = parent().column;
-  const std::string margin(column, ' ');
-  // Maps in block style stand member by member below their dash.
-  std::string element;
-  if (value.is_object() && !value.empty()) {
-    for (const auto& [key, one] : value.items()) {
-      if (!element.empty()) element += "\n" + margin + "  ";
-      element += member_text(key, one, column + 2);
-    }
-  } else {
-    element = yaml_lines(value, column + 2, longest_line - std::min(column + 2, longest_line));
-  }
-  element = with_breaks("- " + element);
+  const std::string margin(parent().column, ' ');
+  const std::string element = with_breaks("- " + yaml_element(value, parent().column + 2));
   if (spot_.index == 0) {
     const std::size_t begin = head_of(0);
     return at(begin, begin, element + line_break() + margin);

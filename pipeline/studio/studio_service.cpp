@@ -10,6 +10,7 @@
 #include "pipeline/server/session_store.h"
 #include "pipeline/studio/studio_guard.h"
 #include "pipeline/studio/studio_words.h"
+#include "pipeline/studio/yaml_text.h"
 
 namespace mien::pipeline {
 
@@ -150,7 +151,7 @@ HttpResponse StudioService::posted(const std::string& what, const Body& body) {
   if (what == "motion") return motion(body);
   if (what == "choices")
     return json_answer(motions_.choices(document_in(body), file_.state().document));
-  if (what == "text") return json_answer({{"text", file_.text_for(document_in(body))}});
+  if (what == "text") return text(body);
   if (what == "save") return save(body);
   if (what == "reload") return json_answer(state_json(file_.reload()));
   if (what == "jobs") return begin_job(body);
@@ -172,6 +173,17 @@ HttpResponse StudioService::motion(const Body& body) {
           .body = motions_.motion(document_in(body), file_.state().document,
                                   member<std::string>(body, "show"),
                                   member_or<std::string>(body, "against", ""))};
+}
+
+HttpResponse StudioService::text(const Body& body) {
+  const Body document = document_in(body);
+  const std::string show = member_or<std::string>(body, "show", "");
+  std::string lines;
+  for (const Body& stimulus : member_or<Body>(document, "stimuli", Body::array())) {
+    if (stimulus.is_object() && stimulus.contains("id") && stimulus["id"] == show)
+      lines = "  - " + yaml_element(stimulus, 4) + "\n";
+  }
+  return json_answer({{"text", file_.text_for(document)}, {"stimulus", lines}});
 }
 
 HttpResponse StudioService::save(const Body& body) {

@@ -22,7 +22,8 @@ namespace mien::pipeline {
 ///     GET  /<link>/studio.json    the manifest, and what there is to choose from (studio_words.h)
 ///     POST /<link>/choices        examples and sliders for a document
 ///     POST /<link>/motion         a motion, as bytes (studio_motions.h)
-///     POST /<link>/text           the manifest's text as it would be saved
+///     POST /<link>/text           {"document", "show"}: the manifest's text as it would be saved,
+///                                 and the lines of a stimulus
 ///     POST /<link>/save           {"document", "version", "over"}: writes it (manifest_file.h)
 ///     POST /<link>/reload         opens the file again
 ///     POST /<link>/jobs           {"document", "kind", "stimulus", "seconds", "quality"}: a still
@@ -57,6 +58,7 @@ class StudioService {
   HttpResponse posted(const std::string& what, const Body& body);
   HttpResponse studio_json();
   HttpResponse motion(const Body& body);
+  HttpResponse text(const Body& body);
   HttpResponse save(const Body& body);
   HttpResponse begin_job(const Body& body);
   HttpResponse job(const HttpRequest& request);

@@ -1,5 +1,6 @@
 #include "pipeline/studio/yaml_text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <string_view>
@@ -76,6 +77,26 @@ std::string yaml_lines(const ordered_json& value, std::size_t indent, std::size_
     const std::string below = yaml_lines(one, indent + 2, width);
     const bool is_below = below.find('\n') != std::string::npos;
     lines += name + (is_below ? margin + "  " : " ") + below;
+  }
+  return lines;
+}
+
+std::string yaml_member(const std::string& name, const ordered_json& value, std::size_t column) {
+  const std::size_t head = column + name.size() + 2;
+  const std::string line = yaml_line(value);
+  if (head + line.size() <= yaml_width) return yaml_line(name) + ": " + line;
+  ordered_json map = ordered_json::object();
+  map[name] = value;
+  return yaml_lines(map, column, yaml_width - std::min(column, yaml_width));
+}
+
+std::string yaml_element(const ordered_json& value, std::size_t column) {
+  if (!value.is_object() || value.empty())
+    return yaml_lines(value, column, yaml_width - std::min(column, yaml_width));
+  std::string lines;
+  for (const auto& [key, one] : value.items()) {
+    if (!lines.empty()) lines += "\n" + std::string(column, ' ');
+    lines += yaml_member(key, one, column);
   }
   return lines;
 }

@@ -18,4 +18,15 @@ std::string quoted_yaml(const std::string& text, char quote);
 /// empty or no collection, and what fits in `width` bytes, stands on its line.
 std::string yaml_lines(const nlohmann::ordered_json& value, std::size_t indent, std::size_t width);
 
+/// Lines are no longer than this, if that can be.
+inline constexpr std::size_t yaml_width = 100;
+
+/// "name: value", the name `column` bytes from the line's begin; a long value stands below it.
+std::string yaml_member(const std::string& name, const nlohmann::ordered_json& value,
+                        std::size_t column);
+
+/// An element of a list behind its dash, `column` bytes from the line's begin: of a map, a member
+/// a line.
+std::string yaml_element(const nlohmann::ordered_json& value, std::size_t column);
+
 }  // namespace mien::pipeline
