@@ -39,15 +39,15 @@ function stage_bar(studio: Studio, stage: StageView): HTMLElement {
   play.title = "Space";
   const against = element("span");
   const arrangement = choice(["beside", "over"], "beside", (name) => stage.arrange(name as "beside" | "over"),
-    (name) => (name === "over" ? "over each other" : "beside each other"));
+    (name) => (name === "over" ? "over it" : "beside it"));
   arrangement.setAttribute("aria-label", "arrangement");
   const hot = element("input", { type: "checkbox" });
   hot.checked = true;
   hot.addEventListener("change", () => stage.set_heat(hot.checked));
-  const heat_field = element("label", { class: "check" }, hot, "joints by distance");
+  const heat_field = element("label", { class: "check", title: "joints in the colours of their distance" }, hot, "heat");
   const distance = element("span", { class: "distance", role: "status" });
   const figure = choice(["manifest", "stick", "mannequin"], "manifest",
-    (name) => stage.set_style(name as "manifest"), (name) => (name === "manifest" ? "as the look says" : name));
+    (name) => stage.set_style(name as "manifest"), (name) => (name === "manifest" ? "as the look" : name));
   const tell = (): void => {
     const names = studio.names().filter((name) => name !== studio.selected);
     const select = choice(["", ...names], studio.against, (name) => studio.compare_with(name),

@@ -83,7 +83,6 @@ seen.redone = await number("quickness").inputValue();
 await page.locator("select[name=against]").selectOption("guess-1");
 await settled();
 await page.waitForFunction(() => /^D 0\.\d{4} m$/.test(document.querySelector(".distance").textContent));
-seen.D = await page.evaluate(() => globalThis.studio.studio.made.distance.D);
 await pictures("motion");
 
 // Another kind of sliders, and back.
@@ -138,6 +137,7 @@ await pictures("refusal");
 await page.getByRole("button", { name: "Write what is here into it" }).click();
 await page.waitForFunction(() => document.querySelector(".state").textContent === "saved");
 seen.over = text();
+seen.D = await page.evaluate(() => globalThis.studio.studio.made.distance.D);
 
 // A still and a video of the same.
 await tab("Render");
