@@ -39,6 +39,24 @@ std::optional<HttpResponse> unwelcome(const HttpRequest& request, int port) {
   return std::nullopt;
 }
 
+bool is_nested_deeper(std::string_view json, int most) {
+  int depth = 0;
+  bool is_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char letter = json[i];
+    if (is_text && letter == '\\') {
+      ++i;
+    } else if (letter == '"') {
+      is_text = !is_text;
+    } else if (!is_text && (letter == '[' || letter == '{')) {
+      if (++depth > most) return true;
+    } else if (!is_text && (letter == ']' || letter == '}')) {
+      --depth;
+    }
+  }
+  return false;
+}
+
 bool same_secret(const std::string& given, const std::string& secret) {
   unsigned char different = given.size() == secret.size() ? 0 : 1;
   for (std::size_t i = 0; i < secret.size(); ++i) {

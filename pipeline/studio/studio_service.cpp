@@ -18,6 +18,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr int deepest_body = 64;
+
 /// A body that is not as this server's page sends it.
 struct MalformedBody {};
 
@@ -127,7 +129,9 @@ HttpResponse StudioService::take(const HttpRequest& request) {
   if (request.path.size() != 2 && !is_cancel) return unknown(request);
   if (!is_json(request))
     return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
-  const Body body = Body::parse(request.body, nullptr, false);
+  const bool is_deep = is_nested_deeper(request.body, deepest_body);
+  const Body body =
+      is_deep ? Body(Body::value_t::discarded) : Body::parse(request.body, nullptr, false);
   if (body.is_discarded())
     return http_refusal(400, "malformed", "this is no JSON", "load the page again");
   try {

@@ -2,6 +2,7 @@ import { element } from "../questionnaire/elements";
 import { FigureView, type Arrangement } from "../figure/figure_view";
 import type { BodyStyle } from "../figure/body_shape";
 import type { Turn } from "../figure/camera_turn";
+import { find } from "./document";
 import { heat_colours } from "./heat";
 import { look_of, name_of } from "./look_panel";
 import type { Studio } from "./studio";
@@ -10,10 +11,14 @@ import type { Studio } from "./studio";
 const backgrounds: Record<string, string> = {
   studio: "#d2d3d3", void: "#808080", treadmill: "#c9cccf", corridor: "#d7d2c8", "lab-grid": "#e8ebee",
 };
-const directions: Record<string, number> = {
-  front: 0, side: Math.PI / 2, "three-quarter": 0.9, follow: 0.9, orbit: 0.9,
+const degree = Math.PI / 180;
+/** Azimuth and elevation, as the renderer's cameras stand about who walks along +Z. */
+const directions: Record<string, [number, number]> = {
+  front: [0, 6 * degree], side: [-90 * degree, 6 * degree], "three-quarter": [-42 * degree, 10 * degree],
 };
-const colours = ["#3a5f9e", "#2e8b57"];
+/** Of roles, as in films; of examples. */
+const role_colours: Record<string, string> = { target: "#2ea05c", created: "#3474cc", reference: "#ce483c" };
+const example_colour = "#7a8696";
 
 /** The figure, or two of them, playing. */
 export class StageView {
@@ -68,18 +73,32 @@ export class StageView {
     return name_of(look_of(this.studio)["figure"], "mannequin") === "stick" ? "stick" : "mannequin";
   }
 
+  /** Of the motion and of what it is held against. */
+  private colours(): string[] {
+    const { studio } = this;
+    return [studio.selected, studio.against].map((name) => {
+      const stimulus = find(studio.document(), name);
+      return stimulus ? role_colours[String(stimulus["role"] ?? "created")]! : example_colour;
+    });
+  }
+
+  /** What a view is made for: another one needs another. */
+  private shape_now(): string {
+    return JSON.stringify([this.body_style(), this.studio.made?.body, this.colours()]);
+  }
+
   /** A new view where the body or the kind of figure is another; camera and moment stay. */
   private rebuild(): void {
     const { made } = this.studio;
     if (!made) return;
     const style = this.body_style();
-    const shape = JSON.stringify([style, made.body]);
+    const shape = this.shape_now();
     if (this.view && shape === this.shape) return;
     const before: { turn: Turn; phase: number; plays: boolean } | null = this.view
       ? { turn: this.view.stands(), phase: this.view.phase(), plays: this.view.plays() } : null;
     this.view?.release();
     this.view?.element.remove();
-    this.view = new FigureView(made.body, colours, "the motion in three dimensions", style);
+    this.view = new FigureView(made.body, this.colours(), "the motion in three dimensions", style);
     this.shape = shape;
     this.element.prepend(this.view.element);
     if (!before) return;
@@ -102,12 +121,13 @@ export class StageView {
   private show_look(): void {
     if (!this.view) return;
     const look = look_of(this.studio);
-    if (this.studio.made && JSON.stringify([this.body_style(), this.studio.made.body]) !== this.shape) this.show();
+    if (this.studio.made && this.shape_now() !== this.shape) return this.show();
     this.view.set_background(backgrounds[name_of(look["scene"], "studio")] ?? "#b8b8b8");
     const camera = name_of(look["camera"], "three-quarter");
     if (camera === this.camera) return;
     this.camera = camera;
-    this.view.stand_at({ ...this.view.stands(), azimuth: directions[camera] ?? 0.9, elevation: 0.12 });
+    const [azimuth, elevation] = directions[camera] ?? directions["three-quarter"]!;
+    this.view.stand_at({ ...this.view.stands(), azimuth, elevation });
   }
 
   /** Joints in the colours of their distance. */
