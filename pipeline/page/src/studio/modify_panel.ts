@@ -33,7 +33,7 @@ export function modify_panel(studio: Studio): HTMLElement {
     }
     steps_of(stimulus).forEach((_, index) => panel.append(step(studio, index)));
     panel.append(element("div", { class: "row" },
-      button("Add a step", () => set_steps(studio, [...steps_of(studio.stimulus()!), { paths: 1.2 }]))));
+      button("Add a step", () => set_steps(studio, [...steps_of(studio.stimulus()!), first_step(studio)]))));
     if (steps_of(stimulus).length === 0)
       panel.append(...paragraphs(["A step changes the motion by a recipe of an emotion, by the lengths of its paths, "
         + "its acceleration, posture, tempo or variation."]));
@@ -51,6 +51,13 @@ function steps_of(stimulus: Stimulus): JsonMap[] {
   const modify = stimulus["modify"];
   if (Array.isArray(modify)) return modify.map(map_of);
   return is_map(modify) ? [modify] : [];
+}
+
+/** Of a recipe, if there is one: to be changed from there. */
+function first_step(studio: Studio): JsonMap {
+  const names = studio.words.recipes.map((recipe) => recipe.name);
+  const name = names.includes("sad") ? "sad" : names[0];
+  return name === undefined ? { paths: 1.2 } : { emotion: name };
 }
 
 /** One step stays a map where it was one. */

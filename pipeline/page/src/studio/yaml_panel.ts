@@ -20,7 +20,7 @@ export function yaml_panel(studio: Studio): HTMLElement {
   panel.append(
     element("div", { class: "row" }, element("h2", {}, "This stimulus"), button("Copy", () => void copy(lines), "small"), told),
     lines,
-    element("div", { class: "row" }, element("h2", {}, "The manifest as it would be saved"),
+    element("div", { class: "row" }, element("h2", {}, "Manifest, when saved"),
       button("Copy", () => void copy(whole), "small")),
     whole);
   let asked = 0;
