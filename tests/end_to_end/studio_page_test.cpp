@@ -70,7 +70,7 @@ fs::path mien_with_studio_page(const fs::path& folder) {
   fs::create_directories(folder / "pages/studio");
   std::ofstream(folder / "pages/studio/index.html")
       << "<!doctype html><meta name=\"mien-mode\" content=\"static\"><title>stand-in</title>";
-  fs::create_directories(folder / "manifests");
+  std::ofstream(folder / "pages/studio/studio.js") << "start();";
   std::error_code other_disk;
   fs::create_hard_link(MIEN_PROGRAM, program, other_disk);
   if (other_disk) fs::copy_file(MIEN_PROGRAM, program);

@@ -1,6 +1,6 @@
 import { button, element, paragraphs } from "../questionnaire/elements";
 import type { Slider } from "../live/core";
-import { kinds, map_of, rounded, source_of, with_member, type JsonMap, type Kind, type Stimulus } from "./document";
+import { kinds, map_of, rounded, source_of, with_member, type Json, type JsonMap, type Kind, type Stimulus } from "./document";
 import { adder, choice, labelled, slider } from "./fields";
 import type { Studio } from "./studio";
 
@@ -57,12 +57,14 @@ function tell_reached(studio: Studio, panel: HTMLElement): void {
 }
 
 function heads(studio: Studio, stimulus: Stimulus): HTMLElement {
+  const called = (value: Json | undefined): string =>
+    typeof value === "string" ? value : value === undefined ? "" : "the manifest's folder";
   const set = map_of(studio.document()["examples"])["set"];
-  const own = typeof set === "string" ? set : "files of a folder";
-  const sets = [...new Set([own, ...studio.words.sets])];
-  const chosen = choice(sets, own, (name) => {
+  const own = studio.opened_examples["set"];
+  const sets = [...new Set([called(set), called(own), ...studio.words.sets])].filter((name) => name !== "");
+  const chosen = choice(sets, called(set), (name) => {
     const examples = map_of(studio.document()["examples"]);
-    const made: JsonMap = { ...examples, set: name };
+    const made: JsonMap = name === called(own) ? { ...studio.opened_examples } : { ...examples, set: name };
     if (!("ratings" in made) && name !== "builtin:actors") made["ratings"] = "builtin";
     if (name === "builtin:actors") delete made["ratings"];
     studio.change(with_member(studio.document(), "examples", made));

@@ -1,4 +1,4 @@
-import { find, type Document, type Stimulus } from "./document";
+import { find, map_of, type Document, type JsonMap, type Stimulus } from "./document";
 import { History } from "./history";
 import { load_choices, make, reload, save, sentence_of, Refusal, type Choices, type Fault, type Made,
   type ManifestState, type StudioState } from "./server";
@@ -12,6 +12,8 @@ export class Studio {
   readonly place: string;
   readonly file: string;
   readonly words: StudioState["words"];
+  /** The examples of the manifest as it was opened: a folder can be named by nobody else. */
+  readonly opened_examples: JsonMap;
   selected: string;
   /** What the motion is held against: a stimulus, an example, or nothing. */
   against = "";
@@ -36,6 +38,7 @@ export class Studio {
     this.file = state.file;
     this.place = state.place;
     this.words = state.words;
+    this.opened_examples = map_of(state.manifest.document["examples"]);
     this.is_on_disk = state.is_on_disk;
     this.selected = state.manifest.document.stimuli[0]?.id ?? "";
   }
