@@ -86,7 +86,7 @@ void ManifestFile::write(const std::string& text) const {
   const fs::path next = real.parent_path() / ("." + real.filename().string() + "." + random_link());
   std::error_code unknown;
   const fs::file_status before = fs::status(real, unknown);
-  write_file(next, text);
+  write_file(next, "");
   if (fs::exists(before)) fs::permissions(next, before.permissions(), unknown);
   replace_file(real, next, text);
 }
