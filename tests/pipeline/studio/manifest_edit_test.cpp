@@ -172,8 +172,7 @@ TEST(ManifestEdit, RefusesToLoseComments) {
   EXPECT_NE(set(text, {"a", std::size_t{0}}, 5).find("[5, # one"), std::string::npos);
 }
 
-// What comes out says what was wanted, and lines that no change touches are there still, in their
-// order. (The lines of a value that was changed or taken away may go.)
+// Lines of a value that was changed or taken away may go with it.
 class ChangedAtRandom : public testing::TestWithParam<unsigned> {};
 
 ordered_json random_value(std::mt19937& random) {
