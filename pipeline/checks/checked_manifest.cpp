@@ -53,14 +53,8 @@ ManifestReading read_again(const StudyRecord& record, const std::filesystem::pat
   return reading;
 }
 
-}  // namespace
-
-ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment,
-                               const std::filesystem::path& out) {
-  const std::optional<StudyRecord> record = study_record_in(file);
-  ManifestReading reading =
-      record ? read_again(*record, file, environment) : read_manifest(file, environment);
-  if (record && reading.manifest.study.empty()) return reading;
+/// The reading with what names of examples and parameters are at fault.
+ManifestReading checked(ManifestReading reading, const std::filesystem::path& out) {
   if (!out.empty() && !reading.manifest.study.empty())
     append(reading.faults, check_sources(reading.manifest, out / reading.manifest.study));
   try {
@@ -74,6 +68,23 @@ ManifestReading check_manifest(const std::filesystem::path& file, const Environm
   }
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
+}
+
+}  // namespace
+
+ManifestReading check_manifest(const std::filesystem::path& file, const Environment& environment,
+                               const std::filesystem::path& out) {
+  const std::optional<StudyRecord> record = study_record_in(file);
+  ManifestReading reading =
+      record ? read_again(*record, file, environment) : read_manifest(file, environment);
+  if (record && reading.manifest.study.empty()) return reading;
+  return checked(std::move(reading), out);
+}
+
+ManifestReading check_manifest_text(std::string_view text, const std::filesystem::path& file,
+                                    const Environment& environment,
+                                    const std::filesystem::path& out) {
+  return checked(parse_manifest(text, file, environment), out);
 }
 
 Manifest load_manifest(const std::filesystem::path& file, const Environment& environment,

@@ -135,6 +135,7 @@ int run_command_line(int argc, const char* const* argv, const Console& console) 
   add_motion_command(app, chosen);
   add_manifests_command(app, chosen);
   add_sets_command(app, chosen);
+  add_studio_command(app, chosen);
   add_study_command(app, chosen);
   add_farm_command(app, chosen);
   add_version_command(app, chosen);

@@ -50,6 +50,7 @@ void add_run_command(CLI::App& app, Command& chosen);
 void add_render_command(CLI::App& app, Command& chosen);
 void add_motion_command(CLI::App& app, Command& chosen);
 void add_sets_command(CLI::App& app, Command& chosen);
+void add_studio_command(CLI::App& app, Command& chosen);
 void add_study_command(CLI::App& app, Command& chosen);
 void add_verify_command(CLI::App& app, Command& chosen);
 void add_version_command(CLI::App& app, Command& chosen);

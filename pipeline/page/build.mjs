@@ -25,6 +25,7 @@ const pages = {
     files: ["index.html", "questionnaire.css"],
   },
   walk: { scripts: { walk: "main.ts" }, styles: { walk: "walk.css" }, files: ["index.html"] },
+  studio: { scripts: { studio: "main.ts" }, files: ["index.html", "studio.css"] },
 };
 
 /** Of a package that names it and does not bring its text. */

@@ -35,6 +35,7 @@ const std::vector<NotRun> not_run = {
     {"./mien test", "the launcher's, not the program's: it would run this test again"},
     {"./mien package", "the launcher's: it builds"},
     {"./mien study export", "needs pages, which Node.js builds (questionnaire_page_test.cpp)"},
+    {"./mien studio", "serves until it is told to end (studio_page_test.cpp)"},
     {"./mien study serve", "serves until it is told to end (serve_study_test.cpp)"},
     {"./mien farm submit", "needs Slurm"},
     {"./mien farm resume", "needs Slurm"},

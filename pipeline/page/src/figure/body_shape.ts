@@ -13,10 +13,13 @@ const thickness: Record<string, [number, number]> = {
   Wrist: [0.027, 0.024], Hip: [0.06, 0.043], Knee: [0.046, 0.031], Ankle: [0.034, 0.026],
 };
 const plain: [number, number] = [0.027, 0.02];
+/** A mannequin's limbs, or balls and thin sticks. */
+export type BodyStyle = "mannequin" | "stick";
+const stick: [number, number] = [0.026, 0.014];
 const head_radius = 0.092;
 
-const thickness_of = (joint: string): [number, number] =>
-  thickness[joint.replace(/^(Left|Right)/, "")] ?? plain;
+const thickness_of = (joint: string, style: BodyStyle): [number, number] =>
+  style === "stick" ? stick : thickness[joint.replace(/^(Left|Right)/, "")] ?? plain;
 
 /** "left", "right" or neither: figures are shaded by it. */
 export const side_of = (joint: string): string =>
@@ -60,13 +63,13 @@ function head(tip: Vector3, scale: number): BufferGeometry[] {
 }
 
 /** What a joint carries, in its own frame: its ball and the bones to its children or its tip. */
-export function joint_shape(body: Body, joint: number): BufferGeometry {
+export function joint_shape(body: Body, joint: number, style: BodyStyle = "mannequin"): BufferGeometry {
   const scale = scale_of(body);
-  const [near, far] = thickness_of(body.names[joint]!).map((radius) => radius * scale) as [number, number];
+  const [near, far] = thickness_of(body.names[joint]!, style).map((radius) => radius * scale) as [number, number];
   const here = new Vector3();
   const parts: BufferGeometry[] = [new SphereGeometry(near, 14, 10)];
   body.parents.forEach((parent, child) => {
-    if (parent === joint) parts.push(...rounded(here, new Vector3(...body.offsets[child]!), near, far));
+    if (parent === joint) parts.push(...rounded(here, new Vector3(...body.offsets[child]!), style === "stick" ? far : near, far));
   });
   const tip = body.tips[joint];
   if (tip && body.names[joint] === "Head") parts.push(...head(new Vector3(...tip), scale));

@@ -1,6 +1,6 @@
 import { Color, Group, Mesh, MeshLambertMaterial, Quaternion, Vector3, type Material } from "three";
 import type { LiveMotion } from "../live/core";
-import { joint_shape, side_of, type Body } from "./body_shape";
+import { joint_shape, side_of, type Body, type BodyStyle } from "./body_shape";
 import { between_frames, middle_of, type Place } from "./playing";
 
 /** The left side is darker and the right one lighter, so that legs can be told apart. */
@@ -27,14 +27,14 @@ export class Figure {
   private motion: LiveMotion | null = null;
   private middle: Place = { x: 0, z: 0 };
 
-  constructor(private body: Body, private colour: string) {
+  constructor(private body: Body, private colour: string, style: BodyStyle = "mannequin") {
     const depth_alone = new MeshLambertMaterial({ colorWrite: false });
     let_come_first(depth_alone);
     body.names.forEach((name, joint) => {
       const material = new MeshLambertMaterial({ color: shade(colour, side_of(name)) });
       let_come_first(material);
       material.polygonOffset = false;
-      const shape = joint_shape(body, joint);
+      const shape = joint_shape(body, joint, style);
       const solid = new Mesh(shape, material);
       solid.renderOrder = 2;
       // Drawn before what shines through, so that only the nearest surface does.

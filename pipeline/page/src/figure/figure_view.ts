@@ -1,6 +1,6 @@
-import { PerspectiveCamera, WebGLRenderer, type LineSegments, type Scene } from "three";
+import { Color, PerspectiveCamera, WebGLRenderer, type LineSegments, type Scene } from "three";
 import type { LiveMotion } from "../live/core";
-import type { Body } from "./body_shape";
+import type { Body, BodyStyle } from "./body_shape";
 import { let_turn, stand, within, type Turn } from "./camera_turn";
 import { Figure } from "./figure";
 import { corresponding_phase, phase_in_round, round_seconds, seconds_of, type Step } from "./playing";
@@ -47,14 +47,14 @@ export class FigureView {
   private resized: ResizeObserver;
 
   /** `colours`: of the figures, the first of which is the one that is looked at most. */
-  constructor(body: Body, colours: string[], label: string) {
+  constructor(body: Body, colours: string[], label: string, style: BodyStyle = "mannequin") {
     this.element = document.createElement("canvas");
     this.element.tabIndex = 0;
     this.element.setAttribute("role", "img");
     this.element.setAttribute("aria-label", label);
     this.element.className = "figure-view";
     this.renderer = new WebGLRenderer({ canvas: this.element, antialias: true });
-    this.figures = colours.map((colour) => new Figure(body, colour));
+    this.figures = colours.map((colour) => new Figure(body, colour, style));
     this.parts = colours.map(() => 0);
     this.scene.add(this.ground, ...this.figures.map((figure) => figure.group));
     let_turn(this.element, this.turn, () => this.changed());
@@ -99,6 +99,22 @@ export class FigureView {
 
   look_from(side: Side): void {
     Object.assign(this.turn, sides[side]);
+    this.changed();
+  }
+
+  /** What is behind the figures: "#rrggbb". */
+  set_background(colour: string): void {
+    this.scene.background = new Color(colour);
+    this.changed();
+  }
+
+  /** Where the camera stands; `stand_at` sends it there. */
+  stands(): Turn {
+    return { ...this.turn };
+  }
+
+  stand_at(turn: Turn): void {
+    Object.assign(this.turn, turn);
     this.changed();
   }
 

@@ -1,0 +1,143 @@
+#include <condition_variable>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/cli.h"
+#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/documents/environment.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/page/page_bundle.h"
+#include "pipeline/server/http_server.h"
+#include "pipeline/studio/open_browser.h"
+#include "pipeline/studio/studio_service.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the studio begins with where no manifest is named, and where it then keeps it.
+constexpr char first_manifest[] = "quickstart";
+constexpr char own_file[] = "studio.yaml";
+
+constexpr std::size_t most_body_bytes = 4 << 20;
+
+struct StudioOptions {
+  std::string manifest;
+  std::string out = "out";
+  int port = 0;
+  int jobs = 0;
+  bool no_browser = false;
+  bool json = false;
+};
+
+/// The manifest of that name. One that came with the program stays as it is: it is saved to a file
+/// of its name in this folder.
+std::unique_ptr<ManifestFile> opened(const std::string& name, const Console& console) {
+  const Environment environment = process_environment();
+  if (!name.empty() && fs::exists(name)) return std::make_unique<ManifestFile>(name, environment);
+  const fs::path folder = installed_manifests();
+  const auto installed = file_among(folder, name.empty() ? first_manifest : name);
+  if (!installed) {
+    manifest_meant(name, console);  // which tells what is wrong with a single word
+    throw Error({name}, "there is no such file", "name a manifest, or none for a new one");
+  }
+  const fs::path own = name.empty() ? fs::path(own_file) : installed->filename();
+  if (fs::exists(own)) return std::make_unique<ManifestFile>(own, environment);
+  console.err << fmt::format("note: it is saved to {}\n", own.string());
+  return std::make_unique<ManifestFile>(own, environment, read_file(*installed));
+}
+
+fs::path folder_for(const StudioOptions& options, const ManifestFile& file) {
+  const nlohmann::ordered_json document = file.state().document;
+  return fs::path(options.out) / (document.at("study").get<std::string>() + ".studio");
+}
+
+void tell_link(const StudioOptions& options, const std::string& link, const ManifestFile& file,
+               const Console& console) {
+  if (options.json) {
+    const nlohmann::ordered_json told = {{"link", link}, {"manifest", file.file().string()}};
+    console.out << told.dump() << std::endl;
+    return;
+  }
+  console.out << fmt::format("{} in the studio: {}\nCtrl-C ends it.\n", file.file().string(), link);
+  console.out.flush();
+}
+
+void wait_for_stop(const std::stop_token& stop) {
+  std::mutex mutex;
+  std::unique_lock lock(mutex);
+  std::condition_variable_any().wait(lock, stop, [] { return false; });
+}
+
+int run_studio(const StudioOptions& options, const Console& console) {
+  auto page = served_page(page_bundle("studio"));
+  const std::unique_ptr<ManifestFile> file = opened(options.manifest, console);
+  const int processors = static_cast<int>(std::thread::hardware_concurrency());
+  const int threads = options.jobs > 0 ? options.jobs : std::max(1, processors);
+  StudioService service(*file, std::move(page), folder_for(options, *file), threads);
+  HttpSettings settings{.listen = "127.0.0.1", .port = options.port};
+  settings.limits.body_bytes = most_body_bytes;
+  std::mutex telling;
+  const HttpServer server(
+      settings, [&](const HttpRequest& request) { return service.answer(request); },
+      [&](const std::string& failure) {
+        const std::lock_guard lock(telling);
+        console.err << "mien: " << failure << std::endl;
+      });
+  service.listens_at(server.port());
+  const std::string link = fmt::format("http://127.0.0.1:{}/{}/", server.port(), service.link());
+  tell_link(options, link, *file, console);
+  std::optional<OpenedBrowser> browser;
+  if (!options.no_browser && !options.json) browser.emplace(link);
+  wait_for_stop(console.stop);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_studio_command(CLI::App& app, Command& chosen) {
+  CLI::App* command =
+      app.add_subcommand("studio", "Make motions with sliders in the browser, into a manifest");
+  const auto options = std::make_shared<StudioOptions>();
+  command->add_option("manifest", options->manifest,
+                      "Manifest (YAML) to open, or the name of one of mien manifests; without it, "
+                      "studio.yaml in this folder");
+  command->add_option("--out", options->out, "Folder of the studies' folders")
+      ->capture_default_str();
+  command->add_option("--port", options->port, "Port to listen at; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  command
+      ->add_option("--jobs,-j", options->jobs,
+                   "Threads of stills and videos (default: one a processor)")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--no-browser", options->no_browser, "Tell the link and open nothing");
+  command->add_flag("--json", options->json, "Tell the link as JSON and open nothing");
+  command->footer(
+      "\nOpens a page that shows the manifest's stimuli and makes what is changed at once. Only "
+      "this\n"
+      "machine reaches it, by a link that is new each time. Saving changes the lines of the "
+      "manifest\n"
+      "that were changed in the page; comments stay. Stills and videos by the real renderer lie "
+      "in\n"
+      "<out>/<study>.studio.\n"
+      "\nExamples:\n"
+      "  mien studio my.yaml\n"
+      "  mien studio quickstart --no-browser");
+  command->callback([&chosen, options] {
+    chosen = [options](const Console& console) { return run_studio(*options, console); };
+  });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,83 @@
+// A manifest as the page holds it: what the file says, in JSON, every change a new document.
+
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+export type JsonMap = { [key: string]: Json };
+
+export interface Document extends JsonMap {
+  study: string;
+  stimuli: Stimulus[];
+}
+
+export interface Stimulus extends JsonMap {
+  id: string;
+}
+
+export type Kind = "adjectives" | "features" | "weights";
+export const kinds: Kind[] = ["adjectives", "features", "weights"];
+
+/** What a stimulus is made from: sliders of a kind, a motion file, or another stimulus. */
+export const source_of = (stimulus: Stimulus): Kind | "clip" | "foil" =>
+  kinds.find((kind) => kind in stimulus) ?? ("clip" in stimulus ? "clip" : "foil");
+
+export const is_map = (value: Json | undefined): value is JsonMap =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+export const map_of = (value: Json | undefined): JsonMap => (is_map(value) ? value : {});
+
+/** With a member set, or without it where the value is undefined; order stays. */
+export function with_member<Map extends JsonMap>(map: Map, key: string, value: Json | undefined): Map {
+  const made: JsonMap = { ...map };
+  if (value === undefined) delete made[key];
+  else made[key] = value;
+  return made as Map;
+}
+
+export const find = (document: Document, id: string): Stimulus | undefined =>
+  document.stimuli.find((stimulus) => stimulus.id === id);
+
+/** With a stimulus in the place of the one of that id. */
+export const with_stimulus = (document: Document, id: string, stimulus: Stimulus): Document => ({
+  ...document,
+  stimuli: document.stimuli.map((one) => (one.id === id ? stimulus : one)),
+});
+
+/** An id that no stimulus has: "walk", "walk-2", … */
+export function free_id(document: Document, wanted: string): string {
+  const stem = wanted.replace(/-\d+$/, "");
+  for (let number = 1; ; number += 1) {
+    const id = number === 1 && stem !== wanted ? wanted : `${stem}-${number}`;
+    if (!find(document, id)) return id;
+  }
+}
+
+/** Names of a stimulus in sheets, overlays and foils are changed with it. */
+function renamed_in(value: Json, from: string, to: string): Json {
+  if (value === from) return to;
+  if (Array.isArray(value)) return value.map((one) => renamed_in(one, from, to));
+  if (!is_map(value)) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, renamed_in(one, from, to)]));
+}
+
+export function with_new_id(document: Document, from: string, to: string): Document {
+  const made = { ...document };
+  for (const part of ["sheets", "overlays"])
+    if (made[part] !== undefined) made[part] = renamed_in(made[part]!, from, to);
+  made.stimuli = document.stimuli.map((one) => {
+    if (one.id === from) return { ...one, id: to };
+    const foil = map_of(one["foil"]);
+    return foil["of"] === from ? with_member(one, "foil", { ...foil, of: to }) : one;
+  });
+  return made;
+}
+
+/** Only what motions and films of those stimuli are made of, so that little travels. */
+export function about(document: Document, ids: string[]): JsonMap {
+  const made: JsonMap = { ...document };
+  for (const part of ["sheets", "overlays", "questionnaire", "matching", "regression"]) delete made[part];
+  const wanted = document.stimuli.filter((stimulus) => ids.includes(stimulus.id));
+  if (!wanted.some((stimulus) => "foil" in stimulus)) made["stimuli"] = wanted;
+  return made;
+}
+
+/** A number as people would write it: at most three digits behind the point. */
+export const rounded = (value: number): number => Math.round(value * 1000) / 1000;

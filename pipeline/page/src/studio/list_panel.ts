@@ -1,0 +1,64 @@
+import { button, element } from "../questionnaire/elements";
+import { free_id, source_of, with_new_id, type Document, type Stimulus } from "./document";
+import type { Studio } from "./studio";
+
+/** The manifest's stimuli, of which one is shown. */
+export function list_panel(studio: Studio): HTMLElement {
+  const list = element("ul", { class: "stimuli", "aria-label": "Stimuli" });
+  const id = element("input", { type: "text", "aria-label": "id of the stimulus", spellcheck: "false", maxlength: "64" });
+  id.addEventListener("change", () => {
+    const wanted = id.value.trim();
+    const is_free = wanted !== "" && !studio.document().stimuli.some((one) => one.id === wanted);
+    if (!is_free) {
+      id.value = studio.selected;
+      return;
+    }
+    const document = with_new_id(studio.document(), studio.selected, wanted);
+    studio.selected = wanted;
+    studio.change(document);
+  });
+  const remove = button("Remove", () => take_away(studio), "small");
+  const build = (): void => {
+    list.replaceChildren(...studio.document().stimuli.map((stimulus) => entry(studio, stimulus)));
+    id.value = studio.selected;
+    remove.disabled = studio.document().stimuli.length < 2;
+    list.querySelector(".chosen")?.scrollIntoView({ block: "nearest" });
+  };
+  studio.on((change) => (change === "document" || change === "selection") && build());
+  build();
+  return element("nav", { class: "list" },
+    element("h2", {}, "Stimuli"), list,
+    element("label", { class: "field" }, element("span", {}, "Id"), id),
+    element("div", { class: "row" },
+      button("Duplicate", () => duplicate(studio), "small"), remove));
+}
+
+function entry(studio: Studio, stimulus: Stimulus): HTMLLIElement {
+  const is_chosen = stimulus.id === studio.selected;
+  const chosen = element("button", { type: "button", class: is_chosen ? "stimulus chosen" : "stimulus" },
+    element("span", {}, stimulus.id),
+    element("span", { class: "quiet" }, source_of(stimulus) + ("modify" in stimulus ? ", modified" : "")));
+  if (is_chosen) chosen.setAttribute("aria-current", "true");
+  chosen.addEventListener("click", () => studio.select(stimulus.id));
+  return element("li", { class: `role-${String(stimulus["role"] ?? "created")}` }, chosen);
+}
+
+function duplicate(studio: Studio): void {
+  const document = studio.document();
+  const stimulus = studio.stimulus();
+  if (!stimulus) return;
+  const made: Stimulus = { ...stimulus, id: free_id(document, stimulus.id) };
+  const at = document.stimuli.indexOf(stimulus) + 1;
+  const stimuli = [...document.stimuli.slice(0, at), made, ...document.stimuli.slice(at)];
+  studio.selected = made.id;
+  studio.change({ ...document, stimuli } as Document);
+}
+
+function take_away(studio: Studio): void {
+  const document = studio.document();
+  const at = document.stimuli.findIndex((one) => one.id === studio.selected);
+  const stimuli = document.stimuli.filter((_, i) => i !== at);
+  if (stimuli.length === 0) return;
+  studio.selected = stimuli[Math.min(at, stimuli.length - 1)]!.id;
+  studio.change({ ...document, stimuli } as Document);
+}

@@ -1,0 +1,134 @@
+import { button, element } from "../questionnaire/elements";
+import { choice, labelled } from "./fields";
+import { heat } from "./heat";
+import { list_panel } from "./list_panel";
+import { look_panel } from "./look_panel";
+import { modify_panel } from "./modify_panel";
+import { motion_panel } from "./motion_panel";
+import { render_panel } from "./render_panel";
+import { load_studio, Refusal, sentence_of } from "./server";
+import { StageView } from "./stage_view";
+import { Studio } from "./studio";
+import { timeline } from "./timeline";
+import { top_bar } from "./top_bar";
+import { yaml_panel } from "./yaml_panel";
+
+/** Panels of which one is shown, with a tab each. */
+function tabs(panels: [string, HTMLElement][]): HTMLElement {
+  const bar = element("div", { class: "tabs", role: "tablist" });
+  const choose = (chosen: string): void => {
+    for (const [name, panel] of panels) panel.hidden = name !== chosen;
+    for (const tab of bar.children) tab.setAttribute("aria-selected", String(tab.textContent === chosen));
+    panels.find(([name]) => name === chosen)?.[1].dispatchEvent(new Event("shown"));
+  };
+  for (const [name] of panels) {
+    const tab = element("button", { type: "button", role: "tab" }, name);
+    tab.addEventListener("click", () => choose(name));
+    bar.append(tab);
+  }
+  choose(panels[0]![0]);
+  return element("aside", { class: "side" }, bar, ...panels.map(([, panel]) => panel));
+}
+
+/** What the stage shows, and how. */
+function stage_bar(studio: Studio, stage: StageView): HTMLElement {
+  const play = button("Pause", () => stage.toggle(), "small play");
+  setInterval(() => {
+    play.textContent = stage.plays() ? "Pause" : "Play";
+  }, 100);
+  play.title = "Space";
+  const against = element("span");
+  const arrangement = choice(["beside", "over"], "beside", (name) => stage.arrange(name as "beside" | "over"),
+    (name) => (name === "over" ? "over it" : "beside it"));
+  arrangement.setAttribute("aria-label", "arrangement");
+  const hot = element("input", { type: "checkbox" });
+  hot.checked = true;
+  hot.addEventListener("change", () => stage.set_heat(hot.checked));
+  const heat_field = element("label", { class: "check", title: "joints in the colours of their distance" }, hot, "heat");
+  const distance = element("span", { class: "distance", role: "status" });
+  const figure = choice(["manifest", "stick", "mannequin"], "manifest",
+    (name) => stage.set_style(name as "manifest"), (name) => (name === "manifest" ? "as the look" : name));
+  const tell = (): void => {
+    const names = studio.names().filter((name) => name !== studio.selected);
+    const select = choice(["", ...names], studio.against, (name) => studio.compare_with(name),
+      (name) => name || "nothing");
+    select.name = "against";
+    against.replaceChildren(labelled("Against", select));
+    const found = studio.made?.distance;
+    arrangement.hidden = heat_field.hidden = !studio.against;
+    distance.textContent = found ? `D ${found.D.toFixed(4)} m` : "";
+    distance.style.setProperty("--heat", found ? heat(found.D) : "transparent");
+    distance.title = found ? `mean distance of joints; D_sum ${found.D_sum.toFixed(2)} m` : "";
+  };
+  studio.on(tell);
+  tell();
+  return element("div", { class: "stage-bar" }, play, labelled("Figure", figure), against, arrangement, heat_field, distance);
+}
+
+/** Faults of the draft, or what is to be said of the motion. */
+function findings(studio: Studio): HTMLElement {
+  const told = element("div", { class: "findings", "aria-live": "polite" });
+  const build = (): void => {
+    if (studio.faults.length > 0) {
+      told.replaceChildren(...studio.faults.map((fault) => element("p", { class: "wrong" }, sentence_of(fault))));
+      return;
+    }
+    const { made } = studio;
+    const lines = !made ? [] : [
+      ...made.findings.map((one) => element("p", { class: one.is_error ? "wrong" : "doubtful" },
+        `${one.sentence} (${one.check}${one.joint ? `, ${one.joint}` : ""}, frames ${one.first}–${one.last})`)),
+      ...made.warnings.map((text) => element("p", { class: "doubtful" }, text)),
+      ...made.notes.map((text) => element("p", { class: "quiet" }, text)),
+    ];
+    told.replaceChildren(...lines.length > 0 ? lines : [element("p", { class: "quiet" }, "The lint finds nothing.")]);
+  };
+  studio.on((change) => (change === "motion" || change === "faults") && build());
+  return told;
+}
+
+/** Keys that work wherever nothing is typed. */
+function let_keys(studio: Studio, stage: StageView, save: () => Promise<void>): void {
+  const go = (by: number): void => {
+    const ids = studio.document().stimuli.map((one) => one.id);
+    const at = ids.indexOf(studio.selected) + by;
+    if (ids[at] !== undefined) studio.select(ids[at]!);
+  };
+  addEventListener("keydown", (event) => {
+    const is_command = event.ctrlKey || event.metaKey;
+    const key = event.key.toLowerCase();
+    const typed = event.target instanceof HTMLElement && event.target.matches("input:not([type=range]):not([type=checkbox]), textarea");
+    if (is_command && key === "s") void save();
+    else if (is_command && key === "z" && !typed) (event.shiftKey ? studio.redo() : studio.undo());
+    else if (is_command && key === "y" && !typed) studio.redo();
+    else if (event.altKey && key === "arrowup") go(-1);
+    else if (event.altKey && key === "arrowdown") go(1);
+    else if (key === " " && !typed && !(event.target as HTMLElement).closest("button, select")) stage.toggle();
+    else return;
+    event.preventDefault();
+  });
+  addEventListener("beforeunload", (event) => studio.has_changes() && event.preventDefault());
+}
+
+async function begin(): Promise<void> {
+  const place = document.getElementById("studio")!;
+  try {
+    const studio = new Studio(await load_studio());
+    document.title = `${studio.file} – mien studio`;
+    const stage = new StageView(studio);
+    const top = top_bar(studio);
+    place.replaceChildren(top.element,
+      element("div", { class: "work" },
+        list_panel(studio),
+        element("main", {}, stage_bar(studio, stage), stage.element, timeline(studio, stage), findings(studio)),
+        tabs([["Motion", motion_panel(studio)], ["Modify", modify_panel(studio)], ["Look", look_panel(studio)],
+          ["Render", render_panel(studio, stage)], ["YAML", yaml_panel(studio)]])));
+    let_keys(studio, stage, top.save);
+    (globalThis as { studio?: unknown }).studio = { studio, stage };
+    studio.remake();
+  } catch (error) {
+    const text = error instanceof Refusal ? error.message : String(error);
+    place.replaceChildren(element("p", { class: "wrong", role: "alert" }, text));
+  }
+}
+
+void begin();

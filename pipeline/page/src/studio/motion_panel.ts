@@ -1,0 +1,147 @@
+import { button, element, paragraphs } from "../questionnaire/elements";
+import type { Slider } from "../live/core";
+import { kinds, map_of, rounded, source_of, with_member, type Json, type JsonMap, type Kind, type Stimulus } from "./document";
+import { adder, choice, labelled, slider } from "./fields";
+import type { Studio } from "./studio";
+
+/** What a stimulus is made from: sliders of adjectives, of features or of weights. */
+export function motion_panel(studio: Studio): HTMLElement {
+  const panel = element("section", { class: "panel", "aria-label": "Motion" });
+  let drawn = "";
+
+  const build = (): void => {
+    const stimulus = studio.stimulus();
+    drawn = key_of(studio);
+    panel.replaceChildren();
+    if (!stimulus) return;
+    panel.append(heads(studio, stimulus), ...content(studio, stimulus));
+    tell_reached(studio, panel);
+  };
+  studio.on((change) => {
+    if (change === "motion") tell_reached(studio, panel);
+    if (change !== "document" && change !== "choices" && change !== "selection") return;
+    if (key_of(studio) !== drawn) build();
+    else set_values(studio, panel);
+  });
+  build();
+  return panel;
+}
+
+/** What the panel is built anew for: other sliders, not other values. */
+function key_of(studio: Studio): string {
+  const stimulus = studio.stimulus();
+  const source = stimulus ? source_of(stimulus) : "";
+  const values = stimulus ? Object.keys(map_of(stimulus[source])) : [];
+  return JSON.stringify([studio.selected, source, values, studio.choices.examples, studio.document()["examples"],
+    stimulus?.["hold"], stimulus?.["role"]]);
+}
+
+function set_values(studio: Studio, panel: HTMLElement): void {
+  const stimulus = studio.stimulus();
+  if (!stimulus) return;
+  const values = map_of(stimulus[source_of(stimulus)]);
+  for (const made of panel.querySelectorAll<HTMLElement>(".slider")) {
+    const value = String(values[made.dataset["name"]!] ?? 0);
+    for (const input of made.querySelectorAll("input"))
+      if (input !== document.activeElement || input.type === "range") input.value = value;
+  }
+}
+
+function tell_reached(studio: Studio, panel: HTMLElement): void {
+  for (const made of panel.querySelectorAll<HTMLElement>(".slider")) {
+    const reached = studio.made?.reached[made.dataset["name"]!];
+    const asked = Number(made.querySelector<HTMLInputElement>("input")!.value);
+    const told = made.querySelector("output")!;
+    told.textContent = reached !== undefined && Math.abs(reached - asked) > 0.005 ? `has ${reached.toFixed(2)}` : "";
+  }
+}
+
+function heads(studio: Studio, stimulus: Stimulus): HTMLElement {
+  const called = (value: Json | undefined): string =>
+    typeof value === "string" ? value : value === undefined ? "" : "the manifest's folder";
+  const set = map_of(studio.document()["examples"])["set"];
+  const own = studio.opened_examples["set"];
+  const sets = [...new Set([called(set), called(own), ...studio.words.sets])].filter((name) => name !== "");
+  const chosen = choice(sets, called(set), (name) => {
+    const examples = map_of(studio.document()["examples"]);
+    const made: JsonMap = name === called(own) ? { ...studio.opened_examples } : { ...examples, set: name };
+    if (!("ratings" in made) && name !== "builtin:actors") made["ratings"] = "builtin";
+    if (name === "builtin:actors") delete made["ratings"];
+    studio.change(with_member(studio.document(), "examples", made));
+  });
+  const role = choice(["target", "created", "reference"], String(stimulus["role"] ?? "created"),
+    (name) => studio.change_stimulus(with_member(stimulus, "role", name === "created" ? undefined : name)));
+  return element("div", { class: "fields" }, labelled("Examples", chosen,
+    "of the whole study"), labelled("Role", role, "colour in pictures, place in sheets"));
+}
+
+function content(studio: Studio, stimulus: Stimulus): HTMLElement[] {
+  const source = source_of(stimulus);
+  if (source === "clip") return paragraphs(["This stimulus shows a motion file. What is done to it stands under Modify."]);
+  if (source === "foil") return paragraphs(["This stimulus is the foil of another and has no sliders of its own."]);
+  const tabs = element("div", { class: "kinds", role: "group", "aria-label": "made from" });
+  for (const kind of kinds) {
+    const tab = button(kind, () => change_kind(studio, stimulus, kind), kind === source ? "chosen" : "");
+    tab.setAttribute("aria-pressed", String(kind === source));
+    tabs.append(tab);
+  }
+  return [tabs, ...sliders(studio, stimulus, source)];
+}
+
+/** Other sliders for about the same motion. */
+function change_kind(studio: Studio, stimulus: Stimulus, kind: Kind): void {
+  const before = source_of(stimulus);
+  if (before === kind) return;
+  const made: Stimulus = { id: stimulus.id };
+  for (const [key, value] of Object.entries(stimulus)) {
+    if (key === before) made[kind] = first_values(studio, kind);
+    else if (key !== "hold") made[key] = value;
+  }
+  studio.change_stimulus(made);
+}
+
+function first_values(studio: Studio, kind: Kind): JsonMap {
+  const weights = studio.made?.weights ?? {};
+  if (kind === "weights") {
+    const told = Object.entries(weights).map(([name, value]) => [name, Math.max(0, rounded(value))]);
+    const kept = told.filter(([, value]) => Number(value) > 0);
+    return kept.length > 0 ? Object.fromEntries(kept) : { [studio.choices.examples[0] ?? "normal"]: 1 };
+  }
+  const primary = studio.choices.sliders[kind].filter((one) => one.primary);
+  return Object.fromEntries(primary.map((one) => [one.name, rounded(one.mean)]));
+}
+
+function sliders(studio: Studio, stimulus: Stimulus, kind: Kind): HTMLElement[] {
+  const values = map_of(stimulus[kind]);
+  const set = (name: string, value: number | undefined, gesture: string): void => {
+    const now = studio.stimulus();
+    if (!now) return;
+    studio.change_stimulus(with_member(now, kind, with_member(map_of(now[kind]), name, value)), gesture);
+  };
+  const known: Map<string, Slider | undefined> = kind === "weights"
+    ? new Map(studio.choices.examples.map((name) => [name, undefined]))
+    : new Map(studio.choices.sliders[kind].map((one) => [one.name, one]));
+  const shown = Object.keys(values);
+  const many = shown.length > 1;
+  const made = shown.map((name) => {
+    const one = known.get(name);
+    const value = Number(values[name]);
+    return slider({
+      name, least: 0, most: Math.max(1, value), step: 0.01, value,
+      ...(one ? { usual: one.mean } : {}),
+      ...(one?.low && one.high ? { low: one.low, high: one.high } : {}),
+      moved: (next) => set(name, next, `${kind} ${name}`),
+      settled: () => studio.history.end_gesture(),
+      ...(many ? { removed: () => set(name, undefined, "") } : {}),
+    });
+  });
+  const rest = [...known.keys()].filter((name) => !shown.includes(name));
+  const words = { adjectives: "add an adjective pair…", features: "add a feature…", weights: "add an example…" };
+  const add = adder(words[kind], rest, (name) => set(name, kind === "weights" ? 0.2 : rounded(known.get(name)?.mean ?? 0.5), ""));
+  const notes: string[] = [];
+  if (kind === "adjectives" && studio.choices.simulated) notes.push("Ratings are of simulated raters.");
+  if ("hold" in stimulus) notes.push("Other parameters are held, as the manifest says.");
+  const note = paragraphs(notes);
+  for (const one of note) one.className = "quiet";
+  return [...made, ...(rest.length > 0 ? [add] : []), ...note];
+}

@@ -1,0 +1,66 @@
+import { button, element } from "../questionnaire/elements";
+import { choice, labelled } from "./fields";
+import { begin_job, cancel_job, job_result, job_told, Refusal, type Job } from "./server";
+import { seconds_of } from "../figure/playing";
+import type { StageView } from "./stage_view";
+import type { Studio } from "./studio";
+
+/** Stills and videos by the real renderer. */
+export function render_panel(studio: Studio, stage: StageView): HTMLElement {
+  const panel = element("section", { class: "panel", "aria-label": "Render" });
+  let quality = "draft";
+  let running: Job | null = null;
+  const bar = element("progress", { max: "1", value: "0" });
+  const told = element("p", { class: "told", role: "status" });
+  const shown = element("div", { class: "result" });
+  const stop = button("Stop", () => running && void cancel_job(running.job));
+  stop.hidden = bar.hidden = true;
+
+  const watch = async (job: Job): Promise<void> => {
+    running = job;
+    stop.hidden = bar.hidden = false;
+    while (running.state === "running") {
+      bar.value = running.share;
+      told.textContent = `${running.kind} of ${running.stimulus}: ${Math.round(100 * running.share)} %`;
+      await new Promise((resolve) => setTimeout(resolve, 250));
+      running = await job_told(job.job);
+    }
+    stop.hidden = bar.hidden = true;
+    show_result(running, told, shown);
+  };
+  const begin = async (kind: "still" | "video"): Promise<void> => {
+    told.textContent = "";
+    try {
+      const motion = studio.made?.motion;
+      await watch(await begin_job(studio.document(), {
+        kind, stimulus: studio.selected, seconds: motion ? stage.phase() * seconds_of(motion) : 0,
+        quality: quality === "manifest" ? "" : quality,
+      }));
+    } catch (error) {
+      told.textContent = error instanceof Refusal ? error.message : String(error);
+    }
+  };
+  panel.append(
+    labelled("Quality", choice(["draft", "standard", "final", "manifest"], quality, (name) => {
+      quality = name;
+    }, (name) => (name === "manifest" ? "as the manifest says" : name))),
+    element("div", { class: "row" }, button("Still of this moment", () => void begin("still"), "main"),
+      button("Video", () => void begin("video"), "main"), stop),
+    bar, told, shown,
+    element("p", { class: "quiet" }, "Made by the renderer that mien run uses, of what is shown here, saved or not. "
+      + "Figures are not made alike with the study's other films (equalize)."));
+  return panel;
+}
+
+function show_result(job: Job, told: HTMLElement, shown: HTMLElement): void {
+  if (job.state !== "done") {
+    told.textContent = job.state === "cancelled" ? "Stopped." : job.told;
+    return;
+  }
+  told.textContent = `It lies in ${job.told}`;
+  const source = job_result(job.job);
+  const made = job.kind === "still"
+    ? element("img", { src: source, alt: `still of ${job.stimulus}` })
+    : element("video", { src: source, controls: "", loop: "", muted: "" });
+  shown.replaceChildren(made);
+}

@@ -1,0 +1,138 @@
+import { element } from "../questionnaire/elements";
+import { FigureView, type Arrangement } from "../figure/figure_view";
+import type { BodyStyle } from "../figure/body_shape";
+import type { Turn } from "../figure/camera_turn";
+import { find } from "./document";
+import { heat_colours } from "./heat";
+import { look_of, name_of } from "./look_panel";
+import type { Studio } from "./studio";
+
+/** About what a set's background looks like. */
+const backgrounds: Record<string, string> = {
+  studio: "#d2d3d3", void: "#808080", treadmill: "#c9cccf", corridor: "#d7d2c8", "lab-grid": "#e8ebee",
+};
+const degree = Math.PI / 180;
+/** Azimuth and elevation, as the renderer's cameras stand about who walks along +Z. */
+const directions: Record<string, [number, number]> = {
+  front: [0, 6 * degree], side: [-90 * degree, 6 * degree], "three-quarter": [-42 * degree, 10 * degree],
+};
+/** Of roles, as in films; of examples. */
+const role_colours: Record<string, string> = { target: "#2ea05c", created: "#3474cc", reference: "#ce483c" };
+const example_colour = "#7a8696";
+
+/** The figure, or two of them, playing. */
+export class StageView {
+  readonly element = element("div", { class: "stage" });
+  private view: FigureView | null = null;
+  private shape = "";
+  private camera = "";
+  private arrangement: Arrangement = "beside";
+  private style: BodyStyle | "manifest" = "manifest";
+  is_hot = true;
+
+  constructor(private studio: Studio) {
+    studio.on((change) => {
+      if (change === "motion") this.show();
+      if (change === "document" || change === "selection") this.show_look();
+    });
+  }
+
+  phase = (): number => this.view?.phase() ?? 0;
+  plays = (): boolean => this.view?.plays() ?? false;
+  drawn = (): Promise<void> => this.view?.drawn() ?? Promise.resolve();
+
+  toggle(): void {
+    if (!this.view) return;
+    if (this.view.plays()) this.view.pause();
+    else this.view.play();
+  }
+
+  seek(phase: number): void {
+    this.view?.pause();
+    this.view?.seek(phase);
+  }
+
+  arrange(arrangement: Arrangement): void {
+    this.arrangement = arrangement;
+    this.view?.arrange(arrangement);
+  }
+
+  /** Sticks, a mannequin, or what the manifest has. */
+  set_style(style: BodyStyle | "manifest"): void {
+    this.style = style;
+    this.show();
+  }
+
+  set_heat(is_hot: boolean): void {
+    this.is_hot = is_hot;
+    this.paint();
+  }
+
+  private body_style(): BodyStyle {
+    if (this.style !== "manifest") return this.style;
+    return name_of(look_of(this.studio)["figure"], "mannequin") === "stick" ? "stick" : "mannequin";
+  }
+
+  /** Of the motion and of what it is held against. */
+  private colours(): string[] {
+    const { studio } = this;
+    return [studio.selected, studio.against].map((name) => {
+      const stimulus = find(studio.document(), name);
+      return stimulus ? role_colours[String(stimulus["role"] ?? "created")]! : example_colour;
+    });
+  }
+
+  /** What a view is made for: another one needs another. */
+  private shape_now(): string {
+    return JSON.stringify([this.body_style(), this.studio.made?.body, this.colours()]);
+  }
+
+  /** A new view where the body or the kind of figure is another; camera and moment stay. */
+  private rebuild(): void {
+    const { made } = this.studio;
+    if (!made) return;
+    const style = this.body_style();
+    const shape = this.shape_now();
+    if (this.view && shape === this.shape) return;
+    const before: { turn: Turn; phase: number; plays: boolean } | null = this.view
+      ? { turn: this.view.stands(), phase: this.view.phase(), plays: this.view.plays() } : null;
+    this.view?.release();
+    this.view?.element.remove();
+    this.view = new FigureView(made.body, this.colours(), "the motion in three dimensions", style);
+    this.shape = shape;
+    this.element.prepend(this.view.element);
+    if (!before) return;
+    this.view.stand_at(before.turn);
+    this.view.seek(before.phase);
+    if (!before.plays) this.view.pause();
+  }
+
+  private show(): void {
+    const { made, other } = this.studio;
+    if (!made) return;
+    this.rebuild();
+    this.view!.show(0, made.motion);
+    this.view!.show(1, other?.motion ?? null);
+    this.view!.arrange(this.arrangement);
+    this.show_look();
+    this.paint();
+  }
+
+  private show_look(): void {
+    if (!this.view) return;
+    const look = look_of(this.studio);
+    if (this.studio.made && this.shape_now() !== this.shape) return this.show();
+    this.view.set_background(backgrounds[name_of(look["scene"], "studio")] ?? "#b8b8b8");
+    const camera = name_of(look["camera"], "three-quarter");
+    if (camera === this.camera) return;
+    this.camera = camera;
+    const [azimuth, elevation] = directions[camera] ?? directions["three-quarter"]!;
+    this.view.stand_at({ ...this.view.stands(), azimuth, elevation });
+  }
+
+  /** Joints in the colours of their distance. */
+  private paint(): void {
+    const distance = this.studio.made?.distance;
+    this.view?.paint(0, distance && this.is_hot ? heat_colours(distance.by_joint) : null);
+  }
+}

@@ -1,0 +1,53 @@
+import { button, element } from "../questionnaire/elements";
+import { Refusal } from "./server";
+import type { Studio } from "./studio";
+
+/** The manifest's name, the way back and forth, and saving. */
+export function top_bar(studio: Studio): { element: HTMLElement; save: () => Promise<void> } {
+  const state = element("span", { class: "state", role: "status" });
+  const undo = button("Undo", () => studio.undo(), "small");
+  const redo = button("Redo", () => studio.redo(), "small");
+  const keep = button("Save", () => void save(), "small main");
+  undo.title = "Ctrl+Z";
+  redo.title = "Ctrl+Shift+Z";
+  keep.title = "Ctrl+S";
+  const refusal = element("div", { class: "refusal", role: "alert" });
+  refusal.hidden = true;
+
+  const tell = (): void => {
+    undo.disabled = !studio.history.can_undo();
+    redo.disabled = !studio.history.can_redo();
+    keep.disabled = !studio.has_changes();
+    state.textContent = studio.has_changes() ? (studio.is_on_disk ? "not saved yet" : "not saved yet: the file is new") : "saved";
+  };
+  const refuse = (text: string, ...ways: HTMLElement[]): void => {
+    const close = button("Close", () => {
+      refusal.hidden = true;
+    }, "small");
+    refusal.replaceChildren(element("p", {}, text), element("div", { class: "row" }, ...ways, close));
+    refusal.hidden = false;
+  };
+  const save = async (over = false): Promise<void> => {
+    if (!studio.has_changes() && !over) return;
+    refusal.hidden = true;
+    try {
+      await studio.save(over);
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      if (error.status !== 409) return refuse(`Nothing was saved. ${error.message}`);
+      refuse(`Nothing was saved. ${error.message}`,
+        button("Write what is here into it", () => void save(true), "small"),
+        button("Load it again", () => {
+          refusal.hidden = true;
+          void studio.reload().catch((told: Error) => refuse(told.message));
+        }, "small"));
+    }
+    tell();
+  };
+  studio.on((change) => (change === "document" || change === "saved") && tell());
+  tell();
+  const bar = element("header", { class: "top" },
+    element("h1", { title: studio.place }, studio.file), state,
+    element("div", { class: "row" }, undo, redo, keep));
+  return { element: element("div", { class: "head" }, bar, refusal), save: () => save() };
+}

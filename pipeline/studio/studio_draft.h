@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/checks/manifest_reader.h"
+#include "pipeline/checks/vocabulary.h"
+#include "pipeline/documents/environment.h"
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+/// What a page asks for is wrong; the page shows the list.
+class DraftFaults : public std::exception {
+ public:
+  explicit DraftFaults(std::vector<Fault> faults) : faults_(std::move(faults)) {}
+
+  const std::vector<Fault>& list() const { return faults_; }
+  const char* what() const noexcept override { return "the draft is at fault"; }
+
+ private:
+  std::vector<Fault> faults_;
+};
+
+/// [{"path": …, "wrong": …, "remedy": …}]
+nlohmann::ordered_json faults_json(const std::vector<Fault>& faults);
+
+/// Reads what a page would have made, by all rules of manifests. For several threads.
+///
+/// A page names no file that the manifest does not name itself: texts that look like paths, and
+/// folders of examples, must stand in the manifest as it was opened or saved.
+class DraftReader {
+ public:
+  DraftReader(std::filesystem::path file, Environment environment)
+      : file_(std::move(file)), environment_(std::move(environment)) {}
+
+  /// The manifest of a document. `known` is the document whose files may be named. Throws
+  /// DraftFaults.
+  Manifest read(nlohmann::ordered_json document, const nlohmann::ordered_json& known);
+
+  /// Likewise, but for the stimuli, in whose place stands one that is not to be made.
+  Manifest read_examples(nlohmann::ordered_json document, const nlohmann::ordered_json& known);
+
+ private:
+  ManifestReading reading_of(nlohmann::ordered_json document, const nlohmann::ordered_json& known);
+  Vocabulary vocabulary(const std::string& key, const Manifest& manifest);
+
+  std::filesystem::path file_;
+  Environment environment_;
+  std::mutex mutex_;
+  std::map<std::string, Vocabulary> vocabularies_;  ///< by what tells the examples
+};
+
+/// Of a document, what tells which examples there are and what is thought of them.
+std::string examples_key(const nlohmann::ordered_json& document);
+
+/// Only what motions and films of those stimuli are made of: no sheets, overlays or questionnaire.
+/// Stimuli whose motion is made from another's come with it.
+nlohmann::ordered_json document_about(const nlohmann::ordered_json& document,
+                                      const std::vector<std::string>& ids);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "motion/skeleton/example.h"
+#include "pipeline/studio/studio_draft.h"
+#include "pipeline/synthesis/motions.h"
+
+namespace mien::pipeline {
+
+/// A motion as the studio keeps it.
+struct StudioMotion {
+  Synthesis synthesis;
+  motion::Example compared;  ///< as its clip file would be compared (compared_example.h)
+};
+
+/// Motions of drafts, made natively and by all rules of manifests. Examples are read once for each
+/// choice of them, and the last motions are kept. For several threads; one makes at a time.
+class StudioMotions {
+ public:
+  explicit StudioMotions(DraftReader& reader) : reader_(reader) {}
+
+  /// What there is to choose from with the document's examples: "examples" and "sliders" as in
+  /// LiveInfo (pipeline/page/src/live/core.ts), "simulated": nobody has given the ratings,
+  /// "faults": why there are none. Throws DraftFaults.
+  nlohmann::ordered_json choices(const nlohmann::ordered_json& document,
+                                 const nlohmann::ordered_json& known);
+
+  /// The motion of `show`, a stimulus of the document or an example, as bytes:
+  ///
+  ///     u32 length of the JSON that follows, filled up with spaces to whole 8 bytes with these 4
+  ///     {"body": …, "findings": […], "warnings": […], "notes": […], "reached": {…},
+  ///      "weights": {…}, "modified": …, "seconds": how long it took, "distance": {…} or null}
+  ///     the motion (motion/live/live_answer.h)
+  ///
+  /// "distance" is D to the motion of `against`, if any, as `mien motion compare` finds it of the
+  /// written clips: "D", "D_sum", "by_joint" (20), "by_time" (11), metres. Throws DraftFaults.
+  std::string motion(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known,
+                     const std::string& show, const std::string& against);
+
+ private:
+  using Kept = std::shared_ptr<const StudioMotion>;
+
+  Motions& study(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known);
+  Kept made(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known,
+            const std::string& name);
+
+  /// Examples and what was thought of them; the motions of no stimulus.
+  struct Study {
+    std::string key;
+    std::unique_ptr<const Manifest> manifest;  ///< stays where it is
+    std::unique_ptr<Motions> motions;
+  };
+
+  DraftReader& reader_;
+  std::mutex mutex_;
+  std::deque<Study> studies_;                      ///< the last asked for first
+  std::deque<std::pair<std::string, Kept>> made_;  ///< likewise, by what was asked for
+};
+
+}  // namespace mien::pipeline

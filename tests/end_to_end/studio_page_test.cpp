@@ -1,0 +1,190 @@
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/server/raw_client.h"
+
+#include "end_to_end/browser.h"
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using pipeline::body_in;
+using pipeline::header_in;
+using pipeline::reply_of;
+using pipeline::status_in;
+
+const fs::path pages = fs::path(MIEN_PROGRAM).parent_path() / "pages";
+
+/// A copy of the quickstart in the studio.
+class StudioAtWork : public testing::Test {
+ protected:
+  /// With the program at `mien`, until it tells its link.
+  void open(const fs::path& mien) {
+    std::string quickstart = text_of(fs::path(MIEN_SOURCE_DIR) / "manifests/quickstart.yaml");
+    quickstart.replace(quickstart.find("[960, 540]"), 10, "[160, 90]");
+    manifest = folder.write("my.yaml", quickstart);
+    const fs::path told = folder.path() / "link.json";
+    studio.emplace(std::vector<std::string>{
+        "sh", "-c", "exec \"$0\" studio \"$1\" --out \"$2\" --json > \"$3\"", mien.string(),
+        manifest.string(), (folder.path() / "out").string(), told.string()});
+    for (int tries = 0; tries < 600 && link.empty(); ++tries) {
+      pause_for(0.1);
+      const json said = fs::exists(told) ? json::parse(text_of(told), nullptr, false) : json();
+      if (said.is_object()) link = said.at("link");
+      if (!studio->is_running()) break;
+    }
+    ASSERT_FALSE(link.empty()) << studio->wait().errors;
+    const std::size_t colon = link.rfind(':'), slash = link.find('/', colon);
+    port = std::stoi(link.substr(colon + 1, slash - colon - 1));
+    place = link.substr(slash);
+  }
+
+  std::string host() const { return "127.0.0.1:" + std::to_string(port); }
+
+  std::string ask(const std::string& method, const std::string& target, const std::string& headers,
+                  const std::string& body = "") const {
+    std::string request = method + " " + target + " HTTP/1.1\r\nConnection: close\r\n" + headers;
+    if (method == "POST") request += "Content-Length: " + std::to_string(body.size()) + "\r\n";
+    return reply_of(port, request + "\r\n" + body);
+  }
+
+  const Scratch folder;
+  fs::path manifest;
+  std::optional<Running> studio;
+  std::string link, place;
+  int port = 0;
+};
+
+/// Pages that stand for those that Node.js builds.
+fs::path mien_with_studio_page(const fs::path& folder) {
+  const fs::path program = folder / "mien";
+  fs::create_directories(folder / "pages/studio");
+  std::ofstream(folder / "pages/studio/index.html")
+      << "<!doctype html><meta name=\"mien-mode\" content=\"static\"><title>stand-in</title>";
+  std::ofstream(folder / "pages/studio/studio.js") << "start();";
+  std::error_code other_disk;
+  fs::create_hard_link(MIEN_PROGRAM, program, other_disk);
+  if (other_disk) fs::copy_file(MIEN_PROGRAM, program);
+  return program;
+}
+
+TEST_F(StudioAtWork, IsReachedByItsLinkAloneAndEndsWhenTold) {
+  open(mien_with_studio_page(folder.path() / "bin"));
+  const std::string here = "Host: " + host() + "\r\n";
+  const std::string json_type = here + "Content-Type: application/json\r\n";
+  const std::string page = ask("GET", place, here);
+  EXPECT_EQ(status_in(page), 200);
+  EXPECT_NE(header_in(page, "Content-Security-Policy").find("script-src 'self'"), page.npos);
+  EXPECT_EQ(header_in(page, "X-Frame-Options"), "DENY");
+  EXPECT_EQ(header_in(page, "Access-Control-Allow-Origin"), "");
+  EXPECT_EQ(status_in(ask("GET", place + "studio.json", here)), 200);
+
+  // Names of other machines that lead here, other sites, other links, other files.
+  EXPECT_EQ(status_in(ask("GET", place, "Host: evil.example\r\n")), 421);
+  EXPECT_EQ(status_in(ask("GET", place, "Host: evil.example:" + std::to_string(port) + "\r\n")),
+            421);
+  EXPECT_EQ(
+      status_in(ask("POST", place + "save", json_type + "Origin: http://evil.example\r\n", "{}")),
+      403);
+  EXPECT_EQ(status_in(ask("POST", place + "save", here + "Content-Type: text/plain\r\n", "{}")),
+            415);
+  EXPECT_EQ(status_in(ask("OPTIONS", place + "save", here)), 405);
+  EXPECT_EQ(status_in(ask("GET", "/", here)), 404);
+  EXPECT_EQ(status_in(ask("GET", "/" + std::string(32, '0') + "/studio.json", here)), 404);
+  for (const std::string target : {"../my.yaml", "%2e%2e/my.yaml", "..%2fmy.yaml", "/etc/passwd",
+                                   "my.yaml", "jobs/../studio.json", "jobs/1/result/x"})
+    EXPECT_EQ(status_in(ask("GET", place + target, here)), 404) << target;
+  const std::string long_head = json_type + "Content-Length: 99999999\r\n";
+  EXPECT_EQ(status_in(reply_of(port, "POST " + place + "save HTTP/1.1\r\n" + long_head + "\r\n")),
+            413);
+  std::string nested(100000, '[');
+  EXPECT_EQ(status_in(ask("POST", place + "save", json_type, nested)), 400);
+  EXPECT_EQ(status_in(ask("GET", place, here)), 200);
+
+  studio->send(SIGINT);
+  const Ended ended = studio->wait(20.0);
+  EXPECT_EQ(ended.code, 0) << ended.errors;
+}
+
+TEST_F(StudioAtWork, RefusesABrokenManifest) {
+  const fs::path mien = mien_with_studio_page(folder.path() / "bin");
+  const fs::path broken = folder.write("broken.yaml", "mien: 1\nstudy: x\nstimuli: [{id: a}]\n");
+  const Ended ended = run_program({mien.string(), "studio", broken.string(), "--json"}, 30.0);
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.errors.find("broken.yaml:3:"), std::string::npos) << ended.errors;
+  const Ended missing = run_program({mien.string(), "studio", "none/such.yaml", "--json"}, 30.0);
+  EXPECT_EQ(missing.code, 2);
+}
+
+std::string hindrance() {
+  if (chromium().empty()) return "no Chromium here: install it to test pages";
+  if (run_program({"node", "--version"}).code != 0) return "no Node.js here";
+  if (!fs::exists(pages / "work/node_modules/playwright-core"))
+    return "no playwright-core in build/release/pages/work: ./mien test brings it";
+  return "";
+}
+
+class StudioPage : public StudioAtWork {};
+
+TEST_F(StudioPage, ChangesTheQuickstartAndMakesIt) {
+  if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+  open(MIEN_PROGRAM);
+  const std::string where = run_program({"sh", "-c", "command -v " + chromium()}).output;
+  const Ended played =
+      run_program({"env", "MIEN_CHROMIUM=" + where.substr(0, where.find('\n')), "node",
+                   (pages / "work/tests/studio/author.mjs").string(), link, manifest.string()},
+                  500.0);
+  ASSERT_EQ(played.code, 0) << played.errors;
+  const json seen = json::parse(played.output);
+  EXPECT_EQ(seen.at("wrong"), json::array());
+  EXPECT_EQ(seen.at("stimuli"), json({"target-1", "guess-1", "mix-1"}));
+  EXPECT_EQ(seen.at("undone"), "0.7");
+  EXPECT_EQ(seen.at("redone"), "0.9");
+  EXPECT_GE(seen.at("weights").get<int>(), 2);
+  EXPECT_NE(seen.at("modified").get<std::string>().find("sad"), std::string::npos);
+
+  // What was changed, and nothing else: comments stay.
+  const std::string saved = seen.at("saved");
+  EXPECT_NE(saved.find("# of simulated raters, and every output says so"), std::string::npos);
+  EXPECT_NE(saved.find("quickness: 0.9, clearness: 0.6"), std::string::npos);
+  EXPECT_NE(saved.find("head-flexion: 10"), std::string::npos);
+  EXPECT_TRUE(seen.at("kept").get<bool>());
+  const std::string over = seen.at("over");
+  EXPECT_NE(over.find("# by another hand"), std::string::npos);
+  EXPECT_NE(over.find("quickness: 0.8"), std::string::npos);
+
+  EXPECT_EQ(seen.at("still"), 160);
+  EXPECT_GT(seen.at("video").get<double>(), 1.0);
+  EXPECT_TRUE(fs::exists(folder.path() / "out/quickstart.studio/videos/target-1.mp4"));
+  studio->send(SIGTERM);
+  studio->wait(20.0);
+
+  // The rest of mien takes what was saved.
+  const std::string file = manifest.string(), out = (folder.path() / "out").string();
+  const Ended checked = run_mien({"check", file});
+  EXPECT_EQ(checked.code, 0) << checked.errors;
+  const Ended planned = run_mien({"plan", file, "--out", out});
+  EXPECT_EQ(planned.code, 0) << planned.errors;
+  const Ended made =
+      run_mien({"run", file, "--out", out, "--only", "target-1", "--quality", "draft"});
+  EXPECT_EQ(made.code, 0) << made.errors;
+
+  // The distance that the page told is that of the written clips.
+  run_mien({"run", file, "--out", out, "--only", "guess-1", "--quality", "draft"});
+  const std::string clips = out + "/quickstart/clips/";
+  const Ended compared = run_mien(
+      {"motion", "compare", clips + "guess-1.bvh", clips + "target-1.bvh", "--json"});
+  EXPECT_NEAR(json::parse(compared.output).at("D").get<double>(), seen.at("D").get<double>(), 1e-9);
+}
+
+}  // namespace
+}  // namespace mien::test
