@@ -40,34 +40,35 @@ Sway sway_at(double seconds, double stillness) {
 }
 
 /// The body in the frame of its carriage, as yet without legs.
-struct Trunk {
+struct CarriedPelvis {
   Vec3 pelvis = Vec3::Zero();
   Quat rotation = Quat::Identity();  ///< of the pelvis
   Quat unlent = Quat::Identity();    ///< of the pelvis, without what it leans into curves
 };
 
-Trunk trunk_of(const SteeredMoment& moment, const SteeredWalk& walker, const Sway& sway) {
+CarriedPelvis carried_pelvis(const SteeredMoment& moment, const SteeredWalk& walker,
+                             const Sway& sway) {
   const PelvisPath& path = moment.legs[0].pelvis;
   const Carriage& carriage = walker.carriage;
   const double sideways = carriage.speed.value * carriage.turning.value;  // m/s², to the left
   const double side_lean = std::clamp(0.045 * sideways, -0.12, 0.12);
   const double front_lean = std::clamp(0.03 * carriage.speed.rate, -0.06, 0.08);
-  Trunk trunk;
-  trunk.unlent = pelvis_rotation(path, walker.phase);
-  trunk.rotation = about_z(-side_lean) * about_x(front_lean) * trunk.unlent;
-  trunk.pelvis = pelvis_position(path, walker.phase) + sway.pelvis;
-  trunk.pelvis.z() -= path.stride_m * walker.phase;
-  trunk.pelvis.x() += 0.5 * side_lean * path.mean_height_m;
-  return trunk;
+  CarriedPelvis carried;
+  carried.unlent = pelvis_rotation(path, walker.phase);
+  carried.rotation = about_z(-side_lean) * about_x(front_lean) * carried.unlent;
+  carried.pelvis = pelvis_position(path, walker.phase) + sway.pelvis;
+  carried.pelvis.z() -= path.stride_m * walker.phase;
+  carried.pelvis.x() += 0.5 * side_lean * path.mean_height_m;
+  return carried;
 }
 
 /// Highest pelvis from which the leg reaches its foot.
-double highest_pelvis(const LegCycle& leg, const Trunk& trunk, const FootPose& foot) {
-  const Vec3 hip = trunk.pelvis + trunk.rotation * leg.hip_offset;
+double highest_pelvis(const LegCycle& leg, const CarriedPelvis& carried, const FootPose& foot) {
+  const Vec3 hip = carried.pelvis + carried.rotation * leg.hip_offset;
   const double longest = leg_length_at(leg, radians_per_degree * least_knee_deg);
   const double across = std::hypot(hip.x() - foot.ankle.x(), hip.z() - foot.ankle.z());
   const double height = std::sqrt(std::max(0.01, longest * longest - across * across));
-  return trunk.pelvis.y() + foot.ankle.y() + height - hip.y();
+  return carried.pelvis.y() + foot.ankle.y() + height - hip.y();
 }
 
 LegMoment leg_moment(const SteeredMoment& moment, const SteeredWalk& walker, std::size_t side) {
@@ -89,9 +90,9 @@ double softly_less(double a, double b, double soft) {
 }
 
 /// Draws a swinging foot towards the hip where the leg would be straighter than it may.
-void pull_within_reach(const LegCycle& leg, const Trunk& trunk, FootPose& foot) {
+void pull_within_reach(const LegCycle& leg, const CarriedPelvis& carried, FootPose& foot) {
   constexpr double soft_m = 0.002;
-  const Vec3 hip = trunk.pelvis + trunk.rotation * leg.hip_offset;
+  const Vec3 hip = carried.pelvis + carried.rotation * leg.hip_offset;
   const Vec3 line = foot.ankle - hip;
   const double longest = leg_length_at(leg, radians_per_degree * least_knee_deg) + soft_m;
   foot.ankle = hip + line * (softly_less(line.norm(), longest, soft_m) / line.norm());
@@ -114,8 +115,8 @@ void breathe(const Sway& sway, Pose& pose) {
 }
 
 /// By how much the pelvis is too high for the leg, metres; below 0 there is room.
-double out_of_reach(const LegCycle& leg, const Trunk& trunk, const FootPose& foot) {
-  return trunk.pelvis.y() - highest_pelvis(leg, trunk, foot);
+double out_of_reach(const LegCycle& leg, const CarriedPelvis& carried, const FootPose& foot) {
+  return carried.pelvis.y() - highest_pelvis(leg, carried, foot);
 }
 
 /// `x` where it is large, 0 where it is small, rounded off over `soft`.
@@ -124,8 +125,8 @@ double softly_positive(double x, double soft) {
 }
 
 /// How far the shank leans over the foot, forward, radians: dorsiflexion of the flat foot.
-double shank_lean(const LegCycle& leg, const Trunk& trunk, const FootPose& foot) {
-  const Vec3 line = trunk.pelvis + trunk.rotation * leg.hip_offset - foot.ankle;
+double shank_lean(const LegCycle& leg, const CarriedPelvis& carried, const FootPose& foot) {
+  const Vec3 line = carried.pelvis + carried.rotation * leg.hip_offset - foot.ankle;
   const double length = line.norm();
   const double knee = knee_flexion_at(leg, length);
   const double forward = line.x() * std::sin(foot.yaw) + line.z() * std::cos(foot.yaw);
@@ -134,15 +135,15 @@ double shank_lean(const LegCycle& leg, const Trunk& trunk, const FootPose& foot)
 }
 
 /// Rise of the heel with which a standing leg reaches its foot and its ankle need not bend too far.
-double heel_rise_for(SteppingLeg leg, const LegMoment& moment, const Trunk& trunk) {
+double heel_rise_for(SteppingLeg leg, const LegMoment& moment, const CarriedPelvis& carried) {
   leg.heel_rise = {};
   const FootPose foot = foot_of(leg, moment);
   if (foot.pitch > 0.0) return 0.0;
   constexpr double soft_m = 0.002;
   constexpr double soft_angle = 0.03;
-  const double reach = softly_positive(out_of_reach(moment.steady, trunk, foot), soft_m) /
+  const double reach = softly_positive(out_of_reach(moment.steady, carried, foot), soft_m) /
                        moment.steady.foot.ball.z();
-  const double bend = shank_lean(moment.steady, trunk, foot) + foot.pitch -
+  const double bend = shank_lean(moment.steady, carried, foot) + foot.pitch -
                       radians_per_degree * most_dorsiflexion_deg;
   return std::min(0.9, std::max(reach, softly_positive(bend, soft_angle)));
 }
@@ -153,7 +154,7 @@ double missing_at_landing(const SteeredMoment& moment, const SteeredWalk& walker
   const SteppingLeg& leg = walker.legs[side];
   SteeredWalk then = walker;
   then.phase = leg.lands_at;
-  return out_of_reach(moment.legs[side], trunk_of(moment, then, {}),
+  return out_of_reach(moment.legs[side], carried_pelvis(moment, then, {}),
                       landing_foot(leg, leg_moment(moment, walker, side)));
 }
 
@@ -164,16 +165,17 @@ Sway sway_of(const SteeredWalk& walker) {
 }  // namespace
 
 void follow_reach(const SteeredMoment& moment, double seconds, SteeredWalk& walker) {
-  const Trunk trunk = trunk_of(moment, walker, sway_of(walker));
-  Trunk sunken = trunk;
+  const CarriedPelvis carried = carried_pelvis(moment, walker, sway_of(walker));
+  CarriedPelvis sunken = carried;
   sunken.pelvis.y() -= walker.crouch.value;
   double missing = 0.0;
   for (std::size_t side = 0; side < 2; ++side) {
     SteppingLeg& leg = walker.legs[side];
     const LegMoment now = leg_moment(moment, walker, side);
     if (!leg.swinging) settle(leg, heel_rise_for(leg, now, sunken), seconds);
-    missing = std::max(missing, leg.swinging ? missing_at_landing(moment, walker, side)
-                                             : out_of_reach(now.steady, trunk, foot_of(leg, now)));
+    missing =
+        std::max(missing, leg.swinging ? missing_at_landing(moment, walker, side)
+                                       : out_of_reach(now.steady, carried, foot_of(leg, now)));
   }
   constexpr double sinking = 12.0;  // 1/s
   constexpr double rising = 4.0;
@@ -184,27 +186,27 @@ void follow_reach(const SteeredMoment& moment, double seconds, SteeredWalk& walk
 Pose pose_of(const WalkerGaits& gaits, const SteeredWalk& walker) {
   const SteeredMoment moment = moment_at(gaits, walker);
   const Sway sway = sway_of(walker);
-  Trunk trunk = trunk_of(moment, walker, sway);
+  CarriedPelvis carried = carried_pelvis(moment, walker, sway);
   std::array<FootPose, 2> feet = feet_of(moment, walker);
-  double height = trunk.pelvis.y() - walker.crouch.value;
+  double height = carried.pelvis.y() - walker.crouch.value;
   for (std::size_t side = 0; side < 2; ++side) {
     const SteppingLeg& leg = walker.legs[side];
     const double x = leg.swinging ? swing_share(leg, leg_moment(moment, walker, side)) : 0.0;
     const double free =
         20.0 * x * x * x * (1.0 - x) * (1.0 - x);  // metres: a foot in the air follows
-    const double highest = highest_pelvis(moment.legs[side], trunk, feet[side]);
+    const double highest = highest_pelvis(moment.legs[side], carried, feet[side]);
     height = softly_less(height, highest + free, soft_reach_m);
   }
-  trunk.pelvis.y() = height;
+  carried.pelvis.y() = height;
   for (std::size_t side = 0; side < 2; ++side) {
-    if (walker.legs[side].swinging) pull_within_reach(moment.legs[side], trunk, feet[side]);
+    if (walker.legs[side].swinging) pull_within_reach(moment.legs[side], carried, feet[side]);
   }
 
   Pose pose;
   pose.rotations.assign(body_joint_count, Quat::Identity());
-  pose.root_position = trunk.pelvis;
-  set_upper_body(moment.upper, walker.phase, trunk.unlent, pose);
-  pose.rotations[Pelvis] = trunk.rotation;
+  pose.root_position = carried.pelvis;
+  set_upper_body(moment.upper, walker.phase, carried.unlent, pose);
+  pose.rotations[Pelvis] = carried.rotation;
   breathe(sway, pose);
   const double gaze = walker.gaze.value;
   turn(gaits.body, pose, Chest, about_y(0.2 * gaze));

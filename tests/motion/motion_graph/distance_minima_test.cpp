@@ -11,7 +11,7 @@ namespace {
 
 using test::made_motions;
 
-constexpr int window = 10;
+constexpr int window_frames = 10;
 
 std::vector<PointCloud> clouds_of(const std::vector<std::size_t>& clips) {
   std::vector<PointCloud> clouds;
@@ -21,10 +21,11 @@ std::vector<PointCloud> clouds_of(const std::vector<std::size_t>& clips) {
 
 /// All distances of the windows of two clouds, one by one.
 Eigen::MatrixXd all_distances(const PointCloud& a, const PointCloud& b) {
-  Eigen::MatrixXd distances(a.frame_count() - window + 1, b.frame_count() - window + 1);
+  Eigen::MatrixXd distances(a.frame_count() - window_frames + 1,
+                            b.frame_count() - window_frames + 1);
   for (int i = 0; i < distances.rows(); ++i) {
     for (int j = 0; j < distances.cols(); ++j) {
-      distances(i, j) = window_distance(a, i, b, j, window).metres;
+      distances(i, j) = window_distance(a, i, b, j, window_frames).metres;
     }
   }
   return distances;
@@ -44,7 +45,7 @@ bool is_minimum(const Eigen::MatrixXd& distances, int i, int j) {
 TEST(DistanceMinima, AreThoseOfTheDistancesOneByOne) {
   const std::vector<PointCloud> clouds = clouds_of({1, 4});
   MinimaOptions options;
-  options.window = window;
+  options.window = window_frames;
   const std::vector<DistanceMinimum> minima = distance_minima(clouds, options);
   const Eigen::MatrixXd distances = all_distances(clouds[0], clouds[1]);
   int expected = 0;
@@ -71,7 +72,7 @@ TEST(DistanceMinima, AreTheSameAcrossTilesAndThreads) {
   }
   const std::vector<PointCloud> clouds = {point_cloud(longer)};
   MinimaOptions options;
-  options.window = window;
+  options.window = window_frames;
   options.threads = 1;
   const std::vector<DistanceMinimum> one = distance_minima(clouds, options);
   options.threads = 3;
@@ -84,7 +85,8 @@ TEST(DistanceMinima, AreTheSameAcrossTilesAndThreads) {
   for (const DistanceMinimum& m : one) {
     EXPECT_GE(m.frame_b, m.frame_a + options.least_gap);
     EXPECT_NEAR(m.metres,
-                window_distance(clouds[0], m.frame_a, clouds[0], m.frame_b, window).metres, 1e-6);
+                window_distance(clouds[0], m.frame_a, clouds[0], m.frame_b, window_frames).metres,
+                1e-6);
   }
 }
 

@@ -17,7 +17,7 @@
 namespace mien::motion {
 namespace {
 
-constexpr double fps = 60.0;
+constexpr double film_fps = 60.0;
 
 const WalkerGaits& three_moods() {
   static const WalkerGaits gaits =
@@ -33,9 +33,9 @@ struct Filmed {
 
 void film(Filmed& filmed, SteeredWalk& walker, const Steering& steering, double seconds) {
   filmed.clip.body = three_moods().body;
-  filmed.clip.frames_per_second = fps;
-  for (int i = 0; i < std::lround(seconds * fps); ++i) {
-    advance(three_moods(), steering, 1.0 / fps, walker);
+  filmed.clip.frames_per_second = film_fps;
+  for (int i = 0; i < std::lround(seconds * film_fps); ++i) {
+    advance(three_moods(), steering, 1.0 / film_fps, walker);
     filmed.clip.poses.push_back(pose_of(three_moods(), walker));
     filmed.walkers.push_back(walker);
   }
@@ -127,7 +127,7 @@ TEST(SteeredWalk, StandingFeetStayWhereTheyAreHoweverItIsSteered) {
 TEST(SteeredWalk, NothingJumpsHoweverItIsSteered) {
   // The source motions' own: the angry walk's knee as the weight comes onto it.
   const double source =
-      largest_acceleration(repeated(walk(angry_walk(), fps, standard_body()).clip, 3));
+      largest_acceleration(repeated(walk(angry_walk(), film_fps, standard_body()).clip, 3));
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Filmed filmed = randomly_steered(seed, 40.0);
     EXPECT_LT(largest_acceleration(filmed.clip), 1.6 * source) << "seed " << seed;
@@ -171,7 +171,7 @@ TEST(SteeredWalk, AChangeOfMoodShowsWithinATenthOfASecond) {
       const JointTransforms world = world_transforms(filmed.clip.body, filmed.clip.poses[frame]);
       return std::asin(-(world.rotations[Head] * Vec3::UnitZ()).y());
     };
-    const std::size_t change = static_cast<std::size_t>(5.0 * fps) - 1;
+    const std::size_t change = static_cast<std::size_t>(5.0 * film_fps) - 1;
     const double whole = pitch(filmed.clip.poses.size() - 1) - pitch(change);
     EXPECT_GT(whole, 0.15);
     EXPECT_GT(pitch(change + 6) - pitch(change), 0.3 * whole);
@@ -223,7 +223,7 @@ TEST(SteeredWalk, WalksOnAnyBody) {
     Steering steering;
     steering.pace = 1.0;
     steering.heading = 0.5;
-    for (int i = 0; i < 240; ++i) advance(gaits, steering, 1.0 / fps, walker);
+    for (int i = 0; i < 240; ++i) advance(gaits, steering, 1.0 / film_fps, walker);
     const double speed = gaits.moods.front().speed_m_s;
     EXPECT_NEAR(walker.carriage.speed.value, speed, 0.02 * speed);
     EXPECT_GT((walker.carriage.place - Vec3(1, 0, 2)).norm(), 2.5 * speed);
