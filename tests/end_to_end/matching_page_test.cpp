@@ -24,7 +24,7 @@ seed: 7
 examples: {set: builtin:walks-10, ratings: builtin}
 output: {fps: 30, size: [32, 24], quality: draft, video: [gif], frames: none, clips: [bvh]}
 stimuli:
-  - {id: aim, role: target, weights: {normal: 0.6, sad: 0.4}}
+  - {id: aim, role: target, weights: {afraid: 1}}
 )";
 
 constexpr char matching_text[] = R"(matching:
