@@ -121,13 +121,14 @@ TEST_F(MotionStream, TellsItsDelayAndItsError) {
   const std::string out = scratch.path() / "longer.bvh";
   const Ended ended = stream({walk, "paths: 1.8", "--measure", "--json", told, "-o", out});
   ASSERT_EQ(ended.code, 0) << ended.errors;
-  const auto json = nlohmann::json::parse(text_of(told));
-  EXPECT_EQ(json["frames"], lines_of(frames));
-  EXPECT_GT(json["delay"]["frames"], 8);
-  EXPECT_LT(json["delay"]["milliseconds"], 550.0);
-  EXPECT_GT(json["error"]["largest_metres"], 0.0);
-  EXPECT_LT(json["error"]["largest_metres"], 0.01);
-  EXPECT_GT(json["feet"]["largest_drift_metres"], json["feet"]["largest_drift_of_source_metres"]);
+  const auto report = nlohmann::json::parse(text_of(told));
+  EXPECT_EQ(report["frames"], lines_of(frames));
+  EXPECT_GT(report["delay"]["frames"], 8);
+  EXPECT_LT(report["delay"]["milliseconds"], 550.0);
+  EXPECT_GT(report["error"]["largest_metres"], 0.0);
+  EXPECT_LT(report["error"]["largest_metres"], 0.01);
+  EXPECT_GT(report["feet"]["largest_drift_metres"],
+            report["feet"]["largest_drift_of_source_metres"]);
   EXPECT_NE(ended.errors.find("feet are not repaired"), std::string::npos);
   // The file is whole: it says how many frames there are.
   EXPECT_EQ(run_mien({"motion", "info", out}).code, 0);
@@ -141,7 +142,7 @@ TEST_F(MotionStream, TellsItsDelayAndItsError) {
   ASSERT_EQ(short_of_it.code, 0) << short_of_it.errors;
   const auto worse = nlohmann::json::parse(text_of(told));
   EXPECT_EQ(worse["delay"]["frames"], 6);
-  EXPECT_GT(worse["error"]["largest_metres"], json["error"]["largest_metres"]);
+  EXPECT_GT(worse["error"]["largest_metres"], report["error"]["largest_metres"]);
 }
 
 TEST_F(MotionStream, OfAFileIsAsLongAsTheFileAndCanBeReadAgain) {

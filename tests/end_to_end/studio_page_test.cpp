@@ -181,8 +181,8 @@ TEST_F(StudioPage, ChangesTheQuickstartAndMakesIt) {
   // The distance that the page told is that of the written clips.
   run_mien({"run", file, "--out", out, "--only", "guess-1", "--quality", "draft"});
   const std::string clips = out + "/quickstart/clips/";
-  const Ended compared = run_mien(
-      {"motion", "compare", clips + "guess-1.bvh", clips + "target-1.bvh", "--json"});
+  const Ended compared =
+      run_mien({"motion", "compare", clips + "guess-1.bvh", clips + "target-1.bvh", "--json"});
   EXPECT_NEAR(json::parse(compared.output).at("D").get<double>(), seen.at("D").get<double>(), 1e-9);
 }
 

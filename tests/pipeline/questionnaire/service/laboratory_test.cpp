@@ -67,7 +67,8 @@ TEST_F(Service, GoesOnWhereAnEarlierOneEnded) {
 }
 
 TEST_F(Service, RefusesAnotherStudyOrDesign) {
-  ServedStudy other = study_;
+  ServedStudy other = example_study(folder_.path() / "other", 2);
+  other.facts = study_.facts;
   other.facts.design = "else";
   try {
     const QuestionnaireService changed(other, store_);
