@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr char matched_study[] = R"(mien: 1
+constexpr char walks_text[] = R"(mien: 1
 study: alike
 seed: 7
 examples: {set: builtin:walks-10, ratings: builtin}
@@ -55,7 +55,7 @@ class MatchingPage : public testing::Test {
 
   void SetUp() override {
     if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
-    scratch.write("alike.yaml", std::string(matched_study) + matching_text);
+    scratch.write("alike.yaml", std::string(walks_text) + matching_text);
   }
 
   fs::path study() const { return scratch.path() / "alike.yaml"; }
@@ -85,7 +85,7 @@ class MatchingPage : public testing::Test {
 
   /// Every trial has been matched, and D is what the written clips have.
   void expect_matches(const json& records) {
-    std::string stimuli = matched_study;
+    std::string stimuli = walks_text;
     std::vector<std::pair<std::string, double>> made;
     for (const auto& [name, record] : records.items()) {
       if (!name.starts_with("trial-")) continue;

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr double simulated_guess_seconds = 20.0;
+constexpr double first_look_seconds = 20.0;
 constexpr double look_seconds = 3.0;
 
 /// One trial of somebody who is not there.
@@ -36,12 +36,12 @@ class SimulatedMatch {
         try_interface(ideal(), user, [this](const auto& settings) { return look(settings); });
     record_.first = setting(trial.first_guess);
     record_.first_guess_d = trial.first_distance;
-    record_.guess_s = simulated_guess_seconds;
+    record_.guess_s = first_look_seconds;
     record_.d = trial.distance;
     record_.success = trial.matched;
     // Who stops without a match waits for the end.
     record_.time_s = trial.matched ? look_seconds * (trial.looks - 1) : matching.limit_s;
-    record_.changes.push_back({.seconds = simulated_guess_seconds + record_.time_s,
+    record_.changes.push_back({.seconds = first_look_seconds + record_.time_s,
                                .step = "adjust",
                                .action = trial.matched ? "match" : "limit",
                                .d = record_.d});
@@ -69,7 +69,7 @@ class SimulatedMatch {
             .distance(target_,
                       {.kind = interface_.kind, .sliders = now.sliders, .values = now.values})
             .mean;
-    const double seconds = simulated_guess_seconds + look_seconds * looks_;
+    const double seconds = first_look_seconds + look_seconds * looks_;
     if (looks_++ == 0) {
       record_.changes.push_back({.seconds = seconds, .step = "guess", .action = "guess", .d = d});
     } else {
