@@ -1,5 +1,6 @@
 #include "motion/procedural/fitted_gait.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -37,6 +38,7 @@ bool are_alike(const LegCycle& a, const LegCycle& b) {
          std::abs(a.shank_m - b.shank_m) < 1e-9;
 }
 
+constexpr double most_landing = 0.1;        // radians
 constexpr double weight_over_feet = 0.035;  // of the pelvis before the ankles, of 1.75 m, standing
 
 std::array<LegCycle, 2> unfitted_legs(const WalkStyle& style, const Skeleton& body,
@@ -62,7 +64,8 @@ FittedGait fit_gait(const WalkStyle& style, const Skeleton& body) {
       continue;
     }
     const LegCycle leg = fit_swing(legs[side]);
-    gait.swings[side] = {leg.knee_peak, leg.lift, leg.landing};
+    // Steps that are short come down flat, which the search for a landing from above overdoes.
+    gait.swings[side] = {leg.knee_peak, leg.lift, std::min(leg.landing, most_landing)};
   }
   return gait;
 }

@@ -28,8 +28,8 @@ WalkStyle paced_style(const WalkStyle& style, double pace) {
   s.step_width_m += (0.06 + 0.4 * std::max(0.0, 0.09 - style.step_width_m)) * slower * slower;
   s.foot_clearance_m += 0.015 * slower * slower;
   s.heel_strike_deg *= mixed(0.1, 1.0, step);
-  s.toe_off_deg *= mixed(0.3, 1.0, step);
-  s.swing_knee_deg *= mixed(0.48, 1.0, std::min(step, 1.0));
+  s.toe_off_deg *= mixed(0.12, 1.0, step);
+  s.swing_knee_deg *= mixed(0.7, 1.0, std::min(step, 1.0));
   s.bounce_m *= mixed(0.12, 1.0, step * step);
   s.impact_m *= mixed(0.2, 1.0, step);
   s.sway_m *= mixed(1.9, 1.0, pace);

@@ -67,3 +67,5 @@ void live_frame(benchmark::State& state) {
 BENCHMARK(live_frame)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
+
+BENCHMARK_MAIN();
