@@ -1,10 +1,10 @@
 #include "motion/procedural/stance_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iomanip>
+#include <cstdio>
 #include <limits>
-#include <sstream>
 
 #include "motion/error.h"
 
@@ -49,10 +49,11 @@ double height_passing_at(std::array<LegCycle, 2>& legs, double phase) {
 }
 
 [[noreturn]] void refuse(const LegCycle& leg) {
-  std::ostringstream wrong;
-  wrong << std::setprecision(3) << "steps of " << 0.5 * leg.pelvis.stride_m
-        << " m are too long for legs of " << leg.thigh_m + leg.shank_m << " m";
-  throw Error(wrong.str(), "lower the walk's speed or raise its cadence");
+  // No streams: with them the module for browsers would bring a locale.
+  std::array<char, 80> wrong{};
+  std::snprintf(wrong.data(), wrong.size(), "steps of %.3g m are too long for legs of %.3g m",
+                0.5 * leg.pelvis.stride_m, leg.thigh_m + leg.shank_m);
+  throw Error(wrong.data(), "lower the walk's speed or raise its cadence");
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
+#include <cstdio>
 #include <string>
 
 #include "motion/error.h"
@@ -24,9 +23,9 @@ struct Walker {
 };
 
 std::string rounded(double value) {
-  std::ostringstream text;
-  text << std::setprecision(3) << value;
-  return text.str();
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
 }
 
 void require(bool holds, std::string_view wrong, std::string_view remedy) {
