@@ -7,7 +7,7 @@ import type { WalkFrame, WalkerInfo } from "../live/walker";
 const field_of_view = 32;  // degrees, upright
 const radians = Math.PI / 180;
 /** How soon the camera follows, 1/s. */
-const follows = 4;
+const follows = 8;
 
 /** A walker on an endless floor, with a camera that goes with it and may be turned about it. */
 export class WalkView {
@@ -70,6 +70,6 @@ export class WalkView {
     this.at.x += share * (frame.positions[0]! - this.at.x);
     this.at.z += share * (frame.positions[2]! - this.at.z);
     const left = frame.heading * radians - this.at.heading;
-    this.at.heading += 0.4 * share * Math.atan2(Math.sin(left), Math.cos(left));
+    this.at.heading += 0.25 * share * Math.atan2(Math.sin(left), Math.cos(left));
   }
 }

@@ -1,0 +1,83 @@
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/browser.h"
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+fs::path pages() { return fs::path(MIEN_PROGRAM).parent_path() / "pages"; }
+
+/// Somebody steers the walker in Chromium by keys, a button and sliders; what the page showed is
+/// measured once for all tests (page/tests/walk/scenarios.mjs).
+class WalkPage : public testing::Test {
+ protected:
+  static std::string hindrance() {
+    if (chromium().empty()) return "no Chromium here: install it to test pages";
+    if (!fs::exists(pages() / "live_core/live_core.wasm") ||
+        !fs::exists(pages() / "walk/walk.js") ||
+        !fs::exists(pages() / "work/node_modules/playwright-core"))
+      return "no build/release/pages/live_core, or no pages: ./mien test makes them";
+    return "";
+  }
+
+  static void SetUpTestSuite() {
+    if (!hindrance().empty()) return;
+    const std::string found = run_program({"sh", "-c", "command -v " + chromium()}).output;
+    const Ended ended =
+        run_program({"env", "MIEN_CHROMIUM=" + found.substr(0, found.find('\n')), "node",
+                     (pages() / "work/tests/walk/scenarios.mjs").string(),
+                     (pages() / "walk").string(), (pages() / "live_core/live_core.wasm").string()},
+                    400.0);
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    measured = json::parse(ended.output, nullptr, false);
+  }
+
+  void SetUp() override {
+    if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+    ASSERT_TRUE(measured.is_object());
+  }
+
+  static inline json measured;
+};
+
+TEST_F(WalkPage, KeysSteerIt) {
+  const json& steered = measured.at("steered");
+  EXPECT_GT(steered.at("fastest"), 1.2);
+  EXPECT_LT(steered.at("speed_at_end"), 0.01);
+  EXPECT_GT(steered.at("most_heading"), 45.0);
+  EXPECT_LT(steered.at("heading_at_end").get<double>(),
+            steered.at("most_heading").get<double>() - 45.0);
+  EXPECT_EQ(measured.at("troubles"), json::array());
+}
+
+TEST_F(WalkPage, StandingFeetStand) {
+  EXPECT_LT(measured.at("steered").at("slide_mm"), 5.0);
+  EXPECT_LT(measured.at("by_itself").at("slide_mm"), 5.0);
+}
+
+/// As in tests/motion/procedural/steered_walk_test.cpp.
+TEST_F(WalkPage, NothingJumps) { EXPECT_LT(measured.at("by_itself").at("acceleration"), 250.0); }
+
+TEST_F(WalkPage, AMoodIsSeenWithinATenthOfASecond) {
+  const json& mood = measured.at("mood");
+  EXPECT_EQ(mood.at("before_mm"), 0.0);
+  EXPECT_GT(mood.at("three_cm_ms"), 0.0);
+  EXPECT_LE(mood.at("three_cm_ms"), 100.0);
+}
+
+TEST_F(WalkPage, WalksOnAPhoneByAButton) {
+  const json& phone = measured.at("phone");
+  EXPECT_GT(phone.at("fastest"), 0.8);
+  EXPECT_EQ(phone.at("is_wide"), false);
+}
+
+}  // namespace
+}  // namespace mien::test
