@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-fs::path pages() { return fs::path(MIEN_PROGRAM).parent_path() / "pages"; }
+fs::path built_pages() { return fs::path(MIEN_PROGRAM).parent_path() / "pages"; }
 
 /// Somebody steers the walker in Chromium by keys, a button and sliders; what the page showed is
 /// measured once for all tests (page/tests/walk/scenarios.mjs).
@@ -21,9 +21,9 @@ class WalkPage : public testing::Test {
  protected:
   static std::string hindrance() {
     if (chromium().empty()) return "no Chromium here: install it to test pages";
-    if (!fs::exists(pages() / "live_core/live_core.wasm") ||
-        !fs::exists(pages() / "walk/walk.js") ||
-        !fs::exists(pages() / "work/node_modules/playwright-core"))
+    if (!fs::exists(built_pages() / "live_core/live_core.wasm") ||
+        !fs::exists(built_pages() / "walk/walk.js") ||
+        !fs::exists(built_pages() / "work/node_modules/playwright-core"))
       return "no build/release/pages/live_core, or no pages: ./mien test makes them";
     return "";
   }
@@ -31,11 +31,11 @@ class WalkPage : public testing::Test {
   static void SetUpTestSuite() {
     if (!hindrance().empty()) return;
     const std::string found = run_program({"sh", "-c", "command -v " + chromium()}).output;
-    const Ended ended =
-        run_program({"env", "MIEN_CHROMIUM=" + found.substr(0, found.find('\n')), "node",
-                     (pages() / "work/tests/walk/scenarios.mjs").string(),
-                     (pages() / "walk").string(), (pages() / "live_core/live_core.wasm").string()},
-                    400.0);
+    const Ended ended = run_program(
+        {"env", "MIEN_CHROMIUM=" + found.substr(0, found.find('\n')), "node",
+         (built_pages() / "work/tests/walk/scenarios.mjs").string(),
+         (built_pages() / "walk").string(), (built_pages() / "live_core/live_core.wasm").string()},
+        400.0);
     EXPECT_EQ(ended.code, 0) << ended.errors;
     measured = json::parse(ended.output, nullptr, false);
   }

@@ -87,12 +87,12 @@ TEST(PathChecks, AreWrittenAsTheyAreRead) {
   for (const std::string path :
        {"[{walk: 3, curve: 5}, {turn: 90}, {stand: 1, mood: {sad: 1}}]",
         "{set: 'builtin:walks-27', points: [[0, 0], [0.5, 2]], pace: 0.5, moods: [{at: 1, mood: "
-        "{elated-slow: 1}}]}"}) {
+        "{excited-slow: 1}}]}"}) {
     const std::string text = "mien: 1\nstudy: s\nstimuli:\n  - {id: a, path: " + path + "}\n";
     const auto none = [](const std::string&) { return std::optional<std::string>(); };
     const ManifestReading once = parse_manifest(text, "m.yaml", none);
     const ManifestReading again = parse_manifest(manifest_yaml(once.manifest, ""), "m.yaml", none);
-    ASSERT_TRUE(again.faults.empty());
+    ASSERT_TRUE(again.faults.empty()) << to_string(again.faults.front());
     EXPECT_EQ(again.manifest.stimuli.at(0).walk, once.manifest.stimuli.at(0).walk);
     EXPECT_TRUE(once.manifest.stimuli.at(0).walk.has_value());
   }

@@ -51,6 +51,7 @@ TEST(Schema, TellsEditorsWhatEveryPropertyMeans) {
       if (!node.contains("$ref") && node.contains("type") && node["type"] != "object") {
         EXPECT_TRUE(node.contains("examples")) << path;
       }
+      EXPECT_EQ(node.contains("pattern"), node.contains("x-rule")) << path << " without words";
     });
     EXPECT_GT(count, 8);
   }
