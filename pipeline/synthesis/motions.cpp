@@ -104,8 +104,7 @@ bool names_examples(const Stimulus& stimulus) {
 }
 
 bool blends_examples(const Manifest& manifest) {
-  return std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
-                     is_blend);
+  return std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(), is_blend);
 }
 
 const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id) {

@@ -10,9 +10,9 @@
 
 namespace mien::pipeline {
 
-/// What the page of a questionnaire shows (page/src/questionnaire/experiment.ts): texts, settings, scales in the
-/// questionnaire's language, media by their tokens, and all sessions. `media` holds every stimulus
-/// of the plans; their files are named "media/<token><ending>".
+/// What the page of a questionnaire shows (page/src/questionnaire/experiment.ts): texts, settings,
+/// scales in the questionnaire's language, media by their tokens, and all sessions. `media` holds
+/// every stimulus of the plans; their files are named "media/<token><ending>".
 ///
 /// "stimuli" tells which stimulus a token stands for: a server keeps it to itself. "design" is the
 /// design_hash.

@@ -1,9 +1,9 @@
 #include "pipeline/results/report/results_report.h"
 
 #include "pipeline/documents/files.h"
+#include "pipeline/results/figures/result_figures.h"
 #include "pipeline/results/report/dataset.h"
 #include "pipeline/results/report/r_scripts.h"
-#include "pipeline/results/figures/result_figures.h"
 #include "pipeline/results/result_tables.h"
 
 namespace mien::pipeline {
