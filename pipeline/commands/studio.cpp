@@ -15,6 +15,7 @@
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/documents/environment.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/live/live_script.h"
 #include "pipeline/page/page_bundle.h"
 #include "pipeline/server/http_server.h"
 #include "pipeline/studio/open_browser.h"
@@ -30,6 +31,8 @@ namespace fs = std::filesystem;
 constexpr char first_manifest[] = "quickstart";
 constexpr char own_file[] = "studio.yaml";
 
+constexpr char walker_page[] = "walk.html";
+
 constexpr std::size_t most_body_bytes = 4 << 20;
 
 struct StudioOptions {
@@ -39,6 +42,7 @@ struct StudioOptions {
   int jobs = 0;
   bool no_browser = false;
   bool json = false;
+  bool walk = false;
 };
 
 /// The manifest of that name. One that came with the program stays as it is: it is saved to a file
@@ -56,6 +60,13 @@ std::unique_ptr<ManifestFile> opened(const std::string& name, const Console& con
   if (fs::exists(own)) return std::make_unique<ManifestFile>(own, environment);
   console.err << fmt::format("note: it is saved to {}\n", own.string());
   return std::make_unique<ManifestFile>(own, environment, read_file(*installed));
+}
+
+/// Puts the walker's page beside the studio's, with the motion core that it runs on in the browser.
+void add_walker(std::map<std::string, ServedFile>& page) {
+  for (auto& [name, file] : served_page(page_bundle("walk")))
+    page[name == "index.html" ? walker_page : name] = std::move(file);
+  page["live_core.wasm"] = {read_file(live_module()), "application/wasm"};
 }
 
 fs::path folder_for(const StudioOptions& options, const ManifestFile& file) {
@@ -82,6 +93,7 @@ void wait_for_stop(const std::stop_token& stop) {
 
 int run_studio(const StudioOptions& options, const Console& console) {
   auto page = served_page(page_bundle("studio"));
+  if (options.walk) add_walker(page);
   const std::unique_ptr<ManifestFile> file = opened(options.manifest, console);
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   const int threads = options.jobs > 0 ? options.jobs : std::max(1, processors);
@@ -96,7 +108,8 @@ int run_studio(const StudioOptions& options, const Console& console) {
         console.err << "mien: " << failure << std::endl;
       });
   service.listens_at(server.port());
-  const std::string link = fmt::format("http://127.0.0.1:{}/{}/", server.port(), service.link());
+  const std::string link = fmt::format("http://127.0.0.1:{}/{}/{}", server.port(), service.link(),
+                                       options.walk ? walker_page : "");
   tell_link(options, link, *file, console);
   std::optional<OpenedBrowser> browser;
   if (!options.no_browser && !options.json) browser.emplace(link);
@@ -122,6 +135,8 @@ void add_studio_command(CLI::App& app, Command& chosen) {
       ->add_option("--jobs,-j", options->jobs,
                    "Threads of stills and videos (default: one a processor)")
       ->check(CLI::Range(1, 1024));
+  command->add_flag("--walk", options->walk,
+                    "Open a walker that arrow keys or a gamepad steer, and sliders of moods");
   command->add_flag("--no-browser", options->no_browser, "Tell the link and open nothing");
   command->add_flag("--json", options->json, "Tell the link as JSON and open nothing");
   command->footer(
@@ -134,6 +149,7 @@ void add_studio_command(CLI::App& app, Command& chosen) {
       "<out>/<study>.studio.\n"
       "\nExamples:\n"
       "  mien studio my.yaml\n"
+      "  mien studio --walk\n"
       "  mien studio quickstart --no-browser");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return run_studio(*options, console); };

@@ -25,8 +25,9 @@ constexpr int requests_a_connection = 1000;
 /// What every answer says to the browser.
 constexpr std::array<std::pair<const char*, const char*>, 8> guarding_headers = {{
     {"Content-Security-Policy",
-     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
-     "media-src 'self' blob:; connect-src 'self' blob:; font-src 'self'; worker-src 'self' blob:; "
+     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; "
+     "img-src 'self' data: blob:; media-src 'self' blob:; connect-src 'self' blob:; font-src "
+     "'self'; worker-src 'self' blob:; "
      "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"},

@@ -79,5 +79,29 @@ TEST_F(WalkPage, WalksOnAPhoneByAButton) {
   EXPECT_EQ(phone.at("is_wide"), false);
 }
 
+TEST_F(WalkPage, IsOpenedByTheStudio) {
+  const Scratch folder;
+  const fs::path link = folder.path() / "link.json";
+  const fs::path manifest =
+      folder.write("my.yaml", text_of(fs::path(MIEN_SOURCE_DIR) / "manifests/quickstart.yaml"));
+  const Running studio({"sh", "-c", "exec \"$0\" studio \"$1\" --walk --out \"$2\" --json > \"$3\"",
+                        MIEN_PROGRAM, manifest.string(), folder.path().string(), link.string()});
+  json told;
+  for (int tries = 0; tries < 300 && !told.is_object(); ++tries) {
+    pause_for(0.1);
+    if (fs::exists(link)) told = json::parse(text_of(link), nullptr, false);
+  }
+  ASSERT_TRUE(told.is_object());
+  const std::string found = run_program({"sh", "-c", "command -v " + chromium()}).output;
+  const Ended ended =
+      run_program({"env", "MIEN_CHROMIUM=" + found.substr(0, found.find('\n')), "node",
+                   (built_pages() / "work/tests/walk/opened.mjs").string(), told.at("link")},
+                  100.0);
+  EXPECT_EQ(ended.code, 0) << ended.errors;
+  const json seen = json::parse(ended.output, nullptr, false);
+  EXPECT_EQ(seen.at("troubles"), json::array());
+  EXPECT_GT(seen.at("way").get<double>(), 0.5);
+}
+
 }  // namespace
 }  // namespace mien::test
