@@ -50,12 +50,13 @@ TEST(SimulatedSessions, HaveARowForEveryItemOfEveryTrialThatCanBeReadAgain) {
   EXPECT_EQ(rows.size(), expected);
   const auto again = answer_rows(parse_csv(to_csv(rows), "answers.csv"));
   ASSERT_EQ(again.size(), rows.size());
+  const ScaleSet scales = asked_scales(manifest);
   for (const AnswerRow& row : again) {
     EXPECT_TRUE(row.simulated);
     EXPECT_EQ(row.design, design_hash(manifest, plans));
     EXPECT_EQ(row.against, row.kind == "attention" ? "" : "b2");
     EXPECT_EQ(row.passed.has_value(), row.kind == "attention");
-    const Scale& scale = *find_scale(asked_scales(manifest), row.item);
+    const Scale& scale = *find_scale(scales, row.item);
     EXPECT_EQ(std::stod(row.value),
               value_of_raw(scale, manifest.questionnaire->answer, std::stod(row.value_raw),
                            row.pole_left == "high"));
