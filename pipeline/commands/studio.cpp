@@ -98,7 +98,7 @@ int run_studio(const StudioOptions& options, const Console& console) {
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   const int threads = options.jobs > 0 ? options.jobs : std::max(1, processors);
   StudioService service(*file, std::move(page), folder_for(options, *file), threads);
-  HttpSettings settings{.listen = "127.0.0.1", .port = options.port};
+  HttpSettings settings{.listen = "127.0.0.1", .port = options.port, .webassembly = options.walk};
   settings.limits.body_bytes = most_body_bytes;
   std::mutex telling;
   const HttpServer server(

@@ -22,13 +22,19 @@ namespace {
 
 constexpr int requests_a_connection = 1000;
 
-/// What every answer says to the browser.
-constexpr std::array<std::pair<const char*, const char*>, 8> guarding_headers = {{
-    {"Content-Security-Policy",
-     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; "
-     "img-src 'self' data: blob:; media-src 'self' blob:; connect-src 'self' blob:; font-src "
-     "'self'; worker-src 'self' blob:; "
-     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+constexpr char policy_header[] = "Content-Security-Policy";
+
+/// What a page may load and run.
+std::string content_policy(bool webassembly) {
+  return std::string("default-src 'none'; script-src 'self'") +
+         (webassembly ? " 'wasm-unsafe-eval'" : "") +
+         "; style-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; connect-src "
+         "'self' blob:; font-src 'self'; worker-src 'self' blob:; base-uri 'none'; "
+         "form-action 'none'; frame-ancestors 'none'";
+}
+
+/// What every answer says to the browser beside its policy.
+constexpr std::array<std::pair<const char*, const char*>, 7> guarding_headers = {{
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"},
     {"X-Robots-Tag", "noindex, nofollow"},
@@ -64,6 +70,7 @@ std::string farewell_text(int status) {
   HttpResponse response = refusal_of(status);
   std::string text = "HTTP/1.1 " + std::to_string(status) + " Refused\r\nConnection: close\r\n";
   if (status == 503) text += "Retry-After: 2\r\n";
+  text += std::string(policy_header) + ": " + content_policy(false) + "\r\n";
   for (const auto& [name, value] : guarding_headers)
     text += std::string(name) + ": " + value + "\r\n";
   return text + "Content-Type: " + response.type +
@@ -83,8 +90,9 @@ httplib::ContentProvider provider_of(const FilePart& part) {
   };
 }
 
-void send_response(const HttpResponse& response, httplib::Response& sent) {
+void send_response(const HttpResponse& response, bool webassembly, httplib::Response& sent) {
   sent.status = response.status;
+  sent.set_header(policy_header, content_policy(webassembly));
   for (const auto& [name, value] : guarding_headers) sent.set_header(name, value);
   for (const auto& [name, value] : response.headers) sent.set_header(name, value);
   if (!response.part) {
@@ -198,7 +206,7 @@ class HttpServer::Listener : private httplib::Server {
     const std::optional<std::vector<std::string>> path = plain_path(request.target);
     if (!path) {
       send_response(http_refusal(404, "unknown", "there is nothing here", "check the address"),
-                    sent);
+                    settings_.webassembly, sent);
       return;
     }
     HttpRequest asked{.method = request.method,
@@ -206,7 +214,7 @@ class HttpServer::Listener : private httplib::Server {
                       .body = request.body,
                       .address = request.remote_addr};
     for (const auto& [name, value] : request.headers) asked.headers.emplace(name, value);
-    send_response(answer_to(asked), sent);
+    send_response(answer_to(asked), settings_.webassembly, sent);
   }
 
   bool process_and_close_socket(socket_t socket) override {

@@ -63,6 +63,16 @@ TEST(HttpServer, GuardsEveryAnswer) {
   }
 }
 
+TEST(HttpServer, LetsPagesCompileOnlyWhereItIsAsked) {
+  HttpSettings settings;
+  settings.webassembly = true;
+  const HttpServer server(settings, echo);
+  const std::string policy =
+      header_in(reply_of(server.port(), get_request("/a")), "Content-Security-Policy");
+  EXPECT_NE(policy.find("script-src 'self' 'wasm-unsafe-eval';"), std::string::npos) << policy;
+  EXPECT_EQ(policy.find("'unsafe-eval'"), std::string::npos) << policy;
+}
+
 TEST(HttpServer, LetsOnlyPlainPathsThrough) {
   std::atomic<int> asked = 0;
   const HttpServer server(quick_settings(), [&](const HttpRequest& request) {
