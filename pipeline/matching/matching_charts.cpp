@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "motion/measures/distance.h"
-
 namespace mien::pipeline {
 
 namespace {
@@ -39,8 +37,8 @@ BarChart first_guess_chart(const MatchingEvaluation& evaluation, bool simulated)
   chart.axis = "D, metres";
   chart.whiskers = "± 1 SD over participants";
   chart.bars = mean_bars(evaluation, MatchingMeasure::first_guess_d);
-  chart.line = motion::distance_threshold_m;
-  chart.line_name = fmt::format("threshold {:g} m", motion::distance_threshold_m);
+  chart.line = evaluation.threshold_m;
+  chart.line_name = fmt::format("threshold {:g} m", evaluation.threshold_m);
   chart.decimals = 3;
   chart.simulated = simulated;
   return chart;
@@ -49,7 +47,7 @@ BarChart first_guess_chart(const MatchingEvaluation& evaluation, bool simulated)
 BarChart first_guess_success_chart(const MatchingEvaluation& evaluation, bool simulated) {
   BarChart chart;
   chart.title = "First guesses that matched";
-  chart.axis = fmt::format("share of guesses with D < {:g} m", motion::distance_threshold_m);
+  chart.axis = fmt::format("share of guesses with D < {:g} m", evaluation.threshold_m);
   chart.bars = share_bars(evaluation, &MatchingShare::near_guesses, &MatchingShare::guesses);
   chart.percent = true;
   chart.simulated = simulated;

@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 
-#include "motion/measures/distance.h"
 #include "pipeline/statistics/holm.h"
 
 namespace mien::pipeline {
@@ -73,8 +72,7 @@ MatchingShare share_of(const MatchingResults& results, const std::string& interf
     ++share.trials;
     share.failures += !trial.success;
     share.guesses += trial.first_guess_d.has_value();
-    share.near_guesses +=
-        trial.first_guess_d && *trial.first_guess_d < motion::distance_threshold_m;
+    share.near_guesses += trial.first_guess_d && *trial.first_guess_d < results.threshold_m;
   }
   return share;
 }
@@ -129,6 +127,7 @@ const char* name_of(MatchingMeasure measure) {
 
 MatchingEvaluation evaluate(const MatchingResults& results) {
   MatchingEvaluation evaluation;
+  evaluation.threshold_m = results.threshold_m;
   for (const auto measure : {MatchingMeasure::first_guess_d, MatchingMeasure::time_s}) {
     for (const std::string& interface : results.interfaces) {
       add_means(results, measure, interface, evaluation.means);

@@ -54,6 +54,7 @@ struct MatchingComparison {
 
 /// The evaluation of a matching experiment as in the adjective paper, section 4.
 struct MatchingEvaluation {
+  double threshold_m = 0.0;  ///< D below which motions match, metres
   std::vector<MatchingMean> means;
   std::vector<MatchingShare> shares;
   std::vector<MatchingComparison> comparisons;  ///< every pair of interfaces, both measures

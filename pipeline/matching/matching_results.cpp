@@ -12,9 +12,16 @@ namespace mien::pipeline {
 
 namespace {
 
+/// What has been read of all tables so far.
+struct ReadTrials {
+  MatchingResults results;
+  std::vector<Fault> faults;
+  std::set<std::tuple<std::string, std::string, std::string>> seen;
+};
+
 class TrialReader {
  public:
-  TrialReader(const CsvTable& table, double limit_s)
+  TrialReader(const CsvTable& table, ReadTrials& read)
       : table_(table),
         participant_(require_column(table, "participant")),
         target_(require_column(table, "target")),
@@ -22,9 +29,8 @@ class TrialReader {
         first_guess_d_(require_column(table, "first_guess_d")),
         time_s_(require_column(table, "time_s")),
         success_(require_column(table, "success")),
-        simulated_(find_column(table, "simulated")) {
-    results.limit_s = limit_s;
-  }
+        simulated_(find_column(table, "simulated")),
+        read_(read) {}
 
   void read(const std::vector<CsvField>& row) {
     const auto field = [&](int column) -> const CsvField& {
@@ -38,24 +44,22 @@ class TrialReader {
     trial.time_s = number(field(time_s_));
     trial.success = success_in(field(success_));
     check_time(trial, field(time_s_));
-    if (!seen_.emplace(trial.participant, trial.target, trial.interface).second) {
+    if (!read_.seen.emplace(trial.participant, trial.target, trial.interface).second) {
       add(field(participant_),
           fmt::format("participant \"{}\" has matched \"{}\" with \"{}\" before", trial.participant,
                       trial.target, trial.interface),
           "keep one of the two trials");
     }
+    MatchingResults& results = read_.results;
     if (simulated_ >= 0 && field(simulated_).text != "0") results.simulated = true;
     note(trial.interface, results.interfaces);
     note(trial.target, results.targets);
     results.trials.push_back(std::move(trial));
   }
 
-  MatchingResults results;
-  std::vector<Fault> faults;
-
  private:
   void add(const CsvField& field, const std::string& wrong, const std::string& remedy) {
-    faults.push_back({place_of(table_, field), "", wrong, remedy});
+    read_.faults.push_back({place_of(table_, field), "", wrong, remedy});
   }
 
   std::string name_in(const CsvField& field, const std::string& what) {
@@ -83,12 +87,11 @@ class TrialReader {
   }
 
   void check_time(MatchingTrial& trial, const CsvField& field) {
+    const double limit_s = read_.results.limit_s;
     if (!trial.success) {
-      trial.time_s = results.limit_s;
-    } else if (trial.time_s && *trial.time_s > results.limit_s) {
-      add(field,
-          fmt::format("a success after {} s, but the limit is {} s", *trial.time_s,
-                      results.limit_s),
+      trial.time_s = limit_s;
+    } else if (trial.time_s && *trial.time_s > limit_s) {
+      add(field, fmt::format("a success after {} s, but the limit is {} s", *trial.time_s, limit_s),
           "correct it, or state the limit with --limit");
     } else if (!trial.time_s && field.text.empty()) {
       add(field, "a success without a time", "write the seconds that it took");
@@ -101,23 +104,73 @@ class TrialReader {
 
   const CsvTable& table_;
   int participant_, target_, interface_, first_guess_d_, time_s_, success_, simulated_;
-  std::set<std::tuple<std::string, std::string, std::string>> seen_;
+  ReadTrials& read_;
 };
+
+/// What all rows of all tables say alike in a column, where there is one. Throws Error at the first
+/// that says something else.
+std::optional<std::string> common_value(const std::vector<CsvTable>& tables,
+                                        const std::string& column, const std::string& remedy) {
+  std::optional<std::string> common;
+  for (const CsvTable& table : tables) {
+    const int index = find_column(table, column);
+    if (index < 0) continue;
+    for (const auto& row : table.rows) {
+      const CsvField& field = row[static_cast<size_t>(index)];
+      if (!common) common = field.text;
+      if (field.text == *common) continue;
+      throw Error(place_of(table, field),
+                  fmt::format("{} is \"{}\", but \"{}\" before", column, field.text, *common),
+                  remedy);
+    }
+  }
+  return common;
+}
+
+/// A limit or threshold: as told, else as the tables say, else the paper's.
+double term(const std::vector<CsvTable>& tables, const std::string& column,
+            const std::string& option, const std::optional<double>& told, double usual) {
+  if (told) return *told;
+  if (!common_value(tables, column, "evaluate sessions of one experiment, or state " + option))
+    return usual;
+  for (const CsvTable& table : tables) {
+    const int index = find_column(table, column);
+    if (index < 0 || table.rows.empty()) continue;
+    const CsvField& field = table.rows.front()[static_cast<size_t>(index)];
+    const double value = number_in(table, field);
+    if (value > 0.0) return value;
+    throw Error(place_of(table, field), column + " is not above 0",
+                "correct it, or state " + option);
+  }
+  return usual;
+}
 
 }  // namespace
 
-MatchingResults matching_results(const CsvTable& table, double limit_s) {
-  TrialReader reader(table, limit_s);
-  for (const auto& row : table.rows) reader.read(row);
-  if (!reader.faults.empty()) throw Faults(reader.faults);
-  if (reader.results.trials.empty()) {
-    throw Error({table.file, 0, 0}, "there are no trials", "add a row for each trial");
+MatchingResults matching_results(const std::vector<CsvTable>& tables, const MatchingTerms& terms) {
+  common_value(tables, "design", "evaluate the sessions of each design by themselves");
+  ReadTrials read;
+  MatchingResults& results = read.results;
+  results.limit_s = term(tables, "limit_s", "--limit", terms.limit_s, results.limit_s);
+  results.threshold_m =
+      term(tables, "threshold_m", "--threshold", terms.threshold_m, results.threshold_m);
+  for (const CsvTable& table : tables) {
+    const size_t before = results.trials.size();
+    TrialReader reader(table, read);
+    for (const auto& row : table.rows) reader.read(row);
+    if (read.faults.empty() && results.trials.size() == before) {
+      throw Error({table.file, 0, 0}, "there are no trials", "add a row for each trial");
+    }
   }
-  return std::move(reader.results);
+  if (!read.faults.empty()) throw Faults(read.faults);
+  return std::move(read.results);
 }
 
-MatchingResults read_matching_results(const std::filesystem::path& file, double limit_s) {
-  return matching_results(read_csv(file), limit_s);
+MatchingResults read_matching_results(const std::vector<std::filesystem::path>& files,
+                                      const MatchingTerms& terms) {
+  std::vector<CsvTable> tables;
+  for (const auto& file : files) tables.push_back(read_csv(file));
+  return matching_results(tables, terms);
 }
 
 }  // namespace mien::pipeline

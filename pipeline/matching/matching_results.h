@@ -25,17 +25,28 @@ struct MatchingResults {
   std::vector<std::string> interfaces;  ///< in the order in which they occur
   std::vector<std::string> targets;     ///< likewise
   double limit_s = 300.0;
+  double threshold_m = 0.06;  ///< D below which motions matched, metres
   bool simulated = false;
 };
 
-/// Reads a tidy CSV with the columns participant, target, interface, first_guess_d (metres),
-/// time_s, success (1 or 0) and, optionally, simulated. Empty or "NA" numbers are unknown; a trial
-/// without success took the limit, whatever its time.
+/// What the sessions were run by, where it is known better than from their tables.
+struct MatchingTerms {
+  std::optional<double> limit_s;      ///< seconds allowed for a match
+  std::optional<double> threshold_m;  ///< D below which motions match, metres
+};
+
+/// Reads tidy CSV with the columns participant, target, interface, first_guess_d (metres), time_s,
+/// success (1 or 0) and, optionally, simulated, design, limit_s and threshold_m: one table of all
+/// participants, or as many as there are. Empty or "NA" numbers are unknown; a trial without
+/// success took the limit, whatever its time. Limit and threshold are those of `terms`, else of the
+/// tables, else 300 s and 0.06 m.
 ///
 /// Throws Faults with every fault: a column missing, a number below 0 or none, a success after the
 /// limit or without a time, a success that is neither 0 nor 1, an empty name, a trial that is there
-/// twice, no trial at all.
-MatchingResults read_matching_results(const std::filesystem::path& file, double limit_s = 300.0);
-MatchingResults matching_results(const CsvTable& table, double limit_s = 300.0);
+/// twice, rows of several designs, limits or thresholds, no trial at all.
+MatchingResults read_matching_results(const std::vector<std::filesystem::path>& files,
+                                      const MatchingTerms& terms = {});
+MatchingResults matching_results(const std::vector<CsvTable>& tables,
+                                 const MatchingTerms& terms = {});
 
 }  // namespace mien::pipeline

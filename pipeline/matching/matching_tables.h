@@ -13,8 +13,8 @@ namespace mien::pipeline {
 /// of participants): measure, interface, target, sessions, n, mean, sd (n − 1).
 std::string means_csv(const MatchingEvaluation& evaluation, bool simulated);
 
-/// A row an interface: interface, sessions, guesses, near_guesses (D below 0.06 m), near_share,
-/// trials, failures, failure_share.
+/// A row an interface: interface, sessions, guesses, near_guesses (D below the threshold),
+/// near_share, trials, failures, failure_share.
 std::string shares_csv(const MatchingEvaluation& evaluation, bool simulated);
 
 /// A row a pair of interfaces: first, second, sessions, participants,

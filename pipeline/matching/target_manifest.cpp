@@ -33,8 +33,7 @@ Matching matching_of(const TargetSet& set) {
 
 }  // namespace
 
-std::string target_manifest(const Manifest& source, const TargetSet& set,
-                            const std::filesystem::path& folder) {
+Manifest target_manifest(const Manifest& source, const TargetSet& set) {
   Manifest manifest;
   manifest.study = "targets";
   manifest.seed = source.seed;
@@ -45,10 +44,15 @@ std::string target_manifest(const Manifest& source, const TargetSet& set,
   for (const SampledTarget& target : set.targets)
     manifest.stimuli.push_back(stimulus_of(target, set, manifest));
   manifest.matching = matching_of(set);
+  return manifest;
+}
+
+std::string target_manifest_yaml(const Manifest& targets, const TargetSet& set,
+                                 const std::filesystem::path& folder) {
   return fmt::format(
              "# Targets of a matching experiment, sampled by mien study targets with seed {}.\n",
              set.seed) +
-         manifest_yaml(manifest, folder);
+         manifest_yaml(targets, folder);
 }
 
 std::string targets_csv(const TargetSet& set, const std::vector<std::string>& examples,

@@ -17,10 +17,14 @@ struct TargetSet {
   std::uint64_t seed = 0;  ///< that they were sampled with
 };
 
-/// A manifest that makes the targets' motions from the examples of `source`: complete, so that it
-/// runs, and fit to be pasted from. Paths are relative to `folder`, where it is to be written.
-std::string target_manifest(const Manifest& source, const TargetSet& set,
-                            const std::filesystem::path& folder);
+/// A manifest that makes the targets' motions from the examples of `source`, and a matching
+/// experiment of them.
+Manifest target_manifest(const Manifest& source, const TargetSet& set);
+
+/// The same as text: complete, so that it runs, and fit to be pasted from. Paths are relative to
+/// `folder`, where it is to be written.
+std::string target_manifest_yaml(const Manifest& targets, const TargetSet& set,
+                                 const std::filesystem::path& folder);
 
 /// A row a target and parameter: target, kind (target, practice), parameter, asked, reached (by the
 /// blend), source (adjectives, features), ratings, nearest_example, distance (to it), seed.

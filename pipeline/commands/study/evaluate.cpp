@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,9 +18,9 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 struct EvaluateOptions {
-  std::string results;
+  std::vector<std::string> results;
   std::string out;
-  double limit_s = 300.0;
+  MatchingTerms terms;
   bool json = false;
 };
 
@@ -69,10 +70,11 @@ ordered_json as_json(const MatchingEvaluation& evaluation, bool simulated, const
 }
 
 int run_evaluation(const EvaluateOptions& options, const Console& console) {
-  const MatchingResults results = read_matching_results(options.results, options.limit_s);
+  const std::vector<fs::path> files(options.results.begin(), options.results.end());
+  const MatchingResults results = read_matching_results(files, options.terms);
   const MatchingEvaluation evaluation = evaluate(results);
   const fs::path folder =
-      options.out.empty() ? "out" / fs::path(options.results).stem() : fs::path(options.out);
+      options.out.empty() ? "out" / files.front().stem() : fs::path(options.out);
   write_evaluation(evaluation, results, folder);
   if (options.json) {
     console.out << as_json(evaluation, results.simulated, folder).dump(2) << '\n';
@@ -93,20 +95,25 @@ void add_study_evaluate_command(CLI::App& study, Command& chosen) {
   command
       ->add_option("results", options->results,
                    "CSV with the columns participant, target, interface, first_guess_d, time_s, "
-                   "success")
+                   "success; one of all participants, or several")
       ->required();
   command->add_option("-o,--output", options->out,
-                      "Folder for the results; out/<name of the file> without it");
+                      "Folder for the results; out/<name of the first file> without it");
   command
-      ->add_option("--limit", options->limit_s,
-                   "Seconds allowed for a match; trials without success count as that long")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->add_option("--limit", options->terms.limit_s,
+                   "Seconds allowed for a match; trials without success count as that long; 300 "
+                   "where the files do not tell")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--threshold", options->terms.threshold_m,
+                   "Distance D below which motions match, metres; 0.06 where the files do not tell")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--json", options->json, "Results as JSON on standard output");
   command->footer(
       "\nWrites means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures "
       "first_guess_d, first_guess_success, time, time_saved and failures as .pdf, .svg and .png.\n"
-      "\nExample:\n  mien study evaluate sessions.csv -o evaluation");
+      "\nExample:\n  mien study evaluate sessions.csv -o evaluation"
+      "\n  mien study evaluate downloads/*trials_data.csv -o evaluation");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return run_evaluation(*options, console); };
   });

@@ -9,6 +9,7 @@
 
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
+#include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/live/live_script.h"
 #include "pipeline/matching/experiment/matching_export.h"
@@ -31,6 +32,7 @@ int export_matching(const Manifest& manifest, const fs::path& folder, const Cons
   const fs::path module = live_module();
   Motions motions(manifest);
   const MatchingStudy study = matching_study(manifest, motions);
+  tell_matched_at_start(manifest, study, console);
   refuse_answers_to_another(folder, study.experiment.at("design"));
   write_export(exported_matching(manifest, study, pages, module), folder);
   console.out << fmt::format("{}: {} participants, {} trials each\n{}\n{}\n", folder.string(),

@@ -9,6 +9,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/matching/experiment/matching_plan.h"
+#include "pipeline/matching/experiment/starting_distance.h"
 #include "pipeline/production/study_inputs.h"
 #include "pipeline/questionnaire/balance.h"
 #include "pipeline/questionnaire/latin_square.h"
@@ -64,6 +65,12 @@ int design_matching(const Manifest& manifest, const MatchingDesign& design,
   write_file(design.plans, csv);
   console.out << design.plans.string() << '\n';
   return exit_done;
+}
+
+void tell_matched_at_start(const Manifest& manifest, const MatchingStudy& study,
+                           const Console& console) {
+  const std::string told = matched_at_start(manifest, study);
+  if (!told.empty()) console.err << "warning: " << told << '\n';
 }
 
 }  // namespace mien::pipeline

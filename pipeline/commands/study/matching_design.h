@@ -4,6 +4,7 @@
 
 #include "pipeline/commands/cli.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/matching/experiment/matching_study.h"
 
 namespace mien::pipeline {
 
@@ -14,5 +15,9 @@ struct MatchingDesign {
 
 /// Lays out the sessions of a matching experiment and tells how evenly, and how long they take.
 int design_matching(const Manifest& manifest, const MatchingDesign& design, const Console& console);
+
+/// Warns of trials in which nothing would have to be done.
+void tell_matched_at_start(const Manifest& manifest, const MatchingStudy& study,
+                           const Console& console);
 
 }  // namespace mien::pipeline

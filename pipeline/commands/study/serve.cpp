@@ -11,6 +11,7 @@
 
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
+#include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/matching/experiment/matching_study.h"
@@ -178,7 +179,9 @@ int serve_matching(const Manifest& manifest, const ServeOptions& options, const 
   const fs::path pages = page_bundle("matching");
   const ServedFiles files = served_files(options, manifest);
   Motions motions(manifest);
-  const ServedStudy study = served_matching(matching_study(manifest, motions), pages);
+  MatchingStudy made = matching_study(manifest, motions);
+  tell_matched_at_start(manifest, made, console);
+  const ServedStudy study = served_matching(std::move(made), pages);
   make_folder(files.answers.parent_path());
   SessionStore store(files.answers);
   return serve_study(study, store, options, files, console);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/commands/study/asked_manifest.h"
+#include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/files.h"
@@ -80,6 +81,7 @@ int simulate_matched(const SimulateCommand& command, const Manifest& manifest,
     throw Error("--truth is about questionnaires", "leave it out for a matching experiment");
   Motions motions(manifest);
   const MatchingStudy study = matching_study(manifest, motions, command.participants);
+  tell_matched_at_start(manifest, study, console);
   const std::vector<MatchedTrial> trials = simulated_matching(manifest, motions, study);
   return put_answers(
       command, manifest, matching_trials_csv(trials),

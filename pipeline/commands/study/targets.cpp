@@ -12,6 +12,7 @@
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/commands/word_choice.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/matching/experiment/starting_distance.h"
 #include "pipeline/matching/primary_parameters.h"
 #include "pipeline/matching/target_manifest.h"
 
@@ -66,6 +67,15 @@ void show(const TargetSet& set, const std::string& ratings,
   }
 }
 
+/// With a threshold that untouched sliders do not reach.
+Manifest matching_manifest(const Manifest& source, const TargetSet& set) {
+  Manifest manifest = target_manifest(source, set);
+  Motions motions(manifest);
+  const MatchingStudy study = matching_study(manifest, motions);
+  manifest.matching->threshold_m = fitting_threshold(starting_distances(manifest, study));
+  return manifest;
+}
+
 int make_targets(TargetsCommand command, const Console& console) {
   const Manifest manifest = manifest_of(command.subject, console);
   command.sampling.seed = command.seed.value_or(manifest.seed);
@@ -79,7 +89,8 @@ int make_targets(TargetsCommand command, const Console& console) {
   const fs::path folder(command.out);
   make_folder(folder);
   write_file(folder / "targets.csv", targets_csv(set, examples, ratings));
-  write_file(folder / "targets.yaml", target_manifest(manifest, set, folder));
+  write_file(folder / "targets.yaml",
+             target_manifest_yaml(matching_manifest(manifest, set), set, folder));
   console.out << '\n'
               << (folder / "targets.csv").string() << '\n'
               << (folder / "targets.yaml").string() << '\n';

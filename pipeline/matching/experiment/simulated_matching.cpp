@@ -110,6 +110,8 @@ std::vector<MatchedTrial> simulated_matching(const Manifest& manifest, Motions& 
                         .design = study.experiment.at("design"),
                         .trial = trial,
                         .match = match.run(plan.participant),
+                        .limit_s = manifest.matching->limit_s,
+                        .threshold_m = manifest.matching->threshold_m,
                         .simulated = true});
     }
   }

@@ -25,6 +25,7 @@ PageRecord parsed(const StoredRecord& stored) {
 
 std::vector<MatchedTrial> matched_trials(const ServedStudy& study, const StudySessions& sessions) {
   std::vector<MatchedTrial> trials;
+  if (!study.facts.matching) return trials;
   std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
   for (const SessionState& state : sessions.states()) {
     const SessionPlan plan = sessions.plan_of(state.session);
@@ -36,7 +37,9 @@ std::vector<MatchedTrial> matched_trials(const ServedStudy& study, const StudySe
                         .session = record.session,
                         .design = study.facts.design,
                         .trial = *trial,
-                        .match = std::move(*record.matching)});
+                        .match = std::move(*record.matching),
+                        .limit_s = study.facts.matching->limit_s,
+                        .threshold_m = study.facts.matching->threshold_m});
     }
   }
   return trials;

@@ -16,14 +16,16 @@ const char* flag(bool is_set) { return is_set ? "1" : "0"; }
 
 std::string matching_trials_csv(const std::vector<MatchedTrial>& trials) {
   CsvWriter table({"participant", "target", "interface", "first_guess_d", "time_s", "success",
-                   "simulated", "trial", "d", "guess_s", "attempt", "session", "design"});
+                   "simulated", "trial", "d", "guess_s", "attempt", "session", "design", "limit_s",
+                   "threshold_m"});
   for (const MatchedTrial& one : trials) {
     if (one.trial.practice) continue;
     table.row({one.participant, one.trial.stimuli.front(), one.trial.items.front().item,
                shortest(one.match.first_guess_d), shortest(one.match.time_s),
                flag(one.match.success), flag(one.simulated), std::to_string(one.trial.number),
                shortest(one.match.d), shortest(one.match.guess_s),
-               std::to_string(one.match.attempt), one.session, one.design});
+               std::to_string(one.match.attempt), one.session, one.design, shortest(one.limit_s),
+               shortest(one.threshold_m)});
   }
   return table.text();
 }

@@ -14,12 +14,14 @@ struct MatchedTrial {
   std::string design;
   Trial trial;
   MatchingRecord match;
+  double limit_s = 0.0;      ///< seconds allowed
+  double threshold_m = 0.0;  ///< D below which motions match, metres
   bool simulated = false;
 };
 
 /// A row a trial, as `mien study evaluate` reads it, without practice: participant, target,
 /// interface, first_guess_d (m), time_s, success, simulated; and trial, d (of the last setting, m),
-/// guess_s, attempt, session, design.
+/// guess_s, attempt, session, design, limit_s and threshold_m (m) of the experiment.
 std::string matching_trials_csv(const std::vector<MatchedTrial>& trials);
 
 /// A row a change, practice included: participant, trial, target, interface, is_practice, attempt,

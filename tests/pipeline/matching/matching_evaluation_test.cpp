@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/documents/fault.h"
+#include "pipeline/matching/matching_charts.h"
 #include "pipeline/matching/matching_tables.h"
 #include "pipeline/temporary_folder.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr const char* header = "participant,target,interface,first_guess_d,time_s,success\n";
 
 MatchingResults read(const std::string& rows) {
-  return matching_results(parse_csv(header + rows, "r.csv"));
+  return matching_results({parse_csv(header + rows, "r.csv")});
 }
 
 std::string refusal(const std::string& rows) {
@@ -123,6 +124,63 @@ TEST(MatchingEvaluation, RefusesEveryBadRowWithItsPlace) {
             "limit with --limit\n"
             "r.csv:5:11: a success without a time; write the seconds that it took");
   EXPECT_EQ(refusal(""), "r.csv: there are no trials; add a row for each trial");
+}
+
+/// A table of one participant, as the pages save it.
+CsvTable saved_table(const std::string& participant, const std::string& design,
+                     const std::string& limit, const std::string& threshold) {
+  const std::string rest = "," + design + "," + limit + "," + threshold + "\n";
+  return parse_csv(
+      "participant,target,interface,first_guess_d,time_s,success,design,limit_s,threshold_m\n" +
+          participant + ",t1,weights,0.03,,0" + rest + participant + ",t1,adjectives,0.01,40,1" +
+          rest,
+      participant + ".csv");
+}
+
+TEST(MatchingEvaluation, JoinsTheTablesOfParticipantsAndKnowsTheirTerms) {
+  const MatchingResults results = matching_results(
+      {saved_table("p1", "a", "120", "0.02"), saved_table("p2", "a", "120", "0.02")});
+  EXPECT_EQ(results.trials.size(), 4u);
+  EXPECT_EQ(results.limit_s, 120.0);
+  const MatchingEvaluation evaluation = evaluate(results);
+  EXPECT_DOUBLE_EQ(mean_of(evaluation, MatchingMeasure::time_s, "weights", "").mean, 120.0);
+  EXPECT_EQ(evaluation.shares.at(0).near_guesses, 0);  // 0.03 m is near by the paper's threshold
+  EXPECT_EQ(evaluation.shares.at(1).near_guesses, 2);
+  EXPECT_NE(first_guess_success_chart(evaluation, false).axis.find("D < 0.02 m"),
+            std::string::npos);
+}
+
+TEST(MatchingEvaluation, PutsGivenTermsAboveThoseOfTables) {
+  const MatchingResults results = matching_results(
+      {saved_table("p1", "a", "120", "0.02"), saved_table("p2", "a", "60", "0.03")},
+      {.limit_s = 300.0, .threshold_m = 0.06});
+  EXPECT_EQ(results.limit_s, 300.0);
+  EXPECT_EQ(evaluate(results).shares.at(0).near_guesses, 2);
+}
+
+TEST(MatchingEvaluation, RefusesTablesThatDoNotBelongTogether) {
+  const auto refused = [](const CsvTable& second) -> std::string {
+    try {
+      matching_results({saved_table("p1", "a", "120", "0.02"), second});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refused(saved_table("p2", "b", "120", "0.02")),
+            "p2.csv:2:23: design is \"b\", but \"a\" before; evaluate the sessions of each design "
+            "by themselves");
+  EXPECT_EQ(refused(saved_table("p2", "a", "60", "0.02")).find("p2.csv:2:25: limit_s is"), 0u);
+  EXPECT_EQ(refused(saved_table("p2", "a", "120", "0.03")).find("p2.csv:2:29: threshold_m is"), 0u);
+  EXPECT_EQ(refused(saved_table("p1", "a", "120", "0.02")).find("p1.csv:2:1: participant"), 0u);
+  CsvTable empty = saved_table("p2", "a", "120", "0.02");
+  empty.rows.clear();
+  EXPECT_EQ(refused(empty), "p2.csv: there are no trials; add a row for each trial");
+}
+
+TEST(MatchingEvaluation, RefusesTermsThatAreNone) {
+  for (const char* limit : {"0", "-1", "", "soon"})
+    EXPECT_THROW(matching_results({saved_table("p1", "a", limit, "0.02")}), Error) << limit;
 }
 
 TEST(MatchingEvaluation, WritesTablesAndFigures) {

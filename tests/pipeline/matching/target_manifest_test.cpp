@@ -44,8 +44,9 @@ TEST(TargetManifest, IsReadAgainAsItWasMeant) {
   source.examples.builtin = "walks-27";
   source.ratings.source = Ratings::Source::simulated;
   source.ratings.raters = 20;
-  const ManifestReading reading =
-      parse_manifest(target_manifest(source, two_targets(false), "."), "targets.yaml", nothing_set);
+  const ManifestReading reading = parse_manifest(
+      target_manifest_yaml(target_manifest(source, two_targets(false)), two_targets(false), "."),
+      "targets.yaml", nothing_set);
   EXPECT_EQ(told(reading), "");
   const Manifest& manifest = reading.manifest;
   EXPECT_EQ(manifest.seed, 4u);
@@ -75,8 +76,10 @@ TEST(TargetManifest, FindsItsFilesFromWhereverItLies) {
   source.ratings.source = Ratings::Source::file;
   source.ratings.file = folder.path() / "answers.csv";
   const fs::path file = folder.path() / "out" / "targets.yaml";
-  const ManifestReading reading = parse_manifest(
-      target_manifest(source, two_targets(true), file.parent_path()), file, nothing_set);
+  const ManifestReading reading =
+      parse_manifest(target_manifest_yaml(target_manifest(source, two_targets(true)),
+                                          two_targets(true), file.parent_path()),
+                     file, nothing_set);
   EXPECT_EQ(told(reading), "");
   const Examples& examples = reading.manifest.examples;
   EXPECT_TRUE(fs::equivalent(examples.folder, captures));

@@ -4,7 +4,8 @@ import type { MatchingExperiment, MatchingRecord, MatchingSession, MatchingTrial
 
 // As pipeline/questionnaire/service/matching_rows.h has them.
 const trial_columns = ["participant", "target", "interface", "first_guess_d", "time_s", "success", "simulated",
-  "trial", "d", "guess_s", "attempt", "session", "design"];
+  "trial", "d", "guess_s", "attempt", "session", "design", "limit_s",
+  "threshold_m"];
 const change_columns = ["participant", "trial", "target", "interface", "is_practice", "attempt", "time_s", "step",
   "action", "slider", "value", "d", "simulated"];
 
@@ -27,7 +28,8 @@ export function trials_csv(experiment: MatchingExperiment, session: MatchingSess
       first_guess_d: String(match.first_guess_d), time_s: String(match.time_s), success: truth(match.success),
       simulated: truth(experiment.simulated), trial: String(trial.number), d: String(match.d),
       guess_s: String(match.guess_s), attempt: String(match.attempt), session: record.session,
-      design: experiment.design,
+      design: experiment.design, limit_s: String(experiment.matching.limit_s),
+      threshold_m: String(experiment.matching.threshold_m),
     })));
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/matching/experiment/matching_study.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include "motion/live/live_core.h"
 #include "pipeline/checks/manifest_reader.h"
 #include "pipeline/matching/experiment/simulated_matching.h"
+#include "pipeline/matching/experiment/starting_distance.h"
 #include "pipeline/matching/matching_evaluation.h"
 #include "pipeline/questionnaire/service/matching_distances.h"
 #include "pipeline/questionnaire/service/record_check.h"
@@ -100,11 +102,51 @@ class SimulatedMatching : public testing::Test {
 
 TEST_F(SimulatedMatching, IsEvaluatedAndSaysWhatItIs) {
   std::istringstream lines(matching_trials_csv(trials));
-  const MatchingResults results =
-      matching_results(parse_csv(lines.str(), "trials.csv"), manifest.matching->limit_s);
+  const MatchingResults results = matching_results({parse_csv(lines.str(), "trials.csv")});
+  EXPECT_EQ(results.limit_s, manifest.matching->limit_s);
+  EXPECT_EQ(results.threshold_m, manifest.matching->threshold_m);
   EXPECT_TRUE(results.simulated);
   EXPECT_EQ(results.trials.size(), 2u * 3u * 2u);
   EXPECT_EQ(evaluate(results).comparisons.size(), 6u);
+}
+
+TEST_F(SimulatedMatching, KnowsHowFarUntouchedSlidersAre) {
+  const std::vector<StartingDistance> distances = starting_distances(manifest, study);
+  ASSERT_EQ(distances.size(), 2u * 3u);
+  motion::LiveCore core(study.bundle);
+  for (const StartingDistance& one : distances) {
+    if (one.interface != "weights") continue;
+    const Eigen::Index examples = static_cast<Eigen::Index>(study.bundle.examples.examples.size());
+    motion::LiveSetting none{.kind = motion::InterfaceKind::weights};
+    for (Eigen::Index i = 0; i < examples; ++i) {
+      none.sliders.push_back(study.bundle.examples.examples[static_cast<std::size_t>(i)].name);
+      none.values.push_back(0.0);
+    }
+    EXPECT_EQ(one.metres, core.distance(one.target, none).mean);
+  }
+  // By a threshold that fits, somebody has something to do in at least half of the trials.
+  Manifest fitted = manifest;
+  fitted.matching->threshold_m = fitting_threshold(distances);
+  const auto free = std::ranges::count_if(distances, [&](const StartingDistance& one) {
+    return one.metres < fitted.matching->threshold_m;
+  });
+  EXPECT_LE(2 * free, static_cast<long>(distances.size()));
+  fitted.matching->threshold_m = 10.0;
+  EXPECT_NE(matched_at_start(fitted, study).find("6 of 6 pairs"), std::string::npos);
+  fitted.matching->threshold_m = 1e-6;
+  EXPECT_EQ(matched_at_start(fitted, study), "");
+}
+
+TEST(StartingDistance, GivesAThresholdNoHigherThanThePapers) {
+  const auto threshold = [](std::vector<double> metres) {
+    std::vector<StartingDistance> distances;
+    for (const double one : metres) distances.push_back({"t", "weights", one});
+    return fitting_threshold(distances);
+  };
+  EXPECT_DOUBLE_EQ(threshold({0.3, 0.2, 0.4}), 0.06);
+  EXPECT_DOUBLE_EQ(threshold({0.035, 0.02, 0.05}), 0.017);
+  EXPECT_DOUBLE_EQ(threshold({0.0001}), 0.001);
+  EXPECT_DOUBLE_EQ(threshold({}), 0.06);
 }
 
 TEST_F(SimulatedMatching, IsTheSameEachTime) {
