@@ -1,6 +1,7 @@
 #include "pipeline/checks/matching_checks.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <string>
 
@@ -11,6 +12,11 @@
 namespace mien::pipeline {
 
 namespace {
+
+/// As the schema has it; what it is not has been told.
+bool is_colour(const std::string& text) {
+  return text.size() == 7 && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
+}
 
 std::string matching_path(const char* key) { return member_path("matching", key); }
 
@@ -27,6 +33,7 @@ class MatchingCheck {
     check_targets();
     check_sliders();
     check_demographics();
+    check_colours();
     return list_.take();
   }
 
@@ -47,11 +54,40 @@ class MatchingCheck {
     }
   }
 
+  static bool is_in(const std::string& id, const Names& names) {
+    return std::ranges::find(names, id) != names.end();
+  }
+
+  /// Target and created motion may stand in each other.
+  void check_colours() {
+    const auto channel = [](const std::string& colour, std::size_t at) {
+      return std::stoi(colour.substr(1 + 2 * at, 2), nullptr, 16);
+    };
+    if (!is_colour(matching_.target_colour) || !is_colour(matching_.created_colour)) return;
+    for (std::size_t at = 0; at < 3; ++at) {
+      const int apart =
+          channel(matching_.target_colour, at) - channel(matching_.created_colour, at);
+      if (std::abs(apart) >= 32) return;
+    }
+    list_.add(matching_path("created_colour"),
+              "nobody can tell " + matching_.created_colour + " and the target's " +
+                  matching_.target_colour + " apart",
+              "give the two figures different colours");
+  }
+
   void check_targets() {
     Names ids;
     for (const Stimulus& stimulus : manifest_.stimuli) ids.push_back(stimulus.id);
     check_names("targets", matching_.targets, "stimulus", ids);
     check_names("practice", matching_.practice, "stimulus", ids);
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      const bool is_asked =
+          is_in(stimulus.id, matching_.practice) || is_in(stimulus.id, matching_targets(manifest_));
+      if (is_asked && stimulus.walk)
+        list_.add(member_path(stimulus.path, "path"),
+                  "sliders make one cycle of walking, and this walks a path",
+                  "match a stimulus of adjectives, features, weights or a clip");
+    }
     if (matching_targets(manifest_).empty())
       list_.add("matching", "there is no motion to be matched",
                 "name stimuli as targets: […], or give stimuli role: target");

@@ -95,11 +95,17 @@ void check_points(const std::string& path, const WalkPath& walk, FaultList& list
              fmt::format("leave it out, or put it {:.0f} cm away at least (points are in metres)",
                          100.0 * nearest_points_m));
   }
-  check_length(points, length_of(walk.points) / (slow_walk_m_s * std::max(slowest_pace, walk.pace)),
-               list);
+  const double usual = length_of(walk.points) / (slow_walk_m_s * std::max(slowest_pace, walk.pace));
+  check_length(points, usual, list);
+  const double longest = 2.0 * usual + 10.0;  // sad, with turns, a start and a stop
   for (std::size_t i = 0; i < walk.moods.size(); ++i) {
     const std::string change = element_path(member_path(path, "moods"), i);
     check_mood(member_path(change, "mood"), walk.moods[i].mood, walks, list);
+    if (walk.moods[i].seconds > longest) {
+      list.add(member_path(change, "at"),
+               fmt::format("the walk is over before, after some {:.0f} s at most", longest),
+               "give a time during the walk");
+    }
     if (i == 0 || walk.moods[i].seconds > walk.moods[i - 1].seconds) continue;
     list.add(member_path(change, "at"), "this is not after the change before it",
              "list changes of mood in the order of time");

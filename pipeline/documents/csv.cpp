@@ -131,6 +131,15 @@ void refuse_repeated_columns(const CsvTable& table) {
   }
 }
 
+/// As it comes about where files are joined as they are.
+void refuse_header(const CsvTable& table, const std::vector<CsvField>& row) {
+  if (row.size() == 1 ||
+      !std::ranges::equal(row, table.header, {}, &CsvField::text, &CsvField::text))
+    return;
+  throw Error(place_of(table, row.front()), "the header stands here again",
+              "keep the first one alone");
+}
+
 bool needs_quotes(const std::string& field) {
   return field.find_first_of(",\"\r\n") != std::string::npos || field.starts_with(' ') ||
          field.ends_with(' ');
@@ -169,6 +178,7 @@ CsvTable parse_csv(std::string_view text, const std::string& file) {
       refuse_other_separators(table);
       refuse_repeated_columns(table);
     } else if (row.size() == table.header.size()) {
+      refuse_header(table, row);
       table.rows.push_back(std::move(row));
     } else {
       throw Error(place_of(table, row.front()),

@@ -86,6 +86,7 @@ void replace_file(const std::filesystem::path& file, const std::filesystem::path
 }
 
 void make_folder(const std::filesystem::path& folder) {
+  if (folder.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error) return;

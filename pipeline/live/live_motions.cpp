@@ -147,7 +147,7 @@ HttpResponse LiveMotions::answer(const HttpRequest& request, std::span<const std
   try {
     return posted(what, request.body);
   } catch (const BadRequest& bad) {
-    return refused(bad.wrong, "send what pipeline/live/live_motions.h tells");
+    return refused(bad.wrong, "load the page again");
   } catch (const Error& error) {
     return refused(error.what(), "");
   }

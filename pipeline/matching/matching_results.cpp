@@ -127,33 +127,41 @@ std::optional<std::string> common_value(const std::vector<CsvTable>& tables,
   return common;
 }
 
-/// A limit or threshold: as told, else as the tables say, else the paper's.
-double term(const std::vector<CsvTable>& tables, const std::string& column,
-            const std::string& option, const std::optional<double>& told, double usual) {
-  if (told) return *told;
-  if (!common_value(tables, column, "evaluate sessions of one experiment, or state " + option))
-    return usual;
+/// What all rows say of a term of the experiment, where they say something.
+std::optional<double> told_term(const std::vector<CsvTable>& tables, const std::string& column) {
+  if (!common_value(tables, column, "evaluate the sessions of each experiment by themselves"))
+    return std::nullopt;
   for (const CsvTable& table : tables) {
     const int index = find_column(table, column);
     if (index < 0 || table.rows.empty()) continue;
     const CsvField& field = table.rows.front()[static_cast<size_t>(index)];
     const double value = number_in(table, field);
     if (value > 0.0) return value;
-    throw Error(place_of(table, field), column + " is not above 0",
-                "correct it, or state " + option);
+    throw Error(place_of(table, field), column + " is not above 0", "correct it");
   }
-  return usual;
+  return std::nullopt;
+}
+
+/// The limit decides what failures count as: another than the sessions had would falsify them.
+double limit_of(const std::vector<CsvTable>& tables, const MatchingTerms& terms, double usual) {
+  const std::optional<double> told = told_term(tables, "limit_s");
+  if (told && terms.limit_s && *told != *terms.limit_s)
+    throw Error(
+        fmt::format("--limit says {:g} s, but these sessions had {:g} s", *terms.limit_s, *told),
+        "leave --limit out");
+  return told ? *told : terms.limit_s.value_or(usual);
 }
 
 }  // namespace
 
 MatchingResults matching_results(const std::vector<CsvTable>& tables, const MatchingTerms& terms) {
+  common_value(tables, "simulated", "evaluate those of people by themselves");
   common_value(tables, "design", "evaluate the sessions of each design by themselves");
   ReadTrials read;
   MatchingResults& results = read.results;
-  results.limit_s = term(tables, "limit_s", "--limit", terms.limit_s, results.limit_s);
+  results.limit_s = limit_of(tables, terms, results.limit_s);
   results.threshold_m =
-      term(tables, "threshold_m", "--threshold", terms.threshold_m, results.threshold_m);
+      terms.threshold_m.value_or(told_term(tables, "threshold_m").value_or(results.threshold_m));
   for (const CsvTable& table : tables) {
     const size_t before = results.trials.size();
     TrialReader reader(table, read);

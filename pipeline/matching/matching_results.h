@@ -38,12 +38,14 @@ struct MatchingTerms {
 /// Reads tidy CSV with the columns participant, target, interface, first_guess_d (metres), time_s,
 /// success (1 or 0) and, optionally, simulated, design, limit_s and threshold_m: one table of all
 /// participants, or as many as there are. Empty or "NA" numbers are unknown; a trial without
-/// success took the limit, whatever its time. Limit and threshold are those of `terms`, else of the
-/// tables, else 300 s and 0.06 m.
+/// success took the limit, whatever its time. The limit is that of the tables, else of `terms`,
+/// else 300 s; the threshold, which decides nothing but which guesses count as near, that of
+/// `terms`, else of the tables, else 0.06 m.
 ///
 /// Throws Faults with every fault: a column missing, a number below 0 or none, a success after the
 /// limit or without a time, a success that is neither 0 nor 1, an empty name, a trial that is there
-/// twice, rows of several designs, limits or thresholds, no trial at all.
+/// twice; and Error: rows of several designs, limits or thresholds, of people and of nobody,
+/// another limit than the tables', no trial at all.
 MatchingResults read_matching_results(const std::vector<std::filesystem::path>& files,
                                       const MatchingTerms& terms = {});
 MatchingResults matching_results(const std::vector<CsvTable>& tables,

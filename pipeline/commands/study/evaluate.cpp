@@ -27,8 +27,9 @@ struct EvaluateOptions {
 void show_text(const MatchingEvaluation& evaluation, const Console& console) {
   for (const MatchingMean& m : evaluation.means) {
     if (!m.target.empty()) continue;
-    console.out << fmt::format("{:14} {:12} mean {:.4g}, SD {:.4g}, n = {}\n", name_of(m.measure),
-                               m.interface, m.mean, m.sd, m.n);
+    const std::string spread = m.n > 1 ? fmt::format("SD {:.4g}, ", m.sd) : "";
+    console.out << fmt::format("{:14} {:12} mean {:.4g}, {}n = {}\n", name_of(m.measure),
+                               m.interface, m.mean, spread, m.n);
   }
   for (const MatchingShare& s : evaluation.shares) {
     console.out << fmt::format("{}: {} of {} first guesses matched, {} of {} trials failed\n",

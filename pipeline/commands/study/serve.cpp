@@ -187,9 +187,17 @@ int serve_matching(const Manifest& manifest, const ServeOptions& options, const 
   return serve_study(study, store, options, files, console);
 }
 
+/// Throws Error when somebody else listens there.
+void refuse_taken_port(const ServeOptions& options) {
+  if (options.port == 0) return;
+  const HttpServer there({.listen = options.listen, .port = options.port},
+                         [](const HttpRequest&) { return HttpResponse{}; });
+}
+
 int serve(const ServeOptions& options, const Console& console) {
   // What would stop it later is told before anything is drawn.
   base_url(options, options.port);
+  refuse_taken_port(options);
   const Manifest asked = participants_manifest(options.study.manifest, console);
   if (asked.matching) return serve_matching(asked, options, console);
   const fs::path pages = page_bundle("questionnaire");

@@ -88,7 +88,7 @@ void refuse_foreign_folder(const fs::path& folder) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw Error({folder.string()}, "is no folder", "name one for the questionnaire with -o");
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / export_mark))
-    throw Error({folder.string()}, "holds something else than an exported questionnaire",
+    throw Error({folder.string()}, "holds something else than what mien study export writes",
                 "name a new folder with -o");
 }
 

@@ -47,10 +47,15 @@ StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, Cloc
     throw Error({store_.file().string()},
                 has_same_design
                     ? (study_.live ? "was begun with other motions" : "was begun with other videos")
-                    : "was begun with another questionnaire: its texts, plans or participants have "
-                      "changed since",
-                "serve the study as it was, or begin anew with --store and another file: "
-                "mien study report takes the answers of several");
+                : study_.live ? "was begun with another experiment: its texts, plans, sliders or "
+                                "terms have changed since"
+                              : "was begun with another questionnaire: its texts, plans or "
+                                "participants have changed since",
+                study_.live
+                    ? "serve the experiment as it was, or begin anew with --store and another "
+                      "file"
+                    : "serve the study as it was, or begin anew with --store and another file: "
+                      "mien study report takes the answers of several");
   lab_link_ = store_.fact(lab_fact).value();
   join_link_ = store_.fact(join_fact).value();
   load();

@@ -71,6 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadPath{"{points: [[0, 0], [0, 5]], moods: [{at: 2, mood: {sad: 1}}, {at: 1, mood: {sad: "
                 "1}}]}",
                 "stimuli[0].path.moods[1].at: this is not after the change before it"},
+        BadPath{"{points: [[0, 0], [0, 5]], moods: [{at: 99, mood: {sad: 1}}]}",
+                "stimuli[0].path.moods[0].at: the walk is over before, after some 20 s at most"},
         BadPath{"{script: [{walk: 1}], moods: [{at: 2, mood: {sad: 1}}]}",
                 "stimuli[0].path.moods: a script has a mood at each step"},
         BadPath{"[{walk: 400}, {walk: 300}]", ":5:11: stimuli[0].path: this would take some 12"}));

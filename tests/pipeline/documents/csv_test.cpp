@@ -62,6 +62,17 @@ TEST(Csv, RefusesWithThePlaceAndTheRemedy) {
   EXPECT_EQ(refusal("a,b\n1,\xff\n"), "t.csv:2:3: not UTF-8 text; save it as UTF-8");
 }
 
+TEST(Csv, RefusesAHeaderThatStandsThereAgain) {
+  try {
+    parse_csv("a,b\n1,2\na,b\n3,4\n", "joined.csv");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "joined.csv:3:1: the header stands here again; keep the first one alone");
+  }
+  EXPECT_EQ(parse_csv("word\nword\n", "words.csv").rows.size(), 1u);
+}
+
 TEST(Csv, RefusesWhatIsNoFiniteNumber) {
   const CsvTable table = parse_csv("a\n1.5\n+2\n1e3\nx\nnan\n1.5 \n1e999\n0x1\n", "t.csv");
   EXPECT_EQ(number_in(table, table.rows[0][0]), 1.5);

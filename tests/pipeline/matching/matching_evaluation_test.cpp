@@ -150,12 +150,25 @@ TEST(MatchingEvaluation, JoinsTheTablesOfParticipantsAndKnowsTheirTerms) {
             std::string::npos);
 }
 
-TEST(MatchingEvaluation, PutsGivenTermsAboveThoseOfTables) {
-  const MatchingResults results = matching_results(
-      {saved_table("p1", "a", "120", "0.02"), saved_table("p2", "a", "60", "0.03")},
-      {.limit_s = 300.0, .threshold_m = 0.06});
-  EXPECT_EQ(results.limit_s, 300.0);
+TEST(MatchingEvaluation, CountsGuessesByAnotherThresholdButNotFailuresByAnotherLimit) {
+  const std::vector<CsvTable> tables = {saved_table("p1", "a", "120", "0.02"),
+                                        saved_table("p2", "a", "120", "0.02")};
+  const MatchingResults results = matching_results(tables, {.limit_s = 120.0, .threshold_m = 0.06});
   EXPECT_EQ(evaluate(results).shares.at(0).near_guesses, 2);
+  EXPECT_THROW(matching_results(tables, {.limit_s = 300.0, .threshold_m = {}}), Error);
+  const CsvTable untold = parse_csv(std::string(header) + "p1,t1,weights,0.03,,0\n", "u.csv");
+  EXPECT_EQ(matching_results({untold}, {.limit_s = 90.0, .threshold_m = {}}).trials.at(0).time_s,
+            90.0);
+}
+
+TEST(MatchingEvaluation, KeepsPeopleAndSimulatedOnesApart) {
+  const auto table = [](const std::string& name, const std::string& simulated) {
+    return parse_csv("participant,target,interface,first_guess_d,time_s,success,simulated\n" +
+                         name + ",t1,weights,0.03,10,1," + simulated + "\n",
+                     name + ".csv");
+  };
+  EXPECT_TRUE(matching_results({table("a", "1"), table("b", "1")}).simulated);
+  EXPECT_THROW(matching_results({table("a", "0"), table("b", "1")}), Error);
 }
 
 TEST(MatchingEvaluation, RefusesTablesThatDoNotBelongTogether) {

@@ -23,6 +23,7 @@ ManifestReading reading(const std::string& matching) {
       "  - {id: t1, role: target, weights: {normal: 0.5, sad: 0.5}}\n"
       "  - {id: t2, role: target, adjectives: {quickness: 0.6, largeness: 0.4}}\n"
       "  - {id: p1, role: target, weights: {proud: 1}}\n"
+      "  - {id: round, path: [{walk: 2}]}\n"
       "matching: " +
           matching + "\n",
       "/nowhere/m.yaml", [](const std::string&) { return std::nullopt; });
@@ -53,6 +54,13 @@ TEST(MatchingChecks, RefuseWhatIsNotThere) {
   EXPECT_NE(fault_of("{participants: 2, practice: [t1, t2, p1]}").find("no motion to be matched"),
             std::string::npos);
   EXPECT_NE(fault_of("{participants: 2, target_colour: green}").find("target_colour"),
+            std::string::npos);
+  EXPECT_NE(fault_of("{participants: 2, target_colour: '#102030', created_colour: '#10202f'}")
+                .find("apart; give the two figures"),
+            std::string::npos);
+  EXPECT_NE(fault_of("{participants: 2, limit_s: 0}").find(": matching.limit_s: "),
+            std::string::npos);
+  EXPECT_NE(fault_of("{participants: 2, targets: [t1, round]}").find("and this walks a path"),
             std::string::npos);
   EXPECT_NE(fault_of("{participants: 2}\nquestionnaire: {participants: 2, scales: emotions}")
                 .find("a manifest of its own"),
