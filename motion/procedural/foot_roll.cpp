@@ -42,15 +42,22 @@ double stance_pitch(const WalkStyle& style, double phase) {
   return -radians_per_degree * style.toe_off_deg * std::pow(risen, 5.0) * (2.5 - 1.5 * risen);
 }
 
+FootRoll foot_roll(const FootShape& shape, double yaw, double pitch) {
+  const Vec3& pivot = pitch > 0.0 ? shape.heel : shape.ball;
+  const Quat flat(Eigen::AngleAxisd(yaw, Vec3::UnitY()));
+  return {flat * pivot, foot_rotation({.yaw = yaw, .pitch = pitch}) * pivot};
+}
+
+Vec3 rolled_ankle(const FootShape& shape, const Vec3& print, const FootRoll& roll) {
+  return print + Vec3(0, shape.ankle_height, 0) + roll.flat_pivot - roll.pivot;
+}
+
 FootPose rolled_foot(const FootShape& shape, const Vec3& print, double yaw, double pitch) {
   FootPose foot;
   foot.yaw = yaw;
   foot.pitch = pitch;
   foot.toe_extension = std::max(0.0, -foot.pitch);
-  const Vec3& pivot = foot.pitch > 0.0 ? shape.heel : shape.ball;
-  const Quat flat(Eigen::AngleAxisd(yaw, Vec3::UnitY()));
-  const Vec3 flat_ankle = print + Vec3(0, shape.ankle_height, 0);
-  foot.ankle = flat_ankle + flat * pivot - foot_rotation(foot) * pivot;
+  foot.ankle = rolled_ankle(shape, print, foot_roll(shape, yaw, pitch));
   return foot;
 }
 

@@ -34,6 +34,18 @@ Quat foot_rotation(const FootPose& foot);
 /// slopes that the swing must meet.
 double stance_pitch(const WalkStyle& style, double phase);
 
+/// Where what a foot rolls about lies from the ankle, in the directions of the world.
+struct FootRoll {
+  Vec3 flat_pivot;  ///< while the sole is flat
+  Vec3 pivot;       ///< as it is rolled
+};
+
+/// Of a foot whose sole has this pitch: about the heel's edge (toes up) or the ball (heel up).
+FootRoll foot_roll(const FootShape& shape, double yaw, double pitch);
+
+/// The ankle of a foot rolled so over a print (see `rolled_foot`).
+Vec3 rolled_ankle(const FootShape& shape, const Vec3& print, const FootRoll& roll);
+
 /// The foot on the floor at a pitch of its sole, rolled there about the heel's edge (toes up) or
 /// the ball (heel up, toes left flat). `print` is where the ankle's plumb line meets the floor
 /// while the sole is flat: what the foot stands on stays there at every pitch.

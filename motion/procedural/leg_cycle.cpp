@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <span>
 
 namespace mien::motion {
 
 namespace {
-
-Vec3 print(const LegCycle& leg) {
-  const double start = leg.pelvis.stride_m * leg.phase_offset;
-  return {leg.side * 0.5 * leg.pelvis.style.step_width_m, 0.0, start + leg.ahead_m};
-}
-
-double yaw(const LegCycle& leg) {
-  return leg.side * radians_per_degree * leg.pelvis.style.foot_progression_deg;
-}
 
 LegLine leg_line(const LegCycle& leg, const Vec3& hip, const Vec3& ankle) {
   const Vec3 line = ankle - hip;
@@ -97,71 +88,107 @@ double swing_toe_extension(const SwingCurve& curve, double x) {
   return quintic(start, CurveEnd{}, x / done);
 }
 
-double swing_knee_flexion(const LegCycle& leg, double phase) {
+/// What a leg is at a phase of its swing apart from the angles that `fit_swing` looks for, and what
+/// share of each of those it takes.
+struct SwingMoment {
+  LegLine line;
+  double pitch;
+  double toe_extension;
+  double early, middle, late;  ///< shares of knee_peak, lift and landing
+  Vec3 hip;
+};
+
+SwingMoment swing_moment(const LegCycle& leg, double phase) {
   const double x = share_of_swing(leg, phase);
-  const double flexion = radians_per_degree * normal_knee_flexion_deg(phase) +
-                         at(leg.knee_correction, x) + leg.knee_peak * bump(x, 3, 6) +
-                         leg.lift * bump(x, 3, 3) + leg.landing * bump(x, 8, 2);
+  SwingMoment moment;
+  moment.early = bump(x, 3, 6);
+  moment.middle = bump(x, 3, 3);
+  moment.late = bump(x, 8, 2);
+  moment.line.knee_flexion =
+      radians_per_degree * normal_knee_flexion_deg(phase) + at(leg.knee_correction, x);
+  moment.line.swing = at(leg.swing_angle, x);
+  constexpr double circumduction = 0.014;  // of the leg's length: the foot passes outside
+  moment.line.outward =
+      at(leg.outward, x) + circumduction * (leg.thigh_m + leg.shank_m) * moment.middle;
+  moment.pitch = at(leg.pitch, x);
+  moment.toe_extension = swing_toe_extension(leg.toe_extension, x);
+  moment.hip = hip_position(leg, phase + leg.phase_offset);
+  return moment;
+}
+
+double knee_flexion_in(const LegCycle& leg, const SwingMoment& moment) {
+  const double flexion = moment.line.knee_flexion + leg.knee_peak * moment.early +
+                         leg.lift * moment.middle + leg.landing * moment.late;
   return std::max(flexion, 0.0);
 }
 
+FootPose foot_in(const LegCycle& leg, const SwingMoment& moment) {
+  LegLine line = moment.line;
+  line.knee_flexion = knee_flexion_in(leg, moment);
+  FootPose foot;
+  foot.yaw = yaw_of(leg);
+  foot.pitch = moment.pitch + 0.5 * leg.lift * moment.middle;
+  foot.toe_extension = moment.toe_extension;
+  foot.ankle = ankle_at(leg, moment.hip, line);
+  return foot;
+}
+
 constexpr int swing_samples = 64;
+using SwingMoments = std::array<SwingMoment, swing_samples + 1>;
 
-double swing_phase(const LegCycle& leg, int sample) {
+SwingMoments swing_moments(const LegCycle& leg) {
   const double stance = leg.pelvis.style.stance_share;
-  return stance + (1.0 - stance) * sample / swing_samples;
-}
-
-double peak_knee_flexion(const LegCycle& leg) {
-  double peak = 0.0;
+  SwingMoments moments;
   for (int i = 0; i <= swing_samples; ++i) {
-    peak = std::max(peak, swing_knee_flexion(leg, swing_phase(leg, i)));
+    const double phase = stance + (1.0 - stance) * i / swing_samples;
+    moments[static_cast<std::size_t>(i)] = swing_moment(leg, phase);
   }
-  return peak;
+  return moments;
 }
 
-/// Least height of the toes in the middle of the swing. Near its ends the foot is close to the
+bool reaches_knee_flexion(const LegCycle& leg, const SwingMoments& moments, double wanted) {
+  return std::ranges::any_of(
+      moments, [&](const SwingMoment& moment) { return knee_flexion_in(leg, moment) >= wanted; });
+}
+
+/// Whether the toes are so high in the middle of the swing. Near its ends the foot is close to the
 /// floor because it leaves and meets it.
-double mid_swing_clearance(const LegCycle& leg) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = swing_samples / 3; i <= 7 * swing_samples / 10; ++i) {
-    least = std::min(least, toe_clearance(leg.foot, swinging_foot(leg, swing_phase(leg, i))));
-  }
-  return least;
+bool clears_in_mid_swing(const LegCycle& leg, const SwingMoments& moments, double wanted) {
+  const std::span middle(&moments[swing_samples / 3], &moments[7 * swing_samples / 10 + 1]);
+  return std::ranges::all_of(middle, [&](const SwingMoment& moment) {
+    return toe_clearance(leg.foot, foot_in(leg, moment)) >= wanted;
+  });
 }
 
-/// Least height of any part of the foot from mid-swing to landing.
-double landing_clearance(const LegCycle& leg) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = swing_samples / 3; i < swing_samples; ++i) {
-    const FootPose foot = swinging_foot(leg, swing_phase(leg, i));
-    least = std::min({least, toe_clearance(leg.foot, foot), heel_clearance(leg.foot, foot)});
-  }
-  return least;
+/// Whether no part of the foot is in the floor from mid-swing to landing.
+bool comes_from_above(const LegCycle& leg, const SwingMoments& moments) {
+  const std::span later(&moments[swing_samples / 3], &moments[swing_samples]);
+  return std::ranges::all_of(later, [&](const SwingMoment& moment) {
+    const FootPose foot = foot_in(leg, moment);
+    return toe_clearance(leg.foot, foot) >= 0.0 && heel_clearance(leg.foot, foot) >= 0.0;
+  });
 }
 
-/// The value of `knob` in [low, high] at which the increasing measure reaches `wanted`.
-template <typename Measure>
-void solve_increasing(double& knob, double low, double high, double wanted, Measure measure) {
+/// The value of `knob` in [low, high] from which on `is_enough`.
+template <typename Enough>
+void find_enough(double& knob, double low, double high, Enough is_enough) {
   for (int i = 0; i < 40; ++i) {
     knob = 0.5 * (low + high);
-    (measure() < wanted ? low : high) = knob;
+    (is_enough() ? high : low) = knob;
   }
 }
 
 void reach_style(LegCycle& leg) {
   const WalkStyle& style = leg.pelvis.style;
+  const SwingMoments moments = swing_moments(leg);
   const double further = radians_per_degree * 5.0;  // the knee goes on bending after toe off
   const double peak = std::max(radians_per_degree * style.swing_knee_deg,
-                               swing_knee_flexion(leg, style.stance_share) + further);
-  solve_increasing(leg.knee_peak, -0.8, 0.8, peak, [&] { return peak_knee_flexion(leg); });
-  if (mid_swing_clearance(leg) < style.foot_clearance_m) {
-    solve_increasing(leg.lift, 0.0, 0.8, style.foot_clearance_m,
-                     [&] { return mid_swing_clearance(leg); });
-  }
-  if (landing_clearance(leg) < 0.0) {
-    solve_increasing(leg.landing, 0.0, 0.8, 0.0, [&] { return landing_clearance(leg); });
-  }
+                               knee_flexion_in(leg, moments.front()) + further);
+  find_enough(leg.knee_peak, -0.8, 0.8, [&] { return reaches_knee_flexion(leg, moments, peak); });
+  const auto clears = [&] { return clears_in_mid_swing(leg, moments, style.foot_clearance_m); };
+  if (!clears()) find_enough(leg.lift, 0.0, 0.8, clears);
+  const auto lands = [&] { return comes_from_above(leg, moments); };
+  if (!lands()) find_enough(leg.landing, 0.0, 0.8, lands);
 }
 
 }  // namespace
@@ -184,8 +211,17 @@ Vec3 hip_position(const LegCycle& leg, double cycle_phase) {
          pelvis_rotation(leg.pelvis, cycle_phase) * leg.hip_offset;
 }
 
+Vec3 print_of(const LegCycle& leg) {
+  const double start = leg.pelvis.stride_m * leg.phase_offset;
+  return {leg.side * 0.5 * leg.pelvis.style.step_width_m, 0.0, start + leg.ahead_m};
+}
+
+double yaw_of(const LegCycle& leg) {
+  return leg.side * radians_per_degree * leg.pelvis.style.foot_progression_deg;
+}
+
 FootPose planted_foot(const LegCycle& leg, double phase) {
-  return stance_foot(leg.foot, leg.pelvis.style, print(leg), yaw(leg), phase);
+  return stance_foot(leg.foot, leg.pelvis.style, print_of(leg), yaw_of(leg), phase);
 }
 
 LegCycle with_swing_curves(LegCycle leg) {
@@ -213,18 +249,7 @@ LegCycle fit_swing(LegCycle leg) {
 }
 
 FootPose swinging_foot(const LegCycle& leg, double phase) {
-  const double x = share_of_swing(leg, phase);
-  LegLine line;
-  line.knee_flexion = swing_knee_flexion(leg, phase);
-  line.swing = at(leg.swing_angle, x);
-  constexpr double circumduction = 0.014;  // of the leg's length: the foot passes outside
-  line.outward = at(leg.outward, x) + circumduction * (leg.thigh_m + leg.shank_m) * bump(x, 3, 3);
-  FootPose foot;
-  foot.yaw = yaw(leg);
-  foot.pitch = at(leg.pitch, x) + 0.5 * leg.lift * bump(x, 3, 3);
-  foot.toe_extension = swing_toe_extension(leg.toe_extension, x);
-  foot.ankle = ankle_at(leg, hip_position(leg, phase + leg.phase_offset), line);
-  return foot;
+  return foot_in(leg, swing_moment(leg, phase));
 }
 
 FootPose foot_at(const LegCycle& leg, double cycle_phase) {

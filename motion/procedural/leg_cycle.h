@@ -50,6 +50,11 @@ double knee_flexion_at(const LegCycle& leg, double distance);
 /// Position of the hip joint at a cycle phase.
 Vec3 hip_position(const LegCycle& leg, double cycle_phase);
 
+/// Where the ankle's plumb line meets the floor while the foot stands flat, and where the foot
+/// points (from +Z about +Y, radians).
+Vec3 print_of(const LegCycle& leg);
+double yaw_of(const LegCycle& leg);
+
 /// The foot during the stance that begins with heel strike at `phase` 0 of the leg's own cycle;
 /// `phase` may leave [0, stance_share] a little, for derivatives.
 FootPose planted_foot(const LegCycle& leg, double phase);

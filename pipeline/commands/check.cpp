@@ -68,10 +68,11 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
   if (options.quick) return findings;
   const Manifest rehearsed = rehearsal_sample(
       reading.manifest, options.thorough ? reading.manifest.stimuli.size() : most_rehearsed);
-  findings.faults = rehearse(rehearsed);
+  Motions motions(rehearsed);
+  findings.faults = rehearse(rehearsed, motions);
   findings.stimuli = reading.manifest.stimuli.size();
   findings.rehearsed = rehearsed.stimuli.size();
-  if (findings.faults.empty()) findings.possible = feasible_ranges(reading.manifest);
+  if (findings.faults.empty()) findings.possible = feasible_ranges(reading.manifest, motions);
   return findings;
 }
 

@@ -9,7 +9,6 @@
 #include "pipeline/film/film_framing.h"
 #include "pipeline/film/film_presentation.h"
 #include "pipeline/film/film_shot.h"
-#include "pipeline/synthesis/motions.h"
 
 namespace mien::pipeline {
 
@@ -17,8 +16,8 @@ namespace {
 
 class Rehearsal : public FaultList {
  public:
-  explicit Rehearsal(const Manifest& manifest)
-      : FaultList(manifest.places), manifest_(manifest), motions_(manifest) {}
+  Rehearsal(const Manifest& manifest, Motions& motions)
+      : FaultList(manifest.places), manifest_(manifest), motions_(motions) {}
 
   void play() {
     if (!goes("examples", [&] { motions_.repertoire(); })) return;
@@ -70,13 +69,18 @@ class Rehearsal : public FaultList {
   }
 
   const Manifest& manifest_;
-  Motions motions_;
+  Motions& motions_;
 };
 
 }  // namespace
 
 std::vector<Fault> rehearse(const Manifest& manifest) {
-  Rehearsal rehearsal(manifest);
+  Motions motions(manifest);
+  return rehearse(manifest, motions);
+}
+
+std::vector<Fault> rehearse(const Manifest& manifest, Motions& motions) {
+  Rehearsal rehearsal(manifest, motions);
   rehearsal.play();
   return in_reading_order(rehearsal.take());
 }

@@ -4,6 +4,7 @@
 
 #include "pipeline/documents/fault.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/synthesis/motions.h"
 
 namespace mien::pipeline {
 
@@ -13,5 +14,8 @@ namespace mien::pipeline {
 /// makes alike. The manifest itself is without faults (checked_manifest.h). Takes as long as the
 /// motions of a run, and a little more where luminance is equalized.
 std::vector<Fault> rehearse(const Manifest& manifest);
+
+/// The same with the manifest's motions, for who needs them afterwards.
+std::vector<Fault> rehearse(const Manifest& manifest, Motions& motions);
 
 }  // namespace mien::pipeline

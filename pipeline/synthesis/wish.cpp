@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/synthesis/motions.h"
 #include "pipeline/synthesis/synthesis.h"
 
 namespace mien::pipeline {
@@ -147,13 +148,18 @@ std::string to_sentence(const FeasibleParameter& parameter) {
 }
 
 std::vector<std::string> feasible_ranges(const Manifest& manifest) {
+  Motions motions(manifest);
+  return feasible_ranges(manifest, motions);
+}
+
+std::vector<std::string> feasible_ranges(const Manifest& manifest, Motions& motions) {
   std::vector<std::string> lines;
   const auto asks = [](const Stimulus& stimulus) {
     return !stimulus.adjectives.empty() &&
            stimulus.interpolation.weights.method != motion::InterpolationMethod::pca;
   };
   if (!std::ranges::any_of(manifest.stimuli, asks)) return lines;
-  const Repertoire repertoire = load_repertoire(manifest);
+  const Repertoire& repertoire = motions.repertoire();
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (!asks(stimulus)) continue;
     const Wish wish = wish_of(stimulus, repertoire);

@@ -12,6 +12,8 @@
 
 namespace mien::pipeline {
 
+class Motions;
+
 /// What a stimulus asks for by name, as settings of sliders.
 struct Wish {
   SliderInterface sliders;      ///< the parameters asked for, then those that are held
@@ -48,7 +50,8 @@ std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const Param
 std::string to_sentence(const FeasibleParameter& parameter);
 
 /// Of every stimulus that asks for adjectives: "mix-1: extraversion 0.74 was asked for; blends …".
-/// Reads the examples.
+/// Reads the examples, once for all who ask the same motions; not at all when nobody asks.
+std::vector<std::string> feasible_ranges(const Manifest& manifest, Motions& motions);
 std::vector<std::string> feasible_ranges(const Manifest& manifest);
 
 }  // namespace mien::pipeline

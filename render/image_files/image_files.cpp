@@ -13,6 +13,8 @@ namespace mien::render {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr char part_name[] = "mien-image-files.so";
 
 [[noreturn]] void fail_to_load(const std::string& why) {
@@ -21,9 +23,23 @@ constexpr char part_name[] = "mien-image-files.so";
               "); install or build mien again");
 }
 
+/// What dlopen is given: the part where a build leaves it or an installation puts it, seen from the
+/// program's folder, as its run path says too. That alone would not do: dlopen as AddressSanitizer
+/// replaces it searches the run path of the sanitizer. The bare name, for the loader to find, when
+/// it is at none of these places.
+std::string part_file() {
+  std::error_code unknown;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", unknown).parent_path();
+  if (unknown) return part_name;
+  for (const char* place : {MIEN_INSTALLED_PARTS, ".", "..", "../.."}) {
+    const fs::path file = (folder / place / part_name).lexically_normal();
+    if (fs::is_regular_file(file, unknown)) return file.string();
+  }
+  return part_name;
+}
+
 const ImageFiles& loaded() {
-  // Found by the program's run path: beside it, or in ../lib/<machine>/mien.
-  void* part = dlopen(part_name, RTLD_NOW | RTLD_LOCAL);
+  void* part = dlopen(part_file().c_str(), RTLD_NOW | RTLD_LOCAL);
   if (part == nullptr) fail_to_load(dlerror());
   auto* const entry = reinterpret_cast<ImageFilesEntry*>(dlsym(part, image_files_entry));
   if (entry == nullptr) fail_to_load(dlerror());
@@ -51,7 +67,7 @@ const ImageFiles& image_files() {
 
 std::string image_files_version() {
   std::error_code missing;
-  const auto library = std::filesystem::canonical(MIEN_IMAGE_LIBRARY, missing);
+  const auto library = fs::canonical(MIEN_IMAGE_LIBRARY, missing);
   const std::string version = missing ? "" : version_in_name(library.filename().string());
   return version.empty() ? image_files().version() : version;
 }

@@ -117,6 +117,26 @@ TEST(Program, SaysWhatIsMissingWhenItsPartForPicturesIsNotThere) {
       << ended.output;
 }
 
+TEST(Program, FindsItsPartForPicturesInAnInstallationThatIsMoved) {
+  const Scratch scratch;
+  const fs::path prefix = scratch.path() / "prefix";
+  const fs::path parts = prefix / MIEN_PARTS_FOLDER;
+  fs::create_directories(prefix / "bin");
+  fs::create_directories(parts);
+  fs::copy_file(MIEN_PROGRAM, prefix / "bin/mien");
+  fs::copy_file(fs::path(MIEN_PROGRAM).parent_path() / "mien-image-files.so",
+                parts / "mien-image-files.so");
+  fs::rename(prefix, scratch.path() / "moved");
+  // By another name and from elsewhere: where it is comes from the program itself.
+  const Ended ended =
+      run_bash("cd " + scratch.path().string() +
+               "\nln -s moved/bin/mien another\n"
+               "./another motion blend --examples builtin:walks-10 --weights sad=1 -o a.bvh\n"
+               "./another render a.bvh --still --size 64x36 --quality draft -o a.png");
+  EXPECT_EQ(ended.code, 0) << ended.output;
+  EXPECT_TRUE(fs::exists(scratch.path() / "a.png"));
+}
+
 /// The words that stand at the start of a help's lines between two headings, or its end.
 std::vector<std::string> words_below(const std::string& help, const std::string& heading) {
   std::vector<std::string> words;
