@@ -161,6 +161,13 @@ render::Film exposed(render::Tracer& tracer, const scenes::Shot& shot, int frame
   return beside(seen_by(0), seen_by(cameras.size() - 1));
 }
 
+/// Whether the set looks another way in each frame, by a camera or ground that moves.
+bool set_moves(const scenes::Shot& shot) {
+  const bool ground_moves = shot.set.in_place && shot.set.ground &&
+                            shot.set.ground->line_spacing > 0.0f && !shot.step.isZero();
+  return shot.cameras.cameras.size() > 1 || ground_moves;
+}
+
 /// False when it was given up because of a stop request.
 bool draw_frame(render::Tracer& tracer, const scenes::Shot& shot, const FilmSettings& settings,
                 const render::Quality& quality, Exposure& exposure) {
@@ -190,11 +197,18 @@ render::Quality quality_of(const FilmSettings& settings) {
   return quality;
 }
 
+render::TracerOptions tracer_options(const FilmSettings& settings, const scenes::Shot& shot,
+                                     const std::stop_token& stop) {
+  render::TracerOptions options{.threads = settings.threads, .instruction_set = "", .stop = stop};
+  if (set_moves(shot)) return options;
+  options.sets = settings.sets;
+  options.keep_light = settings.keep_light;
+  return options;
+}
+
 render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& shot) {
   render::Quality quality = quality_of(settings);
-  const bool ground_moves = shot.set.in_place && shot.set.ground &&
-                            shot.set.ground->line_spacing > 0.0f && !shot.step.isZero();
-  if (shot.cameras.cameras.size() > 1 || ground_moves)
+  if (set_moves(shot))
     quality.standing_samples = std::min(quality.standing_samples, quality.samples_per_pixel);
   return quality;
 }
@@ -212,7 +226,7 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress) {
   give_back_memory();
-  render::Tracer tracer({.threads = settings.threads, .instruction_set = "", .stop = stop});
+  render::Tracer tracer(tracer_options(settings, shot, stop));
   const render::Quality quality = quality_of(settings, shot);
   FrameTaker taker(settings, shot.tone, store, sink);
   double done = 0.0;

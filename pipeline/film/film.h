@@ -12,6 +12,7 @@
 #include "render/image/image.h"
 #include "render/image/layers.h"
 #include "render/scene/quality.h"
+#include "render/tracer/standing_sets.h"
 #include "render/tracer/tracer.h"
 #include "scenes/stage/shot.h"
 
@@ -28,7 +29,16 @@ struct FilmSettings {
 
   /// Told how long the drawing of each frame took, in seconds.
   std::function<void(double)> drew = {};
+
+  /// What sets that stand share with other films, and what is found again of them (kept_light.h).
+  /// No influence on the pictures.
+  render::StandingSets* sets = nullptr;
+  render::KeepLight keep_light = {};
 };
+
+/// Of a film of that shot: a set that looks another way in each frame is nobody else's.
+render::TracerOptions tracer_options(const FilmSettings& settings, const scenes::Shot& shot,
+                                     const std::stop_token& stop = {});
 
 /// The renderer's settings for them.
 render::Quality quality_of(const FilmSettings& settings);

@@ -61,7 +61,7 @@ Samples samples_of(const Stimulus& stimulus, const Sampling& sampling, const Fil
     for (double& from_middle : *framing.figure_place) from_middle *= scale;
   }
   const scenes::Shot shot = shot_of(small, motions, settings.seed, framing);
-  render::Tracer tracer({.threads = settings.threads, .instruction_set = ""});
+  render::Tracer tracer(tracer_options(settings, shot, stop));
   render::Quality quality = render::draft_quality();
   quality.seed = settings.seed;
   Samples samples{.tone = shot.tone};

@@ -14,6 +14,7 @@
 #include "pipeline/film/film_recorder.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/film/film_tables.h"
+#include "pipeline/film/kept_light.h"
 #include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/tasks/code_identity.h"
 #include "render/image/image_io.h"
@@ -77,6 +78,7 @@ class FilmMaker {
         shot_(exposed(subject.make_shot(alike), alike.exposure_stops)),
         contact_(shot_.frame_count()),
         recorder_(settings_, shot_.frame_count()) {
+    settings_.keep_light = kept_light(run.store, run.stop);
     settings_.drew = [&run](double seconds) { run.store.presence().drew_frame(seconds); };
     record_.exposure_stops = static_cast<double>(alike.exposure_stops);
     record_.figure_px = scenes::figure_pixels(shot_.cameras);

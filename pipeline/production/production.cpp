@@ -78,7 +78,7 @@ void Production::add_motions(const SharedDeterminants& shared) {
   for (const Stimulus& stimulus : manifest_.stimuli) {
     graph_.add(motion_task(stimulus, shared, motions_));
   }
-  const FilmSettings settings{.seed = manifest_.seed, .threads = threads()};
+  const FilmSettings settings{.seed = manifest_.seed, .threads = threads(), .sets = &sets_};
   for (Task& task : equalizing_tasks(manifest_, shared, settings, motions_)) {
     graph_.add(std::move(task));
   }
@@ -141,9 +141,12 @@ int Production::threads() const {
   return std::min(options_.jobs, processors);
 }
 
-FilmSettings Production::film_settings(const Output& output) const {
-  return {
-      .output = output, .seed = manifest_.seed, .threads = threads(), .drawing = options_.drawing};
+FilmSettings Production::film_settings(const Output& output) {
+  return {.output = output,
+          .seed = manifest_.seed,
+          .threads = threads(),
+          .drawing = options_.drawing,
+          .sets = &sets_};
 }
 
 bool Production::is_wanted(const std::string& id) const {

@@ -11,6 +11,7 @@
 #include "pipeline/synthesis/motions.h"
 #include "pipeline/tasks/stopwatch.h"
 #include "pipeline/tasks/task_graph.h"
+#include "render/tracer/standing_sets.h"
 
 namespace mien::pipeline {
 
@@ -66,7 +67,7 @@ class Production {
   void add_film(const FilmSubject& subject, const SharedDeterminants& shared);
   void add(Task task, const Equalize& equalize);
   int threads() const;
-  FilmSettings film_settings(const Output& output) const;
+  FilmSettings film_settings(const Output& output);
   bool is_wanted(const std::string& id) const;
   bool is_wanted_motion(const std::string& name) const;
   bool is_wanted(const Sheet& sheet) const;
@@ -75,6 +76,7 @@ class Production {
   Manifest manifest_;
   ProductionOptions options_;
   Motions motions_;
+  render::StandingSets sets_;  ///< of all films
   TaskGraph graph_;
   std::set<std::string> wanted_;  ///< options_.only
   std::map<std::string, Hash> inputs_;

@@ -5,6 +5,7 @@
 
 #include "pipeline/film/film_equalized.h"
 #include "pipeline/film/film_shot.h"
+#include "pipeline/film/kept_light.h"
 #include "pipeline/sheets/sheet_task.h"
 #include "pipeline/sheets/stills.h"
 #include "pipeline/tasks/code_identity.h"
@@ -70,7 +71,9 @@ Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSetting
   task.products = sheet_products(sheet);
   task.cost_seconds = still_cost_seconds * static_cast<double>(sheet.stills.size());
   task.make = [&sheet, &manifest, &motions, settings](TaskRun& run) {
-    const StillsContent content = stills_content(sheet, manifest, settings, motions, run);
+    FilmSettings kept = settings;
+    kept.keep_light = kept_light(run.store, run.stop);
+    const StillsContent content = stills_content(sheet, manifest, kept, motions, run);
     put_sheet(run, stills_as_pdf(content), stills_as_png(content));
   };
   return task;

@@ -1,6 +1,9 @@
 #include "render/light/standing_set.h"
 
 #include <algorithm>
+#include <string_view>
+
+#include <xxhash.h>
 
 #include "render/light/floor.h"
 
@@ -90,6 +93,15 @@ std::vector<float> standing_key(const Scene& scene, const Camera& camera, const 
           quality.floor_sky_tolerance, quality.floor_sky_cell, quality.filter_width,
           static_cast<int>(quality.seed), static_cast<int>(quality.seed >> 32));
   return key.take();
+}
+
+std::string standing_name(const std::vector<float>& key) {
+  const XXH128_hash_t hash = XXH3_128bits(key.data(), key.size() * sizeof(float));
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string name;
+  for (const XXH64_hash_t half : {hash.high64, hash.low64})
+    for (int shift = 60; shift >= 0; shift -= 4) name += digits[(half >> shift) & 15u];
+  return name;
 }
 
 StandingSet empty_set(int width, int height) {

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <string>
 #include <vector>
 
-#include "render/geometry/embree_scene.h"
 #include "render/image/film.h"
 #include "render/scene/camera.h"
 #include "render/scene/quality.h"
@@ -20,8 +19,7 @@ struct StandingSet {
   std::vector<std::uint8_t> floor;  ///< 1 where a pixel's centre shows the floor
   std::vector<float> floor_x;       ///< where on the floor, metres
   std::vector<float> floor_z;
-  std::vector<std::uint8_t> solid;      ///< 1 where a pixel may show a standing solid
-  std::unique_ptr<EmbreeScene> solids;  ///< null without standing solids
+  std::vector<std::uint8_t> solid;  ///< 1 where a pixel may show a standing solid
 
   /// Where a pixel is in the lists.
   std::size_t place_of(int x, int y) const {
@@ -32,6 +30,10 @@ struct StandingSet {
 
 /// All numbers that a standing set depends on, for comparison.
 std::vector<float> standing_key(const Scene& scene, const Camera& camera, const Quality& quality);
+
+/// A name for a set with that key, 32 hexadecimal digits: two sets have the same by a chance of
+/// 2⁻¹²⁸.
+std::string standing_name(const std::vector<float>& key);
 
 /// The floor and backdrop of a row, in closed form at the centres of the pixels.
 void expose_open_row(const Scene& scene, const CameraFrame& camera, int y, StandingSet& set);

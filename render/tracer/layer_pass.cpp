@@ -55,7 +55,7 @@ Seen LayerPainter::look(const EyeRay& ray, float time, std::uint32_t present) co
   const Hits figure = picture_.figure.intersect(packet);
   Hits standing;
   standing.shape[0] = -1;
-  if (picture_.set.solids) standing = picture_.set.solids->intersect(packet);
+  if (picture_.walls) standing = picture_.walls->intersect(packet);
   Seen seen;
   const bool of_figure =
       figure.shape[0] >= 0 && (standing.shape[0] < 0 || figure.distance[0] <= standing.distance[0]);
@@ -65,7 +65,7 @@ Seen LayerPainter::look(const EyeRay& ray, float time, std::uint32_t present) co
     const Surface surface =
         of_figure ? surface_at(scene, picture_.solids, picture_.closing_solids,
                                picture_.figure.shapes(), hits.shape[0], point, ray.direction, time)
-                  : surface_at(scene, scene.standing, nullptr, picture_.set.solids->shapes(),
+                  : surface_at(scene, scene.standing, nullptr, picture_.walls->shapes(),
                                hits.shape[0], point, ray.direction, 0.0f);
     seen = {surface.albedo, surface.normal, point, true};
     if (of_figure) {

@@ -5,7 +5,7 @@ namespace mien::render {
 void LightQueries::trace() {
   if (rays_.count == 0) return;
   const std::uint32_t by_figure = picture_.figure.occluded(rays_);
-  const std::uint32_t by_set = picture_.set.solids ? picture_.set.solids->occluded(rays_) : 0;
+  const std::uint32_t by_set = picture_.walls ? picture_.walls->occluded(rays_) : 0;
   for (int i = 0; i < rays_.count; ++i) {
     const Query& query = queries_[static_cast<std::size_t>(i)];
     const bool figure = ((by_figure >> i) & 1u) != 0, set = ((by_set >> i) & 1u) != 0;

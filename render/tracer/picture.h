@@ -26,6 +26,7 @@ struct Picture {
   const Filter& filter;
   EmbreeScene figure;
   const StandingSet& set;
+  const EmbreeScene* walls;              ///< the standing solids; null without
   BoundingSphere bounds;                 ///< of the figure
   FilmMask film_mask;                    ///< where primary rays may meet the figure
   std::vector<ShadowMask> shadow_masks;  ///< where it may hide each light from the floor

@@ -72,7 +72,7 @@ void PixelPlanner::turn_to(const Tile& tile) {
   tile_lights_ = 0;
   for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
     if (whole || !area || picture_.shadow_masks[i].may_shade(*area)) tile_lights_ |= 1u << i;
-  is_alone_ = tile_lights_ == 0 && !whole && !picture_.piecemeal() && !picture_.set.solids;
+  is_alone_ = tile_lights_ == 0 && !whole && !picture_.piecemeal() && !picture_.walls;
   for (int y = tile.y_begin; y < tile.y_end && is_alone_; ++y)
     is_alone_ = !picture_.film_mask.may_meet_row(tile.x_begin, tile.x_end, y);
 }

@@ -202,7 +202,7 @@ void TilePainter::trace(Samples& samples) {
   const Hits figure = picture_.figure.intersect(primaries_);
   Hits standing;
   std::fill_n(standing.shape, packet_size, -1);
-  if (picture_.set.solids) standing = picture_.set.solids->intersect(primaries_);
+  if (picture_.walls) standing = picture_.walls->intersect(primaries_);
   for (int i = 0; i < samples.count; ++i) take_primary(samples[i], i, figure, standing);
   samples.count = 0;
   light_surfaces(picture_, figure_surfaces_, true, queries_);
@@ -235,7 +235,7 @@ Surface TilePainter::surface(int lane, const Hits& hits, bool of_figure, float t
   if (of_figure)
     return surface_at(picture_.scene, picture_.solids, picture_.closing_solids,
                       picture_.figure.shapes(), hits.shape[lane], point, direction, time);
-  return surface_at(picture_.scene, picture_.scene.standing, nullptr, picture_.set.solids->shapes(),
+  return surface_at(picture_.scene, picture_.scene.standing, nullptr, picture_.walls->shapes(),
                     hits.shape[lane], point, direction, time);
 }
 

@@ -60,7 +60,8 @@ void check(const Quality& quality) {
 
 struct KeptSet {
   std::vector<float> key;
-  StandingSet set;
+  StandingSets::Lent set;
+  std::unique_ptr<EmbreeScene> solids;  // null without standing solids
 };
 
 }  // namespace
@@ -69,11 +70,15 @@ struct Tracer::Engine {
   explicit Engine(const TracerOptions& options)
       : device(options.instruction_set),
         arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
-        stop(options.stop) {}
+        stop(options.stop),
+        sets(options.sets),
+        keep_light(options.keep_light) {}
 
   EmbreeDevice device;
   tbb::task_arena arena;
   std::stop_token stop;
+  StandingSets* sets;
+  KeepLight keep_light;
   std::array<KeptSet, 2> kept;  // two, for a pair of cameras; the one used last comes first
   float filter_width = 0.0f;
   std::optional<Filter> filter;
@@ -83,11 +88,14 @@ struct Tracer::Engine {
     filter_width = width;
     return *filter;
   }
-  const StandingSet& standing_set(const Scene& scene, const Camera& camera, const Quality& quality);
+  const KeptSet& standing_set(const Scene& scene, const Camera& camera, const Quality& quality);
+  StandingSet made_set(const Scene& scene, const Camera& camera, const Quality& quality,
+                       const std::string& name);
+  Film light_with_solids(const Scene& scene, const Camera& camera, const Quality& quality,
+                         const StandingSet& open);
   Picture prepare(const Scene& scene, const Camera& camera, const Quality& quality,
-                  const StandingSet& behind, Shapes shapes, const Solids& solids);
-  void add_standing_solids(const Scene& scene, const Camera& camera, const Quality& quality,
-                           StandingSet& set);
+                  const StandingSet& behind, const EmbreeScene* walls, Shapes shapes,
+                  const Solids& solids);
   void look_at_sky(Picture& picture);
 };
 
@@ -101,48 +109,63 @@ void Tracer::Engine::look_at_sky(Picture& picture) {
   picture.floor_sky.settle(picture.scene.sky);
 }
 
-const StandingSet& Tracer::Engine::standing_set(const Scene& scene, const Camera& camera,
-                                                const Quality& quality) {
+const KeptSet& Tracer::Engine::standing_set(const Scene& scene, const Camera& camera,
+                                            const Quality& quality) {
   std::vector<float> wanted = standing_key(scene, camera, quality);
-  if (wanted == kept[0].key) return kept[0].set;
+  if (wanted == kept[0].key) return kept[0];
   std::swap(kept[0], kept[1]);
-  auto& [key, set] = kept[0];
-  if (wanted == key) return set;
+  auto& [key, set, solids] = kept[0];
+  if (wanted == key) return kept[0];
   key.clear();
-  set = empty_set(camera.width, camera.height);
+  set.reset();
+  solids.reset();
+  const std::string name = standing_name(wanted);
+  const auto make = [&] { return made_set(scene, camera, quality, name); };
+  set = sets != nullptr ? sets->lend(name, make) : std::make_shared<const StandingSet>(make());
+  if (!scene.standing.empty())
+    solids = std::make_unique<EmbreeScene>(device, standing_shapes(scene));
+  key = std::move(wanted);
+  return kept[0];
+}
+
+StandingSet Tracer::Engine::made_set(const Scene& scene, const Camera& camera,
+                                     const Quality& quality, const std::string& name) {
+  StandingSet set = empty_set(camera.width, camera.height);
   const CameraFrame frame = frame_of(camera);
   arena.execute([&] {
     tbb::parallel_for(0, camera.height, [&](int y) { expose_open_row(scene, frame, y, set); });
   });
-  if (!scene.standing.empty()) add_standing_solids(scene, camera, quality, set);
-  key = std::move(wanted);
+  if (scene.standing.empty()) return set;
+  Camera sharp = camera;
+  sharp.aperture_radius = 0.0f;
+  const FilmMask mask(sharp, standing_shapes(scene), 0.5f * quality.filter_width);
+  const auto draw = [&] { return light_with_solids(scene, sharp, quality, set); };
+  Film light = keep_light ? keep_light(name, draw) : draw();
+  for (int y = 0; y < camera.height; ++y)
+    for (int x = 0; x < camera.width; ++x)
+      set.solid[set.place_of(x, y)] = mask.may_meet(x, y) ? 1 : 0;
+  set.radiance = std::move(light);
   return set;
 }
 
 // What stands is drawn like a figure in the open set, once.
-void Tracer::Engine::add_standing_solids(const Scene& scene, const Camera& camera,
-                                         const Quality& quality, StandingSet& set) {
+Film Tracer::Engine::light_with_solids(const Scene& scene, const Camera& camera,
+                                       const Quality& quality, const StandingSet& open) {
   Quality thorough = quality;
   thorough.samples_per_pixel = quality.standing_samples;
   thorough.background = Background::shown;
   Exposure exposure{Film(camera.width, camera.height), {}};
-  Camera sharp = camera;
-  sharp.aperture_radius = 0.0f;
-  {
-    Picture picture = prepare(scene, sharp, thorough, set, standing_shapes(scene), scene.standing);
-    look_at_sky(picture);
-    for_all_parts(arena, stop, exposure.film, {0, 0, camera.width, camera.height},
-                  [&](const Tile& part) { draw(picture, part, exposure); });
-    for (int y = 0; y < camera.height; ++y)
-      for (int x = 0; x < camera.width; ++x)
-        set.solid[set.place_of(x, y)] = picture.film_mask.may_meet(x, y) ? 1 : 0;
-  }
-  set.radiance = std::move(exposure.film);
-  set.solids = std::make_unique<EmbreeScene>(device, standing_shapes(scene));
+  Picture picture =
+      prepare(scene, camera, thorough, open, nullptr, standing_shapes(scene), scene.standing);
+  look_at_sky(picture);
+  for_all_parts(arena, stop, exposure.film, {0, 0, camera.width, camera.height},
+                [&](const Tile& part) { draw(picture, part, exposure); });
+  return std::move(exposure.film);
 }
 
 Picture Tracer::Engine::prepare(const Scene& scene, const Camera& camera, const Quality& quality,
-                                const StandingSet& behind, Shapes shapes, const Solids& solids) {
+                                const StandingSet& behind, const EmbreeScene* walls, Shapes shapes,
+                                const Solids& solids) {
   const Shapes nothing;
   const Shapes& above_floor = scene.has_ground ? shapes : nothing;
   std::vector<ShadowMask> shadow_masks;
@@ -151,7 +174,7 @@ Picture Tracer::Engine::prepare(const Scene& scene, const Camera& camera, const 
   FilmMask film_mask(camera, shapes, 0.5f * quality.filter_width);
   // Behind standing solids the sky changes too fast for interpolation.
   Quality floor_quality = quality;
-  if (behind.solids) floor_quality.floor_sky_tolerance = 0.0f;
+  if (walls != nullptr) floor_quality.floor_sky_tolerance = 0.0f;
   FloorSky floor_sky(above_floor, bounds, floor_quality,
                      view_of(frame_of(camera), camera.width, camera.height, 1.0f));
   return {.scene = scene,
@@ -163,6 +186,7 @@ Picture Tracer::Engine::prepare(const Scene& scene, const Camera& camera, const 
           .filter = filter_of(quality.filter_width),
           .figure = EmbreeScene(device, std::move(shapes)),
           .set = behind,
+          .walls = walls,
           .bounds = bounds,
           .film_mask = std::move(film_mask),
           .shadow_masks = std::move(shadow_masks),
@@ -186,9 +210,9 @@ Exposure Tracer::expose(const Scene& scene, const Camera& camera, const Quality&
   validate(scene);
   check(quality);
   if (closing != nullptr) validate(*closing);
-  const StandingSet& set = engine_->standing_set(scene, camera, quality);
+  const KeptSet& behind = engine_->standing_set(scene, camera, quality);
   Picture picture = engine_->prepare(
-      scene, camera, quality, set,
+      scene, camera, quality, *behind.set, behind.solids.get(),
       closing != nullptr ? shapes_between(scene, *closing) : figure_shapes(scene), scene.solids);
   if (closing != nullptr) picture.closing_solids = &closing->solids;
   if (closing_camera != nullptr) picture.closing_camera = frame_of(*closing_camera);
@@ -213,9 +237,9 @@ Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& q
   Camera sharp = camera;
   sharp.aperture_radius = 0.0f;
   Layers layers = empty_layers(scene, camera.width, camera.height);
-  const StandingSet& set = engine_->standing_set(scene, sharp, quality);
-  Picture picture =
-      engine_->prepare(scene, sharp, quality, set, figure_shapes(scene), scene.solids);
+  const KeptSet& behind = engine_->standing_set(scene, sharp, quality);
+  Picture picture = engine_->prepare(scene, sharp, quality, *behind.set, behind.solids.get(),
+                                     figure_shapes(scene), scene.solids);
   const Shapes later = next != nullptr ? figure_shapes(*next) : Shapes{};
   if (next != nullptr) {
     shapes_between(scene, *next);  // throws when they do not match

@@ -9,6 +9,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/quality.h"
 #include "render/scene/scene.h"
+#include "render/tracer/standing_sets.h"
 
 namespace mien::render {
 
@@ -22,6 +23,11 @@ struct TracerOptions {
 
   /// Once a stop is requested, what is being drawn is given up within a fraction of a second.
   std::stop_token stop = {};
+
+  /// Where standing sets are shared with other tracers, and kept for later ones. No influence on
+  /// the picture. None for sets that are seen once: where camera or ground move with every frame.
+  StandingSets* sets = nullptr;
+  KeepLight keep_light = {};
 };
 
 /// Thrown when a picture was given up because a stop was requested.
