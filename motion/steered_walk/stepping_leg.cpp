@@ -1,4 +1,4 @@
-#include "motion/procedural/stepping_leg.h"
+#include "motion/steered_walk/stepping_leg.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "motion/math/rotation.h"
-#include "motion/procedural/steered_moment.h"
 #include "motion/procedural/upper_body.h"
 #include "motion/procedural/walker_legs.h"
 #include "motion/skeleton/joint_transform.h"
+#include "motion/steered_walk/steered_moment.h"
 
 namespace mien::motion {
 
