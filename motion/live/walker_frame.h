@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/motion_graph/live_walk.h"
+#include "motion/steered_walk/live_walk.h"
 
 namespace mien::motion {
 

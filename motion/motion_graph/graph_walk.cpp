@@ -9,7 +9,7 @@
 #include "motion/gait/foot_lock.h"
 #include "motion/interpolation/blend.h"
 #include "motion/math/random_number.h"
-#include "motion/procedural/carriage.h"
+#include "motion/steered_walk/carriage.h"
 
 namespace mien::motion {
 

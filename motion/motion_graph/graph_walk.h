@@ -6,7 +6,7 @@
 
 #include "motion/motion_graph/motion_graph.h"
 #include "motion/motion_graph/walk_frames.h"
-#include "motion/procedural/scripted_walk.h"
+#include "motion/steered_walk/scripted_walk.h"
 
 namespace mien::motion {
 

@@ -6,7 +6,7 @@
 #include "motion/error.h"
 #include "motion/math/percentile.h"
 #include "motion/motion_graph/walk_search.h"
-#include "motion/procedural/floor_path.h"
+#include "motion/steered_walk/floor_path.h"
 
 namespace mien::motion {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "motion/motion_graph/graph_walk.h"
-#include "motion/procedural/scripted_walk.h"
+#include "motion/steered_walk/scripted_walk.h"
 
 namespace mien::motion {
 

@@ -16,11 +16,22 @@ Quat aimed_thigh(const Vec3& line, const Vec3& pole) {
   return frame_from(line, pole) * frame_from(-Vec3::UnitY(), Vec3::UnitZ()).conjugate();
 }
 
+/// An angle by which a knee points outward, radians, that knees of legs that turn do not point in
+/// front of each other: what is inward by more than in straight walks is taken back.
+double kept_outward(double angle) {
+  constexpr double free = 0.12;
+  constexpr double most = 0.2;
+  const double more = -angle - free;
+  if (more <= 0.0) return angle;
+  return -free - (most - free) * std::tanh(more / (most - free));
+}
+
 Vec3 knee_direction(const LegCycle& leg, const Quat& pelvis_rotation, const FootPose& foot) {
   const double splay = leg.side * radians_per_degree * leg.pelvis.style.knee_splay_deg;
   const Vec3 forward = pelvis_rotation * Vec3::UnitZ();
   const double facing = std::atan2(forward.x(), forward.z());
-  const double yaw = 0.4 * facing + 0.6 * foot.yaw + splay;
+  const double between = 0.6 * std::remainder(foot.yaw - facing, 2.0 * pi);
+  const double yaw = facing + leg.side * kept_outward(leg.side * between) + splay;
   return {std::sin(yaw), 0.0, std::cos(yaw)};
 }
 

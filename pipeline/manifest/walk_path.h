@@ -55,7 +55,7 @@ void fields_of(Field&& field, C& change) {
 /// A place on the floor, metres: to the left of where the world's +Z goes, and along it.
 using FloorPoint = std::array<double, 2>;
 
-/// What a walker under control (motion/procedural/scripted_walk.h) is to do, from standing to
+/// What a walker under control (motion/steered_walk/scripted_walk.h) is to do, from standing to
 /// standing on a path, or step by step; or what is to be found for it among motions of files
 /// (motion/motion_graph/guided_walk.h), which have their own moods and speeds. Exactly one of
 /// script and points is given.

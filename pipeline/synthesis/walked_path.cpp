@@ -7,9 +7,9 @@
 #include "motion/motion_graph/guided_walk.h"
 #include "motion/motion_graph/motion_graph.h"
 #include "motion/procedural/builtin_sets.h"
-#include "motion/procedural/scripted_walk.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
+#include "motion/steered_walk/scripted_walk.h"
 
 namespace mien::pipeline {
 

@@ -8,9 +8,9 @@
 #include <benchmark/benchmark.h>
 
 #include "motion/motion_graph/guided_walk.h"
-#include "motion/motion_graph/live_walk.h"
 #include "motion/procedural/affective_walk.h"
-#include "motion/procedural/walker_motions.h"
+#include "motion/steered_walk/live_walk.h"
+#include "motion/steered_walk/walker_motions.h"
 
 namespace {
 

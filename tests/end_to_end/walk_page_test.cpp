@@ -63,7 +63,7 @@ TEST_F(WalkPage, StandingFeetStand) {
   EXPECT_LT(measured.at("by_itself").at("slide_mm"), 5.0);
 }
 
-/// As in tests/motion/procedural/steered_walk_test.cpp.
+/// As in tests/motion/steered_walk/steered_walk_test.cpp.
 TEST_F(WalkPage, NothingJumps) { EXPECT_LT(measured.at("by_itself").at("acceleration"), 250.0); }
 
 TEST_F(WalkPage, AMoodIsSeenWithinATenthOfASecond) {

@@ -16,14 +16,16 @@ files='error.cpp
   formats/bvh_as_read.cpp formats/bvh_rotation.cpp formats/frame_rate.cpp
   measures/distance.cpp measures/feature_curves.cpp measures/feature_parameter.cpp
   measures/feature_scale.cpp measures/motion_feature_list.cpp measures/motion_features.cpp
-  motion_graph/live_walk.cpp
-  procedural/affective_walk.cpp procedural/builtin_styles.cpp procedural/carriage.cpp
-  procedural/expressive_walks.cpp procedural/fitted_gait.cpp procedural/foot_roll.cpp
-  procedural/leg_cycle.cpp procedural/paced_style.cpp procedural/pelvis_path.cpp
-  procedural/stance_fit.cpp procedural/steered_moment.cpp procedural/steered_pose.cpp
-  procedural/steered_walk.cpp procedural/step_plan.cpp procedural/stepping_leg.cpp
-  procedural/upper_body.cpp procedural/walk_curves.cpp procedural/walk_style.cpp
-  procedural/walker.cpp procedural/walker_gaits.cpp procedural/walker_legs.cpp'
+  procedural/affective_walk.cpp procedural/builtin_styles.cpp
+  procedural/expressive_walks.cpp procedural/foot_roll.cpp procedural/leg_cycle.cpp
+  procedural/pelvis_path.cpp procedural/stance_fit.cpp procedural/upper_body.cpp
+  procedural/walk_curves.cpp procedural/walk_style.cpp procedural/walker.cpp
+  procedural/walker_legs.cpp
+  steered_walk/carriage.cpp steered_walk/fitted_gait.cpp steered_walk/live_walk.cpp
+  steered_walk/paced_style.cpp steered_walk/steered_moment.cpp
+  steered_walk/steered_pose.cpp steered_walk/steered_walk.cpp
+  steered_walk/step_plan.cpp steered_walk/stepping_leg.cpp
+  steered_walk/walker_gaits.cpp'
 
 # Exceptions as WebAssembly has them: Chrome 95, Firefox 100, Safari 15.2. Without -msimd128: clang 14
 # vectorizes motion/rig/rest_calibration.cpp wrongly, and Eigen makes no use of it.

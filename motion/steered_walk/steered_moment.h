@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "motion/procedural/steered_walk.h"
+#include "motion/steered_walk/steered_walk.h"
 
 namespace mien::motion {
 

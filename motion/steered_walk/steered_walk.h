@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "motion/procedural/stepping_leg.h"
-#include "motion/procedural/walker_gaits.h"
 #include "motion/skeleton/pose.h"
+#include "motion/steered_walk/stepping_leg.h"
+#include "motion/steered_walk/walker_gaits.h"
 
 namespace mien::motion {
 

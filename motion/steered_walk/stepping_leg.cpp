@@ -1,4 +1,4 @@
-#include "motion/procedural/stepping_leg.h"
+#include "motion/steered_walk/stepping_leg.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,9 +104,14 @@ double smooth_step(double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// The foot raised where it would touch the floor in the middle of its swing.
-FootPose clear_of_floor(FootPose foot, const FootShape& shape, double x) {
-  constexpr double least = 0.004;
+/// The foot raised where it would touch the floor in the middle of its swing. Who hardly gets on
+/// lifts a foot higher than who walks: it does not swing past, it is set.
+FootPose clear_of_floor(FootPose foot, const FootShape& shape, double x, double speed_m_s) {
+  constexpr double walking = 0.004;
+  constexpr double setting = 0.04;
+  constexpr double slow_m_s = 0.35;
+  const double slow = smooth_step(1.0 - speed_m_s / slow_m_s);
+  const double least = walking + setting * slow * 16.0 * std::pow(x * (1.0 - x), 2.0);
   constexpr double soft = 0.003;
   constexpr double ends = 0.15;  // share of the swing in which it leaves or meets the floor
   const double lowest = std::min(toe_clearance(shape, foot), heel_clearance(shape, foot));
@@ -143,7 +148,7 @@ double swing_share(const SteppingLeg& leg, const LegMoment& moment) {
 FootPose foot_of(const SteppingLeg& leg, const LegMoment& moment) {
   if (!leg.swinging) return foot_pose(standing_numbers(leg, moment));
   return clear_of_floor(foot_pose(swinging_numbers(leg, moment)), moment.steady.foot,
-                        swing_share(leg, moment));
+                        swing_share(leg, moment), moment.carriage.speed.value);
 }
 
 FootPose landing_foot(const SteppingLeg& leg, const LegMoment& moment) {

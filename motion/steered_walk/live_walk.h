@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "motion/procedural/builtin_sets.h"
-#include "motion/procedural/steered_walk.h"
+#include "motion/steered_walk/steered_walk.h"
 
 namespace mien::motion {
 

@@ -1,4 +1,4 @@
-#include "motion/procedural/scripted_walk.h"
+#include "motion/steered_walk/scripted_walk.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 
 #include "motion/error.h"
 #include "motion/procedural/expressive_walks.h"
-#include "motion/procedural/floor_path.h"
-#include "motion/procedural/walker_motions.h"
+#include "motion/steered_walk/floor_path.h"
+#include "motion/steered_walk/walker_motions.h"
 
 namespace mien::motion {
 namespace {

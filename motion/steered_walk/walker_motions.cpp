@@ -1,10 +1,10 @@
-#include "motion/procedural/walker_motions.h"
+#include "motion/steered_walk/walker_motions.h"
 
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "motion/procedural/scripted_walk.h"
+#include "motion/steered_walk/scripted_walk.h"
 
 namespace mien::motion {
 

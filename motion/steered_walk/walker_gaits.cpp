@@ -1,9 +1,9 @@
-#include "motion/procedural/walker_gaits.h"
+#include "motion/steered_walk/walker_gaits.h"
 
 #include <algorithm>
 
 #include "motion/error.h"
-#include "motion/procedural/paced_style.h"
+#include "motion/steered_walk/paced_style.h"
 
 namespace mien::motion {
 

@@ -1,4 +1,4 @@
-#include "motion/procedural/step_plan.h"
+#include "motion/steered_walk/step_plan.h"
 
 #include <algorithm>
 #include <cmath>

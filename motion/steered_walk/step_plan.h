@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/procedural/steered_moment.h"
+#include "motion/steered_walk/steered_moment.h"
 
 namespace mien::motion {
 

@@ -1,4 +1,4 @@
-#include "motion/procedural/steered_walk.h"
+#include "motion/steered_walk/steered_walk.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "motion/procedural/fitted_gait.h"
+#include "motion/steered_walk/fitted_gait.h"
 
 #include <algorithm>
 #include <cassert>
@@ -6,9 +6,9 @@
 #include <cstring>
 #include <type_traits>
 
-#include "motion/procedural/paced_style.h"
 #include "motion/procedural/stance_fit.h"
 #include "motion/procedural/walker_legs.h"
+#include "motion/steered_walk/paced_style.h"
 
 namespace mien::motion {
 

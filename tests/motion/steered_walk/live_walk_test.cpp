@@ -1,4 +1,4 @@
-#include "motion/motion_graph/live_walk.h"
+#include "motion/steered_walk/live_walk.h"
 
 #include <limits>
 

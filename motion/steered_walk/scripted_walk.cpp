@@ -1,11 +1,11 @@
-#include "motion/procedural/scripted_walk.h"
+#include "motion/steered_walk/scripted_walk.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "motion/error.h"
-#include "motion/procedural/floor_path.h"
-#include "motion/procedural/step_plan.h"
+#include "motion/steered_walk/floor_path.h"
+#include "motion/steered_walk/step_plan.h"
 
 namespace mien::motion {
 

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "motion/procedural/carriage.h"
 #include "motion/procedural/leg_cycle.h"
+#include "motion/steered_walk/carriage.h"
 
 namespace mien::motion {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "motion/procedural/fitted_gait.h"
+#include "motion/steered_walk/fitted_gait.h"
 
 namespace mien::motion {
 

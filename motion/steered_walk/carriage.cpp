@@ -1,4 +1,4 @@
-#include "motion/procedural/carriage.h"
+#include "motion/steered_walk/carriage.h"
 
 #include <cmath>
 

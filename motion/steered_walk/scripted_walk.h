@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "motion/procedural/steered_walk.h"
 #include "motion/skeleton/clip.h"
+#include "motion/steered_walk/steered_walk.h"
 
 namespace mien::motion {
 

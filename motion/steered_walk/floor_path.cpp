@@ -1,4 +1,4 @@
-#include "motion/procedural/floor_path.h"
+#include "motion/steered_walk/floor_path.h"
 
 #include <algorithm>
 #include <cmath>

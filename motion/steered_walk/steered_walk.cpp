@@ -1,10 +1,10 @@
-#include "motion/procedural/steered_walk.h"
+#include "motion/steered_walk/steered_walk.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "motion/procedural/step_plan.h"
+#include "motion/steered_walk/step_plan.h"
 
 namespace mien::motion {
 

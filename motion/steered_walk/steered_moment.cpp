@@ -1,4 +1,4 @@
-#include "motion/procedural/steered_moment.h"
+#include "motion/steered_walk/steered_moment.h"
 
 #include <algorithm>
 #include <cmath>

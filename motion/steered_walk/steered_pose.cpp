@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "motion/math/rotation.h"
-#include "motion/procedural/steered_moment.h"
 #include "motion/procedural/upper_body.h"
 #include "motion/procedural/walker_legs.h"
 #include "motion/skeleton/joint_transform.h"
+#include "motion/steered_walk/steered_moment.h"
 
 namespace mien::motion {
 
@@ -148,6 +148,26 @@ double heel_rise_for(SteppingLeg leg, const LegMoment& moment, const CarriedPelv
   return std::min(0.9, std::max(reach, softly_positive(bend, soft_angle)));
 }
 
+/// Bends the ankle of a foot in the air no further than ankles go: its toes sink.
+void ease_ankle(const LegCycle& leg, const CarriedPelvis& carried, FootPose& foot) {
+  constexpr double most_deg = 24.0;  // some 30° are healthy; 10° are usual in the swing of a walk
+  constexpr double soft_angle = 0.05;
+  const double bend = shank_lean(leg, carried, foot) + foot.pitch;
+  foot.pitch -= softly_positive(bend - radians_per_degree * most_deg, soft_angle);
+}
+
+/// Leads a swinging foot round the standing one, which in a turn may stand in its way.
+void pass_beside(const FootPose& standing, double side, double swing_share, FootPose& foot) {
+  constexpr double apart_m = 0.085;  // of the ankles
+  constexpr double along_m = 0.26;   // before and behind the standing foot, over which it gives way
+  constexpr double soft_m = 0.015;
+  const double along = (foot.ankle.z() - standing.ankle.z()) / along_m;
+  const double beside = side * (foot.ankle.x() - standing.ankle.x());
+  const double share = 16.0 * std::pow(swing_share * (1.0 - swing_share), 2.0);
+  foot.ankle.x() +=
+      side * share * softly_positive(apart_m * std::exp(-along * along) - beside, soft_m);
+}
+
 /// What will be missing, metres, when a swinging leg comes down.
 double missing_at_landing(const SteeredMoment& moment, const SteeredWalk& walker,
                           std::size_t side) {
@@ -199,7 +219,13 @@ Pose pose_of(const WalkerGaits& gaits, const SteeredWalk& walker) {
   }
   carried.pelvis.y() = height;
   for (std::size_t side = 0; side < 2; ++side) {
-    if (walker.legs[side].swinging) pull_within_reach(moment.legs[side], carried, feet[side]);
+    if (!walker.legs[side].swinging) continue;
+    if (!walker.legs[1 - side].swinging) {
+      const double share = swing_share(walker.legs[side], leg_moment(moment, walker, side));
+      pass_beside(feet[1 - side], moment.legs[side].side, share, feet[side]);
+    }
+    pull_within_reach(moment.legs[side], carried, feet[side]);
+    ease_ankle(moment.legs[side], carried, feet[side]);
   }
 
   Pose pose;

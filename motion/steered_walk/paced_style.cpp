@@ -1,4 +1,4 @@
-#include "motion/procedural/paced_style.h"
+#include "motion/steered_walk/paced_style.h"
 
 #include <algorithm>
 #include <cmath>
