@@ -116,6 +116,7 @@ export class Figure {
 
   /** 1: solid. Less shines through, and is drawn after what is solid. */
   set_opacity(opacity: number): void {
+    if (opacity === this.opacity) return;
     this.opacity = opacity;
     this.skin?.set_opacity(opacity);
     for (const material of this.materials) {
@@ -129,6 +130,7 @@ export class Figure {
 
   /** Of the joints in order; null: the figure's own colour again. */
   paint(colours: string[] | null): void {
+    if (!colours && !this.colours) return;
     this.colours = colours;
     this.skin?.paint(colours);
     this.materials.forEach((material, joint) => {

@@ -112,7 +112,9 @@ export class FigureView {
 
   /** What is behind the figures: "#rrggbb". */
   set_background(colour: string): void {
-    this.scene.background = new Color(colour);
+    const wanted = new Color(colour);
+    if (this.scene.background instanceof Color && wanted.equals(this.scene.background)) return;
+    this.scene.background = wanted;
     this.changed();
   }
 
