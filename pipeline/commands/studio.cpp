@@ -31,8 +31,6 @@ namespace fs = std::filesystem;
 constexpr char first_manifest[] = "quickstart";
 constexpr char own_file[] = "studio.yaml";
 
-constexpr char walker_page[] = "walk.html";
-
 constexpr std::size_t most_body_bytes = 4 << 20;
 
 struct StudioOptions {
@@ -64,9 +62,18 @@ std::unique_ptr<ManifestFile> opened(const std::string& name, const Console& con
 
 /// Puts the walker's page beside the studio's, with the motion core that it runs on in the browser.
 void add_walker(std::map<std::string, ServedFile>& page) {
+  std::string module = read_file(live_module());
   for (auto& [name, file] : served_page(page_bundle("walk")))
     page[name == "index.html" ? walker_page : name] = std::move(file);
-  page["live_core.wasm"] = {read_file(live_module()), "application/wasm"};
+  page[walker_page].webassembly = true;
+  page["live_core.wasm"] = {.bytes = std::move(module), .type = "application/wasm"};
+}
+
+/// Whether there is all that the walker needs.
+bool has_walker() {
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  return !live_module_beside(program).empty() && !page_beside(program, "walk").empty();
 }
 
 fs::path folder_for(const StudioOptions& options, const ManifestFile& file) {
@@ -93,12 +100,12 @@ void wait_for_stop(const std::stop_token& stop) {
 
 int run_studio(const StudioOptions& options, const Console& console) {
   auto page = served_page(page_bundle("studio"));
-  if (options.walk) add_walker(page);
+  if (options.walk || has_walker()) add_walker(page);
   const std::unique_ptr<ManifestFile> file = opened(options.manifest, console);
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   const int threads = options.jobs > 0 ? options.jobs : std::max(1, processors);
   StudioService service(*file, std::move(page), folder_for(options, *file), threads);
-  HttpSettings settings{.listen = "127.0.0.1", .port = options.port, .webassembly = options.walk};
+  HttpSettings settings{.listen = "127.0.0.1", .port = options.port};
   settings.limits.body_bytes = most_body_bytes;
   std::mutex telling;
   const HttpServer server(
@@ -136,7 +143,8 @@ void add_studio_command(CLI::App& app, Command& chosen) {
                    "Threads of stills and videos (default: one a processor)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--walk", options->walk,
-                    "Open a walker that arrow keys or a gamepad steer, and sliders of moods");
+                    "Open a walker that arrow keys or a gamepad steer, and sliders of moods; the "
+                    "studio's page leads there, too, once this has compiled what it needs");
   command->add_flag("--no-browser", options->no_browser, "Tell the link and open nothing");
   command->add_flag("--json", options->json, "Tell the link as JSON and open nothing");
   command->footer(

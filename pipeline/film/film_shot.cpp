@@ -9,23 +9,12 @@ namespace mien::pipeline {
 
 namespace {
 
-scenes::Role role_of(Role role) {
-  switch (role) {
-    case Role::target:
-      return scenes::Role::target;
-    case Role::reference:
-      return scenes::Role::reference;
-    default:
-      return scenes::Role::created;
-  }
-}
-
 scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
   const Output& output = film.output;
   return {.set = staged_set(film.look),
           .figure = film.look.figure,
           .camera = film.look.camera,
-          .role = role_of(film.role),
+          .role = staged_role(film.role),
           .size = output.whole_size(),
           .window = output.window(),
           .pixel_scale = output.scale,
@@ -45,6 +34,17 @@ Output output_for(Output output, const scenes::SetPlan& set) {
 }
 
 }  // namespace
+
+scenes::Role staged_role(Role role) {
+  switch (role) {
+    case Role::target:
+      return scenes::Role::target;
+    case Role::reference:
+      return scenes::Role::reference;
+    default:
+      return scenes::Role::created;
+  }
+}
 
 motion::Clip staged_clip(const Stimulus& stimulus, Motions& motions) {
   Stimulus shown = stimulus;
@@ -74,7 +74,7 @@ scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t see
   for (const auto& [role, name] : motions_on(overlay)) {
     performances.push_back({.name = name,
                             .clip = clip_at_rate(motions.of(name), output),
-                            .role = role_of(role),
+                            .role = staged_role(role),
                             .opacity = is_clear ? 1.0f : static_cast<float>(overlay.opacity)});
   }
   return scenes::stage(performances, look);

@@ -18,6 +18,9 @@ struct Framing {
   std::optional<std::array<double, 2>> figure_place;  ///< scenes/cameras/figure_place.h
 };
 
+/// What a figure of that role stands for on a stage.
+scenes::Role staged_role(Role role);
+
 /// The clip that a stimulus's film shows on its set. Throws Error.
 motion::Clip staged_clip(const Stimulus& stimulus, Motions& motions);
 

@@ -38,7 +38,8 @@ std::map<std::string, ServedFile> served_page(const fs::path& folder) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
       const auto type = page_types.find(entry.path().extension().string());
       if (entry.is_regular_file() && type != page_types.end())
-        page[entry.path().filename().string()] = {read_file(entry.path()), type->second};
+        page[entry.path().filename().string()] = {.bytes = read_file(entry.path()),
+                                                  .type = type->second};
     }
   }
   const auto index = page.find("index.html");

@@ -9,7 +9,8 @@ namespace mien::pipeline {
 /// A file of a page.
 struct ServedFile {
   std::string bytes;
-  std::string type;  ///< of its content: "text/css; charset=utf-8"
+  std::string type;          ///< of its content: "text/css; charset=utf-8"
+  bool webassembly = false;  ///< a page that may compile WebAssembly
 };
 
 /// The files of a page's folder that a browser needs, by name, as they are served: index.html,

@@ -1,4 +1,6 @@
+#include <list>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,14 +47,50 @@ std::optional<Located> locate(const json& document, const json& schema,
   return here;
 }
 
-valijson::ValidationResults validate(const json& document, const json& schema) {
+/// A schema as the validator takes it: making that takes longer than most validations.
+struct CompiledSchema {
+  explicit CompiledSchema(const json& given) : schema(given) {
+    valijson::SchemaParser().populateSchema(Adapter(schema), compiled);
+  }
+
+  json schema;
   valijson::Schema compiled;
-  valijson::SchemaParser parser;
-  parser.populateSchema(Adapter(schema), compiled);
-  valijson::Validator validator;
-  valijson::ValidationResults results;
-  validator.validate(compiled, Adapter(document), &results);
-  return results;
+};
+
+/// The first schemas that were asked for, kept: a program has few. For several threads.
+class CompiledSchemas {
+ public:
+  valijson::ValidationResults validate(const json& document, const json& schema) {
+    if (const CompiledSchema* own = kept(schema)) return validate(document, *own);
+    return validate(document, CompiledSchema(schema));
+  }
+
+ private:
+  static constexpr std::size_t most = 16;
+
+  static valijson::ValidationResults validate(const json& document, const CompiledSchema& schema) {
+    valijson::Validator validator;
+    valijson::ValidationResults results;
+    validator.validate(schema.compiled, Adapter(document), &results);
+    return results;
+  }
+
+  /// Null when there are enough others.
+  const CompiledSchema* kept(const json& schema) {
+    const std::lock_guard lock(mutex_);
+    for (const CompiledSchema& one : schemas_) {
+      if (one.schema == schema) return &one;
+    }
+    return schemas_.size() < most ? &schemas_.emplace_back(schema) : nullptr;
+  }
+
+  std::mutex mutex_;
+  std::list<CompiledSchema> schemas_;  // which stay where they are
+};
+
+valijson::ValidationResults validate(const json& document, const json& schema) {
+  static CompiledSchemas schemas;
+  return schemas.validate(document, schema);
 }
 
 }  // namespace

@@ -32,6 +32,9 @@ struct HttpResponse {
   std::string body;
   std::optional<FilePart> part;  ///< sent in place of `body`
   std::map<std::string, std::string> headers;
+
+  /// A page that may compile WebAssembly; browsers count that as unsafe, so that no other may.
+  bool webassembly = false;
 };
 
 /// {"error": …, "wrong": …, "remedy": …}

@@ -90,9 +90,9 @@ httplib::ContentProvider provider_of(const FilePart& part) {
   };
 }
 
-void send_response(const HttpResponse& response, bool webassembly, httplib::Response& sent) {
+void send_response(const HttpResponse& response, httplib::Response& sent) {
   sent.status = response.status;
-  sent.set_header(policy_header, content_policy(webassembly));
+  sent.set_header(policy_header, content_policy(response.webassembly));
   for (const auto& [name, value] : guarding_headers) sent.set_header(name, value);
   for (const auto& [name, value] : response.headers) sent.set_header(name, value);
   if (!response.part) {
@@ -206,7 +206,7 @@ class HttpServer::Listener : private httplib::Server {
     const std::optional<std::vector<std::string>> path = plain_path(request.target);
     if (!path) {
       send_response(http_refusal(404, "unknown", "there is nothing here", "check the address"),
-                    settings_.webassembly, sent);
+                    sent);
       return;
     }
     HttpRequest asked{.method = request.method,
@@ -214,7 +214,7 @@ class HttpServer::Listener : private httplib::Server {
                       .body = request.body,
                       .address = request.remote_addr};
     for (const auto& [name, value] : request.headers) asked.headers.emplace(name, value);
-    send_response(answer_to(asked), settings_.webassembly, sent);
+    send_response(answer_to(asked), sent);
   }
 
   bool process_and_close_socket(socket_t socket) override {

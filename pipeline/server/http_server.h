@@ -20,7 +20,6 @@ struct HttpSettings {
   RequestLimits limits;
   /// Of one address: all of a laboratory's participants may share one, and load their videos.
   Rate requests{.burst = 4000, .per_second = 400};
-  bool webassembly = false;  ///< let the pages compile WebAssembly (which browsers count as unsafe)
 };
 
 /// Called from several threads at once.

@@ -9,6 +9,7 @@
 #include "pipeline/checks/name_checks.h"
 #include "pipeline/documents/fault_list.h"
 #include "pipeline/studio/document_change.h"
+#include "pipeline/studio/studio_places.h"
 
 namespace mien::pipeline {
 
@@ -45,9 +46,15 @@ bool looks_like_path(const std::string& text) {
          std::isdigit(static_cast<unsigned char>(text[dot + 1])) == 0;
 }
 
+/// Patterns of names in a folder, which never lead out of it.
+bool is_pattern(const std::string& text, const DocumentPath& path) {
+  if (path.empty() || text.find_first_of("/\\") != std::string::npos) return false;
+  return path.back() == DocumentStep("include") || path.back() == DocumentStep("exclude");
+}
+
 /// Whether a text stands where a folder or file may be named without looking like one.
 bool names_a_source(const std::string& text, const DocumentPath& path) {
-  static const std::set<std::string> keys = {"set",    "folder",  "file",   "include",
+  static const std::set<std::string> keys = {"set",    "folder",  "file",
                                              "scales", "ratings", "recipes"};
   static const std::set<std::string> words = {"builtin", "none", "simulated", "fig29"};
   if (text.starts_with("builtin:") || words.contains(text)) return false;
@@ -59,17 +66,24 @@ bool names_a_source(const std::string& text, const DocumentPath& path) {
   });
 }
 
-std::vector<Fault> new_files(const ordered_json& document, const ordered_json& known) {
+std::vector<Fault> new_files(const ordered_json& document, const ordered_json& known,
+                             const std::filesystem::path& manifest) {
+  const StudioPlaces places(manifest, known);
   std::set<std::string> names;
   each_text(known, {}, [&](const std::string& text, const DocumentPath&) { names.insert(text); });
   std::vector<Fault> faults;
   each_text(document, {}, [&](const std::string& text, const DocumentPath& path) {
     if (names.contains(text)) return;
+    if (is_pattern(text, path)) return;
     if (!looks_like_path(text) && !names_a_source(text, path)) return;
+    if (places.hold(text)) return;
     faults.push_back({{},
                       path_text(path),
-                      "\"" + text + "\" is a file that the manifest does not name",
-                      "write it into the manifest by hand and load it again"});
+                      "\"" + text +
+                          "\" is neither named by the manifest nor a motion, a folder or a "
+                          "character below its folder",
+                      "choose what is there, or write it into the manifest by hand and load it "
+                      "again"});
   });
   return faults;
 }
@@ -95,7 +109,7 @@ ordered_json faults_json(const std::vector<Fault>& faults) {
 }
 
 ManifestReading DraftReader::reading_of(ordered_json document, const ordered_json& known) {
-  std::vector<Fault> faults = new_files(document, known);
+  std::vector<Fault> faults = new_files(document, known, file_);
   if (!faults.empty()) throw DraftFaults(std::move(faults));
   keep_dollars(document);
   const std::string text = document.dump(-1, ' ', false, ordered_json::error_handler_t::replace);

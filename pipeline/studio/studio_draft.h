@@ -33,8 +33,8 @@ nlohmann::ordered_json faults_json(const std::vector<Fault>& faults);
 
 /// Reads what a page would have made, by all rules of manifests. For several threads.
 ///
-/// A page names no file that the manifest does not name itself: texts that look like paths, and
-/// folders of examples, must stand in the manifest as it was opened or saved.
+/// A page names no file but those that the manifest names as it was opened or saved, and motions,
+/// folders and characters in its places (studio_places.h).
 class DraftReader {
  public:
   DraftReader(std::filesystem::path file, Environment environment)

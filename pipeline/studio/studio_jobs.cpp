@@ -85,8 +85,14 @@ std::optional<int> StudioJobs::begin(StudioJob job) {
 }
 
 nlohmann::ordered_json StudioJobs::told(int job) const {
+  nlohmann::ordered_json told = last();
+  if (!told.is_null() && told["job"] != job) return nullptr;
+  return told;
+}
+
+nlohmann::ordered_json StudioJobs::last() const {
   const std::lock_guard lock(mutex_);
-  if (job != number_ || number_ == 0) return nullptr;
+  if (number_ == 0) return nullptr;
   return {{"job", number_},  {"kind", kind_},          {"stimulus", stimulus_},
           {"state", state_}, {"share", share_.load()}, {"told", told_}};
 }

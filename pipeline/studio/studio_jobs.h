@@ -44,6 +44,9 @@ class StudioJobs {
   /// not the last.
   nlohmann::ordered_json told(int job) const;
 
+  /// The same about the last one; null before the first.
+  nlohmann::ordered_json last() const;
+
   /// Stops what is under way, soon.
   void cancel();
 

@@ -9,6 +9,7 @@
 #include "motion/live/live_answer.h"
 #include "motion/live/live_core.h"
 #include "motion/measures/distance.h"
+#include "pipeline/film/film_shot.h"
 #include "pipeline/live/live_bundle_writer.h"
 #include "pipeline/live/live_info.h"
 #include "pipeline/synthesis/synthesis.h"
@@ -84,6 +85,37 @@ DraftFaults as_fault(const std::string& path, const Error& error) {
   return DraftFaults({{{}, path, error.what(), ""}});
 }
 
+std::string text_of(const ordered_json& value) {
+  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+/// What motions are shown on takes longer to check than they take to be made.
+ordered_json without_looks(ordered_json document) {
+  document.erase("look");
+  if (!document.contains("stimuli") || !document["stimuli"].is_array()) return document;
+  for (ordered_json& stimulus : document["stimuli"]) {
+    if (stimulus.is_object()) stimulus.erase("look");
+  }
+  return document;
+}
+
+/// Only the looks of a document, of its stimuli with their roles.
+std::string looks_of(const ordered_json& about) {
+  ordered_json looks = {about.value("look", ordered_json())};
+  for (const ordered_json& stimulus : about.value("stimuli", ordered_json::array())) {
+    if (!stimulus.is_object()) continue;
+    looks.push_back(stimulus.value("look", ordered_json()));
+    looks.push_back(stimulus.value("role", ordered_json()));
+  }
+  return text_of(looks);
+}
+
+const motion::Example& compared(StudioMotion& made) {
+  if (!made.compared)
+    made.compared = motion::compared_example_as_written(shown_clip(made.synthesis, made.output));
+  return *made.compared;
+}
+
 const Stimulus* stimulus_in(const Manifest& manifest, const std::string& id) {
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.id == id) return &stimulus;
@@ -110,9 +142,8 @@ Motions& StudioMotions::study(const ordered_json& document, const ordered_json& 
 
 StudioMotions::Kept StudioMotions::made(const ordered_json& document, const ordered_json& known,
                                         const std::string& name) {
-  const ordered_json about = document_about(document, {name});
-  const std::string key =
-      name + "\n" + about.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  const ordered_json about = without_looks(document_about(document, {name}));
+  const std::string key = name + "\n" + text_of(about);
   for (const auto& [asked, kept] : made_) {
     if (asked == key) return kept;
   }
@@ -120,15 +151,31 @@ StudioMotions::Kept StudioMotions::made(const ordered_json& document, const orde
       about["stimuli"].empty() ? reader_.read_examples(about, known) : reader_.read(about, known);
   const Repertoire& repertoire = study(document, known).repertoire();
   const Stimulus* stimulus = stimulus_in(manifest, name);
-  const Output& output = stimulus != nullptr ? stimulus->output : manifest.output;
   auto motion = std::make_shared<StudioMotion>();
-  motion->synthesis = stimulus != nullptr
-                          ? synthesize(*stimulus, repertoire)
-                          : synthesize_example(name, output, manifest.interpolation, repertoire);
-  motion->compared = motion::compared_example_as_written(shown_clip(motion->synthesis, output));
+  motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
+  motion->synthesis = stimulus != nullptr ? synthesize(*stimulus, repertoire)
+                                          : synthesize_example(name, motion->output,
+                                                               manifest.interpolation, repertoire);
   made_.emplace_front(key, motion);
   if (made_.size() > most_motions) made_.pop_back();
   return motion;
+}
+
+StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const ordered_json& known,
+                                          const std::string& name) {
+  const ordered_json about = document_about(document, {name});
+  const std::string key = name + "\n" + looks_of(about);
+  for (const auto& [asked, kept] : shown_) {
+    if (asked == key) return kept;
+  }
+  const Manifest manifest =
+      about["stimuli"].empty() ? reader_.read_examples(about, known) : reader_.read(about, known);
+  const Stimulus* stimulus = stimulus_in(manifest, name);
+  shown_.emplace_front(key, stimulus == nullptr
+                                ? Shown{manifest.look.figure}
+                                : Shown{stimulus->look.figure, staged_role(stimulus->role)});
+  if (shown_.size() > most_motions) shown_.pop_back();
+  return shown_.front().second;
 }
 
 std::string StudioMotions::motion(const ordered_json& document, const ordered_json& known,
@@ -136,12 +183,14 @@ std::string StudioMotions::motion(const ordered_json& document, const ordered_js
   const std::lock_guard lock(mutex_);
   const auto begun = std::chrono::steady_clock::now();
   try {
-    const Kept shown = made(document, known, show);
+    const Kept motion = made(document, known, show);
     ordered_json distance;
     if (!against.empty())
       distance = distance_json(
-          motion::distance(made(document, known, against)->compared, shown->compared));
-    const Synthesis& synthesis = shown->synthesis;
+          motion::distance(compared(*made(document, known, against)), compared(*motion)));
+    const Synthesis& synthesis = motion->synthesis;
+    const Shown on = shown(document, known, show);
+    const StudioFigure figure = figures_.worn(on.figure, on.role, synthesis.motion.clip);
     const Repertoire& repertoire = study(document, known).repertoire();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     const ordered_json head = {{"body", body_json(synthesis.motion.clip.body)},
@@ -152,10 +201,23 @@ std::string StudioMotions::motion(const ordered_json& document, const ordered_js
                                {"weights", weights_json(synthesis, repertoire)},
                                {"modified", synthesis.modified},
                                {"seconds", took.count()},
-                               {"distance", distance}};
-    return framed(
-        head, motion::to_answer(motion::LiveMotion{synthesis.motion, synthesis.weights,
-                                                   motion::foot_plants(synthesis.motion.clip)}));
+                               {"distance", distance},
+                               {"figure", {{"key", figure.key}, {"joints", figure.joints}}}};
+    const motion::LiveMotion live{synthesis.motion, synthesis.weights,
+                                  motion::foot_plants(synthesis.motion.clip)};
+    return framed(head, motion::to_answer(live) + figure.poses);
+  } catch (const Error& error) {
+    throw as_fault("", error);
+  }
+}
+
+std::string StudioMotions::figure(const ordered_json& document, const ordered_json& known,
+                                  const std::string& show, const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  try {
+    const Shown on = shown(document, known, show);
+    const Kept motion = made(document, known, show);
+    return figures_.file(key, on.figure, on.role, motion->synthesis.motion.clip.body);
   } catch (const Error& error) {
     throw as_fault("", error);
   }

@@ -9,6 +9,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/server/session_store.h"
 #include "pipeline/studio/studio_guard.h"
+#include "pipeline/studio/studio_places.h"
 #include "pipeline/studio/studio_words.h"
 #include "pipeline/studio/yaml_text.h"
 
@@ -120,7 +121,9 @@ HttpResponse StudioService::read(const HttpRequest& request) {
   if (name == "studio.json") return studio_json();
   const auto file = page_.find(name.empty() ? "index.html" : name);
   if (file == page_.end()) return unknown(request);
-  return {.type = file->second.type, .body = file->second.bytes};
+  return {.type = file->second.type,
+          .body = file->second.bytes,
+          .webassembly = file->second.webassembly};
 }
 
 HttpResponse StudioService::take(const HttpRequest& request) {
@@ -155,6 +158,9 @@ HttpResponse StudioService::posted(const std::string& what, const Body& body) {
   if (what == "motion") return motion(body);
   if (what == "choices")
     return json_answer(motions_.choices(document_in(body), file_.state().document));
+  if (what == "figure") return figure(body);
+  if (what == "places")
+    return json_answer(StudioPlaces(file_.file(), file_.state().document).listed());
   if (what == "text") return text(body);
   if (what == "save") return save(body);
   if (what == "reload") return json_answer(state_json(file_.reload()));
@@ -168,6 +174,8 @@ HttpResponse StudioService::studio_json() {
                  {"place", std::filesystem::absolute(file_.file()).string()},
                  {"is_on_disk", file_.is_on_disk()},
                  {"manifest", state_json(state)},
+                 {"walker", page_.contains(walker_page)},
+                 {"job", jobs_.last()},
                  {"words", studio_words(file_)}};
   return json_answer(studio);
 }
@@ -177,6 +185,15 @@ HttpResponse StudioService::motion(const Body& body) {
           .body = motions_.motion(document_in(body), file_.state().document,
                                   member<std::string>(body, "show"),
                                   member_or<std::string>(body, "against", ""))};
+}
+
+HttpResponse StudioService::figure(const Body& body) {
+  std::string file =
+      motions_.figure(document_in(body), file_.state().document, member<std::string>(body, "show"),
+                      member<std::string>(body, "key"));
+  if (file.empty())
+    return http_refusal(404, "unknown", "there is no such figure", "ask for the motion again");
+  return {.type = "model/gltf-binary", .body = std::move(file)};
 }
 
 HttpResponse StudioService::text(const Body& body) {

@@ -16,13 +16,19 @@
 
 namespace mien::pipeline {
 
+/// The walker's page among the studio's, where there is one.
+inline constexpr char walker_page[] = "walk.html";
+
 /// What the studio's server answers, to who knows the link:
 ///
 ///     GET  /<link>/               the page, and the files of it
-///     GET  /<link>/studio.json    the manifest, and what there is to choose from (studio_words.h)
-///     POST /<link>/choices        examples and sliders for a document
-///     POST /<link>/motion         a motion, as bytes (studio_motions.h)
-///     POST /<link>/text           {"document", "show"}: the manifest's text as it would be saved,
+///     GET  /<link>/walk.html      the walker's page, where the motion core is compiled for
+///     browsers GET  /<link>/studio.json    the manifest, and what there is to choose from
+///     (studio_words.h) POST /<link>/choices        examples and sliders for a document POST
+///     /<link>/motion         a motion, as bytes (studio_motions.h) POST /<link>/figure
+///     {"document", "show", "key"}: the figure of a motion, as GLB POST /<link>/places folders of
+///     captures, and characters (studio_places.h) POST /<link>/text           {"document", "show"}:
+///     the manifest's text as it would be saved,
 ///                                 and the lines of a stimulus
 ///     POST /<link>/save           {"document", "version", "over"}: writes it (manifest_file.h)
 ///     POST /<link>/reload         opens the file again
@@ -58,6 +64,7 @@ class StudioService {
   HttpResponse posted(const std::string& what, const Body& body);
   HttpResponse studio_json();
   HttpResponse motion(const Body& body);
+  HttpResponse figure(const Body& body);
   HttpResponse text(const Body& body);
   HttpResponse save(const Body& body);
   HttpResponse begin_job(const Body& body);

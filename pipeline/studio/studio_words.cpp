@@ -44,12 +44,21 @@ ordered_json posture() {
   return units;
 }
 
+/// All that a step of a modification may say, as the schema has it.
+ordered_json modification() {
+  return ordered_json::parse(manifest_schema_text())
+      .at("definitions")
+      .at("modification")
+      .at("properties");
+}
+
 }  // namespace
 
 ordered_json studio_words(const ManifestFile& file) {
   return {{"sets", example_sets()},
           {"recipes", recipes_of(file)},
           {"posture", posture()},
+          {"modification", modification()},
           {"scenes", set_names()},
           {"cameras", {"three-quarter", "front", "side", "follow", "orbit"}},
           {"figures", {"stick", "mannequin", "point-light", "trail"}}};

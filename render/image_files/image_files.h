@@ -96,6 +96,10 @@ class ImageFiles {
   virtual bool write(const std::string& path, const std::vector<ImagePart>& parts,
                      std::string& error) const = 0;
 
+  /// The file of one picture, in memory; the ending of `name` tells the format.
+  virtual bool encode(const std::string& name, const ImagePart& part, std::string& bytes,
+                      std::string& error) const = 0;
+
   virtual ImageComparison compare(const ImageValues& a, const ImageValues& b,
                                   float threshold) const = 0;
 
@@ -110,7 +114,7 @@ std::string image_files_version();
 
 // Where the part that is loaded begins; it gives nothing to a program that was built with other
 // types than it was.
-inline constexpr int image_files_edition = 1;
+inline constexpr int image_files_edition = 2;
 inline constexpr char image_files_entry[] = "mien_image_files";
 using ImageFilesEntry = const ImageFiles*(int edition);
 

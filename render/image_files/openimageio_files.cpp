@@ -150,6 +150,24 @@ class OpenImageIoFiles final : public ImageFiles {
     return false;
   }
 
+  bool encode(const std::string& name, const ImagePart& part, std::string& bytes,
+              std::string& error) const override {
+    OIIO::Filesystem::IOVecOutput memory;
+    const std::unique_ptr<ImageOutput> output = ImageOutput::create(name, &memory);
+    if (!output) {
+      error = OIIO::geterror();
+      return false;
+    }
+    output->threads(1);
+    output->set_ioproxy(&memory);
+    if (!write_parts(*output, name, {part})) {
+      error = output->geterror();
+      return false;
+    }
+    bytes.assign(memory.buffer().begin(), memory.buffer().end());
+    return true;
+  }
+
   ImageComparison compare(const ImageValues& a, const ImageValues& b,
                           float threshold) const override {
     const auto found = OIIO::ImageBufAlgo::compare(buffer_of(a), buffer_of(b), threshold, threshold,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -78,6 +79,22 @@ Texture read_texture(std::span<const unsigned char> bytes, const std::string& na
   }
   while (texture.width > largest || texture.height > largest) texture = halved(texture);
   return texture;
+}
+
+std::string texture_png(const Texture& texture, TextureUse use) {
+  std::vector<unsigned char> codes;
+  codes.reserve(3 * texture.texels.size());
+  for (const Color& texel : texture.texels) {
+    for (const float share : texel) {
+      const double encoded = use == TextureUse::colour ? srgb_from_linear(share) : share;
+      codes.push_back(
+          static_cast<unsigned char>(std::lround(255.0 * std::clamp(encoded, 0.0, 1.0))));
+    }
+  }
+  std::string bytes, error;
+  const ImagePart part{.width = texture.width, .height = texture.height, .values = codes.data()};
+  if (!image_files().encode("texture.png", part, bytes, error)) fail("a texture", error);
+  return bytes;
 }
 
 }  // namespace mien::render

@@ -18,4 +18,8 @@ enum class TextureUse { colour, numbers };
 Texture read_texture(std::span<const unsigned char> bytes, const std::string& name,
                      TextureUse use = TextureUse::colour, int largest = 1024);
 
+/// The texture as a PNG of 8 bits a channel: the inverse of `read_texture`, but for rounding.
+/// Throws Error.
+std::string texture_png(const Texture& texture, TextureUse use);
+
 }  // namespace mien::render

@@ -35,13 +35,6 @@ motion::Recording bind_recording(const BoundRig& rig, const std::string& name) {
   return recording;
 }
 
-/// The rig as it was bound; `zero_pose` would put its root at the origin.
-motion::JointTransforms bind_of(const motion::Skeleton& rig) {
-  motion::JointTransforms bind = motion::zero_pose(rig);
-  for (Vec3& position : bind.positions) position += rig.joints.front().offset;
-  return bind;
-}
-
 /// Longest side of the box round all joints.
 double extent_of(const motion::Skeleton& rig) {
   Eigen::AlignedBox3d box;
@@ -82,21 +75,6 @@ std::array<Quat, motion::body_joint_count> bind_rotations_of(const motion::Recor
         motion::canonical_rotation(rig, rig.frames.front(), joint, mapping.calibration[joint]);
   }
   return rotations;
-}
-
-/// Which joint of the body each joint of the rig stands for; names the mesh's parts.
-std::vector<int> body_joint_of(const Character& character) {
-  std::vector<int> owner(character.rig.joints.size(), -1);
-  for (int b = 0; b < motion::body_joint_count; ++b) {
-    for (const int joint : character.joints[static_cast<size_t>(b)].group) {
-      if (!character.joints[static_cast<size_t>(b)].at_tip) owner[static_cast<size_t>(joint)] = b;
-    }
-  }
-  for (size_t j = 0; j < owner.size(); ++j) {
-    const int parent = character.rig.joints[j].parent;
-    if (owner[j] < 0) owner[j] = parent < 0 ? 0 : owner[static_cast<size_t>(parent)];
-  }
-  return owner;
 }
 
 void name_parts(Character& character) {
@@ -240,9 +218,30 @@ Quat turn_from_bind(const Character& character, const motion::JointTransforms& b
 
 }  // namespace
 
+/// `zero_pose` would put the root at the origin.
+motion::JointTransforms rig_at_rest(const Character& character) {
+  motion::JointTransforms rest = motion::zero_pose(character.rig);
+  for (Vec3& position : rest.positions) position += character.rig.joints.front().offset;
+  return rest;
+}
+
+std::vector<int> body_joint_of(const Character& character) {
+  std::vector<int> owner(character.rig.joints.size(), -1);
+  for (int b = 0; b < motion::body_joint_count; ++b) {
+    for (const int joint : character.joints[static_cast<size_t>(b)].group) {
+      if (!character.joints[static_cast<size_t>(b)].at_tip) owner[static_cast<size_t>(joint)] = b;
+    }
+  }
+  for (size_t j = 0; j < owner.size(); ++j) {
+    const int parent = character.rig.joints[j].parent;
+    if (owner[j] < 0) owner[j] = parent < 0 ? 0 : owner[static_cast<size_t>(parent)];
+  }
+  return owner;
+}
+
 motion::JointTransforms rig_in(const Character& character, const motion::Pose& pose) {
   const motion::JointTransforms body = motion::world_transforms(character.body, pose);
-  const motion::JointTransforms bind = bind_of(character.rig);
+  const motion::JointTransforms bind = rig_at_rest(character);
   std::vector<int> turned_by(character.rig.joints.size(), -1);
   for (int b = 0; b < motion::body_joint_count; ++b) {
     const motion::MappedJoint& mapped = character.joints[static_cast<size_t>(b)];
@@ -271,7 +270,7 @@ motion::JointTransforms rig_in(const Character& character, const motion::Pose& p
 }
 
 std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose) {
-  const JointMotions motions = joint_motions(bind_of(character.rig), rig_in(character, pose));
+  const JointMotions motions = joint_motions(rig_at_rest(character), rig_in(character, pose));
   std::vector<render::Mesh> meshes;
   for (const SkinnedMesh& mesh : character.meshes) {
     meshes.push_back(skinned_linearly(mesh, motions));

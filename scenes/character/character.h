@@ -69,6 +69,13 @@ motion::Clip worn_by(const Character& character, const motion::Clip& clip);
 /// Rig joints that stand for a joint of the body turn as it does, all others go with their parent.
 motion::JointTransforms rig_in(const Character& character, const motion::Pose& pose);
 
+/// The rig's joints in the bind pose, rotations as `rig_in` has them: none.
+motion::JointTransforms rig_at_rest(const Character& character);
+
+/// Which joint of the body each joint of the rig goes with: the one that it stands for, or that a
+/// joint above it does.
+std::vector<int> body_joint_of(const Character& character);
+
 /// The meshes in a pose of the character's body (linear blend skinning); materials are the
 /// character's.
 std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose);

@@ -114,6 +114,12 @@ Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& o
   return mannequin;
 }
 
+render::Material mannequin_skin(int texture) {
+  render::Material skin{render::Color::Ones(), 0.03f, 0.5f};
+  skin.texture = texture;
+  return skin;
+}
+
 render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose) {
   return skinned_rigidly(mannequin.mesh,
@@ -123,11 +129,9 @@ render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
 void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose) {
   render::Mesh mesh = posed(mannequin, body, pose);
-  render::Material skin{render::Color::Ones(), 0.03f, 0.5f};
-  skin.texture = static_cast<int>(scene.textures.size());
-  scene.textures.push_back(&mannequin.paint);
   mesh.material = static_cast<int>(scene.materials.size());
-  scene.materials.push_back(skin);
+  scene.materials.push_back(mannequin_skin(static_cast<int>(scene.textures.size())));
+  scene.textures.push_back(&mannequin.paint);
   const auto first_part = static_cast<int>(scene.parts.size());
   for (int& part : mesh.triangle_parts) part += first_part;
   const auto figure = static_cast<int>(scene.figures.size()) - 1;

@@ -23,6 +23,9 @@ struct Mannequin {
 Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
                          const FigureColours& colours);
 
+/// What its surface is made of; `texture` is where its paint stands among textures.
+render::Material mannequin_skin(int texture);
+
 /// Appends the mannequin in a pose of the body that it was made for (dual quaternion skinning), its
 /// parts called like the body's joints and belonging to the scene's last figure. The mannequin has
 /// to outlive the scene.

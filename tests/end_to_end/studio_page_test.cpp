@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +13,7 @@
 
 #include "end_to_end/browser.h"
 #include "end_to_end/program.h"
+#include "real_data.h"
 
 namespace mien::test {
 namespace {
@@ -133,18 +136,25 @@ std::string hindrance() {
   return "";
 }
 
-class StudioPage : public StudioAtWork {};
+class StudioPage : public StudioAtWork {
+ protected:
+  /// What a scripted browser prints that does as tests/studio/`script` says.
+  json played(const std::string& script, const std::vector<std::string>& more = {}) const {
+    const std::string where = run_program({"sh", "-c", "command -v " + chromium()}).output;
+    std::vector<std::string> line = {"env", "MIEN_CHROMIUM=" + where.substr(0, where.find('\n')),
+                                     "node", (pages / "work/tests/studio" / script).string(), link};
+    line.insert(line.end(), more.begin(), more.end());
+    const Ended ended = run_program(line, 500.0);
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    return json::parse(ended.output, nullptr, false);
+  }
+};
 
 TEST_F(StudioPage, ChangesTheQuickstartAndMakesIt) {
   if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
   open(MIEN_PROGRAM);
-  const std::string where = run_program({"sh", "-c", "command -v " + chromium()}).output;
-  const Ended played =
-      run_program({"env", "MIEN_CHROMIUM=" + where.substr(0, where.find('\n')), "node",
-                   (pages / "work/tests/studio/author.mjs").string(), link, manifest.string()},
-                  500.0);
-  ASSERT_EQ(played.code, 0) << played.errors;
-  const json seen = json::parse(played.output);
+  const json seen = played("author.mjs", {manifest.string()});
+  ASSERT_TRUE(seen.is_object());
   EXPECT_EQ(seen.at("wrong"), json::array());
   EXPECT_EQ(seen.at("stimuli"), json({"target-1", "guess-1", "mix-1"}));
   EXPECT_EQ(seen.at("undone"), "0.7");
@@ -184,6 +194,63 @@ TEST_F(StudioPage, ChangesTheQuickstartAndMakesIt) {
   const Ended compared =
       run_mien({"motion", "compare", clips + "guess-1.bvh", clips + "target-1.bvh", "--json"});
   EXPECT_NEAR(json::parse(compared.output).at("D").get<double>(), seen.at("D").get<double>(), 1e-9);
+}
+
+TEST_F(StudioPage, ChoosesFiguresCapturesAndOptionsThatTheManifestThenHas) {
+  if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+  fs::create_directory(folder.path() / "captures");
+  for (const std::string name : {"normal", "happy", "proud", "tired", "sad"})
+    run_mien({"motion", "blend", "--examples", "builtin:walks-10", "--weights", name + "=1",
+              "--cycles", "3", "-o", (folder.path() / "captures" / (name + ".bvh")).string()});
+  const auto data = real_data();
+  const bool has_robot = data && fs::exists(*data / "characters/cesium_man.gltf");
+  if (has_robot) fs::copy_file(*data / "characters/cesium_man.gltf", folder.path() / "robot.gltf");
+  open(MIEN_PROGRAM);
+  const json seen = played("chooser.mjs", {manifest.string()});
+  ASSERT_TRUE(seen.is_object());
+  EXPECT_EQ(seen.at("wrong"), json::array());
+  EXPECT_EQ(seen.at("stick"), 0);
+  EXPECT_EQ(seen.at("mannequin"), seen.at("body_joints"));
+  if (has_robot) {
+    EXPECT_EQ(seen.at("character"), seen.at("characters_joints"));
+    EXPECT_LT(seen.at("off").get<double>(), 1e-6);
+  }
+  EXPECT_EQ(seen.at("count"), 5);
+  EXPECT_EQ(seen.at("chosen"), json({"happy", "normal", "proud", "sad"}));
+  EXPECT_EQ(seen.at("folder_faults"), json::array());
+  // Every key of a modification that has no field of its own, but for those of older methods.
+  for (const char* key :
+       {"gains", "signal", "acceleration_at", "limbs", "pose", "seed", "repair", "soft_limits"})
+    EXPECT_TRUE(std::ranges::count(seen.at("options"), json(key)) == 1) << key;
+  EXPECT_EQ(seen.at("modify_faults"), json::array());
+  EXPECT_EQ(seen.at("refusal"), json::array());
+  const std::string saved = seen.at("saved");
+  for (const char* text :
+       {"folder: captures", "exclude: \"tired*\"", "ratings: simulated", "middle: 1.7", "0.5, 1, 1.4",
+        "captures/proud.bvh", "frame: 4", "feet", "soft_limits: false"})
+    EXPECT_NE(saved.find(text), saved.npos) << text << "\n" << saved;
+  const Ended checked = run_mien({"check", manifest.string()});
+  EXPECT_EQ(checked.code, 0) << checked.errors;
+}
+
+TEST_F(StudioPage, StopsFilmsAlsoFromAnotherPage) {
+  if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
+  open(MIEN_PROGRAM);
+  const json seen = played("stopper.mjs");
+  ASSERT_TRUE(seen.is_object());
+  EXPECT_EQ(seen.at("wrong"), json::array());
+  EXPECT_NE(seen.at("going").get<std::string>().find("video of target-1: "), std::string::npos);
+  EXPECT_TRUE(seen.at("bar_is_gone").get<bool>());
+  EXPECT_EQ(seen.at("result"), 0);
+  EXPECT_NE(seen.at("found").get<std::string>().find("video of target-1"), std::string::npos);
+  // What was stopped is not there as if it were whole.
+  EXPECT_FALSE(fs::exists(folder.path() / "out/quickstart.studio/videos/target-1.mp4"));
+  const bool has_walker = fs::exists(pages / "live_core/live_core.wasm");
+  EXPECT_EQ(seen.at("walker"), has_walker ? "Walker" : "Walker…");
+  if (has_walker)
+    EXPECT_EQ(seen.at("back"), "./");
+  else
+    EXPECT_NE(seen.at("why").get<std::string>().find("--walk"), std::string::npos);
 }
 
 }  // namespace

@@ -64,13 +64,18 @@ TEST(HttpServer, GuardsEveryAnswer) {
 }
 
 TEST(HttpServer, LetsPagesCompileOnlyWhereItIsAsked) {
-  HttpSettings settings;
-  settings.webassembly = true;
-  const HttpServer server(settings, echo);
+  const HttpServer server(quick_settings(), [](const HttpRequest& request) {
+    HttpResponse answer = echo(request);
+    answer.webassembly = request.path.front() == "a";
+    return answer;
+  });
   const std::string policy =
       header_in(reply_of(server.port(), get_request("/a")), "Content-Security-Policy");
   EXPECT_NE(policy.find("script-src 'self' 'wasm-unsafe-eval';"), std::string::npos) << policy;
   EXPECT_EQ(policy.find("'unsafe-eval'"), std::string::npos) << policy;
+  const std::string other =
+      header_in(reply_of(server.port(), get_request("/b")), "Content-Security-Policy");
+  EXPECT_EQ(other.find("unsafe"), std::string::npos) << other;
 }
 
 TEST(HttpServer, LetsOnlyPlainPathsThrough) {

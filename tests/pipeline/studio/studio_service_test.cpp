@@ -1,79 +1,19 @@
 #include "pipeline/studio/studio_service.h"
 
-#include <chrono>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "pipeline/checks/checked_manifest.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/studio/studio_fixture.h"
 #include "pipeline/synthesis/motions.h"
-#include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-constexpr int port = 4711;
-
-class Studio : public testing::Test {
- protected:
-  Studio()
-      : file_((write_file(folder_.path() / "my.yaml",
-                          read_file(fs::path(MIEN_SOURCE_DIR) / "manifests" / "quickstart.yaml")),
-               folder_.path() / "my.yaml"),
-              process_environment()),
-        service_(file_,
-                 {{"index.html", {"<p>", "text/html"}}, {"studio.js", {"1", "text/javascript"}}},
-                 folder_.path() / "out", 2) {
-    service_.listens_at(port);
-  }
-
-  HttpRequest request(const std::string& method, std::vector<std::string> path,
-                      std::string body = "") const {
-    path.insert(path.begin(), service_.link());
-    HttpRequest asked{.method = method, .path = std::move(path), .body = std::move(body)};
-    asked.headers["host"] = "127.0.0.1:4711";
-    if (method == "POST") asked.headers["content-type"] = "application/json";
-    asked.address = "127.0.0.1";
-    return asked;
-  }
-
-  HttpResponse get(std::vector<std::string> path) {
-    return service_.answer(request("GET", std::move(path)));
-  }
-  HttpResponse post(const std::string& what, const ordered_json& body) {
-    return service_.answer(request("POST", {what}, body.dump()));
-  }
-  ordered_json document() const { return file_.state().document; }
-
-  /// The JSON before a motion.
-  static ordered_json head_of(const HttpResponse& response) {
-    std::uint32_t length = 0;
-    std::memcpy(&length, response.body.data(), 4);
-    EXPECT_EQ(response.body.substr(4 + length, 4), "MOVE");
-    return ordered_json::parse(response.body.substr(4, length));
-  }
-
-  /// The last word about a job.
-  ordered_json ended(int job) {
-    for (;;) {
-      const ordered_json told = ordered_json::parse(get({"jobs", std::to_string(job)}).body);
-      if (told["state"] != "running") return told;
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-  }
-
-  test::TemporaryFolder folder_;
-  ManifestFile file_;
-  StudioService service_;
-};
 
 TEST_F(Studio, ShowsTheManifestAndWhatThereIsToChoose) {
   EXPECT_EQ(get({""}).body, "<p>");
@@ -245,6 +185,8 @@ TEST_F(Studio, MakesStillsAndVideosOneAtATime) {
   const ordered_json film = ended(filmed["job"]);
   EXPECT_EQ(film["state"], "done") << film["told"];
   EXPECT_EQ(film["share"], 1.0);
+  // A page that is opened now learns of it.
+  EXPECT_EQ(ordered_json::parse(get({"studio.json"}).body)["job"], film);
   EXPECT_TRUE(fs::exists(folder_.path() / "out" / "videos" / "mix-1.mp4"));
   // The manifest itself asks for nothing of the kind.
   EXPECT_FALSE(fs::exists(folder_.path() / "out" / "quickstart"));

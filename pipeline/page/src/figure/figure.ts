@@ -1,7 +1,18 @@
-import { Color, Group, Mesh, MeshLambertMaterial, Quaternion, Vector3, type Material } from "three";
+import {
+  Color, Group, Mesh, MeshLambertMaterial, Quaternion, Vector3, type Material, type Object3D,
+} from "three";
 import type { LiveMotion } from "../live/core";
 import { joint_shape, side_of, type Body, type BodyStyle } from "./body_shape";
 import { between_frames, middle_of, type Place } from "./playing";
+import type { Skin } from "./skin";
+
+/** Where joints of a skin's own are in the frames of a motion. */
+export interface JointPoses {
+  /** frames × joints × 3, world, metres. */
+  positions: Float32Array;
+  /** frames × joints × 4 (x, y, z, w). */
+  rotations: Float32Array;
+}
 
 /** The left side is darker and the right one lighter, so that legs can be told apart. */
 function shade(colour: string, side: string): Color {
@@ -26,6 +37,10 @@ export class Figure {
   private veils: Mesh[] = [];
   private motion: LiveMotion | null = null;
   private middle: Place = { x: 0, z: 0 };
+  private skin: Skin | null = null;
+  private poses: JointPoses | null = null;
+  private opacity = 1;
+  private colours: string[] | null = null;
 
   constructor(private body: Body, private colour: string, style: BodyStyle = "mannequin") {
     const depth_alone = new MeshLambertMaterial({ colorWrite: false });
@@ -56,14 +71,54 @@ export class Figure {
     return this.motion;
   }
 
-  show(motion: LiveMotion | null): void {
+  /** `poses`: of a skin's own joints, where they are not the body's. */
+  show(motion: LiveMotion | null, poses: JointPoses | null = null): void {
     this.motion = motion;
+    this.poses = poses;
     this.group.visible = motion !== null;
     if (motion) this.middle = middle_of(motion);
+    this.dress();
+  }
+
+  /** Draws it as that from now on, as long as it fits what is shown; null: as balls and bones. */
+  wear(skin: Skin | null): void {
+    if (skin === this.skin) return;
+    if (this.skin) {
+      this.group.remove(this.skin.group);
+      this.skin.release();
+    }
+    this.skin = skin;
+    if (skin) {
+      this.group.add(skin.group);
+      skin.set_opacity(this.opacity);
+      skin.paint(this.colours);
+    }
+    this.dress();
+  }
+
+  /** Of the skin that is worn, metres; 0: a body of about the usual height. */
+  height(): number {
+    return this.is_dressed() ? this.skin!.height : 0;
+  }
+
+  /** Whether the skin has the joints whose places are known. */
+  private is_dressed(): boolean {
+    const count = this.motion && this.poses
+      ? this.poses.positions.length / 3 / this.motion.frames : this.joints.length;
+    return this.skin !== null && this.skin.joints.length === count;
+  }
+
+  private dress(): void {
+    const is_dressed = this.is_dressed();
+    for (const joint of this.joints) joint.visible = !is_dressed;
+    if (this.skin) this.skin.group.visible = is_dressed;
   }
 
   /** 1: solid. Less shines through, and is drawn after what is solid. */
   set_opacity(opacity: number): void {
+    if (opacity === this.opacity) return;
+    this.opacity = opacity;
+    this.skin?.set_opacity(opacity);
     for (const material of this.materials) {
       material.transparent = opacity < 1;
       material.opacity = opacity;
@@ -75,6 +130,9 @@ export class Figure {
 
   /** Of the joints in order; null: the figure's own colour again. */
   paint(colours: string[] | null): void {
+    if (!colours && !this.colours) return;
+    this.colours = colours;
+    this.skin?.paint(colours);
     this.materials.forEach((material, joint) => {
       const own = shade(this.colour, side_of(this.body.names[joint]!));
       material.color.copy(colours ? new Color(colours[joint]) : own);
@@ -89,22 +147,28 @@ export class Figure {
   pose(phase: number): void {
     const { motion } = this;
     if (!motion) return;
-    const count = this.joints.length;
+    const is_dressed = this.is_dressed();
+    this.pose_joints(motion, phase, is_dressed ? this.skin!.joints : this.joints,
+      (is_dressed && this.poses) || motion);
+  }
+
+  private pose_joints(motion: LiveMotion, phase: number, joints: Object3D[], poses: JointPoses): void {
+    const count = joints.length;
     const { frame, next, share, rounds } = between_frames(motion, phase);
     const [dx, dy, dz] = motion.displacement;
     const here = new Vector3();
     const there = new Vector3();
     const turn = new Quaternion();
     const turned = new Quaternion();
-    this.joints.forEach((joint, j) => {
-      here.fromArray(motion.positions, (frame * count + j) * 3);
-      there.fromArray(motion.positions, (next * count + j) * 3);
+    joints.forEach((joint, j) => {
+      here.fromArray(poses.positions, (frame * count + j) * 3);
+      there.fromArray(poses.positions, (next * count + j) * 3);
       there.set(there.x + rounds * dx, there.y + rounds * dy, there.z + rounds * dz);
       joint.position.lerpVectors(here, there, share);
       joint.position.x -= dx * phase + this.middle.x;
       joint.position.z -= dz * phase + this.middle.z;
-      turn.fromArray(motion.rotations, (frame * count + j) * 4);
-      turned.fromArray(motion.rotations, (next * count + j) * 4);
+      turn.fromArray(poses.rotations, (frame * count + j) * 4);
+      turned.fromArray(poses.rotations, (next * count + j) * 4);
       joint.quaternion.slerpQuaternions(turn, turned, share);
     });
   }
@@ -119,6 +183,7 @@ export class Figure {
   }
 
   release(): void {
+    this.wear(null);
     for (const group of this.joints)
       for (const part of group.children) (part as Mesh).geometry.dispose();
     for (const material of this.materials) material.dispose();

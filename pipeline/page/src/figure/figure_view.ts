@@ -2,8 +2,9 @@ import { Color, PerspectiveCamera, WebGLRenderer, type LineSegments, type Scene 
 import type { LiveMotion } from "../live/core";
 import type { Body, BodyStyle } from "./body_shape";
 import { let_turn, stand, within, type Turn } from "./camera_turn";
-import { Figure } from "./figure";
+import { Figure, type JointPoses } from "./figure";
 import { corresponding_phase, phase_in_round, round_seconds, seconds_of, type Step } from "./playing";
+import type { Skin } from "./skin";
 import { floor, floor_square, lit_scene } from "./stage";
 
 /** Over each other, the first shining through, or each in its own part of the view, seen alike. */
@@ -20,6 +21,7 @@ const sides: Record<Side, Pick<Turn, "azimuth" | "elevation">> = {
 };
 
 const field_of_view = 32;  // degrees, upright
+const usual_height = 1.8;  // metres
 
 /**
  * Figures of one body that play motions, again and again, walking in place on a floor that passes
@@ -65,8 +67,8 @@ export class FigureView {
   }
 
   /** A figure plays this from now on, from the phase where it was; null: it is gone. */
-  show(figure: number, motion: LiveMotion | null): void {
-    this.figures[figure]!.show(motion);
+  show(figure: number, motion: LiveMotion | null, poses: JointPoses | null = null): void {
+    this.figures[figure]!.show(motion, poses);
     this.arrange(this.arrangement);
   }
 
@@ -91,6 +93,12 @@ export class FigureView {
     this.parts.fill(first);
   }
 
+  /** What a figure is drawn as; null: balls and bones. */
+  wear(figure: number, skin: Skin | null): void {
+    this.figures[figure]!.wear(skin);
+    this.changed();
+  }
+
   /** Colours of a figure's joints; null: its own again. */
   paint(figure: number, colours: string[] | null): void {
     this.figures[figure]!.paint(colours);
@@ -104,7 +112,9 @@ export class FigureView {
 
   /** What is behind the figures: "#rrggbb". */
   set_background(colour: string): void {
-    this.scene.background = new Color(colour);
+    const wanted = new Color(colour);
+    if (this.scene.background instanceof Color && wanted.equals(this.scene.background)) return;
+    this.scene.background = wanted;
     this.changed();
   }
 
@@ -226,7 +236,9 @@ export class FigureView {
     const half = Math.tan(field_of_view / 2 * Math.PI / 180) * wider;
     camera.fov = 2 * Math.atan(half) * 180 / Math.PI;
     camera.updateProjectionMatrix();
-    stand(camera, this.turn, 0, 0.9, 0);
+    // Who is taller is seen from as much farther away.
+    const scale = Math.max(1, ...figures.map((figure) => figure.height() / usual_height));
+    stand(camera, { ...this.turn, distance: this.turn.distance * scale }, 0, 0.9 * scale, 0);
     renderer.setViewport(left, 0, width, height);
     renderer.setScissor(left, 0, width, height);
     renderer.setScissorTest(true);

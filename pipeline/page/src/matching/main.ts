@@ -1,11 +1,12 @@
 import { open_served, open_wasm, type LiveCore } from "../live/core";
 import { element, button, heading } from "../questionnaire/elements";
 import type { PageRecord } from "../questionnaire/experiment";
-import { save_once } from "../questionnaire/files";
-import { is_phone, is_touched } from "../questionnaire/measures";
+import { save_once, type SavedFile } from "../questionnaire/files";
+import { is_touched } from "../questionnaire/measures";
 import { run_script } from "../questionnaire/media";
 import { participants_csv } from "../questionnaire/rows";
-import { Drawer, SessionClosed, type Store } from "../questionnaire/store";
+import { experiment_of, expect_own, may_begin, show_ending } from "../questionnaire/session_page";
+import { Drawer, type Store } from "../questionnaire/store";
 import { base, mode_of_page, root, show, show_closed, store_of, type Mode } from "../questionnaire/surroundings";
 import { page_record, show_text_page, wait_note, type AskedPage, type GivenOnPage } from "../questionnaire/text_view";
 import type { Texts } from "../questionnaire/texts";
@@ -13,16 +14,6 @@ import { checked_matching, type MatchingExperiment, type MatchingSession, type M
 import { changes_csv, trials_csv } from "./rows";
 import { matching_texts, shared_texts } from "./texts";
 import { run_trial, type MatchingSurroundings } from "./trial_page";
-
-async function experiment_of(mode: Mode): Promise<MatchingExperiment> {
-  if (mode === "served") {
-    const answer = await fetch(`${base()}session.json`, { cache: "no-store" });
-    if (!answer.ok) throw new Error(`The server gives no experiment (${answer.status}).`);
-    return checked_matching(await answer.json());
-  }
-  await run_script("experiment.js");
-  return checked_matching((globalThis as { mienExperiment?: unknown }).mienExperiment);
-}
 
 /** Behind the server, or in this browser from a script that brings the module. */
 async function core_of(mode: Mode): Promise<LiveCore> {
@@ -175,37 +166,27 @@ class Session {
   }
 }
 
-function show_ending(
-  mode: Mode, experiment: MatchingExperiment, store: Store<MatchingSession>, texts: Texts): void {
-  if (mode !== "static") return show(texts.thanks, [...experiment.texts.ending, texts.finished]);
+/** Saves what was recorded. */
+function saved_files(experiment: MatchingExperiment, store: Store<MatchingSession>): SavedFile[] {
   const { session, records, name } = store;
   const begin = `subject-${session.participant}_session-${name.slice(0, 8)}`;
   const everything = { format: "mien-matching-session-1", study: experiment.study, design: experiment.design,
     participant: session.participant, session: name, seed: session.seed, trials: session.trials, records };
   const csv_of = (what: string, text: string) =>
     ({ name: `${begin}_description-${what}_data.csv`, type: "text/csv", text });
-  const saved = save_once([
+  return save_once([
     csv_of("trials", trials_csv(experiment, session, records)),
     csv_of("changes", changes_csv(experiment, session, records)),
     csv_of("participant", participants_csv(experiment, session, records)),
     { name: `${begin}_records.json`, type: "application/json", text: JSON.stringify(everything, null, 1) },
   ], store);
-  const again = saved.map((file) => button(texts.save_file(file.name), file.save));
-  const next = button(texts.next_participant, () => {
-    store.clear?.();
-    location.replace(location.pathname);
-  });
-  show(texts.thanks, [...experiment.texts.ending, texts.finished_files],
-    element("div", { class: "buttons column" }, ...again), element("div", { class: "buttons" }, next));
 }
 
 async function main(): Promise<void> {
   const mode = mode_of_page();
-  const experiment = await experiment_of(mode);
+  const experiment = await experiment_of(mode, checked_matching);
   const texts = shared_texts(experiment.language);
-  document.documentElement.lang = experiment.language;
-  document.title = experiment.title;
-  if (experiment.settings.phones === "refused" && is_phone()) return show(experiment.title, [texts.phone]);
+  if (!may_begin(experiment, texts)) return;
   const store = await store_of(mode, experiment, texts, {
     results: (session, records) => trials_csv(experiment, session, records),
     files: (session, records) => ({
@@ -214,11 +195,11 @@ async function main(): Promise<void> {
     }),
   });
   if (!names_of(experiment, store.session).every((name) => store.kept.has(name))) {
-    if (experiment.refused) throw new SessionClosed("refused");
-    if (experiment.browser && experiment.browser !== store.name) throw new SessionClosed("elsewhere");
+    expect_own(experiment, store);
     await new Session(mode, experiment, store, texts).run();
   }
-  show_ending(mode, experiment, store, texts);
+  show_ending(mode, experiment, store, texts, () => saved_files(experiment, store));
 }
+
 
 main().catch((error: unknown) => show_closed(error, shared_texts(document.documentElement.lang)));

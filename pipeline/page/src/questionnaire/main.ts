@@ -1,28 +1,18 @@
 import { initJsPsych } from "jspsych";
-import { button, element } from "./elements";
 import { checked, records_of, type Experiment, type PageRecord } from "./experiment";
 import { save_files } from "./files";
 import { LoadPage } from "./load_page";
-import { is_phone, is_touched, refresh_rate } from "./measures";
-import { fill, run_script, type Stock } from "./media";
+import { is_touched, refresh_rate } from "./measures";
+import { fill, type Stock } from "./media";
 import { answers_csv, participants_csv } from "./rows";
 import { load_turn_view } from "./screen";
-import { SessionClosed, type Store } from "./store";
-import { base, mode_of_page, root, show, show_closed, store_of, type Mode } from "./surroundings";
+import { experiment_of, expect_own, may_begin, show_ending } from "./session_page";
+import type { Store } from "./store";
+import { mode_of_page, root, show, show_closed, store_of, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
 import { page_record, wait_note, type GivenOnPage } from "./text_view";
 import { texts_of, type Texts } from "./texts";
 import { TrialPage, type TrialSurroundings } from "./trial_page";
-
-async function experiment_of(mode: Mode): Promise<Experiment> {
-  if (mode === "served") {
-    const answer = await fetch(`${base()}session.json`, { cache: "no-store" });
-    if (!answer.ok) throw new Error(`The server gives no questionnaire (${answer.status}).`);
-    return checked(await answer.json());
-  }
-  await run_script("experiment.js");
-  return checked((globalThis as { mienExperiment?: unknown }).mienExperiment);
-}
 
 /** The timeline: what is kept already is left out. */
 function timeline_of(mode: Mode, experiment: Experiment, store: Store, texts: Texts) {
@@ -94,49 +84,24 @@ function timeline_of(mode: Mode, experiment: Experiment, store: Store, texts: Te
   return timeline;
 }
 
-function show_ending(mode: Mode, experiment: Experiment, store: Store, texts: Texts): void {
-  if (mode !== "static") {
-    show(texts.thanks, [...experiment.texts.ending, texts.finished]);
-    return;
-  }
-  const files = save_files(experiment, store);
-  const again = files.map(({ name, save }) => button(texts.save_file(name), save));
-  const next = button(texts.next_participant, () => {
-    store.clear?.();
-    // The next one gets a plan of his own.
-    location.replace(location.pathname);
-  });
-  show(texts.thanks, [...experiment.texts.ending, texts.finished_files],
-    element("div", { class: "buttons column" }, ...again), element("div", { class: "buttons" }, next));
-}
-
 async function main(): Promise<void> {
   const mode = mode_of_page();
-  const experiment = await experiment_of(mode);
+  const experiment = await experiment_of(mode, checked);
   const texts = texts_of(experiment.language);
-  document.documentElement.lang = experiment.language;
-  document.title = experiment.title;
-  if (experiment.settings.phones === "refused" && is_phone()) {
-    show(experiment.title, [texts.phone]);
-    return;
-  }
+  if (!may_begin(experiment, texts)) return;
   const store = await store_of(mode, experiment, texts, {
     results: (session, records) => answers_csv(experiment, session, records),
     files: (session, records) => ({ "participants.csv": participants_csv(experiment, session, records) }),
   });
-  const names = records_of(experiment, store.session);
-  if (names.every((name) => store.kept.has(name))) {
-    show_ending(mode, experiment, store, texts);
-    return;
+  if (!records_of(experiment, store.session).every((name) => store.kept.has(name))) {
+    expect_own(experiment, store);
+    const jsPsych = initJsPsych({ display_element: root(), override_safe_mode: true });
+    const running = jsPsych.run(timeline_of(mode, experiment, store, texts) as never);
+    root().removeAttribute("tabindex");  // jsPsych's own keyboard is not used
+    await running;
+    await store.finish();
   }
-  if (experiment.refused) throw new SessionClosed("refused");
-  if (experiment.browser && experiment.browser !== store.name) throw new SessionClosed("elsewhere");
-  const jsPsych = initJsPsych({ display_element: root(), override_safe_mode: true });
-  const running = jsPsych.run(timeline_of(mode, experiment, store, texts) as never);
-  root().removeAttribute("tabindex");  // jsPsych's own keyboard is not used
-  await running;
-  await store.finish();
-  show_ending(mode, experiment, store, texts);
+  show_ending(mode, experiment, store, texts, () => save_files(experiment, store));
 }
 
 main().catch((error: unknown) => show_closed(error, texts_of(document.documentElement.lang)));

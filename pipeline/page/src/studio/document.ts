@@ -15,9 +15,10 @@ export interface Stimulus extends JsonMap {
 export type Kind = "adjectives" | "features" | "weights";
 export const kinds: Kind[] = ["adjectives", "features", "weights"];
 
-/** What a stimulus is made from: sliders of a kind, a motion file, or another stimulus. */
-export const source_of = (stimulus: Stimulus): Kind | "clip" | "foil" =>
-  kinds.find((kind) => kind in stimulus) ?? ("clip" in stimulus ? "clip" : "foil");
+/** What a stimulus is made from: sliders of a kind, a motion file, a path that is walked, or another
+    stimulus. */
+export const source_of = (stimulus: Stimulus): Kind | "clip" | "path" | "foil" =>
+  kinds.find((kind) => kind in stimulus) ?? (["clip", "path"] as const).find((kind) => kind in stimulus) ?? "foil";
 
 export const is_map = (value: Json | undefined): value is JsonMap =>
   typeof value === "object" && value !== null && !Array.isArray(value);
@@ -40,6 +41,14 @@ export const with_stimulus = (document: Document, id: string, stimulus: Stimulus
   ...document,
   stimuli: document.stimuli.map((one) => (one.id === id ? stimulus : one)),
 });
+
+/** With that figure for all stimuli and examples. */
+export function with_figure(document: Document, figure: Json): Document {
+  const wearing = (one: JsonMap): JsonMap => with_member(one, "look", { ...map_of(one["look"]), figure });
+  const made = wearing(document) as Document;
+  made.stimuli = document.stimuli.map((one) => ("look" in one ? (wearing(one) as Stimulus) : one));
+  return made;
+}
 
 /** An id that no stimulus has: "walk", "walk-2", … */
 export function free_id(document: Document, wanted: string): string {

@@ -1,5 +1,6 @@
 import { button, element } from "../questionnaire/elements";
 import { free_id, source_of, with_new_id, type Document, type Stimulus } from "./document";
+import { keep_built } from "./kept";
 import type { Studio } from "./studio";
 
 /** The manifest's stimuli, of which one is shown. */
@@ -24,8 +25,7 @@ export function list_panel(studio: Studio): HTMLElement {
     remove.disabled = studio.document().stimuli.length < 2;
     list.querySelector(".chosen")?.scrollIntoView({ block: "nearest" });
   };
-  studio.on((change) => (change === "document" || change === "selection") && build());
-  build();
+  keep_built(studio, () => [studio.selected, studio.document().stimuli.map((one) => [one.id, text_of(one), one["role"]])], build);
   return element("nav", { class: "list" },
     element("h2", {}, "Stimuli"), list,
     element("label", { class: "field" }, element("span", {}, "Id"), id),
@@ -33,11 +33,13 @@ export function list_panel(studio: Studio): HTMLElement {
       button("Duplicate", () => duplicate(studio), "small"), remove));
 }
 
+const text_of = (stimulus: Stimulus): string => source_of(stimulus) + ("modify" in stimulus ? ", modified" : "");
+
 function entry(studio: Studio, stimulus: Stimulus): HTMLLIElement {
   const is_chosen = stimulus.id === studio.selected;
   const chosen = element("button", { type: "button", class: is_chosen ? "stimulus chosen" : "stimulus" },
     element("span", {}, stimulus.id),
-    element("span", { class: "quiet" }, source_of(stimulus) + ("modify" in stimulus ? ", modified" : "")));
+    element("span", { class: "quiet" }, text_of(stimulus)));
   if (is_chosen) chosen.setAttribute("aria-current", "true");
   chosen.addEventListener("click", () => studio.select(stimulus.id));
   return element("li", { class: `role-${String(stimulus["role"] ?? "created")}` }, chosen);

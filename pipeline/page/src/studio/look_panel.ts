@@ -1,6 +1,8 @@
 import { element } from "../questionnaire/elements";
 import { is_map, map_of, with_member, type Json, type JsonMap } from "./document";
+import { characters_of, figure_of_text, figure_text } from "./figures";
 import { choice, labelled } from "./fields";
+import { keep_built } from "./kept";
 import type { Studio } from "./studio";
 
 /** Look and output of a stimulus, the study's own with its own over them. */
@@ -31,8 +33,10 @@ export function look_panel(studio: Studio): HTMLElement {
       build();
     }, (name) => (name === "own" ? `${studio.selected} alone` : "all stimuli"));
     const field = (key: string, names: string[], usual: string): HTMLElement => {
-      const now = name_of(look[key], usual);
-      const select = choice([...new Set([now, ...names])], now, (name) => set_look(studio, is_own, key, name));
+      const is_figure = key === "figure";
+      const now = (is_figure && figure_text(look[key])) || name_of(look[key], usual);
+      const select = choice([...new Set([now, ...names])], now,
+        (name) => set_look(studio, is_own, key, is_figure ? figure_of_text(name) : name));
       select.name = key;
       const own = key in map_of(studio.stimulus()?.["look"]);
       const made = labelled(key, select);
@@ -44,21 +48,20 @@ export function look_panel(studio: Studio): HTMLElement {
       labelled("Change it for", whose),
       field("scene", studio.words.scenes, "studio"),
       field("camera", studio.words.cameras, "three-quarter"),
-      field("figure", studio.words.figures, "mannequin"),
-      element("p", { class: "quiet" }, "The page shows the set's colours, the camera's direction, and sticks or a "
-        + "mannequin. A still shows what the film will look like."));
+      field("figure", [...studio.words.figures, ...characters_of(studio)], "stick"),
+      element("p", { class: "quiet" }, "The page shows the figure, the set's colours and the camera's direction. A still "
+        + "shows what the film will look like."));
     if (Object.keys(own).length > 0) {
       const back = element("button", { type: "button", class: "button" }, `${studio.selected}: as all stimuli`);
       back.addEventListener("click", () => studio.change_stimulus(with_member(studio.stimulus()!, "look", undefined)));
       panel.append(back);
     }
   };
-  studio.on((change) => (change === "document" || change === "selection") && build());
-  build();
+  keep_built(studio, () => [studio.selected, studio.document()["look"], studio.stimulus()?.["look"], characters_of(studio)], build);
   return panel;
 }
 
-function set_look(studio: Studio, is_own: boolean, key: string, name: string): void {
+function set_look(studio: Studio, is_own: boolean, key: string, name: Json): void {
   const document = studio.document();
   const stimulus = studio.stimulus();
   if (is_own && stimulus) {

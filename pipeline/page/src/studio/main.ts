@@ -1,6 +1,8 @@
 import { button, element } from "../questionnaire/elements";
+import { characters_of, figure_of_text, figure_text } from "./figures";
 import { choice, labelled } from "./fields";
 import { heat } from "./heat";
+import { keep_built } from "./kept";
 import { list_panel } from "./list_panel";
 import { look_panel } from "./look_panel";
 import { modify_panel } from "./modify_panel";
@@ -30,11 +32,15 @@ function tabs(panels: [string, HTMLElement][]): HTMLElement {
   return element("aside", { class: "side" }, bar, ...panels.map(([, panel]) => panel));
 }
 
+/** What the motion may be held against. */
+const others_of = (studio: Studio): string[] => studio.names().filter((name) => name !== studio.selected);
+
 /** What the stage shows, and how. */
 function stage_bar(studio: Studio, stage: StageView): HTMLElement {
   const play = button("Pause", () => stage.toggle(), "small play");
   setInterval(() => {
-    play.textContent = stage.plays() ? "Pause" : "Play";
+    const text = stage.plays() ? "Pause" : "Play";
+    if (play.textContent !== text) play.textContent = text;
   }, 100);
   play.title = "Space";
   const against = element("span");
@@ -46,23 +52,32 @@ function stage_bar(studio: Studio, stage: StageView): HTMLElement {
   hot.addEventListener("change", () => stage.set_heat(hot.checked));
   const heat_field = element("label", { class: "check", title: "joints in the colours of their distance" }, hot, "heat");
   const distance = element("span", { class: "distance", role: "status" });
-  const figure = choice(["manifest", "stick", "mannequin"], "manifest",
-    (name) => stage.set_style(name as "manifest"), (name) => (name === "manifest" ? "as the look" : name));
-  const tell = (): void => {
-    const names = studio.names().filter((name) => name !== studio.selected);
-    const select = choice(["", ...names], studio.against, (name) => studio.compare_with(name),
+  const figure = element("span");
+  const offer = (): void => {
+    const names = ["", "stick", "mannequin", ...characters_of(studio)];
+    const select = choice(names, figure_text(studio.shown_on), (name) => studio.show_on(figure_of_text(name)),
+      (name) => (name ? name.replace(/^character (.*\/)?/, "") : "as the look"));
+    select.name = "shown-on";
+    figure.replaceChildren(labelled("Figure", select, "here alone; what films show stands under Look"));
+  };
+  const offer_motions = (): void => {
+    const select = choice(["", ...others_of(studio)], studio.against, (name) => studio.compare_with(name),
       (name) => name || "nothing");
     select.name = "against";
     against.replaceChildren(labelled("Against", select));
-    const found = studio.made?.distance;
     arrangement.hidden = heat_field.hidden = !studio.against;
+  };
+  const tell = (): void => {
+    const found = studio.made?.distance;
     distance.textContent = found ? `D ${found.D.toFixed(4)} m` : "";
     distance.style.setProperty("--heat", found ? heat(found.D) : "transparent");
     distance.title = found ? `mean distance of joints; D_sum ${found.D_sum.toFixed(2)} m` : "";
   };
-  studio.on(tell);
+  keep_built(studio, () => [characters_of(studio), studio.shown_on], offer);
+  keep_built(studio, () => [studio.against, others_of(studio)], offer_motions);
+  studio.on((change) => (change === "motion" || change === "selection") && tell());
   tell();
-  return element("div", { class: "stage-bar" }, play, labelled("Figure", figure), against, arrangement, heat_field, distance);
+  return element("div", { class: "stage-bar" }, play, figure, against, arrangement, heat_field, distance);
 }
 
 /** Faults of the draft, or what is to be said of the motion. */
@@ -125,6 +140,7 @@ async function begin(): Promise<void> {
     let_keys(studio, stage, top.save);
     (globalThis as { studio?: unknown }).studio = { studio, stage };
     studio.remake();
+    await studio.find_places();
   } catch (error) {
     const text = error instanceof Refusal ? error.message : String(error);
     place.replaceChildren(element("p", { class: "wrong", role: "alert" }, text));

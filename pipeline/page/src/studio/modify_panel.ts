@@ -1,21 +1,15 @@
 import { button, element, paragraphs } from "../questionnaire/elements";
-import { is_map, map_of, with_member, type Json, type JsonMap, type Stimulus } from "./document";
-import { adder, choice, labelled, slider } from "./fields";
+import { map_of, type JsonMap } from "./document";
+import { adder, choice, labelled } from "./fields";
+import { options } from "./modify_options";
+import { amount_slider, set_at, set_in_step, set_steps, steps_of, value_at, type Amount } from "./modify_steps";
 import type { Studio } from "./studio";
 
-interface Amount {
-  key: string;
-  title: string;
-  least: number;
-  most: number;
-  usual: number;
-}
-
 const amounts: Amount[] = [
-  { key: "paths", title: "lengths of the paths of hands, head and feet: 1 as they are", least: 0, most: 2, usual: 1 },
-  { key: "acceleration", title: "sharper (above 0) or smoother (below)", least: -1, most: 1, usual: 0 },
-  { key: "tempo", title: "times as fast", least: 0.25, most: 4, usual: 1 },
-  { key: "variation", title: "how much cycles differ from each other", least: 0, most: 1, usual: 0 },
+  { path: "paths", title: "lengths of the paths of hands, head and feet: 1 as they are", least: 0, most: 2, usual: 1 },
+  { path: "acceleration", title: "sharper (above 0) or smoother (below)", least: -1, most: 1, usual: 0 },
+  { path: "tempo", title: "times as fast", least: 0.25, most: 4, usual: 1 },
+  { path: "variation", title: "how much cycles differ from each other", least: 0, most: 1, usual: 0 },
 ];
 
 /** What is done to the motion once it is made: one step, or several after each other. */
@@ -39,18 +33,12 @@ export function modify_panel(studio: Studio): HTMLElement {
         + "its acceleration, posture, tempo or variation."]));
   };
   studio.on((change) => {
-    if (change !== "document" && change !== "selection") return;
+    if (!["document", "selection", "choices", "places"].includes(change)) return;
     if (shape_of(studio) !== drawn) build();
     else set_values(studio, panel);
   });
   build();
   return panel;
-}
-
-function steps_of(stimulus: Stimulus): JsonMap[] {
-  const modify = stimulus["modify"];
-  if (Array.isArray(modify)) return modify.map(map_of);
-  return is_map(modify) ? [modify] : [];
 }
 
 /** Of a recipe, if there is one: to be changed from there. */
@@ -60,55 +48,45 @@ function first_step(studio: Studio): JsonMap {
   return name === undefined ? { paths: 1.2 } : { emotion: name };
 }
 
-/** One step stays a map where it was one. */
-function set_steps(studio: Studio, steps: JsonMap[], gesture = ""): void {
-  const stimulus = studio.stimulus();
-  if (!stimulus) return;
-  const was_list = Array.isArray(stimulus["modify"]);
-  const value: Json | undefined = steps.length === 0 ? undefined : steps.length === 1 && !was_list ? steps[0]! : steps;
-  studio.change_stimulus(with_member(stimulus, "modify", value), gesture);
-}
-
-function set_in_step(studio: Studio, index: number, key: string, value: Json | undefined, gesture = ""): void {
-  const steps = steps_of(studio.stimulus()!);
-  const made = with_member(steps[index]!, key, value);
-  set_steps(studio, steps.map((one, i) => (i === index ? made : one)), gesture && `modify ${index} ${gesture}`);
-}
-
-/** What the panel is built anew for: everything but the numbers. */
+/** What the panel is built anew for: everything but the numbers that have sliders. */
 const shape_of = (studio: Studio): string => {
   const stimulus = studio.stimulus();
-  return JSON.stringify([studio.selected, stimulus ? steps_of(stimulus) : [], stimulus && "foil" in stimulus],
-    (_, value: unknown) => (typeof value === "number" ? 0 : value));
+  const slides = new Set(["strength", "low", "middle", "high", ...amounts.map((one) => one.path),
+    ...studio.words.posture.map((unit) => unit.name)]);
+  return JSON.stringify([studio.selected, stimulus ? steps_of(stimulus) : [], stimulus && "foil" in stimulus,
+    studio.choices.examples, studio.places.folders.length],
+  (key, value: unknown) => (typeof value === "number" && slides.has(key) ? 0 : value));
 };
 
 function set_values(studio: Studio, panel: HTMLElement): void {
   const steps = steps_of(studio.stimulus()!);
   for (const made of panel.querySelectorAll<HTMLElement>(".slider")) {
-    const values = steps[Number(made.dataset["step"])] ?? {};
-    const key = made.dataset["key"]!;
-    const value = values[key] ?? map_of(values["posture"])[key] ?? made.dataset["usual"]!;
+    const value = value_at(steps[Number(made.dataset["step"])] ?? {}, made.dataset["path"]!) ?? made.dataset["usual"]!;
     for (const input of made.querySelectorAll("input"))
       if (input !== document.activeElement || input.type === "range") input.value = String(value);
   }
 }
 
 function step(studio: Studio, index: number): HTMLElement {
-  const steps = steps_of(studio.stimulus()!);
-  const values = steps[index]!;
+  const values = steps_of(studio.stimulus()!)[index]!;
   const take = button("Remove", () => set_steps(studio, steps_of(studio.stimulus()!).filter((_, i) => i !== index)), "small");
   const head = element("div", { class: "step-head" }, element("h2", {}, `Step ${index + 1}`), take);
   const made = element("div", { class: "step" }, head);
-  if ("method" in values || "pose" in values || "gains" in values)
-    made.append(element("code", { class: "as-written" }, JSON.stringify(values)));
-  if ("method" in values) return made;
-  made.append(recipe(studio, index, values));
-  if ("emotion" in values) made.append(amount_slider(studio, index, values,
-    { key: "strength", title: "of the recipe and what stands below", least: 0, most: 2, usual: 1 }));
-  for (const amount of amounts) made.append(amount_slider(studio, index, values, amount));
-  for (const name of Object.keys(map_of(values["posture"]))) made.append(posture_slider(studio, index, name));
-  const rest = studio.words.posture.filter((unit) => !(unit.name in map_of(values["posture"])));
-  made.append(adder("add a posture…", rest.map((unit) => unit.name), (name) => set_posture(studio, index, name, 10)));
+  if (!("method" in values)) made.append(...changes(studio, index, values));
+  made.append(...options(studio, index));
+  return made;
+}
+
+/** A recipe, and what changes most: the rest are options. */
+function changes(studio: Studio, index: number, values: JsonMap): HTMLElement[] {
+  const made = [recipe(studio, index, values)];
+  if ("emotion" in values) made.push(amount_slider(studio, index,
+    { path: "strength", title: "of the recipe and what stands below", least: 0, most: 2, usual: 1 }));
+  for (const amount of amounts) made.push(amount_slider(studio, index, amount));
+  const posture = map_of(values["posture"]);
+  for (const [name, value] of Object.entries(posture)) made.push(posture_slider(studio, index, name, Number(value)));
+  const rest = studio.words.posture.filter((unit) => !(unit.name in posture));
+  made.push(adder("add a posture…", rest.map((unit) => unit.name), (name) => set_at(studio, index, `posture.${name}`, 10)));
   return made;
 }
 
@@ -123,39 +101,8 @@ function recipe(studio: Studio, index: number, values: JsonMap): HTMLElement {
   return made;
 }
 
-function amount_slider(studio: Studio, index: number, values: JsonMap, amount: Amount): HTMLElement {
-  const given = values[amount.key];
-  const made = slider({
-    name: amount.key, title: amount.title, least: amount.least, most: amount.most, step: 0.01,
-    value: typeof given === "number" ? given : amount.usual,
-    moved: (value) => set_in_step(studio, index, amount.key, value, amount.key),
-    settled: () => studio.history.end_gesture(),
-    ...(typeof given === "number" ? { removed: () => set_in_step(studio, index, amount.key, undefined) } : {}),
+const posture_slider = (studio: Studio, index: number, name: string, value: number): HTMLElement =>
+  amount_slider(studio, index, {
+    path: `posture.${name}`, title: studio.words.posture.find((unit) => unit.name === name)?.note ?? "",
+    unit: "degrees", least: Math.min(-60, value), most: Math.max(60, value), step: 1, usual: 0,
   });
-  made.dataset["step"] = String(index);
-  made.dataset["key"] = amount.key;
-  made.dataset["usual"] = String(amount.usual);
-  made.classList.toggle("unset", typeof given !== "number");
-  return made;
-}
-
-function set_posture(studio: Studio, index: number, name: string, degrees: number | undefined, gesture = ""): void {
-  const posture = with_member(map_of(steps_of(studio.stimulus()!)[index]!["posture"]), name, degrees);
-  const value = Object.keys(posture).length > 0 ? posture : undefined;
-  set_in_step(studio, index, "posture", value, gesture);
-}
-
-function posture_slider(studio: Studio, index: number, name: string): HTMLElement {
-  const value = Number(map_of(steps_of(studio.stimulus()!)[index]!["posture"])[name]);
-  const made = slider({
-    name, title: studio.words.posture.find((unit) => unit.name === name)?.note ?? "", unit: "degrees",
-    least: Math.min(-60, value), most: Math.max(60, value), step: 1, value,
-    moved: (next) => set_posture(studio, index, name, next, `posture ${name}`),
-    settled: () => studio.history.end_gesture(),
-    removed: () => set_posture(studio, index, name, undefined),
-  });
-  made.dataset["step"] = String(index);
-  made.dataset["key"] = name;
-  made.dataset["usual"] = "0";
-  return made;
-}

@@ -1,6 +1,7 @@
 import { button, element, paragraphs } from "../questionnaire/elements";
 import type { Slider } from "../live/core";
-import { kinds, map_of, rounded, source_of, with_member, type Json, type JsonMap, type Kind, type Stimulus } from "./document";
+import { kinds, map_of, rounded, source_of, with_member, type JsonMap, type Kind, type Stimulus } from "./document";
+import { example_fields } from "./examples_fields";
 import { adder, choice, labelled, slider } from "./fields";
 import type { Studio } from "./studio";
 
@@ -19,7 +20,7 @@ export function motion_panel(studio: Studio): HTMLElement {
   };
   studio.on((change) => {
     if (change === "motion") tell_reached(studio, panel);
-    if (change !== "document" && change !== "choices" && change !== "selection") return;
+    if (!["document", "choices", "selection", "places"].includes(change)) return;
     if (key_of(studio) !== drawn) build();
     else set_values(studio, panel);
   });
@@ -33,7 +34,7 @@ function key_of(studio: Studio): string {
   const source = stimulus ? source_of(stimulus) : "";
   const values = stimulus ? Object.keys(map_of(stimulus[source])) : [];
   return JSON.stringify([studio.selected, source, values, studio.choices.examples, studio.document()["examples"],
-    stimulus?.["hold"], stimulus?.["role"]]);
+    studio.places.folders.map((one) => one.folder), stimulus?.["hold"], stimulus?.["role"]]);
 }
 
 function set_values(studio: Studio, panel: HTMLElement): void {
@@ -57,27 +58,16 @@ function tell_reached(studio: Studio, panel: HTMLElement): void {
 }
 
 function heads(studio: Studio, stimulus: Stimulus): HTMLElement {
-  const called = (value: Json | undefined): string =>
-    typeof value === "string" ? value : value === undefined ? "" : "the manifest's folder";
-  const set = map_of(studio.document()["examples"])["set"];
-  const own = studio.opened_examples["set"];
-  const sets = [...new Set([called(set), called(own), ...studio.words.sets])].filter((name) => name !== "");
-  const chosen = choice(sets, called(set), (name) => {
-    const examples = map_of(studio.document()["examples"]);
-    const made: JsonMap = name === called(own) ? { ...studio.opened_examples } : { ...examples, set: name };
-    if (!("ratings" in made) && name !== "builtin:actors") made["ratings"] = "builtin";
-    if (name === "builtin:actors") delete made["ratings"];
-    studio.change(with_member(studio.document(), "examples", made));
-  });
   const role = choice(["target", "created", "reference"], String(stimulus["role"] ?? "created"),
     (name) => studio.change_stimulus(with_member(stimulus, "role", name === "created" ? undefined : name)));
-  return element("div", { class: "fields" }, labelled("Examples", chosen,
-    "of the whole study"), labelled("Role", role, "colour in pictures, place in sheets"));
+  return element("div", { class: "fields" }, ...example_fields(studio), labelled("Role", role, "colour in pictures, place in sheets"));
 }
 
 function content(studio: Studio, stimulus: Stimulus): HTMLElement[] {
   const source = source_of(stimulus);
   if (source === "clip") return paragraphs(["This stimulus shows a motion file. What is done to it stands under Modify."]);
+  if (source === "path") return paragraphs(["This stimulus walks a path, as the manifest says. What is done to it "
+    + "stands under Modify."]);
   if (source === "foil") return paragraphs(["This stimulus is the foil of another and has no sliders of its own."]);
   const tabs = element("div", { class: "kinds", role: "group", "aria-label": "made from" });
   for (const kind of kinds) {

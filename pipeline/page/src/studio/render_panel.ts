@@ -28,18 +28,22 @@ export function render_panel(studio: Studio, stage: StageView): HTMLElement {
     stop.hidden = bar.hidden = true;
     show_result(running, told, shown);
   };
-  const begin = async (kind: "still" | "video"): Promise<void> => {
+  const watched = async (begun: () => Promise<Job>): Promise<void> => {
     told.textContent = "";
     try {
-      const motion = studio.made?.motion;
-      await watch(await begin_job(studio.document(), {
-        kind, stimulus: studio.selected, seconds: motion ? stage.phase() * seconds_of(motion) : 0,
-        quality: quality === "manifest" ? "" : quality,
-      }));
+      await watch(await begun());
     } catch (error) {
+      stop.hidden = bar.hidden = true;
       told.textContent = error instanceof Refusal ? error.message : String(error);
     }
   };
+  const begin = (kind: "still" | "video"): Promise<void> => watched(() => {
+    const motion = studio.made?.motion;
+    return begin_job(studio.document(), {
+      kind, stimulus: studio.selected, seconds: motion ? stage.phase() * seconds_of(motion) : 0,
+      quality: quality === "manifest" ? "" : quality,
+    });
+  });
   panel.append(
     labelled("Quality", choice(["draft", "standard", "final", "manifest"], quality, (name) => {
       quality = name;
@@ -49,6 +53,8 @@ export function render_panel(studio: Studio, stage: StageView): HTMLElement {
     bar, told, shown,
     element("p", { class: "quiet" }, "Made by the renderer that mien run uses, of what is shown here, saved or not. "
       + "Figures are not made alike with the study's other films (equalize)."));
+  const { job_before } = studio;
+  if (job_before) void watched(() => Promise.resolve(job_before));
   return panel;
 }
 

@@ -5,7 +5,9 @@ import type { Turn } from "../figure/camera_turn";
 import { find } from "./document";
 import { heat_colours } from "./heat";
 import { look_of, name_of } from "./look_panel";
+import type { Made } from "./server";
 import type { Studio } from "./studio";
+import { Wardrobe } from "./wardrobe";
 
 /** About what a set's background looks like. */
 const backgrounds: Record<string, string> = {
@@ -27,7 +29,8 @@ export class StageView {
   private shape = "";
   private camera = "";
   private arrangement: Arrangement = "beside";
-  private style: BodyStyle | "manifest" = "manifest";
+  /** Of the motion and of what it is held against. */
+  private wardrobes = [0, 1].map((figure) => new Wardrobe((skin) => this.view?.wear(figure, skin)));
   is_hot = true;
 
   constructor(private studio: Studio) {
@@ -57,20 +60,15 @@ export class StageView {
     this.view?.arrange(arrangement);
   }
 
-  /** Sticks, a mannequin, or what the manifest has. */
-  set_style(style: BodyStyle | "manifest"): void {
-    this.style = style;
-    this.show();
-  }
-
   set_heat(is_hot: boolean): void {
     this.is_hot = is_hot;
     this.paint();
   }
 
+  /** What is drawn here, where no file comes. */
   private body_style(): BodyStyle {
-    if (this.style !== "manifest") return this.style;
-    return name_of(look_of(this.studio)["figure"], "mannequin") === "stick" ? "stick" : "mannequin";
+    const figure = this.studio.shown_on ?? look_of(this.studio)["figure"];
+    return name_of(figure, "mannequin") === "stick" ? "stick" : "mannequin";
   }
 
   /** Of the motion and of what it is held against. */
@@ -98,6 +96,7 @@ export class StageView {
       ? { turn: this.view.stands(), phase: this.view.phase(), plays: this.view.plays() } : null;
     this.view?.release();
     this.view?.element.remove();
+    for (const wardrobe of this.wardrobes) wardrobe.begin_anew();
     this.view = new FigureView(made.body, this.colours(), "the motion in three dimensions", style);
     this.shape = shape;
     this.element.prepend(this.view.element);
@@ -111,11 +110,18 @@ export class StageView {
     const { made, other } = this.studio;
     if (!made) return;
     this.rebuild();
-    this.view!.show(0, made.motion);
-    this.view!.show(1, other?.motion ?? null);
+    [made, other].forEach((one, figure) => this.show_figure(figure, one));
     this.view!.arrange(this.arrangement);
     this.show_look();
     this.paint();
+  }
+
+  private show_figure(figure: number, made: Made | null): void {
+    const { studio } = this;
+    const name = figure === 0 ? studio.selected : studio.against;
+    const key = made?.figure.key ?? "";
+    this.view!.show(figure, made?.motion ?? null, made?.poses ?? null);
+    this.wardrobes[figure]!.want(key, () => studio.figure_of(name, key));
   }
 
   private show_look(): void {

@@ -1,10 +1,10 @@
-import { find, map_of, type Document, type JsonMap, type Stimulus } from "./document";
+import { find, map_of, with_figure, type Document, type Json, type JsonMap, type Stimulus } from "./document";
 import { History } from "./history";
-import { load_choices, make, reload, save, sentence_of, Refusal, type Choices, type Fault, type Made,
-  type ManifestState, type StudioState } from "./server";
+import { load_choices, load_figure, load_places, make, reload, save, sentence_of, Refusal, type Choices,
+  type Fault, type Made, type ManifestState, type Places, type StudioState } from "./server";
 
 /** What has changed, for those who show it. */
-export type Change = "document" | "choices" | "motion" | "selection" | "faults" | "saved";
+export type Change = "document" | "choices" | "motion" | "selection" | "faults" | "saved" | "places";
 
 /** What the page is about: a document, what is chosen of it, and the motions that it makes. */
 export class Studio {
@@ -12,6 +12,8 @@ export class Studio {
   readonly place: string;
   readonly file: string;
   readonly words: StudioState["words"];
+  readonly has_walker: boolean;
+  readonly job_before: StudioState["job"];
   /** The examples of the manifest as it was opened: a folder can be named by nobody else. */
   readonly opened_examples: JsonMap;
   selected: string;
@@ -19,6 +21,9 @@ export class Studio {
   against = "";
   choices: Choices = { examples: [], sliders: { adjectives: [], features: [] }, blendable: true,
     simulated: false, warnings: [] };
+  places: Places = { folders: [], characters: [], all: true };
+  /** What motions are shown on here, whatever the manifest says; null: what it says. */
+  shown_on: Json = null;
   made: Made | null = null;
   other: Made | null = null;
   faults: Fault[] = [];
@@ -38,6 +43,8 @@ export class Studio {
     this.file = state.file;
     this.place = state.place;
     this.words = state.words;
+    this.has_walker = state.walker;
+    this.job_before = state.job;
     this.opened_examples = map_of(state.manifest.document["examples"]);
     this.is_on_disk = state.is_on_disk;
     this.selected = state.manifest.document.stimuli[0]?.id ?? "";
@@ -94,6 +101,25 @@ export class Studio {
     this.remake();
   }
 
+  show_on(figure: Json): void {
+    this.shown_on = figure;
+    this.remake();
+  }
+
+  /** The document with the figure that is chosen here in the place of its own. */
+  private shown_document(): Document {
+    return this.shown_on === null ? this.document() : with_figure(this.document(), this.shown_on);
+  }
+
+  /** The file of the figure that a stimulus or an example is shown on. */
+  figure_of = (name: string, key: string): Promise<ArrayBuffer> => load_figure(this.shown_document(), name, key);
+
+  /** What of the folders about may be chosen. */
+  async find_places(): Promise<void> {
+    this.places = await load_places();
+    this.tell("places");
+  }
+
   private after_change(): void {
     if (!this.stimulus()) this.selected = this.document().stimuli[0]?.id ?? "";
     this.tell("document");
@@ -136,11 +162,11 @@ export class Studio {
   }
 
   private async make_shown(): Promise<void> {
-    const document = this.document();
+    const document = this.shown_document();
     const against = this.against === this.selected ? "" : this.against;
     const made = await make(document, this.selected, against);
     const key = against && JSON.stringify([find(document, against) ?? against, document["examples"],
-      document["interpolation"], document["output"], document["recipes"]]);
+      document["interpolation"], document["output"], document["recipes"], document["look"]]);
     if (key !== this.other_key) this.other = against ? await make(document, against, "") : null;
     this.other_key = key;
     this.made = made;

@@ -12,7 +12,12 @@ const margin = 64;  // pixels, for names
 export function timeline(studio: Studio, stage: StageView): HTMLElement {
   const canvas = element("canvas", { class: "timeline", tabindex: "0", role: "slider", "aria-label": "moment of the motion",
     "aria-valuemin": "0", "aria-valuemax": "100" });
+  // What is there already is not drawn again.
+  let drawn: unknown[] = [];
   const draw = (): void => {
+    const now = [studio.made, stage.phase(), canvas.clientWidth, canvas.clientHeight, devicePixelRatio];
+    if (now.every((one, i) => one === drawn[i])) return;
+    drawn = now;
     if (studio.made) paint(canvas, studio.made, stage.phase());
     canvas.setAttribute("aria-valuenow", String(Math.round(100 * stage.phase())));
   };

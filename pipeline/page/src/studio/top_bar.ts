@@ -2,6 +2,17 @@ import { button, element } from "../questionnaire/elements";
 import { Refusal } from "./server";
 import type { Studio } from "./studio";
 
+const no_walker = "The walker that arrow keys or a gamepad steer runs on the motion core compiled for browsers, "
+  + "which is not there yet. End the studio and start it as ./mien studio --walk: that compiles it once, which takes "
+  + "some minutes, and from then on it is opened here.";
+
+/** The way to the walker, or why there is none. */
+function walker_link(studio: Studio, tell: (text: string) => void): HTMLElement {
+  if (!studio.has_walker) return button("Walker…", () => tell(no_walker), "small walker");
+  return element("a", { class: "button small walker", href: "walk.html", target: "_blank", rel: "noopener",
+    title: "a walker that arrow keys or a gamepad steer, and sliders of moods" }, "Walker");
+}
+
 /** The manifest's name, the way back and forth, and saving. */
 export function top_bar(studio: Studio): { element: HTMLElement; save: () => Promise<void> } {
   const state = element("span", { class: "state", role: "status" });
@@ -27,6 +38,7 @@ export function top_bar(studio: Studio): { element: HTMLElement; save: () => Pro
     refusal.replaceChildren(element("p", {}, text), element("div", { class: "row" }, ...ways, close));
     refusal.hidden = false;
   };
+  const walker = walker_link(studio, refuse);
   const save = async (over = false): Promise<void> => {
     if (!studio.has_changes() && !over) return;
     refusal.hidden = true;
@@ -48,6 +60,6 @@ export function top_bar(studio: Studio): { element: HTMLElement; save: () => Pro
   tell();
   const bar = element("header", { class: "top" },
     element("h1", { title: studio.place }, studio.file), state,
-    element("div", { class: "row" }, undo, redo, keep));
+    element("div", { class: "row" }, walker, undo, redo, keep));
   return { element: element("div", { class: "head" }, bar, refusal), save: () => save() };
 }

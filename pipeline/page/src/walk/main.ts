@@ -1,4 +1,5 @@
 import { open_walker } from "../live/walker";
+import { element } from "../questionnaire/elements";
 import { mount_walk } from "./mount_walk";
 
 declare global {
@@ -16,11 +17,17 @@ async function module_bytes(): Promise<ArrayBuffer | string> {
   return answer.arrayBuffer();
 }
 
+/** A walker that the studio opened leads back to it. */
+function studio_link(): HTMLElement {
+  return element("a", { class: "to-studio", href: "./" }, "Studio");
+}
+
 async function start(): Promise<void> {
   const place = document.querySelector<HTMLElement>("main")!;
   try {
     const module = await module_bytes();
     const walk = await mount_walk(place, { module });
+    if (document.querySelector('meta[name="mien-mode"][content="served"]')) place.append(studio_link());
     // For measurements from outside: what is shown, and a walker that nobody sees.
     Object.assign(globalThis, { mien_walk: walk, mien_walk_alone: () => open_walker(module) });
   } catch (error) {

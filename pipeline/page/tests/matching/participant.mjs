@@ -1,24 +1,7 @@
 // Somebody who takes a matching experiment in a browser, by mouse or by keyboard alone, and finds the
 // sliders' places as one would: one after the other, up or down, by what the distance says.
 
-/** What is on the page: "matching", "text", "load" or "end". */
-const sight = (page) => page.evaluate(() => {
-  if (document.querySelector(".matching")) return "matching";
-  if (document.querySelector(".page progress")) return "load";
-  if (document.querySelector(".page .buttons .main")) return "text";
-  return document.querySelector(".page") ? "end" : "nothing";
-});
-
-const mark = (page) => page.evaluate(() => {
-  const shown = document.querySelector(".page, .matching");
-  if (shown && !shown.dataset.mark) shown.dataset.mark = String(Math.random());
-  return shown?.dataset.mark ?? "";
-});
-
-const is_past = (page, before) => page.waitForFunction((old) => {
-  const shown = document.querySelector(".page, .matching");
-  return shown && shown.dataset.mark !== old;
-}, before, { timeout: 60000 });
+import { is_past, mark, saved_texts, sight } from "../questionnaire/pages.mjs";
 
 /** Moves sliders inside the page, each move once its distance is known, until the trial is over. */
 const search = (page) => page.evaluate(async () => {
@@ -129,7 +112,7 @@ async function match(page, by_keys, seen) {
 export async function take(page, { by_keys = false, each = async () => false, most = 500 } = {}) {
   for (let pages = 0; pages < most; pages += 1) {
     await page.waitForSelector(".page, .matching", { timeout: 60000 });
-    const seen = await sight(page);
+    const seen = await sight(page, "matching");
     if (seen === "load") {
       await page.waitForFunction(() => !document.querySelector(".page progress"), null, { timeout: 60000 });
       continue;
@@ -137,24 +120,15 @@ export async function take(page, { by_keys = false, each = async () => false, mo
     const title = await page.locator("h1").first().textContent();
     if (await each(seen, title)) continue;
     if (seen === "end") return;
-    const before = await mark(page);
+    const before = await mark(page, "matching");
     if (seen === "matching") await match(page, by_keys, (step) => each(step, title));
     else if (by_keys) {
       await tab_to(page, ".buttons .main");
       await page.keyboard.press("Enter");
     } else await page.locator(".page .buttons .main").click();
-    await is_past(page, before);
+    await is_past(page, "matching", before);
   }
 }
 
-/** Texts of the files that the page saves: "trials", "changes", "participant", "records". */
-export function downloads_of(page) {
-  const saved = {};
-  page.on("download", async (download) => {
-    const stream = await download.createReadStream();
-    let text = "";
-    for await (const part of stream) text += part;
-    saved[download.suggestedFilename().match(/trials|changes|participant|records/)[0]] = text;
-  });
-  return saved;
-}
+/** Texts of the files that the page saves. */
+export const downloads_of = (page) => saved_texts(page, ["trials", "changes", "participant", "records"]);

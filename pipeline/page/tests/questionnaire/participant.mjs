@@ -1,33 +1,12 @@
 // Somebody who takes a questionnaire in a browser, by mouse or by keyboard alone.
 import { chromium } from "playwright-core";
+import { is_past, mark, saved_texts, sight } from "./pages.mjs";
 
 export async function open_browser() {
   return chromium.launch({
     executablePath: process.env.MIEN_CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-gpu", "--mute-audio", "--enable-unsafe-swiftshader"],
   });
-}
-
-/** What is on the page: "text", "load", "trial" or "end". */
-const sight = (page) => page.evaluate(() => {
-  if (document.querySelector(".trial")) return "trial";
-  if (document.querySelector(".page progress")) return "load";
-  if (document.querySelector(".page .buttons .main")) return "text";
-  return document.querySelector(".page") ? "end" : "nothing";
-});
-
-/** Tells pages apart: a new one has another element. */
-const mark = (page) => page.evaluate(() => {
-  const shown = document.querySelector(".page, .trial");
-  if (shown && !shown.dataset.mark) shown.dataset.mark = String(Math.random());
-  return shown?.dataset.mark ?? "";
-});
-
-async function is_past(page, before) {
-  await page.waitForFunction((old) => {
-    const shown = document.querySelector(".page, .trial");
-    return shown && shown.dataset.mark !== old;
-  }, before, { timeout: 30000 });
 }
 
 const open_answers = (page) =>
@@ -119,27 +98,18 @@ async function pass_text(page, by_keys) {
 export async function take(page, { by_keys = false, each = async () => false } = {}) {
   for (let pages = 0; pages < 500; pages += 1) {
     await page.waitForSelector(".page, .trial", { timeout: 30000 });
-    const seen = await sight(page);
+    const seen = await sight(page, "trial");
     const number = seen === "trial"
       ? Number((await page.locator(".trial-head h1").textContent()).match(/\d+/)[0]) : 0;
     if (await each(seen, number)) continue;
     if (seen === "end") return;
-    const before = await mark(page);
+    const before = await mark(page, "trial");
     if (seen === "text") await pass_text(page, by_keys);
     if (seen === "trial") await (by_keys ? answer_by_keys : answer_by_mouse)(page, number);
-    await is_past(page, before);
+    await is_past(page, "trial", before);
   }
   throw new Error("the questionnaire has no end");
 }
 
-/** Texts of the files that the page saves: "answers", "participant", "records". */
-export function downloads_of(page) {
-  const saved = {};
-  page.on("download", async (download) => {
-    const stream = await download.createReadStream();
-    let text = "";
-    for await (const part of stream) text += part;
-    saved[download.suggestedFilename().match(/answers|participant|records/)[0]] = text;
-  });
-  return saved;
-}
+/** Texts of the files that the page saves. */
+export const downloads_of = (page) => saved_texts(page, ["answers", "participant", "records"]);

@@ -2,46 +2,12 @@
 // and redoes, compares, saves FILE, and has a still and a video made. Prints what was seen as JSON.
 // MIEN_PICTURES: a folder for screenshots.
 import { readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
-import { open_browser } from "../questionnaire/participant.mjs";
+import { open_studio } from "./open_studio.mjs";
 
 const [link, file] = process.argv.slice(2);
-const sizes = [{ width: 1366, height: 768 }, { width: 1920, height: 1080 }];
-const browser = await open_browser();
-const page = await (await browser.newContext({ viewport: sizes[0] })).newPage();
-const wrong = [];
-page.on("pageerror", (error) => wrong.push(String(error)));
-page.on("console", (message) => message.type() === "error" && wrong.push(message.text()));
+const { browser, page, wrong, tab, number, settled, set, pictures } = await open_studio(link);
 
 const text = () => readFileSync(file, "utf8");
-const tab = (name) => page.getByRole("tab", { name, exact: true }).click();
-const number = (name) => page.getByRole("spinbutton", { name: `${name}, number` });
-
-/** The motion is that of what the page shows. */
-const settled = () => page.waitForFunction(() => {
-  const { studio } = globalThis.studio ?? {};
-  return studio?.made && !studio.is_making;
-}, null, { timeout: 60000 });
-
-async function set(name, value) {
-  await number(name).fill(String(value));
-  await number(name).press("Enter");
-  await settled();
-}
-
-async function pictures(name) {
-  if (!process.env.MIEN_PICTURES) return;
-  for (const size of sizes) {
-    await page.setViewportSize(size);
-    await page.evaluate(async () => {
-      globalThis.studio.stage.seek(0.2);
-      await globalThis.studio.stage.drawn();
-      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-    });
-    await page.screenshot({ path: join(process.env.MIEN_PICTURES, `${name}-${size.width}.png`) });
-  }
-  await page.setViewportSize(sizes[0]);
-}
 
 /** From a slider's change to the motion on the screen, milliseconds: the median of many. */
 async function waiting() {
@@ -64,8 +30,6 @@ async function waiting() {
 }
 
 const seen = {};
-await page.goto(link);
-await settled();
 seen.stimuli = await page.locator(".stimulus span:first-child").allTextContents();
 seen.sliders = await page.locator(".slider:visible").count();
 

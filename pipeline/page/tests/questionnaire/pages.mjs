@@ -1,0 +1,34 @@
+// What is on the page of an experiment, and when another is: `trial` is what it calls its trials.
+
+/** "text", "load", "end", or the experiment's word for a trial. */
+export const sight = (page, trial) => page.evaluate((name) => {
+  if (document.querySelector(`.${name}`)) return name;
+  if (document.querySelector(".page progress")) return "load";
+  if (document.querySelector(".page .buttons .main")) return "text";
+  return document.querySelector(".page") ? "end" : "nothing";
+}, trial);
+
+/** Tells pages apart: a new one has another element. */
+export const mark = (page, trial) => page.evaluate((name) => {
+  const shown = document.querySelector(`.page, .${name}`);
+  if (shown && !shown.dataset.mark) shown.dataset.mark = String(Math.random());
+  return shown?.dataset.mark ?? "";
+}, trial);
+
+/** Waits for another page than the one of that mark. */
+export const is_past = (page, trial, before) => page.waitForFunction(([name, old]) => {
+  const shown = document.querySelector(`.page, .${name}`);
+  return shown && shown.dataset.mark !== old;
+}, [trial, before], { timeout: 60000 });
+
+/** Texts of the files that the page saves, by the names of `kinds` that theirs hold. */
+export function saved_texts(page, kinds) {
+  const saved = {};
+  page.on("download", async (download) => {
+    const stream = await download.createReadStream();
+    let text = "";
+    for await (const part of stream) text += part;
+    saved[kinds.find((kind) => download.suggestedFilename().includes(kind))] = text;
+  });
+  return saved;
+}

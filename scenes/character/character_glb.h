@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "scenes/character/character.h"
+
+namespace mien::scenes {
+
+/// The character as a GLB file (skinned_glb.h); `rig_in` tells where its joints are. Throws Error.
+std::string to_glb(const Character& character);
+
+}  // namespace mien::scenes

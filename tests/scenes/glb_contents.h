@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace mien::test {
+
+/// What a GLB file holds, read by its own rules.
+struct GlbContents {
+  nlohmann::json json;
+  std::string binary;
+
+  /// The numbers of an accessor: floats, or unsigned integers of two or four bytes.
+  std::vector<double> numbers(const nlohmann::json& accessor_index) const {
+    const nlohmann::json& accessor = json.at("accessors").at(accessor_index.get<std::size_t>());
+    const nlohmann::json& view =
+        json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+    const int type = accessor.at("componentType");
+    const std::size_t size = type == 5123 ? 2 : 4,
+                      count = view.at("byteLength").get<std::size_t>() / size;
+    const char* from = binary.data() + view.at("byteOffset").get<std::size_t>();
+    std::vector<double> read;
+    for (std::size_t i = 0; i < count; ++i, from += size)
+      read.push_back(type == 5126   ? value<float>(from)
+                     : type == 5125 ? value<std::uint32_t>(from)
+                                    : value<std::uint16_t>(from));
+    return read;
+  }
+
+  std::string file(const nlohmann::json& view_index) const {
+    const nlohmann::json& view = json.at("bufferViews").at(view_index.get<std::size_t>());
+    return binary.substr(view.at("byteOffset"), view.at("byteLength"));
+  }
+
+ private:
+  template <class Number>
+  static double value(const char* bytes) {
+    Number number;
+    std::memcpy(&number, bytes, sizeof number);
+    return static_cast<double>(number);
+  }
+};
+
+/// Throws when it is none, or its lengths do not agree.
+inline GlbContents glb_contents(const std::string& file) {
+  const auto word = [&](std::size_t at) {
+    std::uint32_t number = 0;
+    std::memcpy(&number, file.substr(at, 4).data(), 4);
+    return number;
+  };
+  const std::size_t json = word(12), binary = word(20 + json);
+  if (file.substr(0, 4) != "glTF" || word(4) != 2 || word(8) != file.size() ||
+      file.size() != 28 + json + binary)
+    throw std::invalid_argument("no GLB file");
+  return {nlohmann::json::parse(file.substr(20, json)), file.substr(28 + json)};
+}
+
+}  // namespace mien::test
