@@ -89,6 +89,10 @@ std::string text_of(const ordered_json& value) {
   return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
+bool has_stimuli(const ordered_json& about) {
+  return about.contains("stimuli") && !about["stimuli"].empty();
+}
+
 /// What motions are shown on takes longer to check than they take to be made.
 ordered_json without_looks(ordered_json document) {
   document.erase("look");
@@ -148,7 +152,7 @@ StudioMotions::Kept StudioMotions::made(const ordered_json& document, const orde
     if (asked == key) return kept;
   }
   const Manifest manifest =
-      about["stimuli"].empty() ? reader_.read_examples(about, known) : reader_.read(about, known);
+      has_stimuli(about) ? reader_.read(about, known) : reader_.read_examples(about, known);
   const Repertoire& repertoire = study(document, known).repertoire();
   const Stimulus* stimulus = stimulus_in(manifest, name);
   auto motion = std::make_shared<StudioMotion>();
@@ -169,7 +173,7 @@ StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const or
     if (asked == key) return kept;
   }
   const Manifest manifest =
-      about["stimuli"].empty() ? reader_.read_examples(about, known) : reader_.read(about, known);
+      has_stimuli(about) ? reader_.read(about, known) : reader_.read_examples(about, known);
   const Stimulus* stimulus = stimulus_in(manifest, name);
   shown_.emplace_front(key, stimulus == nullptr
                                 ? Shown{manifest.look.figure}
