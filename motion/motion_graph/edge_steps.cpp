@@ -16,6 +16,7 @@ std::vector<EdgeSteps> edge_steps(const MotionGraph& graph) {
       const Vec3 forward = pose.rotations.front() * Vec3::UnitZ();
       way.steps.push_back(step_of(graph, frame, 0.0));
       way.facings.push_back(std::atan2(forward.x(), forward.z()));
+      way.seconds.push_back(seconds_of(graph, frame));
     }
     if (edge.transition >= 0) {
       way.turn = graph.transitions[static_cast<std::size_t>(edge.transition)].turn;

@@ -10,6 +10,7 @@ namespace mien::motion {
 struct EdgeSteps {
   std::vector<Vec3> steps;      ///< of the pelvis, metres, a frame
   std::vector<double> facings;  ///< of the pelvis after each step, radians about +Y from +Z
+  std::vector<double> seconds;  ///< that each step lasts
   double turn = 0.0;            ///< of the clip that it leads to on the one that it leaves, radians
 };
 

@@ -8,14 +8,12 @@
 #include "motion/error.h"
 #include "motion/gait/foot_lock.h"
 #include "motion/interpolation/blend.h"
-#include "motion/math/random_number.h"
+#include "motion/motion_graph/version_shares.h"
 #include "motion/steered_walk/carriage.h"
 
 namespace mien::motion {
 
 namespace {
-
-constexpr double least_between = 0.5;  // seconds from transition to transition, of random walks
 
 double facing(const Quat& rotation) {
   const Vec3 forward = rotation * Vec3::UnitZ();
@@ -29,21 +27,6 @@ struct Mix {
   std::vector<std::vector<double>> shares;  ///< of the versions, a frame; sum 1
   std::vector<double> times;                ///< at which each frame begins, seconds
 };
-
-std::vector<double> shares_asked(std::span<const MoodFrom> moods, double seconds,
-                                 std::size_t versions) {
-  std::vector<double> shares(versions, 0.0);
-  shares.front() = 1.0;
-  for (const MoodFrom& from : moods) {
-    if (from.seconds > seconds && &from != &moods.front()) continue;
-    double sum = 0.0;
-    for (const double weight : from.moods) sum += weight;
-    for (std::size_t v = 0; v < versions; ++v) {
-      shares[v] = v < from.moods.size() ? from.moods[v] / sum : 0.0;
-    }
-  }
-  return shares;
-}
 
 /// The frames of a walk with the shares that follow the moods.
 Mix mixed(std::span<const MotionGraph> versions, const GraphWalk& walk,
@@ -122,20 +105,29 @@ Clip untimed_clip(const Mix& mix, const GraphWalkOptions& options) {
         f > 0 && frames[f - 1].to_clip >= 0 &&
         (frames[f].clip != frames[f - 1].clip || frames[f].frame != frames[f - 1].frame + 1);
     if (arrived) turn += frames[f - 1].turn;
-    if (f > 0) place += step_of(mix, f, turn);
-    Pose pose = posture_of(mix, f, turn);
+    const double added = options.added_headings.empty() ? 0.0 : options.added_headings[f];
+    if (f > 0) place += step_of(mix, f, turn + added);
+    Pose pose = posture_of(mix, f, turn + added);
     pose.root_position += place;
     clip.poses.push_back(std::move(pose));
   }
   return clip;
 }
 
-/// The clip at an even frame rate, when its frames last as long as they should.
-Clip in_time(const Mix& mix, Clip clip) {
+/// The clip and its plants at an even frame rate, when its frames last as long as they should.
+WalkedClip in_time(const Mix& mix, Clip clip, std::vector<FootPlant> plants) {
   const bool even = std::all_of(mix.versions.begin(), mix.versions.end(),
                                 [](const MotionGraph& g) { return g.frame_seconds.empty(); });
   const std::vector<double>& times = mix.times;
-  if (even || times.size() == 1) return clip;
+  if (even || times.size() == 1) return {std::move(clip), std::move(plants)};
+  const auto frame_at = [&](int f) {
+    return times[static_cast<std::size_t>(f)] * clip.frames_per_second;
+  };
+  for (FootPlant& plant : plants) {
+    plant.first = static_cast<int>(std::ceil(frame_at(plant.first) - 1e-9));
+    plant.last = static_cast<int>(std::floor(frame_at(plant.last) + 1e-9));
+  }
+  std::erase_if(plants, [](const FootPlant& plant) { return plant.last < plant.first; });
   std::vector<Pose> poses;
   std::size_t i = 0;
   for (int f = 0; f / clip.frames_per_second <= times.back() + 1e-9; ++f) {
@@ -145,7 +137,7 @@ Clip in_time(const Mix& mix, Clip clip) {
     poses.push_back(interpolate(clip.poses[i], clip.poses[i + 1], t));
   }
   clip.poses = std::move(poses);
-  return clip;
+  return {std::move(clip), std::move(plants)};
 }
 
 void check_versions(std::span<const MotionGraph> versions, std::span<const MoodFrom> moods) {
@@ -209,46 +201,37 @@ Clip motion_of(const MotionGraph& graph, const GraphWalk& walk, const GraphWalkO
 
 Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
                std::span<const MoodFrom> moods, const GraphWalkOptions& options) {
+  return walked_clip(versions, walk, moods, options).clip;
+}
+
+WalkedClip walked_clip(std::span<const MotionGraph> versions, const GraphWalk& walk,
+                       std::span<const MoodFrom> moods, const GraphWalkOptions& options) {
   check_versions(versions, moods);
   if (walk.edges.empty())
     throw Error("a walk over a motion graph without a frame", "give it an edge");
   const Mix mix = mixed(versions, walk, moods);
-  Clip clip = untimed_clip(mix, options);
-  if (options.lock_feet) {
-    const std::vector<FootPlant> plants = plants_of(versions.front(), mix.frames);
-    clip =
-        with_locked_feet(clip, versions.size() > 1 ? plants : at_transitions(plants, mix.frames));
+  if (!options.added_headings.empty() && options.added_headings.size() != mix.frames.size()) {
+    throw Error("headings are added to a walk over a motion graph that has other frames",
+                "give one a frame of the walk");
   }
-  return in_time(mix, std::move(clip));
+  Clip clip = untimed_clip(mix, options);
+  std::vector<FootPlant> plants = plants_of(versions.front(), mix.frames);
+  if (options.lock_feet) {
+    const bool all = versions.size() > 1 || !options.added_headings.empty();
+    clip = with_locked_feet(clip, all ? plants : at_transitions(plants, mix.frames));
+  }
+  return in_time(mix, std::move(clip), std::move(plants));
 }
 
-GraphWalk random_walk(const MotionGraph& graph, double seconds, std::uint64_t seed) {
-  if (!(seconds > 0.0) || seconds > 3600.0) {
-    throw Error("a random walk that does not last between 0 and 3600 seconds",
-                "choose its seconds");
+WalkHeadings headings_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
+                         std::span<const MoodFrom> moods, const GraphWalkOptions& options) {
+  check_versions(versions, moods);
+  const Mix mix = mixed(versions, walk, moods);
+  WalkHeadings headings{mix.times, {}};
+  for (const Pose& pose : untimed_clip(mix, options).poses) {
+    headings.facings.push_back(facing(pose.rotations.front()));
   }
-  GraphWalk walk;
-  const double step = 1.0 / graph.clips.front().frames_per_second;
-  double walked = 0.0;
-  std::uint64_t draw = 0;
-  const auto choose = [&](std::size_t count) {
-    const double share = 0.5 + 0.5 * random_number(seed, "walk over a motion graph", draw++);
-    return std::min(static_cast<std::size_t>(share * static_cast<double>(count)), count - 1);
-  };
-  auto node = choose(graph.nodes.size());
-  double since = 0.0;  // the last transition, seconds
-  while (walked < seconds) {
-    const std::vector<int>& leaving = graph.leaving[node];
-    const bool goes_on = graph.edges[static_cast<std::size_t>(leaving.front())].transition < 0;
-    const bool early = since < least_between && goes_on;
-    const int edge = leaving[early ? 0 : choose(leaving.size())];
-    walk.edges.push_back(edge);
-    const GraphEdge& taken = graph.edges[static_cast<std::size_t>(edge)];
-    walked += step * taken.frames;
-    since = taken.transition >= 0 ? 0.0 : since + step * taken.frames;
-    node = static_cast<std::size_t>(graph.edges[static_cast<std::size_t>(edge)].to);
-  }
-  return walk;
+  return headings;
 }
 
 }  // namespace mien::motion

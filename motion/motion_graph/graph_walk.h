@@ -16,6 +16,10 @@ struct GraphWalkOptions {
   /// Feet that stand on both sides of a transition stand through it, and the others come down
   /// where they stay: feet are locked (gait/foot_lock.h) in plants that touch a transition.
   bool lock_feet = true;
+  /// Radians by which each frame of the walk is turned to the left, its path with it, beside what
+  /// the motions do; none: not at all. All planted feet are then locked: they stand while the body
+  /// turns over them.
+  std::vector<double> added_headings;
 };
 
 /// The motion of a walk, which does not loop. Over the floor the root goes on, frame by frame, by
@@ -32,6 +36,19 @@ Clip motion_of(const MotionGraph& graph, const GraphWalk& walk,
 /// Throws as above, for versions of other graphs, and for weights that are none.
 Clip motion_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
                std::span<const MoodFrom> moods, const GraphWalkOptions& options = {});
+
+/// The same with where its feet stand.
+WalkedClip walked_clip(std::span<const MotionGraph> versions, const GraphWalk& walk,
+                       std::span<const MoodFrom> moods, const GraphWalkOptions& options = {});
+
+/// When each frame of a walk begins, seconds, and where the pelvis faces in it, radians.
+struct WalkHeadings {
+  std::vector<double> seconds;
+  std::vector<double> facings;
+};
+
+WalkHeadings headings_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
+                         std::span<const MoodFrom> moods, const GraphWalkOptions& options = {});
 
 /// A walk of at least so many seconds that chooses at the nodes at random, of the seed alone, and
 /// lets half a second pass between transitions where the clips go on for so long.

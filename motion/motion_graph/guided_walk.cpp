@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/error.h"
 #include "motion/math/percentile.h"
+#include "motion/motion_graph/spread_heading.h"
 #include "motion/motion_graph/walk_search.h"
 #include "motion/steered_walk/floor_path.h"
 
@@ -12,7 +14,8 @@ namespace mien::motion {
 
 namespace {
 
-constexpr double script_turning = 60.0;  // °/s
+/// °/s of a turn in walking, and on the spot, where it takes steps of its own.
+double turning_of(const WalkSegment& turn) { return turn.pace > 0.0 ? 60.0 : 45.0; }
 
 void check_options(const GuidedWalkOptions& options) {
   if (!(options.ahead_seconds > 0.0) || !(options.kept_seconds > 0.0) ||
@@ -58,14 +61,22 @@ double brisk_speed(const MotionGraph& graph) {
   return percentile(std::move(speeds), 90.0);
 }
 
-Clip clip_from(const MotionGraph& graph, const GraphWalk& walk, const Vec3& place, double heading) {
+/// Where the walk's clip is to begin so that the search's begins at a place and heading.
+GraphWalkOptions beginning(const MotionGraph& graph, const GraphWalk& walk, const Vec3& place,
+                           double heading) {
   // The search counts the step that leads to the first frame.
   const WalkFrame first = frames_of(graph, {{walk.edges.front()}}).front();
   const double turn = heading - facing_at(graph, {first.clip, first.frame});
   GraphWalkOptions options;
   options.place = place + step_of(graph, first, turn);
   options.heading = heading;
-  return motion_of(graph, walk, options);
+  return options;
+}
+
+void make_clip(const MixedGraph& mixed, const GraphWalkOptions& options, GuidedWalk& guided) {
+  WalkedClip walked = walked_clip(mixed.versions, guided.walk, mixed.moods, options);
+  guided.clip = std::move(walked.clip);
+  guided.plants = std::move(walked.plants);
 }
 
 void refuse_straying(const FloorPath& path, const Clip& clip) {
@@ -82,41 +93,93 @@ void refuse_straying(const FloorPath& path, const Clip& clip) {
 /// Speed and heading that a script asks for, moment by moment.
 struct ScriptMoments {
   double seconds_each = 0.0;
-  std::vector<double> speeds;    ///< m/s
-  std::vector<double> headings;  ///< radians
+  std::vector<double> speeds;       ///< m/s
+  std::vector<double> headings;     ///< radians
+  std::vector<HeadingWish> wishes;  ///< at the ends of walks and stands, and at the last
+  std::vector<MoodFrom> moods;
 };
+
+void add_moments(const WalkSegment& segment, double brisk, ScriptMoments& moments) {
+  const bool turns = segment.kind == WalkSegment::Kind::turn;
+  const bool stands = segment.kind == WalkSegment::Kind::stand;
+  const double rate =
+      turns ? std::copysign(turning_of(segment), segment.degrees) : segment.turn_rate_deg;
+  const double seconds = turns ? std::abs(segment.degrees) / turning_of(segment) : segment.seconds;
+  if (!std::isfinite(seconds) || seconds < 0.0 || !std::isfinite(rate) ||
+      !std::isfinite(segment.pace)) {
+    throw Error("a walk's script with a number that is none, or a time below 0",
+                "give seconds, degrees and shares");
+  }
+  double heading = moments.headings.empty() ? 0.0 : moments.headings.back();
+  if (!segment.moods.empty()) {
+    const auto before = static_cast<double>(moments.headings.size());
+    moments.moods.push_back({before * moments.seconds_each, segment.moods});
+  }
+  for (int f = 0; f < std::lround(seconds / moments.seconds_each); ++f) {
+    heading += stands ? 0.0 : radians_per_degree * rate * moments.seconds_each;
+    moments.speeds.push_back(stands ? 0.0 : segment.pace * brisk);
+    moments.headings.push_back(heading);
+  }
+}
+
+/// Wishes at the ends of segments: of a turn when it is the last, for else what follows shows it.
+void add_wish(std::span<const WalkSegment> script, std::size_t i, ScriptMoments& moments) {
+  constexpr double gait_cycle = 1.0;  // seconds, in which the pelvis turns to and fro
+  const WalkSegment& segment = script[i];
+  const bool turns = segment.kind == WalkSegment::Kind::turn;
+  if (moments.headings.empty() || (turns && i + 1 < script.size())) return;
+  HeadingWish wish;
+  wish.seconds = static_cast<double>(moments.headings.size()) * moments.seconds_each;
+  wish.radians = moments.headings.back();
+  const bool stands = segment.kind == WalkSegment::Kind::stand;
+  wish.over_seconds =
+      turns ? 0.1 : std::clamp(0.5 * segment.seconds, 0.1, stands ? 0.3 : gait_cycle);
+  if (segment.turn_rate_deg != 0.0) wish.over_seconds = 0.1;
+  wish.segment = i;
+  while (wish.segment > 0 && script[wish.segment].kind != WalkSegment::Kind::turn &&
+         script[wish.segment].turn_rate_deg == 0.0) {
+    --wish.segment;
+  }
+  if (!moments.wishes.empty() && wish.seconds - moments.wishes.back().seconds < 0.3) return;
+  moments.wishes.push_back(wish);
+}
 
 ScriptMoments moments_of(std::span<const WalkSegment> script, double frame, double brisk) {
   ScriptMoments moments;
   moments.seconds_each = frame;
-  double heading = 0.0;
-  for (const WalkSegment& segment : script) {
-    const bool turns = segment.kind == WalkSegment::Kind::turn;
-    const double rate =
-        turns ? std::copysign(script_turning, segment.degrees) : segment.turn_rate_deg;
-    const double seconds = turns ? std::abs(segment.degrees) / script_turning : segment.seconds;
-    if (!std::isfinite(seconds) || seconds < 0.0 || !std::isfinite(rate) ||
-        !std::isfinite(segment.pace)) {
-      throw Error("a walk's script with a number that is none, or a time below 0",
-                  "give seconds, degrees and shares");
-    }
-    const bool stands = segment.kind == WalkSegment::Kind::stand;
-    for (int f = 0; f < std::lround(seconds / frame); ++f) {
-      heading += stands ? 0.0 : radians_per_degree * rate * frame;
-      moments.speeds.push_back(stands ? 0.0 : segment.pace * brisk);
-      moments.headings.push_back(heading);
-    }
+  for (std::size_t i = 0; i < script.size(); ++i) {
+    add_moments(script[i], brisk, moments);
+    add_wish(script, i, moments);
   }
   if (moments.speeds.empty())
     throw Error("an empty script for a walk", "give one segment at least");
   return moments;
 }
 
+/// The turn that is missed by most, if by enough.
+std::optional<MissedTurn> missed_turn(const ScriptMoments& moments, const SpreadHeading& spread) {
+  constexpr double told_deg = 5.0;
+  std::optional<MissedTurn> worst;
+  for (std::size_t w = 0; w < moments.wishes.size(); ++w) {
+    const double degrees = spread.missing[w] / radians_per_degree;
+    if (std::abs(degrees) <= (worst ? std::abs(worst->degrees) : told_deg)) continue;
+    worst = MissedTurn{moments.wishes[w].segment, degrees};
+  }
+  return worst;
+}
+
 }  // namespace
 
 GuidedWalk walk_along(const MotionGraph& graph, std::span<const Vec3> polyline,
                       const GuidedWalkOptions& options) {
+  return walk_along(std::span(&graph, 1), polyline, {}, options);
+}
+
+GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec3> polyline,
+                      std::span<const MoodFrom> moods, const GuidedWalkOptions& options) {
   check_options(options);
+  const MixedGraph mixed{versions, moods};
+  const MotionGraph& graph = mixed.graph();
   const FloorPath path = floor_path(polyline);
   const double length = path.length();
   const double frame = 1.0 / graph.clips.front().frames_per_second;
@@ -133,33 +196,47 @@ GuidedWalk walk_along(const MotionGraph& graph, std::span<const Vec3> polyline,
   const double heading = heading_at(path, 0.3);
   GuidedWalk guided;
   guided.walk =
-      searched_walk(graph, starts_at(graph, path.points.front(), heading), cost, done, options);
-  guided.clip = clip_from(graph, guided.walk, path.points.front(), heading);
+      searched_walk(mixed, starts_at(graph, path.points.front(), heading), cost, done, options);
+  make_clip(mixed, beginning(graph, guided.walk, path.points.front(), heading), guided);
   refuse_straying(path, guided.clip);
   return guided;
 }
 
 GuidedWalk scripted_walk(const MotionGraph& graph, std::span<const WalkSegment> script,
                          const GuidedWalkOptions& options) {
+  std::vector<WalkSegment> plain(script.begin(), script.end());
+  for (WalkSegment& segment : plain) segment.moods.clear();
+  return scripted_walk(std::span(&graph, 1), plain, options);
+}
+
+GuidedWalk scripted_walk(std::span<const MotionGraph> versions, std::span<const WalkSegment> script,
+                         const GuidedWalkOptions& options) {
   check_options(options);
+  const MotionGraph& graph = versions.front();
   const double frame = 1.0 / graph.clips.front().frames_per_second;
   const ScriptMoments moments = moments_of(script, frame, brisk_speed(graph));
-  constexpr double heading_weight = 1.5;  // m/s that a radian of heading weighs
+  const MixedGraph mixed{versions, moments.moods};
+  constexpr double heading_weight = 2.5;  // m/s that a radian of heading weighs
   const FrameCost cost = [&](WalkState& state, const Vec3& step) {
     state.way = state.seconds;
-    const auto at = std::min(static_cast<std::size_t>(std::lround(state.seconds / frame)),
-                             moments.speeds.size()) -
-                    1;
-    const double speed = step.norm() / frame - moments.speeds[at];
+    const auto at = std::clamp<long>(std::lround(state.seconds / frame) - 1, 0,
+                                     static_cast<long>(moments.speeds.size()) - 1);
+    const auto moment = static_cast<std::size_t>(at);
+    const double speed = step.norm() / frame - moments.speeds[moment];
     const double turn =
-        heading_weight * std::remainder(state.facing - moments.headings[at], 2.0 * pi);
+        heading_weight * std::remainder(state.facing - moments.headings[moment], 2.0 * pi);
     return frame * (speed * speed + turn * turn);
   };
   const double end = frame * static_cast<double>(moments.speeds.size());
   const WalkDone done = [&](const WalkState& state) { return state.seconds >= end - 0.5 * frame; };
   GuidedWalk guided;
-  guided.walk = searched_walk(graph, starts_at(graph, Vec3::Zero(), 0.0), cost, done, options);
-  guided.clip = clip_from(graph, guided.walk, Vec3::Zero(), 0.0);
+  guided.walk = searched_walk(mixed, starts_at(graph, Vec3::Zero(), 0.0), cost, done, options);
+  GraphWalkOptions begins = beginning(graph, guided.walk, Vec3::Zero(), 0.0);
+  const SpreadHeading spread =
+      spread_heading(headings_of(versions, guided.walk, moments.moods, begins), moments.wishes);
+  begins.added_headings = spread.added;
+  make_clip(mixed, begins, guided);
+  guided.missed = missed_turn(moments, spread);
   return guided;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "motion/motion_graph/graph_walk.h"
 #include "motion/steered_walk/scripted_walk.h"
@@ -18,10 +20,18 @@ struct GuidedWalkOptions {
   int most_edges = 60000;
 };
 
+/// A turn of a script that the graph's motions do not make.
+struct MissedTurn {
+  std::size_t segment = 0;  ///< of the script
+  double degrees = 0.0;     ///< that are missing in the end, to the left
+};
+
 /// A walk found for a purpose, and the motion that it makes.
 struct GuidedWalk {
   GraphWalk walk;
   Clip clip;
+  std::vector<FootPlant> plants;     ///< where its feet stand
+  std::optional<MissedTurn> missed;  ///< the worst turn, of a script, by more than some degrees
 };
 
 /// A walk along a path over the floor (a polyline; x, z in metres), found by branch and bound in
@@ -35,10 +45,22 @@ struct GuidedWalk {
 GuidedWalk walk_along(const MotionGraph& graph, std::span<const Vec3> path,
                       const GuidedWalkOptions& options = {});
 
+/// The same over several versions of one graph, mixed by moods on the way (graph_walk.h).
+GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec3> path,
+                      std::span<const MoodFrom> moods, const GuidedWalkOptions& options = {});
+
 /// A walk that does what a script says (scripted_walk.h), likewise: at each moment it is to have
 /// the speed and heading of the script, where `pace` 1 is the fastest tenth of the graph's frames
-/// and turns are made at 60°/s. Moods are not looked at. Throws as above, and for an empty script.
+/// and turns are made at 60°/s, on the spot at 45°/s. What the heading is off by at the end of a
+/// turn, a walk or a stand is spread over the way there, up to 25° and 12°/s: the body is turned
+/// and its feet are locked. Turns that come out wrong by more than 5° all the same are told
+/// (`missed`). Moods are not looked at. Throws as above, and for an empty script.
 GuidedWalk scripted_walk(const MotionGraph& graph, std::span<const WalkSegment> script,
+                         const GuidedWalkOptions& options = {});
+
+/// The same over several versions of one graph: `moods` of the script are their weights, from a
+/// segment's beginning on; before the first the first version walks alone.
+GuidedWalk scripted_walk(std::span<const MotionGraph> versions, std::span<const WalkSegment> script,
                          const GuidedWalkOptions& options = {});
 
 }  // namespace mien::motion

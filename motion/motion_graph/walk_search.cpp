@@ -1,9 +1,11 @@
 #include "motion/motion_graph/walk_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "motion/error.h"
+#include "motion/motion_graph/version_shares.h"
 
 namespace mien::motion {
 
@@ -11,8 +13,8 @@ namespace {
 
 /// The state of a search for one stretch.
 struct StretchSearch {
-  const MotionGraph& graph;
-  const std::vector<EdgeSteps>& steps;
+  const MixedGraph& mixed;
+  const std::vector<std::vector<EdgeSteps>>& steps;  ///< of each version
   const FrameCost& cost;
   const WalkDone& done;
   const GuidedWalkOptions& options;
@@ -31,35 +33,61 @@ struct Branch {
   bool done = false;
 };
 
+/// One frame of an edge.
+struct FrameStep {
+  Vec3 step = Vec3::Zero();
+  double facing = 0.0;
+  double seconds = 0.0;
+};
+
+FrameStep mixed_step(const StretchSearch& search, std::size_t edge, std::size_t f, double now) {
+  const EdgeSteps& first = search.steps.front()[edge];
+  if (search.steps.size() == 1) return {first.steps[f], first.facings[f], first.seconds[f]};
+  const std::vector<double> shares =
+      shares_asked(search.mixed.moods, now, search.mixed.versions.size());
+  FrameStep mix;
+  mix.facing = first.facings[f];
+  for (std::size_t v = 0; v < shares.size(); ++v) {
+    const EdgeSteps& way = search.steps[v][edge];
+    mix.step += shares[v] * way.steps[f];
+    mix.facing += shares[v] * std::remainder(way.facings[f] - first.facings[f], 2.0 * pi);
+    mix.seconds += shares[v] * way.seconds[f];
+  }
+  return mix;
+}
+
 Branch along(const StretchSearch& search, const WalkState& from, int edge) {
-  const EdgeSteps& way = search.steps[static_cast<std::size_t>(edge)];
-  const double frame = 1.0 / search.graph.clips.front().frames_per_second;
+  const auto number = static_cast<std::size_t>(edge);
+  const EdgeSteps& way = search.steps.front()[number];
   const Quat turned(Eigen::AngleAxisd(from.turn, Vec3::UnitY()));
   Branch branch{edge, from};
   for (std::size_t f = 0; f < way.steps.size() && !branch.done; ++f) {
-    const Vec3 step = turned * way.steps[f];
+    const FrameStep mix = mixed_step(search, number, f, branch.state.seconds);
+    const Vec3 step = turned * mix.step;
     branch.state.place += step;
-    branch.state.facing = from.turn + way.facings[f];
-    branch.state.seconds += frame;
+    branch.state.facing = from.turn + mix.facing;
+    branch.state.seconds += mix.seconds;
     branch.cost += search.cost(branch.state, step);
     branch.done = search.done(branch.state);
   }
-  const GraphEdge& taken = search.graph.edges[static_cast<std::size_t>(edge)];
+  const GraphEdge& taken = search.mixed.graph().edges[number];
   branch.state.node = taken.to;
   branch.state.turn += way.turn;
   branch.state.since =
-      taken.transition >= 0 ? 0.0 : from.since + frame * static_cast<double>(way.steps.size());
+      taken.transition >= 0 ? 0.0 : from.since + branch.state.seconds - from.seconds;
   return branch;
 }
 
 std::vector<Branch> branches(StretchSearch& search, const WalkState& from) {
-  const std::vector<int>& leaving = search.graph.leaving[static_cast<std::size_t>(from.node)];
+  const std::vector<int>& leaving =
+      search.mixed.graph().leaving[static_cast<std::size_t>(from.node)];
   const auto first = static_cast<std::size_t>(leaving.front());
-  const bool goes_on = search.graph.edges[first].transition < 0;
+  const bool goes_on = search.mixed.graph().edges[first].transition < 0;
   std::vector<Branch> found;
   for (const int edge : leaving) {
-    const bool transition = search.graph.edges[static_cast<std::size_t>(edge)].transition >= 0;
-    if (transition && goes_on && from.since < search.options.between_seconds) continue;
+    const bool transition =
+        search.mixed.graph().edges[static_cast<std::size_t>(edge)].transition >= 0;
+    if (transition && goes_on && from.since < search.options.between_seconds - 1e-9) continue;
     found.push_back(along(search, from, edge));
     ++search.tried;
   }
@@ -87,24 +115,25 @@ void extend(StretchSearch& search, const WalkState& from, double spent) {
   }
 }
 
-StretchSearch stretch_from(const MotionGraph& graph, const std::vector<EdgeSteps>& steps,
-                           const WalkState& start, const FrameCost& cost, const WalkDone& done,
+StretchSearch stretch_from(const MixedGraph& mixed,
+                           const std::vector<std::vector<EdgeSteps>>& steps, const WalkState& start,
+                           const FrameCost& cost, const WalkDone& done,
                            const GuidedWalkOptions& options) {
-  StretchSearch search{graph, steps, cost, done, options};
+  StretchSearch search{mixed, steps, cost, done, options};
   search.until = start.seconds + options.ahead_seconds;
   extend(search, start, 0.0);
   return search;
 }
 
 /// The start whose first stretch costs least.
-WalkState best_start(const MotionGraph& graph, const std::vector<EdgeSteps>& steps,
+WalkState best_start(const MixedGraph& mixed, const std::vector<std::vector<EdgeSteps>>& steps,
                      const std::vector<WalkState>& starts, const FrameCost& cost,
                      const WalkDone& done, GuidedWalkOptions options) {
   options.most_edges /= 20;
   double least = std::numeric_limits<double>::infinity();
   WalkState best = starts.front();
   for (const WalkState& start : starts) {
-    const double found = stretch_from(graph, steps, start, cost, done, options).best;
+    const double found = stretch_from(mixed, steps, start, cost, done, options).best;
     if (found >= least) continue;
     least = found;
     best = start;
@@ -114,15 +143,16 @@ WalkState best_start(const MotionGraph& graph, const std::vector<EdgeSteps>& ste
 
 }  // namespace
 
-GraphWalk searched_walk(const MotionGraph& graph, const std::vector<WalkState>& starts,
+GraphWalk searched_walk(const MixedGraph& mixed, const std::vector<WalkState>& starts,
                         const FrameCost& cost, const WalkDone& done,
                         const GuidedWalkOptions& options) {
   constexpr double longest_seconds = 3600.0;
-  const std::vector<EdgeSteps> steps = edge_steps(graph);
-  WalkState state = best_start(graph, steps, starts, cost, done, options);
+  std::vector<std::vector<EdgeSteps>> steps;
+  for (const MotionGraph& version : mixed.versions) steps.push_back(edge_steps(version));
+  WalkState state = best_start(mixed, steps, starts, cost, done, options);
   GraphWalk walk;
   while (!done(state)) {
-    const StretchSearch search = stretch_from(graph, steps, state, cost, done, options);
+    const StretchSearch search = stretch_from(mixed, steps, state, cost, done, options);
     const double way = state.way;
     const double kept = state.seconds + options.kept_seconds;
     for (const int edge : search.best_edges) {

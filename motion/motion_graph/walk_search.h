@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "motion/motion_graph/edge_steps.h"
 #include "motion/motion_graph/graph_walk.h"
@@ -24,9 +25,18 @@ using FrameCost = std::function<double(WalkState& state, const Vec3& step)>;
 /// Whether the purpose is reached.
 using WalkDone = std::function<bool(const WalkState& state)>;
 
+/// Versions of one graph (motion_graph.h) and what is asked of them by time, which the search mixes
+/// as `motion_of` (graph_walk.h) does, but without delay.
+struct MixedGraph {
+  std::span<const MotionGraph> versions;
+  std::span<const MoodFrom> moods;
+
+  const MotionGraph& graph() const { return versions.front(); }
+};
+
 /// The cheapest walk from each of some starts (of one cost), stretch by stretch by branch and
 /// bound, until it is done. Throws mien::Error when `way` does not get on (`gets_on`).
-GraphWalk searched_walk(const MotionGraph& graph, const std::vector<WalkState>& starts,
+GraphWalk searched_walk(const MixedGraph& mixed, const std::vector<WalkState>& starts,
                         const FrameCost& cost, const WalkDone& done,
                         const GuidedWalkOptions& options);
 

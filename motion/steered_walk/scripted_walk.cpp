@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/error.h"
 #include "motion/steered_walk/floor_path.h"
@@ -23,8 +24,25 @@ struct Filming {
   const ScriptedWalkOptions& options;
   SteeredWalk walker;
   Clip clip;
-  std::vector<double> moods = {};  ///< of the last segment that named any
+  std::vector<FootPlant> plants = {};  ///< until now
+  std::vector<double> moods = {};      ///< of the last segment that named any
 };
+
+/// Takes the pose of now as the next frame.
+void expose(Filming& film) {
+  const int frame = film.clip.frame_count();
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (film.walker.legs[side].swinging) continue;
+    const auto open = std::find_if(
+        film.plants.rbegin(), film.plants.rend(),
+        [&](const auto& plant) { return plant.left == (side == 0) && plant.last == frame - 1; });
+    if (open == film.plants.rend())
+      film.plants.push_back({side == 0, frame, frame});
+    else
+      open->last = frame;
+  }
+  film.clip.poses.push_back(pose_of(film.gaits, film.walker));
+}
 
 Filming filming(const WalkerGaits& gaits, const ScriptedWalkOptions& options, const Vec3& place,
                 double heading) {
@@ -35,7 +53,7 @@ Filming filming(const WalkerGaits& gaits, const ScriptedWalkOptions& options, co
   Filming film{gaits, options, standing_walker(gaits, place, heading, first), {}};
   film.clip.body = gaits.body;
   film.clip.frames_per_second = options.frames_per_second;
-  film.clip.poses.push_back(pose_of(gaits, film.walker));
+  expose(film);
   return film;
 }
 
@@ -52,7 +70,7 @@ void film_frame(Filming& film, Steering steering) {
   steering.moods =
       film.moods.empty() ? moods_at(film.options, film.clip.duration_seconds()) : film.moods;
   advance(film.gaits, steering, 1.0 / film.clip.frames_per_second, film.walker);
-  film.clip.poses.push_back(pose_of(film.gaits, film.walker));
+  expose(film);
   if (film.clip.duration_seconds() > longest_seconds) {
     throw Error("a walk of more than an hour", "make the script or the path shorter");
   }
@@ -145,8 +163,8 @@ Steering steering_along(const FloorPath& path, double way, const Carriage& carri
 
 }  // namespace
 
-Clip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script,
-                   const ScriptedWalkOptions& options) {
+WalkedClip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script,
+                         const ScriptedWalkOptions& options) {
   require_number(!script.empty(), "an empty script for a walk", "give one segment at least");
   double heading = options.heading;
   Filming film = filming(gaits, options, options.place, heading);
@@ -155,11 +173,11 @@ Clip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script
     if (!segment.moods.empty()) film.moods = segment.moods;
     film_segment(film, segment, heading);
   }
-  return film.clip;
+  return {std::move(film.clip), std::move(film.plants)};
 }
 
-Clip walk_along(const WalkerGaits& gaits, std::span<const Vec3> polyline, double pace,
-                const ScriptedWalkOptions& options) {
+WalkedClip walk_along(const WalkerGaits& gaits, std::span<const Vec3> polyline, double pace,
+                      const ScriptedWalkOptions& options) {
   require_number(pace > 0.0 && pace <= gait_paces.back(), "a walk's pace is not between 0 and 1.2",
                  "1 is the style's own speed; choose a faster style for more");
   const FloorPath path = floor_path(polyline);
@@ -175,7 +193,7 @@ Clip walk_along(const WalkerGaits& gaits, std::span<const Vec3> polyline, double
   Steering stop;
   stop.heading = heading_at(path, length);
   while (!at_rest(film.walker)) film_frame(film, stop);
-  return film.clip;
+  return {std::move(film.clip), std::move(film.plants)};
 }
 
 }  // namespace mien::motion

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "motion/gait/foot_plant.h"
 #include "motion/skeleton/clip.h"
 #include "motion/steered_walk/steered_walk.h"
 
@@ -29,6 +30,12 @@ struct MoodFrom {
   std::vector<double> moods;  ///< as in Steering
 };
 
+/// A walk, and where its feet stand in it.
+struct WalkedClip {
+  Clip clip;
+  std::vector<FootPlant> plants;
+};
+
 struct ScriptedWalkOptions {
   double frames_per_second = 30.0;
   std::vector<MoodFrom> moods;  ///< by time, until a segment names its own; before the first of
@@ -38,17 +45,17 @@ struct ScriptedWalkOptions {
 };
 
 /// A walker that stands, does what the script says, segment by segment, and is filmed all the
-/// while: a clip that does not loop. Throws mien::Error for an empty script, numbers that are none
-/// or out of range, and for a result longer than an hour.
-Clip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script,
-                   const ScriptedWalkOptions& options = {});
+/// while, from frame to frame: a clip that does not loop. Throws mien::Error for an empty script,
+/// numbers that are none or out of range, and for a result longer than an hour.
+WalkedClip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> script,
+                         const ScriptedWalkOptions& options = {});
 
 /// A walker that starts on the first point of a path over the floor (x, z in metres; y is not
 /// looked at), walks along it at a pace, and stops at its end. It looks ahead along the path, so it
 /// rounds corners by some centimetres, slower the sharper they are, and leaves a path whose curves
 /// are wider than half a metre by less than 0.2 m. `options.place` and `heading` are not looked
 /// at. Throws as above, and for a path shorter than 0.1 m.
-Clip walk_along(const WalkerGaits& gaits, std::span<const Vec3> path, double pace = 1.0,
-                const ScriptedWalkOptions& options = {});
+WalkedClip walk_along(const WalkerGaits& gaits, std::span<const Vec3> path, double pace = 1.0,
+                      const ScriptedWalkOptions& options = {});
 
 }  // namespace mien::motion

@@ -64,7 +64,7 @@ std::vector<Clip> walker_motions(const WalkStyle& style, double frames_per_secon
   options.frames_per_second = frames_per_second;
   std::vector<Clip> clips;
   for (const Take& take : takes()) {
-    Clip clip = cut(scripted_walk(gaits, take.script, options), take.skipped_seconds);
+    Clip clip = cut(scripted_walk(gaits, take.script, options).clip, take.skipped_seconds);
     clip.name = take.name;
     clips.push_back(std::move(clip));
   }

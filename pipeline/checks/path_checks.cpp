@@ -20,6 +20,11 @@ constexpr double slowest_pace = 0.05;
 constexpr double slow_walk_m_s = 1.0;  // that lengths are held against
 constexpr double turn_deg_s = 70.0;    // about as quickly as a walker turns
 
+/// What moods may be named after; nothing where recipes say (resolve_modifications).
+std::vector<std::string> names_of_moods(const WalkPath& walk) {
+  return walk.graph.empty() ? walks_of(walk) : std::vector<std::string>();
+}
+
 void check_mood(const std::string& path, const Mood& mood, const std::vector<std::string>& walks,
                 FaultList& list) {
   if (mood.empty() || walks.empty()) return;
@@ -69,7 +74,7 @@ void check_length(const std::string& path, double seconds, FaultList& list) {
 void check_script(const std::string& path, const WalkPath& walk, FaultList& list) {
   const std::string map = member_path(path, "script");
   const std::string script = list.was_given(map) ? map : path;
-  const std::vector<std::string> walks = walks_of(walk);
+  const std::vector<std::string> walks = names_of_moods(walk);
   double seconds = 0.0;
   for (std::size_t i = 0; i < walk.script.size(); ++i) {
     const std::string step = element_path(script, i);
@@ -86,7 +91,7 @@ void check_script(const std::string& path, const WalkPath& walk, FaultList& list
 
 void check_points(const std::string& path, const WalkPath& walk, FaultList& list) {
   const std::string points = member_path(path, "points");
-  const std::vector<std::string> walks = walks_of(walk);
+  const std::vector<std::string> walks = names_of_moods(walk);
   for (std::size_t i = 1; i < walk.points.size(); ++i) {
     const double apart = length_of({walk.points[i - 1], walk.points[i]});
     if (apart >= nearest_points_m) continue;
@@ -112,7 +117,7 @@ void check_points(const std::string& path, const WalkPath& walk, FaultList& list
   }
 }
 
-/// Motions of files have moods and a speed of their own.
+/// Motions of files have a speed of their own.
 void check_graph(const std::string& path, const WalkPath& walk, FaultList& list) {
   const std::string graph = member_path(path, "graph");
   for (std::size_t i = 0; i < walk.graph.size(); ++i) {
@@ -125,7 +130,7 @@ void check_graph(const std::string& path, const WalkPath& walk, FaultList& list)
   }
   const auto refuse = [&](const std::string& at) {
     if (!list.was_given(at)) return;
-    list.add(at, "motions of files have a mood and a pace of their own",
+    list.add(at, "motions of files have a pace of their own",
              "leave it out, or leave graph: out to have built-in walks");
   };
   if (walk.graph.empty()) {
@@ -134,9 +139,7 @@ void check_graph(const std::string& path, const WalkPath& walk, FaultList& list)
       list.add(threshold, "only a graph has this", "add graph: with motion files");
     return;
   }
-  for (const char* key : {"set", "mood", "moods", "pace"}) refuse(member_path(path, key));
-  for (std::size_t i = 0; i < walk.script.size(); ++i)
-    refuse(member_path(element_path(member_path(path, "script"), i), "mood"));
+  for (const char* key : {"set", "pace"}) refuse(member_path(path, key));
 }
 
 }  // namespace
@@ -146,7 +149,7 @@ void check_walk_path(const Stimulus& stimulus, FaultList& list) {
   const WalkPath& walk = *stimulus.walk;
   const std::string path = member_path(stimulus.path, "path");
   check_graph(path, walk, list);
-  check_mood(member_path(path, "mood"), walk.mood, walks_of(walk), list);
+  check_mood(member_path(path, "mood"), walk.mood, names_of_moods(walk), list);
   if (walk.points.empty()) {
     check_script(path, walk, list);
   } else {

@@ -31,6 +31,10 @@ void add_fields(KeyBuilder& key, const std::string& name, const Value& value, un
 }
 
 void add_steps(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
+  for (const ModificationStep& mood : stimulus.walk_moods) {
+    key.add("mood", mood.emotion);
+    add_fields(key, "mood.", mood.modification, concerns::motion, files);
+  }
   for (const ModificationStep& step : stimulus.modify) {
     key.add("modify", step.emotion).add("strength", step.strength);
     add_fields(key, "modify.", step.modification, concerns::motion, files);

@@ -1,6 +1,7 @@
 #include "pipeline/manifest/recipes.h"
 
 #include <algorithm>
+#include <set>
 
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
@@ -55,6 +56,38 @@ void resolve(ModificationStep& step, const Recipe* recipe, std::uint64_t study_s
   }
   step.modification = with_edit(step.modification, step.edit);
   if (step.edit.pose) step.pose = step.edit.pose;
+}
+
+/// The recipes that a graph's moods name, each once.
+void resolve_moods(Stimulus& stimulus, const RecipeBook& book, const Manifest& manifest,
+                   std::vector<Fault>& faults) {
+  std::set<std::string> names;
+  for (const auto& [below, mood] : places_of_moods(*stimulus.walk)) {
+    for (const auto& one : mood) {
+      const std::string& name = one.first;
+      const std::string path =
+          stimulus.path + ".path" + (below.starts_with("[") ? "" : ".") + below + "." + name;
+      const Recipe* recipe = book.find(name);
+      if (recipe == nullptr) {
+        faults.push_back({key_place_of(manifest.places, path), path,
+                          "there is no recipe for \"" + name + "\"",
+                          motion::did_you_mean(name, book.names())});
+      } else if (recipe->edit.pose) {
+        faults.push_back({key_place_of(manifest.places, path), path,
+                          "its recipe takes on a pose, which nobody can while walking",
+                          "name another mood, or modify the stimulus by this one"});
+      } else {
+        names.insert(name);
+      }
+    }
+  }
+  for (const std::string& name : names) {
+    ModificationStep step;
+    step.path = stimulus.path + ".path." + name;
+    step.emotion = name;
+    resolve(step, book.find(name), manifest.seed, stimulus.id);
+    stimulus.walk_moods.push_back(std::move(step));
+  }
 }
 
 }  // namespace
@@ -139,6 +172,8 @@ std::vector<Fault> resolve_modifications(Manifest& manifest) {
       }
       resolve(step, recipe, manifest.seed, stimulus.id);
     }
+    if (stimulus.walk && !stimulus.walk->graph.empty())
+      resolve_moods(stimulus, book, manifest, faults);
   }
   return faults;
 }

@@ -110,11 +110,13 @@ struct Stimulus {
   NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
   NamedValues weights;     ///< example → share, ≥ 0, not all 0
   std::optional<ClipSource> clip;
-  std::optional<WalkPath> walk;  ///< `path:`
-  std::optional<Foil> foil;      ///< all of the motion is then as that of another (resolve_foils)
-  Look look;                     ///< the manifest's with this stimulus's own values over it
-  Output output;                 ///< likewise
-  Interpolation interpolation;   ///< likewise
+  std::optional<WalkPath> walk;              ///< `path:`
+  std::vector<ModificationStep> walk_moods;  ///< of a path by a graph: the recipes that its moods
+                                             ///< name, in the order of their names
+  std::optional<Foil> foil;     ///< all of the motion is then as that of another (resolve_foils)
+  Look look;                    ///< the manifest's with this stimulus's own values over it
+  Output output;                ///< likewise
+  Interpolation interpolation;  ///< likewise
   std::vector<ModificationStep> modify;  ///< done to what the above makes, in this order
   OnFault on_fault = OnFault::warn;      ///< the manifest's, or its own
   RegressionLimits regression;           ///< the manifest's with this stimulus's own over it

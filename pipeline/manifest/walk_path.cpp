@@ -97,6 +97,16 @@ std::string described(const WalkPath& path) {
   return text;
 }
 
+std::vector<std::pair<std::string, Mood>> places_of_moods(const WalkPath& path) {
+  std::vector<std::pair<std::string, Mood>> moods = {{"mood", path.mood}};
+  const std::string script = is_script_alone(path) ? "" : "script";
+  for (std::size_t i = 0; i < path.script.size(); ++i)
+    moods.emplace_back(fmt::format("{}[{}].mood", script, i), path.script[i].mood);
+  for (std::size_t i = 0; i < path.moods.size(); ++i)
+    moods.emplace_back(fmt::format("moods[{}].mood", i), path.moods[i].mood);
+  return moods;
+}
+
 double length_of(const std::vector<FloorPoint>& points) {
   double length = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i)

@@ -13,7 +13,8 @@
 
 namespace mien::pipeline {
 
-/// How much of which built-in walks somebody walks like: weights ≥ 0, not all 0.
+/// How much of which built-in walks somebody walks like: weights ≥ 0, not all 0. By a graph: how
+/// much of which emotions' recipes its motions are given; what is missing to 1 is as captured.
 using Mood = std::vector<std::pair<std::string, double>>;
 
 /// One thing that a walker does: exactly one of walk, turn and stand is given.
@@ -103,6 +104,10 @@ std::vector<std::string> moods_of(const WalkPath& path);
 
 /// In few words: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".
 std::string described(const WalkPath& path);
+
+/// All moods of the path with where each stands below it: "mood", "script[1].mood", "moods[0].mood"
+/// (of a script alone "[1].mood").
+std::vector<std::pair<std::string, Mood>> places_of_moods(const WalkPath& path);
 
 /// Metres of the straight lines through the points.
 double length_of(const std::vector<FloorPoint>& points);

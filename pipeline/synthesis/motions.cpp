@@ -5,8 +5,21 @@
 #include <limits>
 
 #include "motion/examples/settled_feet.h"
+#include "pipeline/synthesis/walked_path.h"
 
 namespace mien::pipeline {
+
+namespace {
+
+/// Where a step of a stimulus's script stands: of what it does, as far as that is known.
+Place place_of_step(const Manifest& manifest, const Stimulus& stimulus, std::size_t step) {
+  const std::string path = member_path(stimulus.path, "path");
+  const std::string map = member_path(path, "script");
+  const bool is_map = manifest.places.values.contains(map);
+  return place_of(manifest.places, member_path(element_path(is_map ? map : path, step), "turn"));
+}
+
+}  // namespace
 
 struct Motions::Entry {
   std::once_flag once;
@@ -91,9 +104,17 @@ Synthesis Motions::make(const std::string& name) {
   if (asked == nullptr) {
     return synthesize_example(name, manifest_.output, manifest_.interpolation, repertoire());
   }
+  try {
+    return synthesized(*asked);
+  } catch (const UnwalkableStep& fault) {
+    throw fault.at(place_of_step(manifest_, *asked, fault.step()));
+  }
+}
+
+Synthesis Motions::synthesized(const Stimulus& asked) {
   // A file or a path needs no examples, unless its modifications do; there may be none.
-  if (!is_blend(*asked) && !names_examples(*asked)) return synthesize(*asked, Repertoire{});
-  return synthesize(*asked, repertoire());
+  if (!is_blend(asked) && !names_examples(asked)) return synthesize(asked, Repertoire{});
+  return synthesize(asked, repertoire());
 }
 
 bool names_examples(const Stimulus& stimulus) {

@@ -54,6 +54,7 @@ class Motions {
   struct Entry;
   Entry& entry(const std::string& name);
   Synthesis make(const std::string& name);
+  Synthesis synthesized(const Stimulus& asked);
   const motion::Example& measured(const std::string& name);
 
   const Manifest& manifest_;

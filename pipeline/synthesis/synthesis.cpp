@@ -9,6 +9,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
+#include "motion/gait/foot_slide.h"
 #include "motion/interpolation/interpolation.h"
 #include "motion/lint/lint.h"
 #include "motion/live/made_motion.h"
@@ -220,10 +221,10 @@ Synthesis as_captured(const Stimulus& stimulus) {
 Synthesis as_walked(const Stimulus& stimulus) {
   Synthesis result;
   result.motion.name = stimulus.id;
-  result.motion.clip = walked(*stimulus.walk, stimulus.output.fps);
+  motion::WalkedClip walk = walked(stimulus);
+  result.planted_drift_m = motion::planted_slide(walk.clip, walk.plants);
+  result.motion.clip = std::move(walk.clip);
   result.motion.keytimes = {0.0, result.motion.clip.duration_seconds()};
-  result.planted_drift_m =
-      motion::planted_drift(result.motion.clip, motion::foot_plants(result.motion.clip));
   return result;
 }
 

@@ -1,9 +1,15 @@
 #include "pipeline/synthesis/walked_path.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "motion/formats/motion_file.h"
+#include "motion/modify/modification.h"
 #include "motion/motion_graph/guided_walk.h"
 #include "motion/motion_graph/motion_graph.h"
 #include "motion/procedural/builtin_sets.h"
@@ -86,20 +92,90 @@ std::vector<motion::Clip> clips_of(const WalkPath& path, double frames_per_secon
   return clips;
 }
 
-motion::Clip walked_by_graph(const WalkPath& path, double frames_per_second) {
+/// Shares of a graph's versions: the motions as they are, then each of the recipes.
+std::vector<double> version_shares(const Mood& mood, const std::vector<ModificationStep>& recipes) {
+  std::vector<double> result(recipes.size() + 1, 0.0);
+  double sum = 0.0;
+  for (const auto& [name, share] : mood) {
+    const auto found = std::ranges::find(recipes, name, &ModificationStep::emotion);
+    result[static_cast<std::size_t>(found - recipes.begin()) + 1] = share;
+    sum += share;
+  }
+  result.front() = std::max(0.0, 1.0 - sum);
+  return result;
+}
+
+/// The clip given an emotion, frame for frame the same moments.
+motion::MotionInStep in_emotion(const motion::Clip& clip, const ModificationStep& recipe) {
+  const motion::Clip changed = motion::modified(clip, recipe.modification);
+  const std::vector<double> whole = {0.0, changed.duration_seconds()};
+  const std::vector<double> before = {0.0, clip.duration_seconds()};
+  motion::MotionInStep motion = motion::in_step(changed, whole, clip, before);
+  motion.clip.name = clip.name;
+  return motion;
+}
+
+/// The graph as it is, and all of its motions in each of the emotions.
+std::vector<motion::MotionGraph> versions_of(const motion::MotionGraph& graph,
+                                             const std::vector<ModificationStep>& recipes) {
+  std::vector<motion::MotionGraph> versions = {graph};
+  for (const ModificationStep& recipe : recipes) {
+    std::vector<motion::MotionInStep> motions;
+    for (const motion::Clip& clip : graph.clips) motions.push_back(in_emotion(clip, recipe));
+    versions.push_back(motion::with_motions(graph, motions));
+  }
+  return versions;
+}
+
+[[noreturn]] void refuse_turn(const WalkPath& path, const motion::MissedTurn& missed) {
+  const WalkStep& step = path.script.at(missed.segment);
+  const std::string what = step.turn_deg ? fmt::format("turn by {:.0f}°", *step.turn_deg)
+                                         : std::string("keep to the heading of this step");
+  throw UnwalkableStep(missed.segment,
+                       fmt::format("the motions of the graph cannot {}: {:.0f}° are missing", what,
+                                   std::abs(missed.degrees)),
+                       "add motions that turn so, raise threshold_m, or leave graph: out to have "
+                       "built-in walks");
+}
+
+motion::WalkedClip walked_script(const WalkPath& path, const std::vector<ModificationStep>& recipes,
+                                 const std::vector<motion::MotionGraph>& versions) {
+  constexpr double refused_deg = 10.0;
+  std::vector<motion::WalkSegment> segments = segments_of(path, {});
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Mood& mood = i == 0 && path.script[i].mood.empty() ? path.mood : path.script[i].mood;
+    segments[i].moods.clear();
+    if (!mood.empty()) segments[i].moods = version_shares(mood, recipes);
+  }
+  motion::GuidedWalk walk = motion::scripted_walk(std::span(versions), segments);
+  if (walk.missed && std::abs(walk.missed->degrees) > refused_deg) refuse_turn(path, *walk.missed);
+  return {std::move(walk.clip), std::move(walk.plants)};
+}
+
+motion::WalkedClip walked_by_graph(const Stimulus& stimulus) {
+  const WalkPath& path = *stimulus.walk;
+  const std::vector<ModificationStep>& recipes = stimulus.walk_moods;
   const motion::MotionGraph graph =
-      motion::motion_graph(clips_of(path, frames_per_second), {.threshold_m = path.threshold_m});
-  if (path.points.empty()) return motion::scripted_walk(graph, segments_of(path, {})).clip;
-  return motion::walk_along(graph, places_of(path)).clip;
+      motion::motion_graph(clips_of(path, stimulus.output.fps), {.threshold_m = path.threshold_m});
+  const std::vector<motion::MotionGraph> versions = versions_of(graph, recipes);
+  if (path.points.empty()) return walked_script(path, recipes, versions);
+  std::vector<motion::MoodFrom> moods;
+  if (!path.mood.empty() || !path.moods.empty())
+    moods.push_back({0.0, version_shares(path.mood, recipes)});
+  for (const MoodChange& change : path.moods)
+    moods.push_back({change.seconds, version_shares(change.mood, recipes)});
+  motion::GuidedWalk walk = motion::walk_along(std::span(versions), places_of(path), moods);
+  return {std::move(walk.clip), std::move(walk.plants)};
 }
 
 }  // namespace
 
-motion::Clip walked(const WalkPath& path, double frames_per_second) {
-  if (!path.graph.empty()) return walked_by_graph(path, frames_per_second);
+motion::WalkedClip walked(const Stimulus& stimulus) {
+  const WalkPath& path = *stimulus.walk;
+  if (!path.graph.empty()) return walked_by_graph(stimulus);
   const Moods moods = moods_of(path);
   const motion::WalkerGaits gaits = gaits_of(path, moods);
-  const motion::ScriptedWalkOptions options{.frames_per_second = frames_per_second,
+  const motion::ScriptedWalkOptions options{.frames_per_second = stimulus.output.fps,
                                             .moods = moods_in_time(path, moods)};
   if (path.points.empty()) return motion::scripted_walk(gaits, segments_of(path, moods), options);
   return motion::walk_along(gaits, places_of(path), path.pace, options);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/error.h"
 #include "motion/gait/contact.h"
@@ -96,8 +97,8 @@ LiveReport LiveStream::finish() {
 }
 
 /// What a stream that waited for the end would give: of the whole body, `mien motion modify`.
-motion::Clip LiveStream::whole_modified() const {
-  const motion::Modification modification = motion::without_repair(options_.modification);
+motion::Clip LiveStream::whole_modified(motion::Modification modification) const {
+  modification = motion::without_repair(std::move(modification));
   if (options_.scope == motion::PathScope::body) return motion::modified(mapped_, modification);
   const int all = mapped_.frame_count();
   return motion::streamed(mapped_, modification, {all, report_.delay.timing, all}, options_.scope);
@@ -105,8 +106,12 @@ motion::Clip LiveStream::whole_modified() const {
 
 LiveMeasurement LiveStream::measurement() const {
   LiveMeasurement measured;
-  const motion::Clip offline = whole_modified();
-  measured.error = motion::stream_error(given_, offline);
+  measured.error = motion::stream_error(given_, whole_modified(options_.modification));
+  motion::Modification plain = options_.modification;
+  plain.soft_joint_limits = false;
+  plain.acceleration = 0.0;
+  measured.of_paths_and_posture = motion::stream_error(
+      motion::streamed(mapped_, plain, report_.delay, options_.scope), whole_modified(plain));
   measured.calibration = motion::stream_error(mapped_, motion::to_body(source_));
   const std::vector<motion::FootPlant> plants = motion::foot_plants(mapped_);
   measured.plants = static_cast<int>(plants.size());

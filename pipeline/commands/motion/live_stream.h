@@ -25,7 +25,11 @@ struct LiveOptions {
 
 /// How far a stream came from what is made of the whole motion.
 struct LiveMeasurement {
-  motion::StreamError error;        ///< of the modification, against that of the whole
+  motion::StreamError error;  ///< of the modification, against that of the whole
+  /// The same of paths and posture alone, which look ahead. Left out are soft joint limits, which
+  /// hold against how far the motion has gone until then, and acceleration, which is a stream's
+  /// own.
+  motion::StreamError of_paths_and_posture;
   motion::StreamError calibration;  ///< of the mapping, against one calibrated on the whole
   int plants = 0;
   double drift_m = 0.0;            ///< horizontal, largest over the plants of the motion that came
@@ -63,7 +67,7 @@ class LiveStream {
  private:
   void begin(const motion::BvhHead& head, const motion::Pose& pose);
   bool put(const motion::Pose& pose);
-  motion::Clip whole_modified() const;
+  motion::Clip whole_modified(motion::Modification modification) const;
   LiveMeasurement measurement() const;
 
   LiveOptions options_;

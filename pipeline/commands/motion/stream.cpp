@@ -99,6 +99,7 @@ ordered_json as_json(const LiveReport& report) {
   if (!report.measured) return json;
   const LiveMeasurement& measured = *report.measured;
   json["error"] = as_json(measured.error);
+  json["error_of_paths_and_posture"] = as_json(measured.of_paths_and_posture);
   json["calibration_error"] = as_json(measured.calibration);
   json["feet"] = {{"plants", measured.plants},
                   {"largest_drift_metres", measured.drift_m},
@@ -130,6 +131,8 @@ void tell(const LiveReport& report, const Console& console) {
   const LiveMeasurement& measured = *report.measured;
   console.err
       << "error against the whole motion modified: " << error_text(measured.error) << '\n'
+      << "of which paths and posture, without soft joint limits and acceleration: "
+      << error_text(measured.of_paths_and_posture) << '\n'
       << "error of calibrating beforehand: " << error_text(measured.calibration) << '\n'
       << fmt::format(
              "feet are not repaired: planted ones slid by up to {:.0f} mm ({:.0f} mm before "

@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "motion/gait/foot_slide.h"
+#include "motion/lint/lint.h"
+#include "motion/procedural/builtin_sets.h"
 #include "motion/procedural/expressive_walks.h"
 #include "motion/steered_walk/floor_path.h"
 #include "motion/steered_walk/walker_motions.h"
@@ -48,7 +51,7 @@ TEST(ScriptedWalk, WalksTurnsAndStandsAsItIsTold) {
   const std::vector<WalkSegment> script = {{.kind = Kind::walk, .seconds = 3.0},
                                            {.kind = Kind::turn, .degrees = 90.0, .pace = 0.0},
                                            {.kind = Kind::stand, .seconds = 1.0}};
-  const Clip clip = scripted_walk(normal_and_sad(), script);
+  const Clip clip = scripted_walk(normal_and_sad(), script).clip;
   EXPECT_FALSE(clip.loops);
   EXPECT_GT(clip.poses[90].root_position.z(), 2.5);
   EXPECT_NEAR(clip.poses[90].root_position.x(), 0.0, 0.05);
@@ -61,7 +64,7 @@ TEST(ScriptedWalk, WalksTurnsAndStandsAsItIsTold) {
 TEST(ScriptedWalk, TurnsMoreThanHalfACircleTheWayItIsTold) {
   for (const double degrees : {270.0, -270.0}) {
     const std::vector<WalkSegment> script = {{.kind = Kind::turn, .degrees = degrees, .pace = 0.0}};
-    const Clip clip = scripted_walk(normal_and_sad(), script);
+    const Clip clip = scripted_walk(normal_and_sad(), script).clip;
     double turned = 0.0;
     for (std::size_t i = 1; i < clip.poses.size(); ++i) {
       turned += std::remainder(heading_of(clip.poses[i]) - heading_of(clip.poses[i - 1]), 360.0);
@@ -74,7 +77,7 @@ TEST(ScriptedWalk, MoodsComeWhenTheyAreDue) {
   ScriptedWalkOptions options;
   options.moods = {{0.0, {1.0, 0.0}}, {4.0, {0.0, 1.0}}};
   const std::vector<WalkSegment> script = {{.kind = Kind::walk, .seconds = 8.0}};
-  const Clip clip = scripted_walk(normal_and_sad(), script, options);
+  const Clip clip = scripted_walk(normal_and_sad(), script, options).clip;
   const auto way = [&](int from, int to) {
     return clip.poses[static_cast<std::size_t>(to)].root_position.z() -
            clip.poses[static_cast<std::size_t>(from)].root_position.z();
@@ -92,7 +95,7 @@ TEST(ScriptedWalk, CirclesAndSlalomsAreFollowed) {
     slalom.emplace_back(0.8 * std::sin(2.0 * angle), 0.0, 0.1 * i);
   }
   for (const std::vector<Vec3>& path : {circle, slalom}) {
-    const Clip clip = walk_along(normal_and_sad(), path);
+    const Clip clip = walk_along(normal_and_sad(), path).clip;
     EXPECT_LT(farthest_from(path, clip), 0.2);
     EXPECT_LT((level(clip.poses.back().root_position) - path.back()).norm(), 0.15);
   }
@@ -100,7 +103,30 @@ TEST(ScriptedWalk, CirclesAndSlalomsAreFollowed) {
 
 TEST(ScriptedWalk, CornersAreRounded) {
   const std::vector<Vec3> path = {{0, 0, 0}, {0, 0, 3}, {3, 0, 3}, {3, 0, 0}};
-  EXPECT_LT(farthest_from(path, walk_along(normal_and_sad(), path)), 0.25);
+  EXPECT_LT(farthest_from(path, walk_along(normal_and_sad(), path).clip), 0.25);
+}
+
+/// Narrow, fast and hardly lifted steps, round sharp corners and on the spot: legs pass beside each
+/// other, ankles stay within their range, and no foot slides.
+TEST(ScriptedWalk, SharpTurnsBreakNothing) {
+  const std::vector<WalkSegment> script = {{.kind = Kind::walk, .seconds = 2.0},
+                                           {.kind = Kind::turn, .degrees = 135.0},
+                                           {.kind = Kind::walk, .seconds = 1.0},
+                                           {.kind = Kind::stand, .seconds = 0.3},
+                                           {.kind = Kind::turn, .degrees = -170.0, .pace = 0.0},
+                                           {.kind = Kind::stand, .seconds = 0.5}};
+  for (const NamedStyle& walk : builtin_styles("walks-27")) {
+    if (walk.name != "afraid-normal" && walk.name != "excited-fast" && walk.name != "bored-fast")
+      continue;
+    const WalkedClip walked = scripted_walk(fit_walker({&walk.style, 1}, standard_body()), script);
+    EXPECT_LT(planted_slide(walked.clip, walked.plants), 0.001) << walk.name;
+    for (const Finding& finding : lint(walked.clip)) {
+      EXPECT_NE(finding.severity, Severity::error) << walk.name << ": " << finding.sentence;
+      EXPECT_NE(finding.check, "self-intersection") << walk.name << ": " << finding.sentence;
+      EXPECT_NE(finding.check, "joint-limit") << walk.name << ": " << finding.sentence;
+      EXPECT_NE(finding.check, "foot-skate") << walk.name << ": " << finding.sentence;
+    }
+  }
 }
 
 TEST(ScriptedWalk, RefusesWhatCannotBeWalked) {

@@ -77,6 +77,19 @@ INSTANTIATE_TEST_SUITE_P(
                 "stimuli[0].path.moods: a script has a mood at each step"},
         BadPath{"[{walk: 400}, {walk: 300}]", ":5:11: stimuli[0].path: this would take some 12"}));
 
+/// Moods of a graph are recipes of emotions.
+TEST(PathChecks, AGraphsMoodsAreRecipes) {
+  const std::string graph = "graph: [none.bvh], script: [{walk: 1, mood: ";
+  const std::vector<Fault> faults = faults_of("{" + graph + "{sadd: 1}}]}");
+  ASSERT_FALSE(faults.empty());
+  std::string all;
+  for (const Fault& fault : faults) all += to_string(fault) + "\n";
+  EXPECT_NE(all.find("path.script[0].mood.sadd: there is no recipe for \"sadd\""),
+            std::string::npos)
+      << all;
+  EXPECT_EQ(all.find("the set has no walk"), std::string::npos) << all;
+}
+
 TEST(PathChecks, AcceptsWhatCanBeWalked) {
   for (const std::string path :
        {"[{walk: 3}, {turn: 90}, {stand: 1, mood: {sad: 1}}]", "[{turn: 720, pace: 0}]",

@@ -1,16 +1,31 @@
 #include "pipeline/synthesis/walked_path.h"
 
 #include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "motion/gait/contact.h"
-#include "motion/gait/foot_lock.h"
+#include "motion/formats/motion_file.h"
+#include "motion/gait/foot_slide.h"
 #include "motion/lint/lint.h"
 #include "motion/skeleton/body.h"
+#include "motion/steered_walk/walker_motions.h"
+#include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
 namespace {
+
+Stimulus stimulus_of(const WalkPath& path) {
+  Stimulus stimulus;
+  stimulus.id = "a";
+  stimulus.output.fps = 30.0;
+  stimulus.walk = path;
+  return stimulus;
+}
+
+motion::Clip clip_of(const WalkPath& path) { return walked(stimulus_of(path)).clip; }
 
 double heading_of(const motion::Pose& pose) {
   const motion::Vec3 forward = pose.rotations[0] * motion::Vec3::UnitZ();
@@ -26,17 +41,19 @@ double way_over_floor(const motion::Clip& clip) {
 TEST(WalkedPath, WalksTurnsAndStands) {
   WalkPath path;
   path.script = {{.walk_s = 3.0}, {.turn_deg = 90.0}, {.walk_s = 1.0}, {.stand_s = 1.0}};
-  const motion::Clip clip = walked(path, 30.0);
+  const motion::Clip clip = clip_of(path);
   EXPECT_FALSE(clip.loops);
   EXPECT_NEAR(heading_of(clip.poses.back()), 90.0, 12.0);
   EXPECT_GT(way_over_floor(clip), 3.0);
-  EXPECT_LT(motion::planted_drift(clip, motion::foot_plants(clip)), 0.02);
+  const motion::WalkedClip walk = walked(stimulus_of(path));
+  EXPECT_GT(walk.plants.size(), 8U);
+  EXPECT_LT(motion::planted_slide(walk.clip, walk.plants), 0.001);
 }
 
 TEST(WalkedPath, ATurnAfterStandingIsOnTheSpot) {
   WalkPath path;
   path.script = {{.stand_s = 0.5}, {.turn_deg = -90.0}, {.stand_s = 0.5}};
-  const motion::Clip clip = walked(path, 30.0);
+  const motion::Clip clip = clip_of(path);
   EXPECT_NEAR(heading_of(clip.poses.back()), -90.0, 12.0);
   EXPECT_LT(way_over_floor(clip), 0.3);
 }
@@ -45,7 +62,7 @@ TEST(WalkedPath, EndsAtTheLastPoint) {
   WalkPath path;
   path.points = {{1.0, 0.0}, {1.0, 2.0}, {0.0, 3.5}, {0.0, 5.0}};
   path.mood = {{"sad", 1.0}};
-  const motion::Clip clip = walked(path, 30.0);
+  const motion::Clip clip = clip_of(path);
   EXPECT_LT(
       std::hypot(clip.poses.front().root_position.x() - 1.0, clip.poses.front().root_position.z()),
       0.15);
@@ -59,13 +76,13 @@ TEST(WalkedPath, EndsAtTheLastPoint) {
 TEST(WalkedPath, PaceAndMoodSetTheSpeed) {
   WalkPath path;
   path.script = {{.walk_s = 6.0}};
-  const double own = way_over_floor(walked(path, 30.0));
+  const double own = way_over_floor(clip_of(path));
   path.pace = 0.5;
-  const double half = way_over_floor(walked(path, 30.0));
+  const double half = way_over_floor(clip_of(path));
   EXPECT_NEAR(half / own, 0.5, 0.06);
   path.pace = 1.0;
   path.script.front().mood = {{"tired", 2.0}};
-  EXPECT_LT(way_over_floor(walked(path, 30.0)), 0.85 * own);
+  EXPECT_LT(way_over_floor(clip_of(path)), 0.85 * own);
 }
 
 /// A mood of a step counts from that step on, and until then nothing is changed by it.
@@ -74,8 +91,8 @@ TEST(WalkedPath, AMoodBeginsAtItsStep) {
   plain.script = {{.walk_s = 2.0}, {.walk_s = 2.0}};
   later.script = plain.script;
   later.script[1].mood = {{"sad", 1.0}};
-  const motion::Clip a = walked(plain, 30.0);
-  const motion::Clip b = walked(later, 30.0);
+  const motion::Clip a = clip_of(plain);
+  const motion::Clip b = clip_of(later);
   ASSERT_EQ(a.frame_count(), b.frame_count());
   const auto apart = [&](std::size_t frame) {
     double most = 0.0;
@@ -102,6 +119,68 @@ TEST(WalkedPath, IsDescribedInFewWords) {
   WalkPath path;
   path.script = {{.walk_s = 3.0}, {.turn_deg = 90.0}, {.stand_s = 1.0, .mood = {{"sad", 1.0}}}};
   EXPECT_EQ(described(path), "walk 3 s, turn 90°, stand 1 s like sad");
+}
+
+/// Built-in takes as files, for a graph.
+class WalkedGraph : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const motion::Clip& clip :
+         motion::walker_motions(motion::WalkStyle{}, 30.0, motion::standard_body())) {
+      files_.push_back(folder_.path() / (clip.name + ".bvh"));
+      motion::write_motion(motion::to_recording(clip), files_.back());
+    }
+  }
+
+  TemporaryFolder folder_;
+  std::vector<std::filesystem::path> files_;
+};
+
+TEST_F(WalkedGraph, TurnsAsFarAsItIsTold) {
+  WalkPath path;
+  path.graph = files_;
+  path.script = {{.walk_s = 3.0}, {.turn_deg = 90.0}, {.walk_s = 1.0}, {.stand_s = 1.0}};
+  const motion::WalkedClip walk = walked(stimulus_of(path));
+  EXPECT_NEAR(heading_of(walk.clip.poses.back()), 90.0, 8.0);
+  EXPECT_LT(motion::planted_slide(walk.clip, walk.plants), 0.006);
+}
+
+/// What is missing to 1 is as captured; half of an emotion lies between.
+TEST_F(WalkedGraph, MoodsAreTheRecipesOfEmotions) {
+  WalkPath path;
+  path.graph = files_;
+  path.script = {{.walk_s = 3.0}};
+  Stimulus stimulus = stimulus_of(path);
+  const double plain = way_over_floor(walked(stimulus).clip);
+  stimulus.walk_moods.resize(1);
+  stimulus.walk_moods.front().emotion = "slow";
+  stimulus.walk_moods.front().modification.tempo = 0.5;
+  const auto way_with = [&](double share) {
+    stimulus.walk->script.front().mood = {{"slow", share}};
+    return way_over_floor(walked(stimulus).clip);
+  };
+  EXPECT_NEAR(way_with(0.0), plain, 0.05);
+  const double half = way_with(0.5);
+  const double whole = way_with(1.0);
+  EXPECT_LT(whole, 0.7 * plain);
+  EXPECT_LT(half, plain - 0.2);
+  EXPECT_GT(half, whole + 0.2);
+}
+
+TEST_F(WalkedGraph, RefusesTurnsThatItsMotionsDoNotMake) {
+  WalkPath path;
+  path.graph = {files_[2]};  // "walk": straight on
+  path.script = {{.walk_s = 2.0}, {.turn_deg = 90.0, .pace = 1.0}, {.walk_s = 1.0}};
+  try {
+    walked(stimulus_of(path));
+    FAIL() << "was walked";
+  } catch (const UnwalkableStep& fault) {
+    EXPECT_EQ(fault.step(), 1U);
+    const Error placed = fault.at({"m.yaml", 5, 20});
+    EXPECT_EQ(std::string(placed.what()).find("m.yaml:5:20: the motions of the graph cannot turn"),
+              0U)
+        << placed.what();
+  }
 }
 
 }  // namespace

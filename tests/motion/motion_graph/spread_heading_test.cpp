@@ -1,0 +1,57 @@
+#include "motion/motion_graph/spread_heading.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace mien::motion {
+namespace {
+
+constexpr double degree = radians_per_degree;
+
+/// Ten seconds at 30 frames a second that face one way.
+WalkHeadings facing_on(double radians) {
+  WalkHeadings headings;
+  for (int f = 0; f < 300; ++f) {
+    headings.seconds.push_back(f / 30.0);
+    headings.facings.push_back(radians);
+  }
+  return headings;
+}
+
+TEST(SpreadHeading, AddsWhatIsMissingSmoothlyAndKeepsIt) {
+  const std::array<HeadingWish, 2> wishes = {HeadingWish{4.0, 10.0 * degree, 0.5, 0},
+                                             HeadingWish{8.0, 10.0 * degree, 0.5, 1}};
+  const SpreadHeading spread = spread_heading(facing_on(0.0), wishes);
+  EXPECT_NEAR(spread.added.front(), 0.0, 1e-12);
+  EXPECT_NEAR(spread.added[115], 10.0 * degree, 1e-9);
+  EXPECT_NEAR(spread.added.back(), 10.0 * degree, 1e-9);
+  for (std::size_t f = 1; f < spread.added.size(); ++f)
+    EXPECT_LT(spread.added[f] - spread.added[f - 1], 0.2 * degree);
+  EXPECT_NEAR(spread.missing[0], 0.0, 1e-12);
+  EXPECT_NEAR(spread.missing[1], 0.0, 1e-12);
+}
+
+TEST(SpreadHeading, TellsWhatIsTooMuch) {
+  const std::array<HeadingWish, 1> wish = {HeadingWish{9.0, 90.0 * degree, 0.5, 0}};
+  const SpreadHeading spread = spread_heading(facing_on(0.0), wish);
+  EXPECT_NEAR(spread.added.back(), 25.0 * degree, 1e-9);
+  EXPECT_NEAR(spread.missing[0], 65.0 * degree, 1e-9);
+}
+
+TEST(SpreadHeading, TurnsNoFasterThanFeetFollow) {
+  const std::array<HeadingWish, 1> wish = {HeadingWish{1.0, -20.0 * degree, 0.2, 0}};
+  const SpreadHeading spread = spread_heading(facing_on(0.0), wish);
+  EXPECT_NEAR(spread.added.back(), -12.0 * 0.8 * degree, 1e-9);
+}
+
+TEST(SpreadHeading, GoesTheShorterWay) {
+  const std::array<HeadingWish, 1> wish = {HeadingWish{8.0, 175.0 * degree, 0.5, 0}};
+  const SpreadHeading spread = spread_heading(facing_on(-175.0 * degree), wish);
+  EXPECT_NEAR(spread.added.back(), -10.0 * degree, 1e-9);
+}
+
+}  // namespace
+}  // namespace mien::motion
