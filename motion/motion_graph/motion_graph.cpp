@@ -43,7 +43,7 @@ void check(const MotionGraphOptions& options) {
     throw Error("a motion graph's most_contact_change is no share", "choose it from 0 to 1");
   }
   if (!(options.most_facing_change_deg > 0.0)) {
-    throw Error("a motion graph's most_facing_change_deg is not positive", "6 degrees are usual");
+    throw Error("a motion graph's most_facing_change_deg is not positive", "4 degrees are usual");
   }
   double sum = 0.0;
   for (const double weight : options.cloud.joint_weights) {

@@ -25,13 +25,40 @@ std::vector<std::string> names_of_moods(const WalkPath& walk) {
   return walk.graph.empty() ? walks_of(walk) : std::vector<std::string>();
 }
 
+std::vector<std::string> walks_and_adjectives(std::vector<std::string> walks,
+                                              const std::vector<std::string>& adjectives) {
+  walks.insert(walks.end(), adjectives.begin(), adjectives.end());
+  return walks;
+}
+
+template <class IsAdjective>
+void check_adjectives(const std::string& path, const Mood& mood, const IsAdjective& is_adjective,
+                      FaultList& list) {
+  for (const auto& [name, value] : mood) {
+    if (!is_adjective(name)) {
+      list.add_at_key(member_path(path, name),
+                      "this is no adjective, and the mood is of adjectives",
+                      "name adjectives or walks, not both");
+    } else if (value > 1.0) {
+      list.add(member_path(path, name), "an adjective goes from 0 to 1", "give it 1 at most");
+    }
+  }
+}
+
 void check_mood(const std::string& path, const Mood& mood, const std::vector<std::string>& walks,
                 FaultList& list) {
   if (mood.empty() || walks.empty()) return;
+  const std::vector<std::string> adjectives = adjectives_of_moods();
+  const auto is_adjective = [&](const std::string& name) {
+    return std::ranges::find(adjectives, name) != adjectives.end() &&
+           std::ranges::find(walks, name) == walks.end();
+  };
+  if (std::ranges::any_of(mood, is_adjective, &Mood::value_type::first))
+    return check_adjectives(path, mood, is_adjective, list);
   for (const auto& [name, weight] : mood) {
     if (std::ranges::find(walks, name) != walks.end()) continue;
     list.add_at_key(member_path(path, name), "the set has no walk of that name",
-                    motion::did_you_mean(name, walks));
+                    motion::did_you_mean(name, walks_and_adjectives(walks, adjectives)));
   }
   const auto is_positive = [](const auto& one) { return one.second > 0.0; };
   if (std::ranges::none_of(mood, is_positive))

@@ -7,6 +7,7 @@
 
 #include "motion/procedural/builtin_sets.h"
 #include "pipeline/documents/csv.h"
+#include "pipeline/ratings/scales.h"
 #include "pipeline/reading/field_reader.h"
 #include "pipeline/reading/field_writer.h"
 
@@ -62,6 +63,21 @@ std::vector<std::string> walks_of(const WalkPath& path) {
   const auto known = motion::builtin_set_names();
   if (std::ranges::find(known, name) == known.end()) return {};
   return motion::builtin_example_names(name);
+}
+
+std::vector<std::string> adjectives_of_moods() {
+  const ScaleSet scales = builtin_scales();
+  std::vector<std::string> names;
+  for (const ScaleGroup& group : scales.groups) names.push_back(group.id);
+  for (const Scale& scale : scales.scales) names.push_back(scale.id);
+  return names;
+}
+
+bool is_of_adjectives(const WalkPath& path, const Mood& mood) {
+  if (!path.graph.empty()) return false;
+  const std::vector<std::string> walks = walks_of(path);
+  return std::ranges::any_of(
+      mood, [&](const auto& one) { return std::ranges::find(walks, one.first) == walks.end(); });
 }
 
 std::vector<std::string> moods_of(const WalkPath& path) {

@@ -13,8 +13,9 @@
 
 namespace mien::pipeline {
 
-/// How much of which built-in walks somebody walks like: weights ≥ 0, not all 0. By a graph: how
-/// much of which emotions' recipes its motions are given; what is missing to 1 is as captured.
+/// How much of which built-in walks somebody walks like: weights ≥ 0, not all 0; or which
+/// adjectives of the built-in scales the walk has, each from 0 to 1. By a graph: how much of which
+/// emotions' recipes its motions are given; what is missing to 1 is as captured.
 using Mood = std::vector<std::pair<std::string, double>>;
 
 /// One thing that a walker does: exactly one of walk, turn and stand is given.
@@ -97,6 +98,12 @@ struct WalkPathForm {
 
 /// Names of the walks that the set holds; none for a set that there is not.
 std::vector<std::string> walks_of(const WalkPath& path);
+
+/// Names of the adjectives that moods may be of: groups and pairs of the built-in scales.
+std::vector<std::string> adjectives_of_moods();
+
+/// Whether a mood is of adjectives and not of the set's walks.
+bool is_of_adjectives(const WalkPath& path, const Mood& mood);
 
 /// Those of them that the walker ever walks like, in the set's order; the set's first if none is
 /// named.

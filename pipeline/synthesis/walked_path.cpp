@@ -16,6 +16,7 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
 #include "motion/steered_walk/scripted_walk.h"
+#include "pipeline/synthesis/adjective_moods.h"
 
 namespace mien::pipeline {
 
@@ -171,8 +172,8 @@ motion::WalkedClip walked_by_graph(const Stimulus& stimulus) {
 }  // namespace
 
 motion::WalkedClip walked(const Stimulus& stimulus) {
-  const WalkPath& path = *stimulus.walk;
-  if (!path.graph.empty()) return walked_by_graph(stimulus);
+  if (!stimulus.walk->graph.empty()) return walked_by_graph(stimulus);
+  const WalkPath path = in_walks(*stimulus.walk);
   const Moods moods = moods_of(path);
   const motion::WalkerGaits gaits = gaits_of(path, moods);
   const motion::ScriptedWalkOptions options{.frames_per_second = stimulus.output.fps,

@@ -71,6 +71,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadPath{"{points: [[0, 0], [0, 5]], moods: [{at: 2, mood: {sad: 1}}, {at: 1, mood: {sad: "
                 "1}}]}",
                 "stimuli[0].path.moods[1].at: this is not after the change before it"},
+        BadPath{"[{walk: 2, mood: {quickness: 0.5, sad: 1}}]",
+                "stimuli[0].path[0].mood.sad: this is no adjective, and the mood is of adjectives"},
+        BadPath{"[{walk: 2, mood: {quickness: 1.5}}]",
+                "stimuli[0].path[0].mood.quickness: an adjective goes from 0 to 1"},
         BadPath{"{points: [[0, 0], [0, 5]], moods: [{at: 99, mood: {sad: 1}}]}",
                 "stimuli[0].path.moods[0].at: the walk is over before, after some 20 s at most"},
         BadPath{"{script: [{walk: 1}], moods: [{at: 2, mood: {sad: 1}}]}",

@@ -1,5 +1,6 @@
 #include "pipeline/synthesis/walked_path.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -12,6 +13,8 @@
 #include "motion/lint/lint.h"
 #include "motion/skeleton/body.h"
 #include "motion/steered_walk/walker_motions.h"
+#include "pipeline/synthesis/adjective_moods.h"
+#include "pipeline/synthesis/motions.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -103,6 +106,40 @@ TEST(WalkedPath, AMoodBeginsAtItsStep) {
   };
   EXPECT_LT(apart(60), 1e-9);
   EXPECT_GT(apart(75), 0.05);
+}
+
+/// The walk of a blend is that of a stimulus which asks for the same.
+TEST(WalkedPath, AdjectivesAreThoseOfBlends) {
+  Manifest manifest;
+  manifest.examples.builtin = "walks-10";
+  manifest.ratings.source = Ratings::Source::builtin;
+  manifest.stimuli = {plain_stimulus(manifest)};
+  manifest.stimuli[0].id = "quick";
+  manifest.stimuli[0].adjectives = {{"quickness", 0.6}, {"largeness", 0.4}};
+  Motions motions(manifest);
+  const Eigen::VectorXd weights = motions.of("quick").weights;
+  WalkPath path;
+  path.script = {{.walk_s = 2.0, .mood = {{"sad", 1.0}}},
+                 {.walk_s = 2.0, .mood = {{"quickness", 0.6}, {"largeness", 0.4}}}};
+  const WalkPath walked = in_walks(path);
+  EXPECT_EQ(walked.script[0], path.script[0]);
+  const std::vector<std::string> walks = walks_of(path);
+  double sum = 0.0;
+  for (const auto& [name, share] : walked.script[1].mood) {
+    const auto at = std::ranges::find(walks, name) - walks.begin();
+    EXPECT_NEAR(share, weights(at), 1e-12) << name;
+    sum += share;
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-12);
+}
+
+TEST(WalkedPath, QuickerAdjectivesGoFartherInTheSameTime) {
+  const auto way = [](double quickness) {
+    WalkPath path;
+    path.script = {{.walk_s = 4.0, .mood = {{"quickness", quickness}}}};
+    return way_over_floor(clip_of(path));
+  };
+  EXPECT_GT(way(0.9), 1.3 * way(0.1));
 }
 
 TEST(WalkedPath, OnlyWalksThatAreNamedAreFitted) {

@@ -79,6 +79,16 @@ export function with_new_id(document: Document, from: string, to: string): Docum
   return made;
 }
 
+const names = (value: Json | undefined, id: string): boolean =>
+  value === id || (Array.isArray(value) && value.some((one) => names(one, id))) ||
+  (is_map(value) && Object.values(value).some((one) => names(one, id)));
+
+/** Parts of a manifest, and foils, that name a stimulus. */
+export const parts_naming = (document: Document, id: string): string[] => [
+  ...["sheets", "overlays", "questionnaire", "matching"].filter((part) => names(document[part], id)),
+  ...document.stimuli.filter((one) => map_of(one["foil"])["of"] === id).map((one) => one.id),
+];
+
 /** Only what motions and films of those stimuli are made of, so that little travels. */
 export function about(document: Document, ids: string[]): JsonMap {
   const made: JsonMap = { ...document };

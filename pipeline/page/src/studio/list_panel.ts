@@ -1,5 +1,5 @@
 import { button, element } from "../questionnaire/elements";
-import { free_id, source_of, with_new_id, type Document, type Stimulus } from "./document";
+import { free_id, parts_naming, source_of, with_new_id, type Document, type Stimulus } from "./document";
 import { keep_built } from "./kept";
 import type { Studio } from "./studio";
 
@@ -7,19 +7,33 @@ import type { Studio } from "./studio";
 export function list_panel(studio: Studio): HTMLElement {
   const list = element("ul", { class: "stimuli", "aria-label": "Stimuli" });
   const id = element("input", { type: "text", "aria-label": "id of the stimulus", spellcheck: "false", maxlength: "64" });
+  const note = element("p", { class: "wrong", role: "status" });
+  const say = (text: string): void => {
+    note.textContent = text;
+    note.dataset["of"] = studio.selected;
+  };
   id.addEventListener("change", () => {
     const wanted = id.value.trim();
-    const is_free = wanted !== "" && !studio.document().stimuli.some((one) => one.id === wanted);
-    if (!is_free) {
-      id.value = studio.selected;
+    say(wanted === studio.selected ? "" : hindrance(studio.document(), wanted));
+    id.setAttribute("aria-invalid", String(note.textContent !== ""));
+    if (note.textContent || wanted === studio.selected) {
+      if (wanted === "") id.value = studio.selected;
       return;
     }
     const document = with_new_id(studio.document(), studio.selected, wanted);
     studio.selected = wanted;
     studio.change(document);
   });
-  const remove = button("Remove", () => take_away(studio), "small");
+  const remove = button("Remove", () => {
+    const gone = studio.selected;
+    take_away(studio);
+    const where = parts_naming(studio.document(), gone);
+    if (where.length)
+      say(`${gone} is still named by ${where.join(" and ")}: take it out there, or undo (Ctrl+Z)`);
+  }, "small");
   const build = (): void => {
+    if (note.dataset["of"] !== studio.selected) say("");
+    id.removeAttribute("aria-invalid");
     list.replaceChildren(...studio.document().stimuli.map((stimulus) => entry(studio, stimulus)));
     id.value = studio.selected;
     remove.disabled = studio.document().stimuli.length < 2;
@@ -28,9 +42,17 @@ export function list_panel(studio: Studio): HTMLElement {
   keep_built(studio, () => [studio.selected, studio.document().stimuli.map((one) => [one.id, text_of(one), one["role"]])], build);
   return element("nav", { class: "list" },
     element("h2", {}, "Stimuli"), list,
-    element("label", { class: "field" }, element("span", {}, "Id"), id),
+    element("label", { class: "field" }, element("span", {}, "Id"), id), note,
     element("div", { class: "row" },
       button("Duplicate", () => duplicate(studio), "small"), remove));
+}
+
+/** Why a stimulus cannot be called so; nothing where it can. */
+function hindrance(document: Document, wanted: string): string {
+  if (wanted === "") return "an id is needed";
+  if (!/^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$/.test(wanted))
+    return "an id begins with a letter or digit and holds letters, digits, '.', '_' and '-': files are named after it";
+  return document.stimuli.some((one) => one.id === wanted) ? `there is another ${wanted}` : "";
 }
 
 const text_of = (stimulus: Stimulus): string => source_of(stimulus) + ("modify" in stimulus ? ", modified" : "");
