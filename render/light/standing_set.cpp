@@ -51,13 +51,32 @@ void add_open_set(Key& key, const Scene& scene) {
   if (ground.line_spacing > 0.0f) key.add(ground.offset_x, ground.offset_z);
 }
 
-void add_solids(Key& key, const Solids& solids) {
+/// The materials of standing solids in the order in which they are first met: what figures are made
+/// of is no matter, and neither is how many figures there are.
+class UsedMaterials {
+ public:
+  int number(int material) {
+    const auto place = std::find(used_.begin(), used_.end(), material);
+    if (place == used_.end()) used_.push_back(material);
+    return static_cast<int>(
+        std::distance(used_.begin(), std::find(used_.begin(), used_.end(), material)));
+  }
+  const std::vector<int>& all() const { return used_; }
+
+ private:
+  std::vector<int> used_;
+};
+
+void add_solids(Key& key, const Solids& solids, UsedMaterials& used) {
+  key.add(static_cast<int>(solids.spheres.size()), static_cast<int>(solids.capsules.size()),
+          static_cast<int>(solids.meshes.size()));
   for (const Sphere& sphere : solids.spheres)
-    key.add(sphere.centre, sphere.radius, sphere.material);
+    key.add(sphere.centre, sphere.radius, used.number(sphere.material));
   for (const Capsule& capsule : solids.capsules)
-    key.add(capsule.start, capsule.end, capsule.start_radius, capsule.end_radius, capsule.material);
+    key.add(capsule.start, capsule.end, capsule.start_radius, capsule.end_radius,
+            used.number(capsule.material));
   for (const Mesh& mesh : solids.meshes) {
-    key.add(mesh.material, static_cast<int>(mesh.positions.size()),
+    key.add(used.number(mesh.material), static_cast<int>(mesh.positions.size()),
             static_cast<int>(mesh.triangles.size()), static_cast<int>(mesh.uv.size()));
     for (const Vec3& position : mesh.positions) key.add(position);
     for (const Vec3& normal : mesh.normals) key.add(normal);
@@ -67,6 +86,7 @@ void add_solids(Key& key, const Solids& solids) {
 }
 
 void add_texture(Key& key, const Scene& scene, int index) {
+  key.add(index >= 0);
   if (index < 0) return;
   const Texture& texture = *scene.textures[static_cast<std::size_t>(index)];
   key.add(texture.width, texture.height);
@@ -80,12 +100,12 @@ std::vector<float> standing_key(const Scene& scene, const Camera& camera, const 
   add_camera(key, camera);
   add_open_set(key, scene);
   if (scene.standing.empty()) return key.take();
-  add_solids(key, scene.standing);
-  for (const Material& material : scene.materials)
+  UsedMaterials used;
+  add_solids(key, scene.standing, used);
+  for (const int number : used.all()) {
+    const Material& material = scene.materials[static_cast<std::size_t>(number)];
     key.add(material.albedo, material.sheen, material.roughness, material.emission,
-            material.texture, material.normal_map, material.normal_scale);
-  for (const Mesh& mesh : scene.standing.meshes) {
-    const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+            material.normal_scale);
     add_texture(key, scene, material.texture);
     add_texture(key, scene, material.normal_map);
   }

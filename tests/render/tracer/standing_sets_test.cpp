@@ -112,6 +112,13 @@ TEST(StandingSets, HaveLightThatIsKeptUnderTheNameOfAllThatDecidesIt) {
   Scene figure_moved = scene;
   figure_moved.solids.spheres[0].centre.x() += 0.2f;
   EXPECT_EQ(name_of(figure_moved, viewer, coarse), names[0]);
+  Scene figure_painted = scene;
+  figure_painted.materials = {{.albedo = {0.1f, 0.9f, 0.1f}}, scene.materials[0]};
+  figure_painted.standing.meshes[0].material = 1;
+  EXPECT_EQ(name_of(figure_painted, viewer, coarse), names[0]);
+  Scene wall_painted = scene;
+  wall_painted.materials[0].albedo[0] += 0.1f;
+  EXPECT_NE(name_of(wall_painted, viewer, coarse), names[0]);
   Scene wall_moved = scene;
   wall_moved.standing.meshes[0].positions[0].x() += 0.2f;
   EXPECT_NE(name_of(wall_moved, viewer, coarse), names[0]);
