@@ -43,7 +43,7 @@ void check(const MotionGraphOptions& options) {
     throw Error("a motion graph's most_contact_change is no share", "choose it from 0 to 1");
   }
   if (!(options.most_facing_change_deg > 0.0)) {
-    throw Error("a motion graph's most_facing_change_deg is not positive", "4 degrees are usual");
+    throw Error("a motion graph's most_facing_change_deg is not positive", "5 degrees are usual");
   }
   double sum = 0.0;
   for (const double weight : options.cloud.joint_weights) {
@@ -114,6 +114,10 @@ double sufficient_threshold(MotionGraph graph, const std::vector<DistanceMinimum
                         in_metres(std::ceil(enough * 1000.0 + 1.0) / 1000.0) + ", or add motions");
 }
 
+/// A blend turns the pelvis by no more than this beyond what its motions do, where less change of
+/// facing can achieve it.
+constexpr double most_turn_a_frame = 0.9 * radians_per_degree;
+
 void find_turns(MotionGraph& graph) {
   std::vector<PointCloud> clouds;
   for (const Clip& clip : graph.clips) clouds.push_back(point_cloud(clip, graph.cloud));
@@ -124,7 +128,10 @@ void find_turns(MotionGraph& graph) {
     t.turn = distance.alignment.turn;
     const double change = facing_change(graph, t);
     const double most = radians_per_degree * graph.most_facing_change_deg;
-    t.turn -= change - std::clamp(change, -most, most);
+    for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
+      t.turn = distance.alignment.turn - change + std::clamp(change, -share * most, share * most);
+      if (turn_beyond_motions(graph, t) < most_turn_a_frame) break;
+    }
     t.metres = distance.metres;
   }
 }

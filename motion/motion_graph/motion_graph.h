@@ -22,8 +22,9 @@ struct MotionGraphOptions {
   double most_contact_change = 0.25;
   /// Degrees by which the pelvis may face elsewhere in one motion than in the other, on the average
   /// over the window: what is more is taken off the alignment. The blend turns the pelvis by that
-  /// much beside what the motions do: 4° over a third of a second by less than 1° a frame.
-  double most_facing_change_deg = 4.0;
+  /// much beside what the motions do: 5° over a third of a second by about 1° a frame; where it
+  /// would be more, less is allowed.
+  double most_facing_change_deg = 5.0;
   /// Threads for the comparison; 0: one a processor. The graph does not depend on it.
   int threads = 0;
   /// Looping clips are unrolled to at least so many seconds, and always by one window more than
@@ -65,7 +66,7 @@ struct MotionGraph {
   int window = 10;                             ///< frames of a transition
   double threshold_m = 0.0;
   CloudOptions cloud;
-  double most_facing_change_deg = 4.0;
+  double most_facing_change_deg = 5.0;
   std::vector<GraphTransition> transitions;
   std::vector<GraphNode> nodes;
   std::vector<GraphEdge> edges;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/motion_graph/walk_frames.h"
+
 namespace mien::motion {
 
 FootStands foot_stands(const MotionGraph& graph) {
@@ -33,20 +35,49 @@ double contact_change(const FootStands& stands, const DistanceMinimum& minimum, 
   return static_cast<double>(std::max(changes[0], changes[1])) / window;
 }
 
+namespace {
+
+/// Where the pelvis faces, radians about +Y.
+double facing_in(const MotionGraph& graph, int clip, int frame) {
+  const Clip& played = graph.clips[static_cast<std::size_t>(clip)];
+  const Vec3 forward =
+      played.poses[static_cast<std::size_t>(frame)].rotations.front() * Vec3::UnitZ();
+  return std::atan2(forward.x(), forward.z());
+}
+
+/// In frame f of the window: from the first motion to the second.
+double change_in(const MotionGraph& graph, const GraphTransition& transition, int f) {
+  return std::remainder(facing_in(graph, transition.to_clip, transition.to_frame + f) +
+                            transition.turn -
+                            facing_in(graph, transition.from_clip, transition.from_frame + f),
+                        2.0 * pi);
+}
+
+}  // namespace
+
 double facing_change(const MotionGraph& graph, const GraphTransition& transition) {
-  const auto facing_in = [&](int clip, int frame) {
-    const Clip& played = graph.clips[static_cast<std::size_t>(clip)];
-    const Vec3 forward =
-        played.poses[static_cast<std::size_t>(frame)].rotations.front() * Vec3::UnitZ();
-    return std::atan2(forward.x(), forward.z());
-  };
   double sum = 0.0;
-  for (int f = 0; f < graph.window; ++f) {
-    const double change = facing_in(transition.to_clip, transition.to_frame + f) + transition.turn -
-                          facing_in(transition.from_clip, transition.from_frame + f);
-    sum += std::remainder(change, 2.0 * pi);
-  }
+  for (int f = 0; f < graph.window; ++f) sum += change_in(graph, transition, f);
   return sum / graph.window;
+}
+
+double turn_beyond_motions(const MotionGraph& graph, const GraphTransition& transition) {
+  const auto turn_of = [&](int clip, int frame) {
+    return std::remainder(facing_in(graph, clip, frame) - facing_in(graph, clip, frame - 1),
+                          2.0 * pi);
+  };
+  double most = 0.0;
+  double part = 0.0;  // of the change, in the blend so far
+  for (int f = 0; f < graph.window; ++f) {
+    if (transition.from_frame + f < 1 || transition.to_frame + f < 1) continue;
+    const double now = (1.0 - blend_share(f, graph.window)) * change_in(graph, transition, f);
+    const double first = turn_of(transition.from_clip, transition.from_frame + f);
+    const double second = turn_of(transition.to_clip, transition.to_frame + f);
+    most =
+        std::max(most, std::abs(first + now - part) - std::max(std::abs(first), std::abs(second)));
+    part = now;
+  }
+  return most;
 }
 
 }  // namespace mien::motion

@@ -21,4 +21,8 @@ double contact_change(const FootStands& stands, const DistanceMinimum& minimum, 
 /// second clip, turned by its `turn`, and in that of the first.
 double facing_change(const MotionGraph& graph, const GraphTransition& transition);
 
+/// How much farther the pelvis turns in some frame of the blend than in the same frame of either
+/// motion, radians.
+double turn_beyond_motions(const MotionGraph& graph, const GraphTransition& transition);
+
 }  // namespace mien::motion

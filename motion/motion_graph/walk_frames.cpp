@@ -22,12 +22,12 @@ Vec3 step_to(const MotionGraph& graph, int clip, int frame) {
 
 Quat turned_by(double turn) { return Quat(Eigen::AngleAxisd(turn, Vec3::UnitY())); }
 
+}  // namespace
+
 double blend_share(int frame, int window) {
   const double p = (frame + 1.0) / (window + 1.0);
   return 2.0 * p * p * p - 3.0 * p * p + 1.0;
 }
-
-}  // namespace
 
 double seconds_of(const MotionGraph& graph, const WalkFrame& frame) {
   const auto of_clip = [&](int clip, int at) {

@@ -21,6 +21,9 @@ struct WalkFrame {
   double turn = 0.0;   ///< of the second clip onto the first, radians
 };
 
+/// `share` in a frame of a transition's window.
+double blend_share(int frame, int window);
+
 std::vector<WalkFrame> frames_of(const MotionGraph& graph, const GraphWalk& walk);
 
 /// Joints, heading and height of a frame of a walk, the first clip turned by `turn` (radians); over

@@ -226,8 +226,8 @@ TEST_F(StudioPage, ChoosesFiguresCapturesAndOptionsThatTheManifestThenHas) {
   EXPECT_EQ(seen.at("refusal"), json::array());
   const std::string saved = seen.at("saved");
   for (const char* text :
-       {"folder: captures", "exclude: \"tired*\"", "ratings: simulated", "middle: 1.7", "0.5, 1, 1.4",
-        "captures/proud.bvh", "frame: 4", "feet", "soft_limits: false"})
+       {"folder: captures", "exclude: \"tired*\"", "ratings: simulated", "middle: 1.7",
+        "0.5, 1, 1.4", "captures/proud.bvh", "frame: 4", "feet", "soft_limits: false"})
     EXPECT_NE(saved.find(text), saved.npos) << text << "\n" << saved;
   const Ended checked = run_mien({"check", manifest.string()});
   EXPECT_EQ(checked.code, 0) << checked.errors;

@@ -43,7 +43,9 @@ TEST_F(Studio, TakesAFolderOfCapturesAsExamples) {
       "{" + walks.examples[0].name + "," + walks.examples[1].name + "}*";
   draft["stimuli"][2]["weights"] = {{walks.examples[0].name, 1.0}};
   EXPECT_EQ(post("motion", {{"document", draft}, {"show", "mix-1"}}).status, 200);
-  EXPECT_EQ(post("save", {{"document", draft}, {"version", file_.state().version}}).status, 422);
+  ordered_json wrong = draft;
+  wrong["stimuli"][2]["weights"] = {{walks.examples[3].name, 1.0}};  // the pattern leaves it out
+  EXPECT_EQ(post("save", {{"document", wrong}, {"version", file_.state().version}}).status, 422);
   draft["stimuli"] = {draft["stimuli"][2]};
   draft.erase("sheets");
   EXPECT_EQ(post("save", {{"document", draft}, {"version", file_.state().version}}).status, 200);

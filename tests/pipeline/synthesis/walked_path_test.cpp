@@ -169,7 +169,7 @@ class WalkedGraph : public testing::Test {
     }
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   std::vector<std::filesystem::path> files_;
 };
 
