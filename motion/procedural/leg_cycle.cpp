@@ -147,15 +147,16 @@ SwingMoments swing_moments(const LegCycle& leg) {
 }
 
 bool reaches_knee_flexion(const LegCycle& leg, const SwingMoments& moments, double wanted) {
-  return std::ranges::any_of(
-      moments, [&](const SwingMoment& moment) { return knee_flexion_in(leg, moment) >= wanted; });
+  return std::any_of(moments.begin(), moments.end(), [&](const SwingMoment& moment) {
+    return knee_flexion_in(leg, moment) >= wanted;
+  });
 }
 
 /// Whether the toes are so high in the middle of the swing. Near its ends the foot is close to the
 /// floor because it leaves and meets it.
 bool clears_in_mid_swing(const LegCycle& leg, const SwingMoments& moments, double wanted) {
   const std::span middle(&moments[swing_samples / 3], &moments[7 * swing_samples / 10 + 1]);
-  return std::ranges::all_of(middle, [&](const SwingMoment& moment) {
+  return std::all_of(middle.begin(), middle.end(), [&](const SwingMoment& moment) {
     return toe_clearance(leg.foot, foot_in(leg, moment)) >= wanted;
   });
 }
@@ -163,7 +164,7 @@ bool clears_in_mid_swing(const LegCycle& leg, const SwingMoments& moments, doubl
 /// Whether no part of the foot is in the floor from mid-swing to landing.
 bool comes_from_above(const LegCycle& leg, const SwingMoments& moments) {
   const std::span later(&moments[swing_samples / 3], &moments[swing_samples]);
-  return std::ranges::all_of(later, [&](const SwingMoment& moment) {
+  return std::all_of(later.begin(), later.end(), [&](const SwingMoment& moment) {
     const FootPose foot = foot_in(leg, moment);
     return toe_clearance(leg.foot, foot) >= 0.0 && heel_clearance(leg.foot, foot) >= 0.0;
   });
