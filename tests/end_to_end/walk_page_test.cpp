@@ -79,6 +79,14 @@ TEST_F(WalkPage, WalksOnAPhoneByAButton) {
   EXPECT_EQ(phone.at("is_wide"), false);
 }
 
+TEST_F(WalkPage, IsSteeredByAGamepad) {
+  const json& gamepad = measured.at("gamepad");
+  EXPECT_LT(gamepad.at("rested"), 0.02);  // m/s: a stick that is not quite in its middle
+  EXPECT_GT(gamepad.at("speed"), 0.8);
+  EXPECT_LT(gamepad.at("heading"), -20.0);  // degrees, to the right
+  EXPECT_GT(gamepad.at("back"), 20.0);
+}
+
 TEST_F(WalkPage, IsOpenedByTheStudio) {
   const Scratch folder;
   const fs::path link = folder.path() / "link.json";

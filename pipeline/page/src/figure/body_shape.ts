@@ -37,17 +37,18 @@ function scale_of(body: Body): number {
 
 const up = new Vector3(0, 1, 0);
 
-/** Round at both ends, which lie at `from` and `to`. */
-function rounded(from: Vector3, to: Vector3, near: number, far: number): BufferGeometry[] {
+const ball = (radius: number, at = new Vector3()): BufferGeometry =>
+  new SphereGeometry(radius, 12, 9).translate(at.x, at.y, at.z);
+
+/** Open at both ends, which lie at `from` and `to`; nothing where these are one. */
+function bone(from: Vector3, to: Vector3, near: number, far: number): BufferGeometry[] {
   const way = to.clone().sub(from);
   const length = way.length();
-  const ends = [new SphereGeometry(far, 14, 10).translate(to.x, to.y, to.z)];
-  if (length < 1e-4) return ends;
+  if (length < 1e-4) return [];
   const turn = new Quaternion().setFromUnitVectors(up, way.clone().divideScalar(length));
   const middle = from.clone().addScaledVector(way, 0.5);
-  const bone = new CylinderGeometry(far, near, length, 14, 1, true);
-  bone.applyMatrix4(new Matrix4().compose(middle, turn, new Vector3(1, 1, 1)));
-  return [bone, ...ends];
+  return [new CylinderGeometry(far, near, length, 12, 1, true)
+    .applyMatrix4(new Matrix4().compose(middle, turn, new Vector3(1, 1, 1)))];
 }
 
 /** A head under its tip, with a bar before the eyes that tells where it looks. */
@@ -59,21 +60,28 @@ function head(tip: Vector3, scale: number): BufferGeometry[] {
   const eyes = to.clone().add(new Vector3(0, 0, 0.84 * radius));
   const visor = new CapsuleGeometry(0.24 * radius, 0.88 * radius, 4, 10);
   visor.rotateZ(Math.PI / 2).translate(eyes.x, eyes.y, eyes.z);
-  return [...rounded(from, to, 0.82 * radius, radius), visor];
+  return [...bone(from, to, 0.82 * radius, radius), ball(radius, to), visor];
 }
 
 /** What a joint carries, in its own frame: its ball and the bones to its children or its tip. */
 export function joint_shape(body: Body, joint: number, style: BodyStyle = "mannequin"): BufferGeometry {
   const scale = scale_of(body);
-  const [near, far] = thickness_of(body.names[joint]!, style).map((radius) => radius * scale) as [number, number];
+  const radii = (of: number) =>
+    thickness_of(body.names[of]!, style).map((radius) => radius * scale) as [number, number];
+  const [near, far] = radii(joint);
+  const parent = body.parents[joint]!;
   const here = new Vector3();
-  const parts: BufferGeometry[] = [new SphereGeometry(near, 14, 10)];
-  body.parents.forEach((parent, child) => {
-    if (parent === joint) parts.push(...rounded(here, new Vector3(...body.offsets[child]!), style === "stick" ? far : near, far));
+  // Its ball closes the bone that ends in it, too.
+  const parts = [ball(Math.max(near, parent < 0 ? 0 : radii(parent)[1]))];
+  body.parents.forEach((other, child) => {
+    if (other === joint)
+      parts.push(...bone(here, new Vector3(...body.offsets[child]!), style === "stick" ? far : near, far));
   });
-  const tip = body.tips[joint];
-  if (tip && body.names[joint] === "Head") parts.push(...head(new Vector3(...tip), scale));
-  else if (tip) parts.push(...rounded(here, new Vector3(...tip), near, 0.8 * far));
+  if (body.tips[joint]) {
+    const tip = new Vector3(...body.tips[joint]!);
+    if (body.names[joint] === "Head") parts.push(...head(tip, scale));
+    else parts.push(...bone(here, tip, near, 0.8 * far), ball(0.8 * far, tip));
+  }
   const shape = mergeGeometries(parts.map((part) => {
     part.deleteAttribute("uv");
     return part;

@@ -1,11 +1,11 @@
-import { Color, PerspectiveCamera, WebGLRenderer, type LineSegments, type Scene } from "three";
+import { Color, PerspectiveCamera, type LineSegments, type Scene, type WebGLRenderer } from "three";
 import type { LiveMotion } from "../live/core";
 import type { Body, BodyStyle } from "./body_shape";
 import { let_turn, stand, within, type Turn } from "./camera_turn";
 import { Figure, type JointPoses } from "./figure";
 import { corresponding_phase, phase_in_round, round_seconds, seconds_of, type Step } from "./playing";
 import type { Skin } from "./skin";
-import { floor, floor_square, lit_scene } from "./stage";
+import { floor, floor_square, lit_scene, renderer_on } from "./stage";
 
 /** Over each other, the first shining through, or each in its own part of the view, seen alike. */
 export type Arrangement = "over" | "beside";
@@ -22,6 +22,7 @@ const sides: Record<Side, Pick<Turn, "azimuth" | "elevation">> = {
 
 const field_of_view = 32;  // degrees, upright
 const usual_height = 1.8;  // metres
+const longest_rest = 100;  // milliseconds
 
 /**
  * Figures of one body that play motions, again and again, walking in place on a floor that passes
@@ -45,6 +46,8 @@ export class FigureView {
   private is_released = false;
   private is_stale = true;
   private last = 0;
+  /** Nothing is drawn before then (performance.now). */
+  private rests_until = 0;
   private waiting: (() => void)[] = [];
   private resized: ResizeObserver;
 
@@ -55,7 +58,7 @@ export class FigureView {
     this.element.setAttribute("role", "img");
     this.element.setAttribute("aria-label", label);
     this.element.className = "figure-view";
-    this.renderer = new WebGLRenderer({ canvas: this.element, antialias: true });
+    this.renderer = renderer_on(this.element);
     this.figures = colours.map((colour) => new Figure(body, colour, style));
     this.parts = colours.map(() => 0);
     this.scene.add(this.ground, ...this.figures.map((figure) => figure.group));
@@ -69,7 +72,13 @@ export class FigureView {
   /** A figure plays this from now on, from the phase where it was; null: it is gone. */
   show(figure: number, motion: LiveMotion | null, poses: JointPoses | null = null): void {
     this.figures[figure]!.show(motion, poses);
+    this.rests_until = 0;
     this.arrange(this.arrangement);
+  }
+
+  /** A motion is about to be shown: pictures of the old one, which would be in its way, are left out. */
+  expect_motion(): void {
+    this.rests_until = performance.now() + longest_rest;
   }
 
   /** Resolved when what was asked for before is on the screen. */
@@ -176,7 +185,7 @@ export class FigureView {
     const seconds = this.last === 0 ? 0 : within(0, (now - this.last) / 1000, 0.25);
     this.last = now;
     if (this.is_playing) this.advance(seconds);
-    if (this.is_playing || this.is_stale) this.draw();
+    if (now >= this.rests_until && (this.is_playing || this.is_stale)) this.draw();
     requestAnimationFrame(this.frame);
   };
 

@@ -1,12 +1,24 @@
 import {
-  Box3, Color, Float32BufferAttribute, Group, MeshStandardMaterial, SkinnedMesh, type Object3D, type Texture,
+  Box3, Color, Float32BufferAttribute, Group, MeshLambertMaterial, MeshStandardMaterial, SkinnedMesh, type Object3D,
+  type Texture,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { has_graphics_card } from "./stage";
 
 /** A surface's own paint, kept while other colours lie over it. */
 interface Paint {
   colour: Color;
   map: Texture | null;
+}
+
+type SurfaceMaterial = MeshStandardMaterial | MeshLambertMaterial;
+
+/** What a processor draws sooner: without gloss and fine relief. */
+function plain(material: MeshStandardMaterial): MeshLambertMaterial {
+  const { color, map, transparent, opacity, side } = material;
+  material.normalMap?.dispose();
+  material.dispose();
+  return new MeshLambertMaterial({ color, map, transparent, opacity, side });
 }
 
 /**
@@ -28,6 +40,7 @@ export class Skin {
       if (!(part instanceof SkinnedMesh)) return;
       part.frustumCulled = false;
       part.renderOrder = 2;
+      if (!has_graphics_card()) part.material = plain(part.material as MeshStandardMaterial);
       this.surfaces.push(part);
       const { color, map } = this.material_of(part);
       this.paints.push({ colour: color.clone(), map });
@@ -46,8 +59,8 @@ export class Skin {
     return new Skin((await new GLTFLoader().parseAsync(bytes, "")).scene);
   }
 
-  private material_of(surface: SkinnedMesh): MeshStandardMaterial {
-    return surface.material as MeshStandardMaterial;
+  private material_of(surface: SkinnedMesh): SurfaceMaterial {
+    return surface.material as SurfaceMaterial;
   }
 
   /** 1: solid. */
@@ -96,7 +109,7 @@ export class Skin {
       surface.geometry.dispose();
       this.paints[k]!.map?.dispose();
       const material = this.material_of(surface);
-      material.normalMap?.dispose();
+      if (material instanceof MeshStandardMaterial) material.normalMap?.dispose();
       material.dispose();
       surface.skeleton.dispose();
     });

@@ -1,6 +1,6 @@
 import {
   BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, HemisphereLight, LineBasicMaterial,
-  LineSegments, Scene,
+  LineSegments, Scene, WebGLRenderer,
 } from "three";
 
 /** The side of a square of the floor, metres. */
@@ -29,4 +29,26 @@ export function lit_scene(): Scene {
   sun.position.set(2, 4, 3);
   scene.add(sun);
   return scene;
+}
+
+/** Names of what draws on the processor, in WebGL's name of the renderer. */
+const on_processor = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+/** Whether pictures are drawn by a graphics card; without one, what follows a hand has to be plain. */
+function find_graphics_card(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+  if (!context) return false;
+  const names = context.getExtension("WEBGL_debug_renderer_info");
+  const name = String(context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER));
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  return !on_processor.test(name);
+}
+
+let has_card: boolean | undefined;
+
+export const has_graphics_card = (): boolean => (has_card ??= find_graphics_card());
+
+/** Draws on a canvas; with smooth edges where there is a graphics card, as they more than double a frame without. */
+export function renderer_on(canvas: HTMLCanvasElement): WebGLRenderer {
+  return new WebGLRenderer({ canvas, antialias: has_graphics_card() });
 }

@@ -88,6 +88,7 @@ export class MatchingRun {
   }
 
   private async show(setting: LiveSetting): Promise<number> {
+    this.view.expect_motion();
     const [motion, { D }] = await Promise.all(
       [this.core.make(setting), this.core.distance(this.target, setting)]);
     this.view.show(1, motion);

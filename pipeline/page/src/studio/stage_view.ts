@@ -35,6 +35,7 @@ export class StageView {
 
   constructor(private studio: Studio) {
     studio.on((change) => {
+      if (change === "asked") this.view?.expect_motion();
       if (change === "motion") this.show();
       if (change === "document" || change === "selection") this.show_look();
     });

@@ -4,7 +4,7 @@ import { load_choices, load_figure, load_places, make, reload, save, sentence_of
   type Fault, type Made, type ManifestState, type Places, type StudioState } from "./server";
 
 /** What has changed, for those who show it. */
-export type Change = "document" | "choices" | "motion" | "selection" | "faults" | "saved" | "places";
+export type Change = "document" | "choices" | "asked" | "motion" | "selection" | "faults" | "saved" | "places";
 
 /** What the page is about: a document, what is chosen of it, and the motions that it makes. */
 export class Studio {
@@ -138,6 +138,7 @@ export class Studio {
     while (this.is_stale) {
       this.is_stale = false;
       const from = performance.now();
+      this.tell("asked");
       try {
         await this.load_choices();
         await this.make_shown();

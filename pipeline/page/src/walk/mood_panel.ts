@@ -4,15 +4,16 @@ import { element } from "../questionnaire/elements";
 export class MoodPanel {
   readonly element: HTMLElement;
   private sliders: HTMLInputElement[];
+  private note = element("p", { class: "mood-note", role: "status" });
 
-  constructor(moods: string[], private changed: () => void) {
+  constructor(moods: string[], private told: () => void) {
     this.sliders = moods.map((mood, place) => slider(mood, place === 0 ? 1 : 0, 1, () => this.changed()));
     const rows = moods.map((mood, place) => {
       const only = element("button", { type: "button", class: "mood", title: `${mood} alone` }, mood);
       only.addEventListener("click", () => this.choose(place));
       return element("div", { class: "mood-row" }, only, this.sliders[place]!);
     });
-    this.element = element("div", { class: "moods", role: "group", "aria-label": "mood" }, ...rows);
+    this.element = element("div", { class: "moods", role: "group", "aria-label": "mood" }, ...rows, this.note);
   }
 
   /** One a mood, 0 to 1. */
@@ -24,6 +25,12 @@ export class MoodPanel {
   choose(mood: number): void {
     this.sliders.forEach((one, place) => (one.value = place === mood ? "1" : "0"));
     this.changed();
+  }
+
+  private changed(): void {
+    const is_none = this.shares().every((share) => share === 0);
+    this.note.textContent = is_none ? "No mood is chosen: the last one stays." : "";
+    this.told();
   }
 }
 

@@ -1,7 +1,7 @@
-import { PerspectiveCamera, WebGLRenderer } from "three";
+import { PerspectiveCamera, type WebGLRenderer } from "three";
 import { let_turn, stand, type Turn } from "../figure/camera_turn";
 import { Figure } from "../figure/figure";
-import { floor, floor_square, lit_scene } from "../figure/stage";
+import { floor, floor_square, lit_scene, renderer_on } from "../figure/stage";
 import type { WalkFrame, WalkerInfo } from "../live/walker";
 
 const field_of_view = 32;  // degrees, upright
@@ -28,7 +28,7 @@ export class WalkView {
     this.element.setAttribute("role", "img");
     this.element.setAttribute("aria-label", label);
     this.element.className = "walk-view";
-    this.renderer = new WebGLRenderer({ canvas: this.element, antialias: true });
+    this.renderer = renderer_on(this.element);
     this.figure = new Figure(info.body, colour);
     this.scene.add(this.ground, this.figure.group);
     let_turn(this.element, this.turn, () => undefined);

@@ -1,5 +1,6 @@
 // How soon the studio shows a slider's change:  node latency.mjs MIEN [FIGURE] [CHANGES]
-// starts MIEN (a program) with 27 examples and 10 parameters, moves sliders in headless Chromium, and
+// starts MIEN (a program) with 27 examples and 10 parameters, moves sliders in headless Chromium while
+// the motion plays, and
 // prints JSON: medians of milliseconds from the input event to the figure on the screen and of the
 // server's share of it, and the processor time of a change, user and system, of the server and of the
 // browser's processes. FIGURE is "stick" (default), "mannequin" or a character's file.
@@ -65,10 +66,9 @@ try {
   await page.waitForTimeout(1500);
   const before = [processor_ms(studio.pid), await browser_ms(session)];
   const moved = await page.evaluate(async (count) => {
-    const { studio, stage } = globalThis.studio;
+    const { studio } = globalThis.studio;
     const ranges = [...document.querySelectorAll(".slider input[type=range]")].slice(0, 10);
     const seen = [];
-    stage.toggle();  // at rest: only what the change asks for is drawn
     for (let i = 0; i < count; i += 1) {
       const range = ranges[i % ranges.length];
       const made = studio.made;

@@ -155,7 +155,29 @@ async function phone() {
   return { fastest: Math.max(...seen.map((frame) => frame.speed)), is_wide };
 }
 
-const told = { steered: await steered(), by_itself: await by_itself(), mood: await mood(), phone: await phone(), troubles };
+/** With a gamepad's stick to the front right, and its cross to the left. */
+async function gamepad() {
+  const page = await open({ width: 640, height: 480 });
+  await page.evaluate(() => {
+    globalThis.pad = { axes: [0, 0], buttons: Array.from({ length: 16 }, () => ({ pressed: false, value: 0 })) };
+    navigator.getGamepads = () => [null, globalThis.pad];
+  });
+  await record(page);
+  await page.evaluate(() => { globalThis.pad.axes = [0.1, 0.1]; });  // a stick that is let go
+  await page.waitForTimeout(500);
+  const rested = Math.max(...(await recorded(page)).map((frame) => frame.speed));
+  await page.evaluate(() => { globalThis.pad.axes = [0.6, -1]; });
+  await page.waitForTimeout(2000);
+  const right = (await recorded(page)).at(-1);
+  await page.evaluate(() => { globalThis.pad.axes = [0, 0]; globalThis.pad.buttons[14].pressed = true; });
+  await page.waitForTimeout(2000);
+  const left = (await recorded(page)).at(-1);
+  await page.close();
+  return { rested, speed: right.speed, heading: right.heading, back: left.heading - right.heading };
+}
+
+const told = { steered: await steered(), by_itself: await by_itself(), mood: await mood(), phone: await phone(),
+  gamepad: await gamepad(), troubles };
 console.log(JSON.stringify(told));
 await browser.close();
 served.close();
