@@ -79,6 +79,22 @@ void make_clip(const MixedGraph& mixed, const GraphWalkOptions& options, GuidedW
   guided.plants = std::move(walked.plants);
 }
 
+/// Leaves out what the last edge would go on beyond the path's end.
+void end_with(const FloorPath& path, GuidedWalk& guided) {
+  std::vector<Pose>& poses = guided.clip.poses;
+  double way = 0.0;
+  std::size_t frame = 0;
+  while (frame + 1 < poses.size()) {
+    way = nearest_way(path, poses[frame].root_position, way);
+    if (way >= path.length() - path.step_m) break;
+    ++frame;
+  }
+  poses.resize(frame + 1);
+  const auto last = static_cast<int>(frame);
+  std::erase_if(guided.plants, [&](const FootPlant& plant) { return plant.first > last; });
+  for (FootPlant& plant : guided.plants) plant.last = std::min(plant.last, last);
+}
+
 void refuse_straying(const FloorPath& path, const Clip& clip) {
   constexpr double lost = 1.0;  // metres
   double way = 0.0;
@@ -186,11 +202,16 @@ GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec
   const double full_step = brisk_speed(graph) * frame;
   // A metre that is not walked costs as much as 0.2 m beside the path for a second.
   constexpr double idling = 0.04;
+  // Facing 0.3 rad away from the path as much as 0.1 m beside it: who looks ahead only so far would
+  // else come out of it in the wrong direction.
+  constexpr double facing_away = 0.1;  // m²/rad²
   const FrameCost cost = [&](WalkState& state, const Vec3&) {
     const double before = state.way;
     state.way = nearest_way(path, state.place, before);
     const double beside = (point_at(path, state.way) - state.place).squaredNorm();
-    return frame * beside + idling * std::max(0.0, full_step - (state.way - before));
+    const double off = std::remainder(state.facing - heading_at(path, state.way), 2.0 * pi);
+    const double amiss = frame * (beside + facing_away * off * off);
+    return amiss + idling * std::max(0.0, full_step - (state.way - before));
   };
   const WalkDone done = [&](const WalkState& state) { return state.way >= length - 0.05; };
   const double heading = heading_at(path, 0.3);
@@ -198,6 +219,7 @@ GuidedWalk walk_along(std::span<const MotionGraph> versions, std::span<const Vec
   guided.walk =
       searched_walk(mixed, starts_at(graph, path.points.front(), heading), cost, done, options);
   make_clip(mixed, beginning(graph, guided.walk, path.points.front(), heading), guided);
+  end_with(path, guided);
   refuse_straying(path, guided.clip);
   return guided;
 }

@@ -36,7 +36,9 @@ struct GuidedWalk {
 
 /// A walk along a path over the floor (a polyline; x, z in metres), found by branch and bound in
 /// stretches (Kovar, Gleicher and Pighin 2002, section 5): of all walks that look so far ahead the
-/// one with the least sum of squared distances from the path and of lost progress. It begins on the
+/// one with the least sum of squared distances from the path, of squared angles to it and of lost
+/// progress. How far is looked ahead goes by the time of the graph's own motions, whatever versions
+/// make of it. It begins on the
 /// first point, facing along, and ends when the path does. Deterministic.
 ///
 /// Throws mien::Error for a path that is none (floor_path.h), for options out of range, and when

@@ -18,7 +18,7 @@ struct StretchSearch {
   const FrameCost& cost;
   const WalkDone& done;
   const GuidedWalkOptions& options;
-  double until = 0.0;  ///< seconds
+  double until = 0.0;  ///< of WalkState::played
   int tried = 0;
   std::vector<int> edges;
   std::vector<int> best_edges;
@@ -67,14 +67,14 @@ Branch along(const StretchSearch& search, const WalkState& from, int edge) {
     branch.state.place += step;
     branch.state.facing = from.turn + mix.facing;
     branch.state.seconds += mix.seconds;
+    branch.state.played += way.seconds[f];
     branch.cost += search.cost(branch.state, step);
     branch.done = search.done(branch.state);
   }
   const GraphEdge& taken = search.mixed.graph().edges[number];
   branch.state.node = taken.to;
   branch.state.turn += way.turn;
-  branch.state.since =
-      taken.transition >= 0 ? 0.0 : from.since + branch.state.seconds - from.seconds;
+  branch.state.since = taken.transition >= 0 ? 0.0 : from.since + branch.state.played - from.played;
   return branch;
 }
 
@@ -105,7 +105,7 @@ void extend(StretchSearch& search, const WalkState& from, double spent) {
     const double total = spent + branch.cost;
     if (total >= search.best) continue;
     search.edges.push_back(branch.edge);
-    if (branch.done || branch.state.seconds >= search.until) {
+    if (branch.done || branch.state.played >= search.until) {
       search.best = total;
       search.best_edges = search.edges;
     } else if (search.tried < search.options.most_edges || search.best_edges.empty()) {
@@ -120,7 +120,7 @@ StretchSearch stretch_from(const MixedGraph& mixed,
                            const FrameCost& cost, const WalkDone& done,
                            const GuidedWalkOptions& options) {
   StretchSearch search{mixed, steps, cost, done, options};
-  search.until = start.seconds + options.ahead_seconds;
+  search.until = start.played + options.ahead_seconds;
   extend(search, start, 0.0);
   return search;
 }
@@ -154,13 +154,13 @@ GraphWalk searched_walk(const MixedGraph& mixed, const std::vector<WalkState>& s
   while (!done(state)) {
     const StretchSearch search = stretch_from(mixed, steps, state, cost, done, options);
     const double way = state.way;
-    const double kept = state.seconds + options.kept_seconds;
+    const double kept = state.played + options.kept_seconds;
     for (const int edge : search.best_edges) {
       const Branch taken = along(search, state, edge);
       walk.edges.push_back(edge);
       state = taken.state;
       if (taken.done) return walk;
-      if (state.seconds >= kept) break;
+      if (state.played >= kept) break;
     }
     if (state.way < way + 0.02 || state.seconds > longest_seconds) {
       throw Error("the motion graph does not get on along what it is to follow",

@@ -16,7 +16,8 @@ struct WalkState {
   Vec3 place = Vec3::Zero();  ///< of the pelvis on the floor
   double facing = 0.0;        ///< radians
   double seconds = 0.0;       ///< since the walk began
-  double since = 0.0;         ///< since the last transition, seconds
+  double played = 0.0;        ///< seconds of the first version's own time
+  double since = 0.0;         ///< since the last transition, of the same time
   double way = 0.0;           ///< along what is followed; kept by the cost
 };
 
