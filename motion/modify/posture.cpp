@@ -27,7 +27,7 @@ constexpr std::array<FadingLimb, fading_limb_count> fading_limbs = {
      {{LeftHip, LeftKnee, LeftAnkle, LeftToe}, LeftAnkle},
      {{RightHip, RightKnee, RightAnkle, RightToe}, RightAnkle}}};
 
-double fade(double share) {
+double faded_in(double share) {
   const double x = std::clamp((share - full_until) / (gone_from - full_until), 0.0, 1.0);
   return 1.0 - x * x * (3.0 - 2.0 * x);
 }
@@ -112,7 +112,7 @@ LimbStrengths LimbFade::operator()(const Pose& pose) const {
   LimbStrengths strengths;
   for (size_t l = 0; l < fading_limbs.size(); ++l) {
     const Vec3 away = seen_from_pelvis(pose, world, fading_limbs[l].end) - rest_[l];
-    strengths[l] = fade(away.norm() / lengths_[l]);
+    strengths[l] = faded_in(away.norm() / lengths_[l]);
   }
   return strengths;
 }

@@ -15,7 +15,7 @@ using namespace mien::test;
 
 /// As a file in centimetres has it.
 Recording recorded(const Clip& clip) {
-  Recording recording = scaled(to_recording(clip), 100.0);
+  Recording recording = test::scaled(to_recording(clip), 100.0);
   recording.format = "bvh";
   return recording;
 }
@@ -71,7 +71,7 @@ TEST(RecordingDifference, OfTheSameMotionInAnotherFormatsUnitIsNone) {
 
 TEST(RecordingDifference, TellsAnotherUnitInAFileOfTheSameFormat) {
   const Recording walk = recorded(changeable_walk());
-  const MotionDifference grown = difference(walk, scaled(walk, 10.0));
+  const MotionDifference grown = difference(walk, test::scaled(walk, 10.0));
   EXPECT_GT(worst(grown), 1.0);
   EXPECT_EQ(grown.remarks.size(), 1U);
 }

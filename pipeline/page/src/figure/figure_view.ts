@@ -1,4 +1,4 @@
-import { Color, PerspectiveCamera, type LineSegments, type Scene, type WebGLRenderer } from "three";
+import { Color, PerspectiveCamera, type LineBasicMaterial, type LineSegments, type Scene, type WebGLRenderer } from "three";
 import type { LiveMotion } from "../live/core";
 import type { Body, BodyStyle } from "./body_shape";
 import { let_turn, stand, within, type Turn } from "./camera_turn";
@@ -124,6 +124,7 @@ export class FigureView {
     const wanted = new Color(colour);
     if (this.scene.background instanceof Color && wanted.equals(this.scene.background)) return;
     this.scene.background = wanted;
+    (this.ground.material as LineBasicMaterial).color.copy(wanted).multiplyScalar(0.72);
     this.changed();
   }
 
