@@ -74,7 +74,7 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   reading.manifest.file = file;
   if (unreadable) return reading;
 
-  const nlohmann::json schema = manifest_schema();
+  const nlohmann::json& schema = manifest_schema();
   JsonReading json = to_json(tree, root_of(schema), environment, reading.faults);
   add_at_new_paths(reading.faults, check_schema(json.document, schema, json.places));
   reading.manifest = build_manifest(json.document, std::move(json.places), file);

@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 json output_schema() {
-  const json manifest = manifest_schema();
+  const json& manifest = manifest_schema();
   json schema = manifest["definitions"]["output"];
   schema["definitions"] = manifest["definitions"];
   return schema;
@@ -83,7 +83,7 @@ std::string default_of(const json& schema) {
 }  // namespace
 
 void OutputFlags::add(CLI::App& command, const std::string& key) {
-  const json schema = manifest_schema()["definitions"]["output"]["properties"][key];
+  const json& schema = manifest_schema()["definitions"]["output"]["properties"][key];
   const std::string text = schema["description"].get<std::string>() + limits_of(schema);
   is_array_[key] = schema["type"] == "array";
   if (schema["type"] == "boolean") {

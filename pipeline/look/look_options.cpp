@@ -44,7 +44,7 @@ std::string yaml_of(const LookOptions& options) {
 }
 
 json look_schema() {
-  const json manifest = manifest_schema();
+  const json& manifest = manifest_schema();
   json schema = manifest["definitions"]["look"];
   schema["definitions"] = manifest["definitions"];
   return schema;

@@ -112,7 +112,7 @@ scenes::SetPlan parse_set(std::string_view yaml, const fs::path& file) {
   std::vector<Fault> faults;
   const YamlNode tree = read_yaml(yaml, file.string(), faults);
   if (!faults.empty()) throw Faults(faults);
-  const json schema = set_schema();
+  const json& schema = set_schema();
   const JsonReading reading = to_json(tree, root_of(schema), process_environment(), faults);
   for (Fault& fault : check_schema(reading.document, schema, reading.places)) {
     faults.push_back(std::move(fault));

@@ -132,7 +132,7 @@ ScaleSet parse_scales(std::string_view yaml, const std::string& file) {
   std::vector<Fault> faults;
   const YamlNode tree = read_yaml(yaml, file, faults);
   if (!faults.empty()) throw Faults(faults);
-  const json schema = scales_schema();
+  const json& schema = scales_schema();
   const JsonReading reading = to_json(tree, root_of(schema), process_environment(), faults);
   for (Fault& fault : check_schema(reading.document, schema, reading.places)) {
     faults.push_back(std::move(fault));

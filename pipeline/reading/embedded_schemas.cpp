@@ -14,19 +14,19 @@ std::string_view scales_schema_text() { return embedded_scales_schema; }
 std::string_view recipes_schema_text() { return embedded_recipes_schema; }
 std::string_view set_schema_text() { return embedded_set_schema; }
 
-// Each is parsed once: copies are made several times as fast.
+// Each is parsed once: a copy for each option of a command line took a fifth of its start.
 
-nlohmann::json manifest_schema() {
+const nlohmann::json& manifest_schema() {
   static const nlohmann::json schema = nlohmann::json::parse(manifest_schema_text());
   return schema;
 }
 
-nlohmann::json scales_schema() {
+const nlohmann::json& scales_schema() {
   static const nlohmann::json schema = nlohmann::json::parse(scales_schema_text());
   return schema;
 }
 
-nlohmann::json set_schema() {
+const nlohmann::json& set_schema() {
   static const nlohmann::json schema = nlohmann::json::parse(set_schema_text());
   return schema;
 }
@@ -46,7 +46,7 @@ nlohmann::json with_definitions_of_manifest() {
 
 }  // namespace
 
-nlohmann::json recipes_schema() {
+const nlohmann::json& recipes_schema() {
   static const nlohmann::json schema = with_definitions_of_manifest();
   return schema;
 }

@@ -18,10 +18,10 @@ std::string_view manifest_schema_text();
 std::string_view scales_schema_text();
 std::string_view recipes_schema_text();
 std::string_view set_schema_text();
-nlohmann::json manifest_schema();
-nlohmann::json scales_schema();
-nlohmann::json recipes_schema();
-nlohmann::json set_schema();
+const nlohmann::json& manifest_schema();
+const nlohmann::json& scales_schema();
+const nlohmann::json& recipes_schema();
+const nlohmann::json& set_schema();
 
 /// A node of a schema with the schema it belongs to, whose definitions it may refer to.
 struct SchemaNode {

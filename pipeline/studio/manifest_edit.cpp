@@ -47,7 +47,7 @@ ordered_json document_of(std::string_view text, const std::string& file,
                          const Environment& environment) {
   std::vector<Fault> faults;
   const YamlNode tree = read_yaml(text, file, faults);
-  const json schema = manifest_schema();
+  const json& schema = manifest_schema();
   if (!faults.empty()) throw Faults(in_reading_order(std::move(faults)));
   const JsonReading reading = to_json(tree, root_of(schema), environment, faults);
   if (!faults.empty()) throw Faults(in_reading_order(std::move(faults)));

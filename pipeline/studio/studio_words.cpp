@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 ordered_json example_sets() {
   const auto set = nlohmann::json::json_pointer("/properties/examples/properties/set/oneOf");
   ordered_json sets = ordered_json::array();
-  const nlohmann::json schema = manifest_schema();
+  const nlohmann::json& schema = manifest_schema();
   for (const auto& branch : schema.at(set)) {
     if (!branch.contains("enum")) continue;
     for (const auto& name : branch["enum"]) sets.push_back(name.get<std::string>());

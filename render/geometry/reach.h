@@ -44,33 +44,4 @@ class FilmMask {
   std::vector<std::uint8_t> touched_;
 };
 
-/// A rectangle of the floor, metres.
-struct FloorArea {
-  float x_min;
-  float x_max;
-  float z_min;
-  float z_max;
-};
-
-/// The part of the floor on which a shape may hide a part of a light: a grid of cells.
-class ShadowMask {
- public:
-  ShadowMask(const AreaLight& light, const Shapes& shapes);
-
-  /// Whether any point of the area may lie in shadow or half shadow.
-  bool may_shade(const FloorArea& area) const;
-
- private:
-  static constexpr int cells = 128;  // a side
-
-  int column(float x) const;
-  int row(float z) const;
-
-  bool everywhere_ = false;
-  FloorArea area_{0.0f, -1.0f, 0.0f, -1.0f};
-  float columns_per_metre_ = 0.0f;
-  float rows_per_metre_ = 0.0f;
-  std::vector<std::uint8_t> touched_;
-};
-
 }  // namespace mien::render

@@ -51,7 +51,7 @@ SkyRays sky_rays_of(const BoundingSphere& bounds, const Vec3& point, const Vec3&
   const float wanted = sky_rays_from(bounds, point, normal, samples);
   const auto all = static_cast<float>(samples);
   if (wanted < 1.0f) {
-    const bool chosen = sampler.point(Dimension::FloorSkyChoice, 0).u < wanted;
+    const bool chosen = sampler.choice(Dimension::FloorSkyChoice) < wanted;
     return {chosen ? 1 : 0, all / wanted};
   }
   // A power of two: such a block of the sequence is well spread.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -78,14 +79,37 @@ enum class Dimension : std::uint32_t {
   CornerSky,
   Lens,
   Time,                   ///< the first number alone
+  LightLine,              ///< which of some floor points asks lines of the lights
   FirstLight,             ///< one a light
   FirstFigure = 1u << 16  ///< one a figure, the first number alone: whether it is there
 };
+
+/// Of bits 0 … 15 to even places.
+constexpr std::uint32_t spread_bits(std::uint32_t x) {
+  x &= 0xffffu;
+  x = (x | (x << 8)) & 0x00ff00ffu;
+  x = (x | (x << 4)) & 0x0f0f0f0fu;
+  x = (x | (x << 2)) & 0x33333333u;
+  return (x | (x << 1)) & 0x55555555u;
+}
 
 /// The random numbers of a pixel, a pure function of the seed, pixel, dimension and index.
 class PixelSampler {
  public:
   PixelSampler() = default;
+
+  /// Of a pixel that takes so many samples: one sequence serves all pixels, block by block along
+  /// the Morton curve, so that what neighbours find wrong cancels (Ahmed & Wonka 2020): the noise
+  /// of a pixel is as it would be alone, that of areas is less.
+  static PixelSampler among_neighbours(std::uint64_t seed, int x, int y, int samples) {
+    PixelSampler sampler(seed, 0, 0);
+    sampler.place_ = spread_bits(static_cast<std::uint32_t>(x)) |
+                     (spread_bits(static_cast<std::uint32_t>(y)) << 1);
+    sampler.samples_ = static_cast<std::uint32_t>(samples);
+    return sampler;
+  }
+
+  /// Of a pixel, a corner … that has nothing to do with its neighbours.
   PixelSampler(std::uint64_t seed, int x, int y)
       : seed_(mixed(
             mixed(mixed(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)),
@@ -97,13 +121,33 @@ class PixelSampler {
     return mixed(seed_, static_cast<std::uint32_t>(dimension) + static_cast<std::uint32_t>(which));
   }
 
-  Point2 point(Dimension dimension, int index) const { return point(dimension, 0, index); }
-  Point2 point(Dimension dimension, int which, int index) const {
-    return sample_point(static_cast<std::uint32_t>(index), seed(dimension, which));
+  /// Of one of `times` points for each sample, for sample_point.
+  std::uint32_t index(int point, int times = 1) const {
+    return index_of(point, static_cast<std::uint32_t>(times) * samples_);
   }
 
+  /// Of one of the points of which a pixel has one for each `samples` samples or fewer.
+  std::uint32_t index_of_group(int group, int samples) const {
+    const auto size = static_cast<std::uint32_t>(samples);
+    return index_of(group, (samples_ + size - 1) / size);
+  }
+
+  Point2 point(Dimension dimension, int index) const { return point(dimension, 0, index); }
+  Point2 point(Dimension dimension, int which, int index) const {
+    return sample_point(this->index(index), seed(dimension, which));
+  }
+
+  /// One number for the whole pixel.
+  float choice(Dimension dimension) const { return sample_point(place_, seed(dimension)).u; }
+
  private:
+  std::uint32_t index_of(int point, std::uint32_t points) const {
+    return place_ * std::bit_ceil(points) + static_cast<std::uint32_t>(point);
+  }
+
   std::uint32_t seed_ = 0;
+  std::uint32_t place_ = 0;  // of the pixel's block in the sequence
+  std::uint32_t samples_ = 1;
 };
 
 /// Which of the figures of those opacities are there for a sample: a bit each.

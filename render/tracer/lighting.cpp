@@ -79,6 +79,41 @@ SkyRay sky_ray(const BoundingSphere& bounds, const Vec3& point, const Vec3& norm
   return {towards, cone->solid_angle() / pi * towards.dot(normal)};
 }
 
+void ask_for_light(const AreaLight& light, int k, const FloorSamples& batch,
+                   LightQueries& queries) {
+  const LaneLights chosen =
+      sample_lights(light, batch.points, points_for(batch.samples, Dimension::FirstLight, k));
+  for (int i = 0; i < batch.samples.count; ++i) {
+    const Pixel& pixel = *batch.samples[i].pixel;
+    const float cosine = chosen.towards.y[i];
+    if (!pixel.may_lack(k) || cosine <= 0.0f) continue;
+    queries.ask(batch.samples[i], batch.points.at(i), chosen.towards.at(i), chosen.distance[i],
+                (cosine / pi * chosen.share[i]) * light.radiance * pixel.floor_albedo,
+                Effect::taken_when_figure_blocks);
+  }
+}
+
+/// Where half shadows are wide, one of so many samples of a pixel asks for all of them.
+constexpr int samples_per_line = 4;
+
+/// All samples of a pixel stand together.
+void ask_lines(const FloorSamples& batch, LineQueries& lines) {
+  const Samples& samples = batch.samples;
+  const int shared = lines.of_tile().are_soft ? samples_per_line : 1;
+  for (int first = 0, last = 0; first < samples.count; first = last) {
+    Pixel& pixel = *samples[first].pixel;
+    const int group = samples[first].index / shared;
+    while (last < samples.count && samples[last].pixel == &pixel &&
+           samples[last].index / shared == group)
+      ++last;
+    if ((pixel.shadow_lights & lines.of_tile().lights) == 0) continue;
+    const std::uint32_t index = pixel.sampler.index_of_group(group, shared);
+    const float u = sample_point(index, pixel.sampler.seed(Dimension::LightLine)).u;
+    const int chosen = first + static_cast<int>(u * static_cast<float>(last - first));
+    lines.ask(pixel, batch.points.at(chosen), index, last - first);
+  }
+}
+
 }  // namespace
 
 void light_surfaces(const Picture& picture, const SurfaceSamples& batch, bool of_figure,
@@ -125,23 +160,15 @@ void darken_wall(const Picture& picture, const Sample& sample, const Surface& su
               Effect::taken_when_figure_blocks);
 }
 
-void darken_floor(const Picture& picture, const FloorSamples& batch, LightQueries& queries) {
+void darken_floor(const Picture& picture, const FloorSamples& batch, LightQueries& queries,
+                  LineQueries& lines) {
   const Scene& scene = picture.scene;
   std::uint32_t shaded = 0;
   for (int i = 0; i < batch.samples.count; ++i) shaded |= batch.samples[i].pixel->shadow_lights;
-  for (; shaded != 0; shaded &= shaded - 1) {
+  if ((shaded & lines.of_tile().lights) != 0) ask_lines(batch, lines);
+  for (shaded &= ~lines.of_tile().lights; shaded != 0; shaded &= shaded - 1) {
     const int k = std::countr_zero(shaded);
-    const AreaLight& light = scene.lights[static_cast<std::size_t>(k)];
-    const LaneLights chosen =
-        sample_lights(light, batch.points, points_for(batch.samples, Dimension::FirstLight, k));
-    for (int i = 0; i < batch.samples.count; ++i) {
-      const Pixel& pixel = *batch.samples[i].pixel;
-      const float cosine = chosen.towards.y[i];
-      if (((pixel.shadow_lights >> k) & 1u) == 0 || cosine <= 0.0f) continue;
-      queries.ask(batch.samples[i], batch.points.at(i), chosen.towards.at(i), chosen.distance[i],
-                  (cosine / pi * chosen.share[i]) * light.radiance * pixel.floor_albedo,
-                  Effect::taken_when_figure_blocks);
-    }
+    ask_for_light(scene.lights[static_cast<std::size_t>(k)], k, batch, queries);
   }
   for (int i = 0; i < batch.samples.count; ++i) {
     const Sample& sample = batch.samples[i];

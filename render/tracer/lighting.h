@@ -4,6 +4,7 @@
 
 #include "render/light/shading.h"
 #include "render/tracer/light_queries.h"
+#include "render/tracer/line_queries.h"
 #include "render/tracer/picture.h"
 #include "render/tracer/pixel.h"
 
@@ -41,7 +42,8 @@ void darken_wall(const Picture& picture, const Sample& sample, const Surface& su
 
 /// What the figure hides of the lights from the floor, and of the sky as far as the pixels are
 /// planned to look for themselves.
-void darken_floor(const Picture& picture, const FloorSamples& batch, LightQueries& queries);
+void darken_floor(const Picture& picture, const FloorSamples& batch, LightQueries& queries,
+                  LineQueries& lines);
 
 /// The backdrop or floor at the end of a ray, with the shadows of everything: adds to the set of
 /// the sample's pixel.

@@ -5,6 +5,7 @@
 
 #include "render/geometry/embree_scene.h"
 #include "render/geometry/reach.h"
+#include "render/geometry/shadow_mask.h"
 #include "render/light/floor_sky.h"
 #include "render/light/standing_set.h"
 #include "render/math/filter.h"
@@ -30,9 +31,10 @@ struct Picture {
   BoundingSphere bounds;                 ///< of the figure
   FilmMask film_mask;                    ///< where primary rays may meet the figure
   std::vector<ShadowMask> shadow_masks;  ///< where it may hide each light from the floor
-  FloorSky floor_sky;                    ///< what it hides of the sky from the floor
-  std::vector<float> opacities;          ///< of the figures
-  const Shapes* next_shapes = nullptr;   ///< the figure's in the next picture, for motion
+  std::uint32_t line_lights;  ///< bit i: what it hides of light i from the floor is found by lines
+  FloorSky floor_sky;         ///< what it hides of the sky from the floor
+  std::vector<float> opacities;         ///< of the figures
+  const Shapes* next_shapes = nullptr;  ///< the figure's in the next picture, for motion
 
   /// Every sample is drawn by itself, set and all: nothing about the set is the same for all rays
   /// of a pixel.

@@ -33,13 +33,17 @@ struct Pixel {
   int set_samples = 0;              ///< samples that show the set as it is known
   int covered = 0;                  ///< samples that show the figure
 
+  /// Whether the figure may hide a light from here.
+  bool may_lack(int light) const { return ((shadow_lights >> light) & 1u) != 0; }
+
   // Sums over the samples. What is known at once and what rays find are kept apart, so that either
   // is always added up in the same order.
   Color known_figure = Color::Zero();  ///< light from the figure
   Color known_set = Color::Zero();     ///< light from the set, sample by sample
+  Color known_taken = Color::Zero();   ///< what the figure takes away from the set as it is known
   Color figure = Color::Zero();        ///< more or less light from the figure, by rays
   Color set = Color::Zero();           ///< from the set
-  Color taken = Color::Zero();         ///< what the figure takes away from the set as it is known
+  Color taken = Color::Zero();         ///< as known_taken
 };
 
 /// One primary ray of a pixel.
@@ -64,8 +68,9 @@ inline LanePoints points_for(const Samples& samples, Dimension dimension, int wh
                              int times = 1, int plus = 0) {
   LaneWords index, seed;
   for (int i = 0; i < samples.count; ++i) {
-    index[i] = static_cast<std::uint32_t>(times * samples[i].index + plus);
-    seed[i] = samples[i].pixel->sampler.seed(dimension, which);
+    const PixelSampler& sampler = samples[i].pixel->sampler;
+    index[i] = sampler.index(times * samples[i].index + plus, times);
+    seed[i] = sampler.seed(dimension, which);
   }
   return sample_points(index, seed);
 }

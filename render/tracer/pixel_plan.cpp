@@ -60,6 +60,22 @@ MIEN_FOR_AVX2_TOO void show_cell(const StandingSet& set, const FloorSky::Cell& c
   }
 }
 
+/// Half shadows that are so many pixels wide change so little within one that few lines do.
+constexpr float soft_pixels = 4.0f;
+
+/// Metres of floor that a pixel of a tile shows, at most.
+float pixel_step(const FloorArea& area, const Tile& tile) {
+  const int side = std::max(std::min(tile.x_end - tile.x_begin, tile.y_end - tile.y_begin), 1);
+  return std::max(area.x_max - area.x_min, area.z_max - area.z_min) / static_cast<float>(side);
+}
+
+/// How wide the half shadow is, metres, that an edge at a height casts on the floor, at least.
+float half_shadow(const AreaLight& light, float height) {
+  if (height >= light.centre.y()) return infinity;
+  const float width = 2.0f * std::min(light.half_u.norm(), light.half_v.norm());
+  return width * height / (light.centre.y() - height);
+}
+
 }  // namespace
 
 void PixelPlanner::turn_to(const Tile& tile) {
@@ -72,9 +88,33 @@ void PixelPlanner::turn_to(const Tile& tile) {
   tile_lights_ = 0;
   for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
     if (whole || !area || picture_.shadow_masks[i].may_shade(*area)) tile_lights_ |= 1u << i;
+  find_casters(tile, area);
   is_alone_ = tile_lights_ == 0 && !whole && !picture_.piecemeal() && !picture_.walls;
   for (int y = tile.y_begin; y < tile.y_end && is_alone_; ++y)
     is_alone_ = !picture_.film_mask.may_meet_row(tile.x_begin, tile.x_end, y);
+}
+
+void PixelPlanner::find_casters(const Tile& tile, const std::optional<FloorArea>& area) {
+  lines_.casters.resize(picture_.shadow_masks.size());
+  lines_.lights = picture_.line_lights;
+  lines_.are_soft = area.has_value();
+  const float step = area ? pixel_step(*area, tile) : 0.0f;
+  for (std::size_t i = 0; i < lines_.casters.size(); ++i) {
+    std::vector<int>& casters = lines_.casters[i];
+    casters.clear();
+    if (((picture_.line_lights >> i) & 1u) == 0) continue;
+    if (area && ((tile_lights_ >> i) & 1u) != 0) {
+      const float height = picture_.shadow_masks[i].add_casters(*area, casters);
+      if (half_shadow(picture_.scene.lights[i], height) < soft_pixels * step)
+        lines_.are_soft = false;
+    }
+    if (area && !picture_.quality.exhaustive) continue;
+    casters.clear();
+    const std::vector<RoundCone>& cones = picture_.figure.shapes().cones;
+    for (std::size_t cone = 0; cone < cones.size(); ++cone)
+      if (!is_behind(picture_.scene.lights[i], cones[cone]))
+        casters.push_back(static_cast<int>(cone));
+  }
 }
 
 void PixelPlanner::show_set(const Tile& band, Film& film, std::vector<std::uint8_t>& open) {
@@ -158,7 +198,8 @@ void PixelPlanner::set_out(Pixel& pixel, int x, int y, const PixelPlan& plan,
   pixel.x = x;
   pixel.y = y;
   pixel.kind = plan.kind;
-  pixel.sampler = PixelSampler(picture_.quality.seed, x, y);
+  pixel.sampler = PixelSampler::among_neighbours(picture_.quality.seed, x, y,
+                                                 picture_.quality.samples_per_pixel);
   pixel.radiance = set_light.radiance;
   pixel.floor_albedo = Eigen::Map<const Color>(set.floor_albedo.at(x, y));
   pixel.shows_floor = set.floor[place] != 0;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "render/tracer/line_queries.h"
 #include "render/tracer/picture.h"
 #include "render/tracer/pixel.h"
 #include "render/tracer/tile.h"
@@ -33,6 +35,9 @@ class PixelPlanner {
   /// Whether it shows no figure and no shadow of it from a light.
   bool is_alone() const { return is_alone_; }
 
+  /// What lines of the lights are asked for on floor in the tile.
+  const TileLines& lines() const { return lines_; }
+
   /// Shows what each pixel gets from the set, but where what the figure hides of the sky is not
   /// known: `open` is set to 1 for tiles (from the left, tile_size pixels each) with such pixels.
   void show_set(const Tile& band, Film& film, std::vector<std::uint8_t>& open);
@@ -46,11 +51,13 @@ class PixelPlanner {
 
  private:
   std::uint32_t shadow_lights(int x, int y) const;
+  void find_casters(const Tile& tile, const std::optional<FloorArea>& area);
 
   const Picture& picture_;
   const FloorSky::Cell* cell_;     // of the floor, that was looked at last
   std::uint32_t tile_lights_ = 0;  // bit i: the figure may hide light i somewhere in the tile
   bool is_alone_ = false;
+  TileLines lines_;
 };
 
 }  // namespace mien::render

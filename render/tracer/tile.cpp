@@ -34,7 +34,10 @@ CameraFrame between(const CameraFrame& from, const CameraFrame& to, float time) 
 class TilePainter {
  public:
   explicit TilePainter(const Picture& picture)
-      : picture_(picture), planner_(picture), queries_(picture) {}
+      : picture_(picture),
+        planner_(picture),
+        queries_(picture),
+        lines_(picture, planner_.lines()) {}
   void draw(const Tile& part, Exposure& exposure);
 
  private:
@@ -67,6 +70,7 @@ class TilePainter {
   SurfaceSamples set_surfaces_;
   FloorSamples floor_points_;
   LightQueries queries_;
+  LineQueries lines_;
 };
 
 void TilePainter::draw(const Tile& part, Exposure& exposure) {
@@ -183,7 +187,7 @@ void TilePainter::push_floor(const Sample& sample, const EyeRay& ray) {
 }
 
 void TilePainter::light_floor() {
-  darken_floor(picture_, floor_points_, queries_);
+  darken_floor(picture_, floor_points_, queries_, lines_);
   floor_points_.samples.count = 0;
 }
 
@@ -244,6 +248,7 @@ void TilePainter::finish() {
   show_floor(floor_);
   trace(traced_);
   queries_.trace();
+  lines_.answer();
 }
 
 // A pixel without figure or shadow.
@@ -265,7 +270,7 @@ void TilePainter::develop(const Pixel& pixel, Exposure& exposure) const {
   const Color set = (share * static_cast<float>(pixel.set_samples)) * pixel.radiance +
                     share * (pixel.known_set + pixel.set);
   const Color figure = share * (pixel.known_figure + pixel.figure);
-  const Color taken = share * pixel.taken;
+  const Color taken = share * (pixel.known_taken + pixel.taken);
   if (picture_.quality.background == Background::shown) {
     const Color color = set + (figure + taken);
     std::copy_n(color.data(), 3, exposure.film.at(pixel.x, pixel.y));

@@ -11,6 +11,7 @@
 
 #include "render/geometry/embree_scene.h"
 #include "render/image/luminance.h"
+#include "render/light/line_shadow.h"
 #include "render/tracer/layer_pass.h"
 #include "render/tracer/picture.h"
 #include "render/tracer/tile.h"
@@ -56,6 +57,16 @@ void check(const Quality& quality) {
     throw std::invalid_argument("quality: samples, sky rays and filter width must be positive");
   if (!(quality.shutter >= 0.0f && quality.shutter <= 1.0f))
     throw std::invalid_argument("quality: the shutter is not open for a share of 0 to 1");
+}
+
+/// Bit i: lines tell what the shapes hide of light i from the floor (line_shadow.h).
+std::uint32_t lights_for_lines(const std::vector<AreaLight>& lights, const Shapes& shapes,
+                               bool set_has_solids) {
+  if (set_has_solids || !shapes.triangles.empty() || shapes.move() || !shapes.all_present) return 0;
+  std::uint32_t found = 0;
+  for (std::size_t k = 0; k < lights.size(); ++k)
+    if (has_line_shadows(lights[k], shapes.cones)) found |= 1u << k;
+  return found;
 }
 
 struct KeptSet {
@@ -168,6 +179,7 @@ Picture Tracer::Engine::prepare(const Scene& scene, const Camera& camera, const 
                                 const Solids& solids) {
   const Shapes nothing;
   const Shapes& above_floor = scene.has_ground ? shapes : nothing;
+  const std::uint32_t line_lights = lights_for_lines(scene.lights, shapes, walls != nullptr);
   std::vector<ShadowMask> shadow_masks;
   for (const AreaLight& light : scene.lights) shadow_masks.emplace_back(light, above_floor);
   const BoundingSphere bounds = bounding_sphere(shapes);
@@ -190,6 +202,7 @@ Picture Tracer::Engine::prepare(const Scene& scene, const Camera& camera, const 
           .bounds = bounds,
           .film_mask = std::move(film_mask),
           .shadow_masks = std::move(shadow_masks),
+          .line_lights = line_lights,
           .floor_sky = std::move(floor_sky),
           .opacities = opacities_of(scene)};
 }

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <limits>
 
+#include "render/parts/loaded_part.h"
 #include "render/video/libav.h"
 #include "render/video/video.h"
 #include "render/video/webp_probe.h"
@@ -239,12 +240,16 @@ Image8 first_picture_alone(const std::filesystem::path& path) {
 }
 
 std::string video_libraries() {
-  const auto version = [](unsigned v) {
+  const auto version = [](const char* library, unsigned (*own)()) {
+    const std::string told = version_of_library(library);
+    if (!told.empty()) return told;
+    const unsigned v = own();
     return std::to_string(AV_VERSION_MAJOR(v)) + "." + std::to_string(AV_VERSION_MINOR(v)) + "." +
            std::to_string(AV_VERSION_MICRO(v));
   };
-  return "libavcodec " + version(avcodec_version()) + ", libavformat " +
-         version(avformat_version()) + ", libswscale " + version(swscale_version());
+  return "libavcodec " + version(MIEN_LIBAVCODEC, avcodec_version) + ", libavformat " +
+         version(MIEN_LIBAVFORMAT, avformat_version) + ", libswscale " +
+         version(MIEN_LIBSWSCALE, swscale_version);
 }
 
 }  // namespace mien::render

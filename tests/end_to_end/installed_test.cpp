@@ -98,43 +98,65 @@ TEST(Manifests, GoWithTheProgramWhenItsPrefixIsMoved) {
   EXPECT_NE(ended.output.find("quickness 0.70 is asked for"), std::string::npos) << ended.output;
 }
 
-TEST(Program, SaysWhatIsMissingWhenItsPartForPicturesIsNotThere) {
+TEST(Program, SaysWhichOfItsPartsIsNotThere) {
   const Scratch scratch;
   fs::create_directories(scratch.path() / "bin");
   fs::copy_file(MIEN_PROGRAM, scratch.path() / "bin/mien");
-  const Ended ended =
-      run_bash("cd " + scratch.path().string() +
-               "\nbin/mien version\n"
+  const std::string there = "cd " + scratch.path().string() + "\n";
+  const auto expect_told = [](const Ended& ended, const std::string& part) {
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_TRUE(ended.output.starts_with("mien ")) << ended.output;
+    EXPECT_NE(ended.output.find(part), std::string::npos) << ended.output;
+    EXPECT_NE(ended.output.find("; install or build mien again\n"), std::string::npos)
+        << ended.output;
+  };
+  expect_told(
+      run_bash(there +
+               "bin/mien version\n"
                "bin/mien motion blend --examples builtin:walks-10 --weights sad=1 -o a.bvh\n"
-               "bin/mien render a.bvh --still --size 64x36 --quality draft -o a.png");
-  EXPECT_EQ(ended.code, 1);
-  EXPECT_TRUE(ended.output.starts_with("mien ")) << ended.output;
-  EXPECT_NE(
-      ended.output.find("mien-image-files.so: the part of mien that reads and writes pictures"),
-      std::string::npos)
-      << ended.output;
-  EXPECT_NE(ended.output.find("; install or build mien again\n"), std::string::npos)
-      << ended.output;
+               "bin/mien render a.bvh --still --size 64x36 --quality draft -o a.png"),
+      "mien-image-files.so: the part of mien that reads and writes pictures");
+  const fs::path part = "mien-image-files.so";
+  fs::copy_file(fs::path(MIEN_PROGRAM).parent_path() / part, scratch.path() / "bin" / part);
+  expect_told(run_bash(there + "bin/mien version && bin/mien render a.bvh --size 64x36 -o a.mp4"),
+              "mien-video-files.so: the part of mien that reads and writes videos");
+  EXPECT_FALSE(fs::exists(scratch.path() / "a.mp4"));
 }
 
-TEST(Program, FindsItsPartForPicturesInAnInstallationThatIsMoved) {
+TEST(Program, LoadsNoLibraryForPicturesOrVideosBeforeItDrawsSomething) {
+  const Scratch scratch;
+  const std::string folder = scratch.path().string();
+  const Ended ended = run_bash(
+      "cd " + folder + "\ncp " MIEN_PROGRAM " " + (source / "manifests/quickstart.yaml").string() +
+      " . && ./mien motion blend --examples builtin:walks-10 " +
+      "--weights sad=1 -o a.bvh >&2 && export LD_DEBUG=files && ./mien version && " +
+      "./mien check quickstart.yaml && ./mien plan quickstart.yaml && ./mien motion info a.bvh");
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_NE(ended.output.find("calling init: "), std::string::npos);
+  for (const char* library : {"libavcodec", "libswscale", "libOpenImageIO"})
+    EXPECT_EQ(ended.output.find(std::string("/") + library + ".so."), std::string::npos) << library;
+}
+
+TEST(Program, FindsItsPartsInAnInstallationThatIsMoved) {
   const Scratch scratch;
   const fs::path prefix = scratch.path() / "prefix";
   const fs::path parts = prefix / MIEN_PARTS_FOLDER;
   fs::create_directories(prefix / "bin");
   fs::create_directories(parts);
   fs::copy_file(MIEN_PROGRAM, prefix / "bin/mien");
-  fs::copy_file(fs::path(MIEN_PROGRAM).parent_path() / "mien-image-files.so",
-                parts / "mien-image-files.so");
+  for (const char* part : {"mien-image-files.so", "mien-video-files.so"})
+    fs::copy_file(fs::path(MIEN_PROGRAM).parent_path() / part, parts / part);
   fs::rename(prefix, scratch.path() / "moved");
   // By another name and from elsewhere: where it is comes from the program itself.
   const Ended ended =
       run_bash("cd " + scratch.path().string() +
                "\nln -s moved/bin/mien another\n"
                "./another motion blend --examples builtin:walks-10 --weights sad=1 -o a.bvh\n"
-               "./another render a.bvh --still --size 64x36 --quality draft -o a.png");
+               "./another render a.bvh --still --size 64x36 --quality draft -o a.png &&"
+               "./another render a.bvh --size 64x36 --quality draft -o a.mp4");
   EXPECT_EQ(ended.code, 0) << ended.output;
   EXPECT_TRUE(fs::exists(scratch.path() / "a.png"));
+  EXPECT_TRUE(fs::exists(scratch.path() / "a.mp4"));
 }
 
 /// The words that stand at the start of a help's lines between two headings, or its end.

@@ -1,11 +1,14 @@
-// The scene that mien and its peers draw: 21 spheres and 20 cylinders in the poses of the built-in
-// walk, on a floor under one area light and an even sky.
+// The scene that mien and its peers draw (walking_scene.h), for comparison with them.
 //
 //   peer_scene write SCENE.json            for the peers
 //   peer_scene measure FRAMES REFERENCE    draws it with both cores at several numbers of samples,
 //                                          and prints JSON: seconds a frame and the RMS error of
 //                                          linear RGB against REFERENCE samples, for a camera that
 //                                          stands and one that goes round the figure
+//   peer_scene draw FRAMES SAMPLES standing|moving
+//                                          draws it on one thread and prints processor seconds a
+//                                          frame: for profilers, and to hold two builds side by
+//                                          side
 //   peer_scene picture FRAME SAMPLES FILE  draws one frame before the standing camera and writes
 //                                          its beauty, albedo and normals, one film after the
 //                                          other, as 32-bit floats, the first row at the top
@@ -13,74 +16,20 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
-#include "motion/procedural/builtin_sets.h"
-#include "motion/skeleton/pose.h"
-#include "render/tracer/tracer.h"
+#include "peers/walking_scene.h"
 
 namespace {
 
 using namespace mien;
+using namespace mien::peers;
 using nlohmann::json;
-using render::Color;
-
-constexpr int frames_in_all = 30;
-constexpr float joint_radius = 0.055f;
-constexpr float bone_radius = 0.035f;
-constexpr float orbit_step = 0.02f;  // radians a frame
-
-struct Joints {
-  std::vector<render::Vec3> places;
-  std::vector<int> parents;
-};
-
-Joints joints_at(const motion::Clip& clip, int frame) {
-  Joints joints;
-  motion::Pose pose = clip.poses[static_cast<std::size_t>(frame)];
-  const motion::JointTransforms world = motion::world_transforms(clip.body, pose);
-  const motion::Vec3 root = world.positions[0];
-  for (std::size_t j = 0; j < world.positions.size(); ++j) {
-    const motion::Vec3 place = world.positions[j] - motion::Vec3(root.x(), 0.0, root.z());
-    joints.places.push_back(place.cast<float>());
-    joints.parents.push_back(clip.body.joints[j].parent);
-  }
-  return joints;
-}
-
-render::Scene scene_of(const Joints& joints) {
-  render::Scene scene;
-  scene.materials = {{.albedo = {0.2f, 0.35f, 0.6f}}};
-  for (std::size_t j = 0; j < joints.places.size(); ++j) {
-    scene.solids.spheres.push_back({joints.places[j], joint_radius});
-    if (joints.parents[j] < 0) continue;
-    scene.solids.capsules.push_back({joints.places[static_cast<std::size_t>(joints.parents[j])],
-                                     joints.places[j], bone_radius, bone_radius});
-  }
-  scene.ground.albedo = Color::Constant(0.5f);
-  scene.ground.line_spacing = 0.0f;
-  scene.ground.fade_start = 4000.0f;
-  scene.ground.fade_end = 5000.0f;
-  const Color sky = Color::Constant(0.6f);
-  scene.sky = {sky, sky, Color::Zero(), sky, sky};
-  scene.lights = {
-      render::softbox({2.0f, 4.0f, 2.0f}, {0.0f, 1.0f, 0.0f}, 1.5f, 1.5f, Color::Constant(8.0f))};
-  return scene;
-}
-
-render::Camera camera_at(int frame, bool moving) {
-  const float angle = moving ? orbit_step * static_cast<float>(frame) : 0.0f;
-  render::Camera camera{
-      .position = {4.2f * std::sin(0.25f + angle), 1.4f, 4.2f * std::cos(0.25f + angle)},
-      .target = {0.0f, 0.9f, 0.0f}};
-  camera.width = 1280;
-  camera.height = 720;
-  return camera;
-}
 
 json numbers(const render::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -153,6 +102,18 @@ json measure(const motion::Clip& clip, bool moving, int frames, int reference_sa
   return rows;
 }
 
+/// Processor seconds a frame, after a first one that shows the set.
+double drawing_seconds(const motion::Clip& clip, bool moving, int frames, int samples) {
+  render::Tracer tracer({.threads = 1});
+  const auto draw = [&](int f) {
+    tracer.trace(scene_of(joints_at(clip, f)), camera_at(f, moving), quality_of(samples));
+  };
+  draw(0);
+  const std::clock_t start = std::clock();
+  for (int f = 0; f < frames; ++f) draw(f);
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / frames;
+}
+
 void write_picture(const motion::Clip& clip, int frame, int samples, const std::string& file) {
   render::Quality quality = quality_of(samples);
   quality.floor_sky_tolerance = 0.0f;
@@ -168,8 +129,7 @@ void write_picture(const motion::Clip& clip, int frame, int samples, const std::
 }  // namespace
 
 int main(int argc, char** argv) {
-  const motion::ExampleSet walks = motion::builtin_examples("walks-10");
-  const motion::Clip clip = motion::repeated(walks.examples.front().clip, 3);
+  const Walk clip = walk();
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "write" && argc == 3) {
     write_scene(clip, argv[2]);
@@ -183,6 +143,12 @@ int main(int argc, char** argv) {
               << '\n';
     return 0;
   }
+  if (what == "draw" && argc == 5) {
+    const int frames = std::atoi(argv[2]), samples = std::atoi(argv[3]);
+    if (frames < 1 || frames > frames_in_all || samples < 1) return 2;
+    std::cout << drawing_seconds(clip, std::string(argv[4]) == "moving", frames, samples) << '\n';
+    return 0;
+  }
   if (what == "picture" && argc == 5) {
     const int frame = std::atoi(argv[2]), samples = std::atoi(argv[3]);
     if (frame < 0 || frame >= frames_in_all || samples < 1) return 2;
@@ -190,6 +156,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   std::cerr << "peer_scene write SCENE.json | peer_scene measure FRAMES REFERENCE | "
+               "peer_scene draw FRAMES SAMPLES standing|moving | "
                "peer_scene picture FRAME SAMPLES FILE\n";
   return 2;
 }

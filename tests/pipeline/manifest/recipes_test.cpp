@@ -57,7 +57,7 @@ TEST(Recipes, OfOurOwnNameAllOfTheThesisAndAreAllowed) {
 }
 
 TEST(Recipes, NameEveryPostureUnitOfTheProgram) {
-  const nlohmann::json schema = manifest_schema();
+  const nlohmann::json& schema = manifest_schema();
   const nlohmann::json& properties =
       schema["definitions"]["modification"]["properties"]["posture"]["properties"];
   std::set<std::string> of_schema, of_program;

@@ -58,7 +58,7 @@ TEST(Schema, TellsEditorsWhatEveryPropertyMeans) {
 }
 
 TEST(Schema, ItsDefaultsAndExamplesAreValid) {
-  const json schema = manifest_schema();
+  const json& schema = manifest_schema();
   for_each_property(schema, "", [&](const std::string& path, const json& property) {
     json alone = property;
     alone["definitions"] = schema["definitions"];

@@ -44,6 +44,40 @@ TEST(PixelSampler, IsUniformOverPixels) {
   EXPECT_LT(chi_squared(counts), chi_squared_255_at_0_1_percent);
 }
 
+/// The variance of the share of samples that fall below a line through the unit square, over many
+/// squares of `side` by `side` pixels.
+double variance_of_squares(int side, int samples) {
+  double sum = 0.0, squares = 0.0;
+  constexpr int count = 32;
+  for (int square = 0; square < count * count; ++square) {
+    int below = 0;
+    for (int k = 0; k < side * side * samples; ++k) {
+      const int pixel = k / samples;
+      const int x = side * (square % count) + pixel % side;
+      const int y = side * (square / count) + pixel / side;
+      const Point2 p = PixelSampler::among_neighbours(3, x, y, samples)
+                           .point(Dimension::FirstLight, k % samples);
+      below += p.u + 0.7f * p.v < 0.8f ? 1 : 0;
+    }
+    const double share = below / static_cast<double>(side * side * samples);
+    sum += share;
+    squares += share * share;
+  }
+  const double mean = sum / (count * count);
+  return squares / (count * count) - mean * mean;
+}
+
+TEST(PixelSampler, HasNeighboursThatMakeUpForWhatItLacks) {
+  // Four pixels of their own would have a quarter of a pixel's variance; a net of four times as
+  // many points has an eighth of it.
+  for (const int samples : {4, 16}) {
+    const double pixel = variance_of_squares(1, samples);
+    EXPECT_LT(pixel, 0.25 / samples) << "and a pixel has less than points at random";
+    EXPECT_LT(variance_of_squares(2, samples), pixel / 6.0);
+    EXPECT_LT(variance_of_squares(4, samples), pixel / 24.0);
+  }
+}
+
 TEST(PixelSampler, HasIndependentDimensions) {
   std::vector<int> counts(256, 0);
   for (int x = 0; x < 65536; ++x) {

@@ -1,0 +1,142 @@
+#include "render/geometry/shadow_mask.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/geometry/shape_pieces.h"
+#include "render/math/constants.h"
+
+namespace mien::render {
+namespace {
+
+// Points whose hull holds a piece.
+struct HullPoints {
+  std::array<Vec3, 8> points;
+  std::size_t count = 0;
+};
+
+template <std::size_t count>
+HullPoints hull_points(const std::array<Ball, count>& balls) {
+  HullPoints hull;
+  if (balls[0].radius == 0.0f) {
+    for (const Ball& ball : balls) hull.points[hull.count++] = ball.centre;
+    return hull;
+  }
+  Eigen::Array3f low = Eigen::Array3f::Constant(infinity), high = -low;
+  for (const Ball& ball : balls) {
+    low = low.min(ball.centre.array() - ball.radius);
+    high = high.max(ball.centre.array() + ball.radius);
+  }
+  for (unsigned i = 0; i < 8; ++i)
+    hull.points[hull.count++] = {i & 1u ? high.x() : low.x(), i & 2u ? high.y() : low.y(),
+                                 i & 4u ? high.z() : low.z()};
+  return hull;
+}
+
+constexpr FloorArea nowhere{infinity, -infinity, infinity, -infinity};
+constexpr FloorArea anywhere{-infinity, infinity, -infinity, infinity};
+
+// The shadow of a convex body from a convex light lies in the hull of the shadows of its corners
+// from the light's corners: for each light point the projection onto the floor keeps lines
+// straight, and so it does in the light point for each point of the body.
+FloorArea shadow_area(const AreaLight& light, const HullPoints& hull) {
+  FloorArea area = nowhere;
+  for (std::size_t i = 0; i < hull.count; ++i) {
+    const Vec3& corner = hull.points[i];
+    for (const float u : {-1.0f, 1.0f}) {
+      for (const float v : {-1.0f, 1.0f}) {
+        const Vec3 lamp = light.centre + u * light.half_u + v * light.half_v;
+        const float height = std::max(corner.y(), 0.0f);
+        if (lamp.y() <= 1.001f * height + 1e-3f) return anywhere;
+        const float stretch = height / (lamp.y() - height);
+        const float x = corner.x() + stretch * (corner.x() - lamp.x());
+        const float z = corner.z() + stretch * (corner.z() - lamp.z());
+        area.x_min = std::min(area.x_min, x);
+        area.x_max = std::max(area.x_max, x);
+        area.z_min = std::min(area.z_min, z);
+        area.z_max = std::max(area.z_max, z);
+      }
+    }
+  }
+  return area;
+}
+
+constexpr float rounding = 1e-4f;
+
+bool overlap(const FloorArea& a, const FloorArea& b) {
+  return a.x_max + rounding >= b.x_min && a.x_min - rounding <= b.x_max &&
+         a.z_max + rounding >= b.z_min && a.z_min - rounding <= b.z_max;
+}
+
+}  // namespace
+
+bool is_behind(const AreaLight& light, const RoundCone& solid) {
+  constexpr float nearest = 1e-3f;  // metres
+  const Vec3 front = light.half_u.cross(light.half_v).normalized();
+  return front.dot(solid.a - light.centre) + solid.radius_a < -nearest &&
+         front.dot(solid.b() - light.centre) + solid.radius_b < -nearest;
+}
+
+ShadowMask::ShadowMask(const AreaLight& light, const Shapes& shapes) {
+  std::vector<FloorArea> areas;
+  area_ = nowhere;
+  const auto add = [&](const auto& balls) {
+    const FloorArea area = shadow_area(light, hull_points(balls));
+    areas.push_back(area);
+    area_.x_min = std::min(area_.x_min, area.x_min);
+    area_.x_max = std::max(area_.x_max, area.x_max);
+    area_.z_min = std::min(area_.z_min, area.z_min);
+    area_.z_max = std::max(area_.z_max, area.z_max);
+  };
+  for (std::size_t i = 0; i < shapes.cones.size(); ++i) {
+    if (shapes.closing_cones.empty() && is_behind(light, shapes.cones[i])) continue;
+    visit_cone_pieces(shapes, i, [&](const auto& balls) {
+      add(balls);
+      float height = infinity;
+      for (const Ball& ball : balls) height = std::min(height, ball.centre.y() - ball.radius);
+      casters_.push_back({areas.back(), static_cast<int>(i), std::max(height, 0.0f)});
+    });
+  }
+  visit_triangle_pieces(shapes, add);
+  if (areas.empty()) return;
+  everywhere_ = !std::isfinite(area_.x_max - area_.x_min + area_.z_max - area_.z_min);
+  if (everywhere_) return;
+  columns_per_metre_ = cells / std::max(area_.x_max - area_.x_min, 1e-3f);
+  rows_per_metre_ = cells / std::max(area_.z_max - area_.z_min, 1e-3f);
+  touched_.assign(std::size_t{cells} * cells, 0);
+  for (const FloorArea& area : areas)
+    for (int z = row(area.z_min); z <= row(area.z_max); ++z)
+      for (int x = column(area.x_min); x <= column(area.x_max); ++x)
+        touched_[static_cast<std::size_t>(z * cells + x)] = 1;
+}
+
+int ShadowMask::column(float x) const {
+  return static_cast<int>(
+      std::clamp((x - area_.x_min) * columns_per_metre_, 0.0f, float(cells - 1)));
+}
+
+int ShadowMask::row(float z) const {
+  return static_cast<int>(std::clamp((z - area_.z_min) * rows_per_metre_, 0.0f, float(cells - 1)));
+}
+
+bool ShadowMask::may_shade(const FloorArea& area) const {
+  if (everywhere_) return true;
+  if (!overlap(area, area_)) return false;
+  for (int z = row(area.z_min - rounding); z <= row(area.z_max + rounding); ++z)
+    for (int x = column(area.x_min - rounding); x <= column(area.x_max + rounding); ++x)
+      if (touched_[static_cast<std::size_t>(z * cells + x)] != 0) return true;
+  return false;
+}
+
+float ShadowMask::add_casters(const FloorArea& area, std::vector<int>& cones) const {
+  float height = infinity;
+  for (const Caster& caster : casters_) {
+    if (!overlap(area, caster.area)) continue;
+    if (cones.empty() || cones.back() != caster.cone) cones.push_back(caster.cone);
+    height = std::min(height, caster.height);
+  }
+  return height;
+}
+
+}  // namespace mien::render
