@@ -3,6 +3,7 @@
 #include "render/video/colour_table.h"
 #include "render/video/stream_encoder.h"
 #include "render/video/video.h"
+#include "render/video/yuv.h"
 
 namespace mien::render {
 
@@ -50,12 +51,22 @@ struct VideoWriter::Encoder {
 
   void write(const Image8& frame) {
     AVFrame& picture = stream.picture();
-    const std::uint8_t* rows[1] = {frame.channels.data()};
-    const int strides[1] = {3 * frame.width};
-    sws_scale(scaler.get(), rows, strides, 0, frame.height, picture.data, picture.linesize);
+    convert(frame, picture);
     stream.send();
     if (colours) colours->add(frame);
     ++frames;
+  }
+
+  /// Drafts by our own conversion, which takes a third of the time; bicubic colours are for keeps.
+  void convert(const Image8& frame, AVFrame& picture) {
+    if (format.effort == VideoEffort::fast && picture.format == AV_PIX_FMT_YUV420P &&
+        frame.width % 2 == 0 && frame.height % 2 == 0) {
+      return yuv_from_rgb(frame, {{picture.data[0], picture.data[1], picture.data[2]},
+                                  {picture.linesize[0], picture.linesize[1], picture.linesize[2]}});
+    }
+    const std::uint8_t* rows[1] = {frame.channels.data()};
+    const int strides[1] = {3 * frame.width};
+    sws_scale(scaler.get(), rows, strides, 0, frame.height, picture.data, picture.linesize);
   }
 
   void finish() {
