@@ -25,7 +25,7 @@ struct VideoWriter::Encoder {
   StreamEncoder stream;           ///< of the video, or of the frames that wait
   Scaler scaler;
   std::optional<ColourHistogram> colours;
-  int frames = 0;
+  VideoReceipt receipt;
   bool finished = false;
 
   Encoder(const std::filesystem::path& where, const VideoFormat& how)
@@ -54,7 +54,7 @@ struct VideoWriter::Encoder {
     convert(frame, picture);
     stream.send();
     if (colours) colours->add(frame);
-    ++frames;
+    receipt.frames.push_back(hash_of(frame));
   }
 
   /// Drafts by our own conversion, which takes a third of the time; bicubic colours are for keeps.
@@ -71,6 +71,7 @@ struct VideoWriter::Encoder {
 
   void finish() {
     stream.finish();
+    if (!colours) receipt.coded = stream.coded();
     if (colours) write_indexed(ColourTable(*colours));
   }
 
@@ -110,9 +111,11 @@ void VideoWriter::write(const Image8& frame) {
 void VideoWriter::finish() {
   Encoder& e = *encoder_;
   if (e.finished) return;
-  require(e.frames > 0, e.path.string(), "a video without frames");
+  require(!e.receipt.frames.empty(), e.path.string(), "a video without frames");
   e.finish();
   e.finished = true;
 }
+
+const VideoReceipt& VideoWriter::receipt() const { return encoder_->receipt; }
 
 }  // namespace mien::render
