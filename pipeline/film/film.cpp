@@ -79,8 +79,8 @@ class FrameTaker {
     const auto* layers = std::get_if<render::Layers>(&exposure.picture);
     const render::Film& film =
         layers != nullptr ? layers->beauty : std::get<render::Film>(exposure.picture);
+    if (store_ == nullptr) return render::to_srgb8(film, tone_);
     const FrameFormat format = settings_.output.frames;
-    if (store_ == nullptr || format == FrameFormat::none) return render::to_srgb8(film, tone_);
     render::Image8 read_back;
     store_->put(
         frame_name(format, exposure.frame),
@@ -143,7 +143,7 @@ int frame_after(const scenes::Shot& shot, int frame) {
 }
 
 render::Film exposed(render::Tracer& tracer, const scenes::Shot& shot, int frame,
-                     const render::Quality& quality) {
+                     const render::Quality& quality, render::Film used) {
   const render::Scene scene = scene_at(shot, frame);
   const std::vector<render::Camera> cameras = cameras_at(shot, frame);
   const bool blurs = quality.shutter > 0.0f;
@@ -152,7 +152,7 @@ render::Film exposed(render::Tracer& tracer, const scenes::Shot& shot, int frame
   const std::vector<render::Camera> there = cameras_at(shot, after);
   const bool camera_moves = shot.cameras.cameras.size() > 1;
   const auto seen_by = [&](std::size_t eye) {
-    if (!blurs) return tracer.trace(scene, cameras[eye], quality);
+    if (!blurs) return tracer.trace(scene, cameras[eye], quality, std::move(used));
     return tracer
         .expose(scene, cameras[eye], quality, &closing, camera_moves ? &there[eye] : nullptr)
         .film;
@@ -170,14 +170,14 @@ bool set_moves(const scenes::Shot& shot) {
 
 /// False when it was given up because of a stop request.
 bool draw_frame(render::Tracer& tracer, const scenes::Shot& shot, const FilmSettings& settings,
-                const render::Quality& quality, Exposure& exposure) {
+                const render::Quality& quality, render::Film& used, Exposure& exposure) {
   const Stopwatch::Running tracing(settings.drawing);
   const double begin = steady_seconds();
   try {
     if (settings.output.frames == FrameFormat::layers)
       exposure.picture = layers_of(tracer, shot, exposure.frame, quality);
     else
-      exposure.picture = exposed(tracer, shot, exposure.frame, quality);
+      exposure.picture = exposed(tracer, shot, exposure.frame, quality, std::move(used));
   } catch (const render::Stopped&) {
     return false;
   }
@@ -228,7 +228,9 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
   give_back_memory();
   render::Tracer tracer(tracer_options(settings, shot, stop));
   const render::Quality quality = quality_of(settings, shot);
-  FrameTaker taker(settings, shot.tone, store, sink);
+  render::Film used;  // of the frame before
+  const bool keeps = store != nullptr && settings.output.frames != FrameFormat::none;
+  FrameTaker taker(settings, shot.tone, keeps ? store : nullptr, sink);
   double done = 0.0;
   for (const int frame : frames) {
     if (stop.stop_requested()) break;
@@ -236,8 +238,13 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
     exposure.frame = frame;
     if (auto stored = stored_frame(store, frame, settings.output, shot.tone)) {
       exposure.picture = std::move(*stored);
-    } else if (!draw_frame(tracer, shot, settings, quality, exposure)) {
+    } else if (!draw_frame(tracer, shot, settings, quality, used, exposure)) {
       break;
+    }
+    // A film has three times the memory of its picture, which is all that is wanted of it.
+    if (auto* film = std::get_if<render::Film>(&exposure.picture); film != nullptr && !keeps) {
+      used = std::move(*film);
+      exposure.picture = render::to_srgb8(used, shot.tone);
     }
     if (!taker.push(std::move(exposure))) break;
     progress(++done / static_cast<double>(frames.size()));

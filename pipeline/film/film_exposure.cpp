@@ -37,6 +37,14 @@ struct Sampling {
 /// Enough to find what is out of reach by far.
 constexpr Sampling quick_sampling = {.frames = 3, .most_width = 96, .tolerance = 0.05};
 
+/// Of the small frames: a mean over a picture needs few samples of each pixel.
+render::Quality metering_quality() {
+  render::Quality quality = render::draft_quality();
+  quality.samples_per_pixel = 4;
+  quality.floor_sky_noise = 0.008f;
+  return quality;
+}
+
 double mean_of(const std::vector<render::Film>& films, render::Tone tone, float stops) {
   tone.exposure_stops += stops;
   double sum = 0.0;
@@ -62,7 +70,7 @@ Samples samples_of(const Stimulus& stimulus, const Sampling& sampling, const Fil
   }
   const scenes::Shot shot = shot_of(small, motions, settings.seed, framing);
   render::Tracer tracer(tracer_options(settings, shot, stop));
-  render::Quality quality = render::draft_quality();
+  render::Quality quality = metering_quality();
   quality.seed = settings.seed;
   Samples samples{.tone = shot.tone};
   for (const int frame : render::evenly_spread(shot.frame_count(), sampling.frames)) {

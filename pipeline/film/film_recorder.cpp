@@ -1,5 +1,8 @@
 #include "pipeline/film/film_recorder.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "render/error.h"
 
 namespace mien::pipeline {
@@ -7,7 +10,14 @@ namespace mien::pipeline {
 FilmRecorder::FilmRecorder(const FilmSettings& settings, int film_frames)
     : settings_(settings),
       presenter_(settings.output, film_frames, settings.eyes),
-      sketch_(settings.output.shown_size()[0], settings.output.shown_size()[1]) {}
+      sketch_(settings.output.shown_size()[0], settings.output.shown_size()[1], row_step()) {}
+
+int FilmRecorder::row_step() const {
+  int least = std::numeric_limits<int>::max();
+  for (const render::VideoKind kind : settings_.output.video)
+    least = std::min(least, render::checked_row_step(format_of(kind)));
+  return settings_.output.video.empty() ? 1 : least;
+}
 
 render::VideoFormat FilmRecorder::format_of(render::VideoKind kind) const {
   const Output& output = settings_.output;
@@ -22,14 +32,14 @@ render::VideoFormat FilmRecorder::format_of(render::VideoKind kind) const {
 }
 
 void FilmRecorder::open(const std::filesystem::path& file, render::VideoKind kind) {
-  writers_.emplace_back(file, format_of(kind));
+  writers_.emplace(kind, render::VideoWriter(file, format_of(kind)));
 }
 
 void FilmRecorder::take(const render::Image8& picture) {
   const Stopwatch::Running encoding(settings_.drawing);
   presenter_.take(picture, [&](const render::Image8& shown) {
     sketch_.add(shown);
-    for (render::VideoWriter& writer : writers_) writer.write(shown);
+    for (auto& [kind, writer] : writers_) writer.write(shown);
   });
 }
 
@@ -38,13 +48,16 @@ void FilmRecorder::close() {
   if (static_cast<int>(sketch_.frames.size()) != presenter_.frames().all()) {
     throw render::Error("a video was closed before its film was over");
   }
-  for (render::VideoWriter& writer : writers_) writer.finish();
+  for (auto& [kind, writer] : writers_) {
+    writer.finish();
+    receipts_[kind] = writer.receipt();
+  }
   writers_.clear();
 }
 
 const render::VideoCheck& FilmRecorder::check(const std::filesystem::path& file,
                                               render::VideoKind kind) {
-  return checks_[kind] = render::check_video(file, format_of(kind), sketch_);
+  return checks_[kind] = render::check_video(file, format_of(kind), sketch_, &receipts_.at(kind));
 }
 
 }  // namespace mien::pipeline

@@ -43,11 +43,13 @@ class FilmRecorder {
 
  private:
   render::VideoFormat format_of(render::VideoKind kind) const;
+  int row_step() const;  ///< of the kind that is looked at most closely
 
   const FilmSettings& settings_;
   Presenter presenter_;
   render::FilmSketch sketch_;
-  std::vector<render::VideoWriter> writers_;
+  std::map<render::VideoKind, render::VideoWriter> writers_;
+  std::map<render::VideoKind, render::VideoReceipt> receipts_;
   std::map<render::VideoKind, render::VideoCheck> checks_;
 };
 

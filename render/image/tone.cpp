@@ -47,20 +47,18 @@ class Quantiser {
     return code;
   }
 
-  // The same, where no slot has more than one threshold: no branch to guess wrong.
-  int code_of_one(float light) const {
-    const Slot& slot = slot_of(light);
-    return slot.code + (light >= slot.threshold ? 1 : 0);
-  }
-
   int most_in_slot() const { return most_in_slot_; }
 
- private:
   struct Slot {
     float threshold;  // of the code after
     int code;         // at its start
   };
 
+  const std::vector<Slot>& slots() const { return slots_; }
+  std::uint32_t lowest() const { return lowest_; }
+  int shift() const { return shift_; }
+
+ private:
   const Slot& slot_of(float light) const {
     const std::uint32_t slot = std::bit_cast<std::uint32_t>(light) >> shift_;
     return slots_[slot <= lowest_ ? 0 : slot - lowest_];
@@ -92,14 +90,63 @@ inline float toned(float light, float shoulder) {
 
 MIEN_FOR_AVX2_TOO void tone_row(const float* light, int count, float factor, float shoulder,
                                 float* shown) {
+  // Most rows have no light above the shoulder, and need no division.
+  float most = 0.0f;
+#pragma omp simd reduction(max : most)
+  for (int i = 0; i < count; ++i) most = factor * light[i] > most ? factor * light[i] : most;
+  if (most <= shoulder) {
+#pragma omp simd
+    for (int i = 0; i < count; ++i) shown[i] = light[i] > 0.0f ? factor * light[i] : 0.0f;
+    return;
+  }
 #pragma omp simd
   for (int i = 0; i < count; ++i) shown[i] = toned(factor * light[i], shoulder);
 }
 
-// The codes of light, 0 … 1.
-void nearest_row(const Quantiser& quantiser, const std::vector<float>& light, std::uint8_t* codes) {
-  for (const float value : light)
-    *codes++ = static_cast<std::uint8_t>(quantiser.code_of_one(value));
+// The same as a table of one word a slot, where no slot has more than one threshold: the code at
+// the slot's start in the upper half, and how far into the slot the next code begins in the lower.
+class NearestTable {
+ public:
+  explicit NearestTable(const Quantiser& quantiser)
+      : lowest_(quantiser.lowest()), shift_(quantiser.shift()) {
+    assert(quantiser.most_in_slot() <= 1);
+    const std::uint32_t beyond = 1u << shift_;
+    std::uint32_t slot = lowest_;
+    for (const auto& [threshold, code] : quantiser.slots()) {
+      const auto bits = std::bit_cast<std::uint32_t>(threshold);
+      const std::uint32_t into = (bits >> shift_) == slot ? bits & (beyond - 1u) : beyond;
+      words_.push_back((static_cast<std::uint32_t>(code) << 16) | into);
+      ++slot;
+    }
+  }
+
+  /// The codes of light, 0 … 1.
+  void codes(const float* light, int count, std::uint8_t* codes) const;
+
+ private:
+  std::uint32_t lowest_;
+  int shift_;
+  std::vector<std::uint32_t> words_;
+};
+
+MIEN_FOR_AVX2_TOO void look_up(const std::uint32_t* words, std::uint32_t lowest, const float* light,
+                               int count, std::uint8_t* codes) {
+  constexpr int shift = 23 - bits_for_8;
+  constexpr std::uint32_t inside = (1u << shift) - 1u;
+  const std::uint32_t least = lowest << shift;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    std::uint32_t bits = std::bit_cast<std::uint32_t>(light[i]);
+    bits =
+        bits > least ? bits : least;  // all that is darker has the code of the first slot's start
+    const std::uint32_t word = words[(bits >> shift) - lowest];
+    codes[i] = static_cast<std::uint8_t>((word >> 16) + ((bits & inside) >= (word & 0xffffu)));
+  }
+}
+
+void NearestTable::codes(const float* light, int count, std::uint8_t* codes) const {
+  assert(shift_ == 23 - bits_for_8);
+  look_up(words_.data(), lowest_, light, count, codes);
 }
 
 /// Calls to_codes(light, y, codes) for each row of 3 · width channels, the tone curve applied.
@@ -134,12 +181,11 @@ Color linear_from_srgb8(int red, int green, int blue) {
 
 Image8 to_srgb8(const Film& film, const Tone& tone) {
   if (!tone.dither) {
-    static const Quantiser nearest(255, 0.5, bits_for_8);
-    assert(nearest.most_in_slot() <= 1);
-    return developed<std::uint8_t>(film, tone,
-                                   [](const std::vector<float>& light, int, std::uint8_t* codes) {
-                                     nearest_row(nearest, light, codes);
-                                   });
+    static const NearestTable nearest(Quantiser(255, 0.5, bits_for_8));
+    return developed<std::uint8_t>(
+        film, tone, [](const std::vector<float>& light, int, std::uint8_t* codes) {
+          nearest.codes(light.data(), static_cast<int>(light.size()), codes);
+        });
   }
   static const std::vector<Quantiser> ranks = [] {
     std::vector<Quantiser> all;

@@ -66,6 +66,17 @@ float FloorSky::interpolation_error(const Square& square) const {
   return error;
 }
 
+// Within a sphere nothing is gained by division: what a long wall is bounded by would be divided
+// into millions of cells of which none is known.
+bool FloorSky::is_hopeless(const Square& square) const {
+  const float side = metres(square.side);
+  const Vec3 centre{metres(square.x) + 0.5f * side, 0.0f, metres(square.z) + 0.5f * side};
+  return std::any_of(spheres_.begin(), spheres_.end(), [&](const BoundingSphere& sphere) {
+    const float inside = sphere.radius - 0.71f * side;
+    return inside > 0.0f && (sphere.centre - centre).squaredNorm() < inside * inside;
+  });
+}
+
 bool FloorSky::is_in_view(const Square& square) const {
   const float x = metres(square.x), z = metres(square.z), side = metres(square.side);
   for (const HalfSpace& half : view_) {
@@ -86,7 +97,8 @@ void FloorSky::divide(std::size_t branch, const Square& square) {
   }
   if (interpolation_error(square) > tolerance) {
     const int half = square.side / 2;
-    if (half >= 1 && metres(half) >= quality_.floor_sky_cell && tolerance > 0.0f) {
+    if (half >= 1 && metres(half) >= quality_.floor_sky_cell && tolerance > 0.0f &&
+        !is_hopeless(square)) {
       const std::size_t first = branches_.size();
       branches_[branch].children = static_cast<int>(first);
       branches_.resize(first + 4);

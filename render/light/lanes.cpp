@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/light/sky_cone.h"
 #include "render/math/for_avx2.h"
 #include "render/math/sampler.h"
 
@@ -116,6 +117,34 @@ MIEN_FOR_AVX2_TOO LaneVectors cone_directions(const Vec3& axis, float cosine_of_
     out.x.lane[i] = d.x;
     out.y.lane[i] = d.y;
     out.z.lane[i] = d.z;
+  }
+  return out;
+}
+
+MIEN_FOR_AVX2_TOO LaneSkyRays floor_sky_rays(const Vec3& centre, float radius,
+                                             const LaneVectors& point, const LanePoints& u) {
+  LaneSkyRays out;
+  const float cx = centre.x(), cy = centre.y(), cz = centre.z();
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float x = cx - point.x.lane[i], y = cy - point.y.lane[i], z = cz - point.z.lane[i];
+    const float squared = x * x + y * y + z * z;
+    const float sine_squared = radius * radius / squared;
+    const bool few = sine_squared < greatest_cone_sine_squared;
+    const float scale = few ? 1.0f / std::sqrt(squared) : 0.0f;
+    const float height = 1.0f - std::sqrt(few ? 1.0f - sine_squared : 0.0f);
+    const Disc p = on_disc(u.u.lane[i], u.v.lane[i]);
+    const float disc = p.x * p.x + p.y * p.y;
+    const float drop = disc * height;
+    const float spread = few ? std::sqrt(height * (2.0f - drop)) : 1.0f;
+    const float rest = 1.0f - disc > 0.0f ? 1.0f - disc : 0.0f;
+    const float up = few ? 1.0f - drop : std::sqrt(rest);
+    const Direction d =
+        about(x * scale, few ? y * scale : 1.0f, z * scale, p.x * spread, p.y * spread, up);
+    out.towards.x.lane[i] = d.x;
+    out.towards.y.lane[i] = d.y;
+    out.towards.z.lane[i] = d.z;
+    out.share.lane[i] = few ? 2.0f * height * d.y : 1.0f;
   }
   return out;
 }

@@ -69,4 +69,14 @@ struct LaneLights {
 };
 LaneLights sample_lights(const AreaLight& light, const LaneVectors& point, const LanePoints& u);
 
+/// Rays that look from points of the floor for what is in a ball before the sky: cone_direction in
+/// the cone round it (cone_of), or cosine_direction where it fills too much of the sky. `share` is
+/// how much of an even sky's light each stands for.
+struct LaneSkyRays {
+  LaneVectors towards;
+  LaneFloats share;
+};
+LaneSkyRays floor_sky_rays(const Vec3& centre, float radius, const LaneVectors& point,
+                           const LanePoints& u);
+
 }  // namespace mien::render

@@ -42,7 +42,7 @@ std::optional<Cone> cone_of(const BoundingSphere& bounds, const Vec3& point) {
   const Vec3 towards = bounds.centre - point;
   const float squared = towards.squaredNorm();
   const float sine_squared = bounds.radius * bounds.radius / squared;
-  if (!(sine_squared < 0.6f)) return std::nullopt;
+  if (!(sine_squared < greatest_cone_sine_squared)) return std::nullopt;
   return Cone{towards / std::sqrt(squared), std::sqrt(1.0f - sine_squared)};
 }
 

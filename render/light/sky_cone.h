@@ -18,6 +18,9 @@ struct Cone {
   float solid_angle() const;
 };
 
+/// Square of the sine of the half angle that such a cone has at most.
+inline constexpr float greatest_cone_sine_squared = 0.6f;
+
 /// Around a bounding sphere; nothing when that fills half of what the point sees or more.
 std::optional<Cone> cone_of(const BoundingSphere& bounds, const Vec3& point);
 

@@ -4,10 +4,10 @@ namespace mien::render {
 
 Quality draft_quality() {
   Quality quality;
-  quality.samples_per_pixel = 4;
+  quality.samples_per_pixel = 2;
   quality.sky_rays = 1;
   quality.standing_samples = 16;
-  quality.floor_sky_noise = 0.008f;
+  quality.floor_sky_noise = 0.012f;
   quality.floor_sky_tolerance = 0.016f;
   quality.floor_sky_cell = 0.03f;
   return quality;

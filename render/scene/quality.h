@@ -36,7 +36,7 @@ struct Quality {
   bool exhaustive = false;
 };
 
-Quality draft_quality();     ///< previews: 4 samples
+Quality draft_quality();     ///< previews: 2 samples
 Quality standard_quality();  ///< videos: 16 samples
 Quality final_quality();     ///< print and publication: 128 samples
 

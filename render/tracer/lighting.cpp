@@ -93,6 +93,27 @@ void ask_for_light(const AreaLight& light, int k, const FloorSamples& batch,
   }
 }
 
+void look_at_floor_sky(const Picture& picture, const FloorSamples& batch, LightQueries& queries) {
+  const auto looks = [&](int i) {
+    return batch.samples[i].index < batch.samples[i].pixel->floor_sky_rays;
+  };
+  bool any = false;
+  for (int i = 0; i < batch.samples.count && !any; ++i) any = looks(i);
+  if (!any) return;
+  const LaneSkyRays rays =
+      floor_sky_rays(picture.bounds.centre, picture.bounds.radius, batch.points,
+                     points_for(batch.samples, Dimension::FloorSky));
+  for (int i = 0; i < batch.samples.count; ++i) {
+    const Vec3 towards = rays.towards.at(i);
+    if (!looks(i) || towards.y() <= 0.0f) continue;
+    const Pixel& pixel = *batch.samples[i].pixel;
+    queries.ask(batch.samples[i], batch.points.at(i), towards, infinity,
+                rays.share[i] * pixel.floor_sky_samples * pixel.floor_albedo *
+                    sky_radiance(picture.scene.sky, towards),
+                Effect::taken_when_figure_blocks);
+  }
+}
+
 /// Where half shadows are wide, one of so many samples of a pixel asks for all of them.
 constexpr int samples_per_line = 4;
 
@@ -170,18 +191,7 @@ void darken_floor(const Picture& picture, const FloorSamples& batch, LightQuerie
     const int k = std::countr_zero(shaded);
     ask_for_light(scene.lights[static_cast<std::size_t>(k)], k, batch, queries);
   }
-  for (int i = 0; i < batch.samples.count; ++i) {
-    const Sample& sample = batch.samples[i];
-    const Pixel& pixel = *sample.pixel;
-    if (sample.index >= pixel.floor_sky_rays) continue;
-    const SkyRay ray = sky_ray(picture.bounds, batch.points.at(i), Vec3::UnitY(),
-                               pixel.sampler.point(Dimension::FloorSky, sample.index));
-    if (ray.towards.y() <= 0.0f) continue;
-    queries.ask(sample, batch.points.at(i), ray.towards, infinity,
-                ray.share * pixel.floor_sky_samples * pixel.floor_albedo *
-                    sky_radiance(scene.sky, ray.towards),
-                Effect::taken_when_figure_blocks);
-  }
+  look_at_floor_sky(picture, batch, queries);
 }
 
 void show_open_set(const Picture& picture, const Sample& sample, const CameraFrame& camera,

@@ -212,14 +212,22 @@ Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
-Film Tracer::trace(const Scene& scene, const Camera& camera, const Quality& quality) {
+Film Tracer::trace(const Scene& scene, const Camera& camera, const Quality& quality, Film used) {
   Quality shown = quality;
   shown.background = Background::shown;
-  return expose(scene, camera, shown).film;
+  return expose_on(std::move(used), scene, camera, shown, nullptr, nullptr).film;
 }
 
 Exposure Tracer::expose(const Scene& scene, const Camera& camera, const Quality& quality,
                         const Scene* closing, const Camera* closing_camera) {
+  return expose_on({}, scene, camera, quality, closing, closing_camera);
+}
+
+// Where the background is shown every pixel of the window is drawn, so what was there before is
+// of no account.
+Exposure Tracer::expose_on(Film used, const Scene& scene, const Camera& camera,
+                           const Quality& quality, const Scene* closing,
+                           const Camera* closing_camera) {
   validate(scene);
   check(quality);
   if (closing != nullptr) validate(*closing);
@@ -230,7 +238,9 @@ Exposure Tracer::expose(const Scene& scene, const Camera& camera, const Quality&
   if (closing != nullptr) picture.closing_solids = &closing->solids;
   if (closing_camera != nullptr) picture.closing_camera = frame_of(*closing_camera);
   engine_->look_at_sky(picture);
-  Exposure exposure{Film(camera.width, camera.height), {}};
+  const bool fits = used.width == camera.width && used.height == camera.height;
+  Exposure exposure{
+      fits && !used.channels.empty() ? std::move(used) : Film(camera.width, camera.height), {}};
   if (quality.background != Background::shown)
     exposure.alpha.resize(exposure.film.channels.size() / 3);
   for_all_parts(engine_->arena, engine_->stop, exposure.film, window_of(camera),

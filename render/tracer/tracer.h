@@ -47,8 +47,10 @@ class Tracer {
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;
 
-  /// Throws std::invalid_argument when the scene or camera is degenerate (validate, frame_of).
-  Film trace(const Scene& scene, const Camera& camera, const Quality& quality);
+  /// Drawn over a film that is no longer wanted, if one is given: of this size it saves the time
+  /// that fresh memory takes. Throws std::invalid_argument when the scene or camera is degenerate
+  /// (validate, frame_of).
+  Film trace(const Scene& scene, const Camera& camera, const Quality& quality, Film used = {});
 
   /// As trace, with the alpha that the quality's background asks for, and as seen while a shutter
   /// is open: with `closing`, solids go straight from where they are in `scene` to where they are
@@ -69,6 +71,8 @@ class Tracer {
   int threads() const;
 
  private:
+  Exposure expose_on(Film used, const Scene& scene, const Camera& camera, const Quality& quality,
+                     const Scene* closing, const Camera* closing_camera);
   void add_variance(const Scene& scene, const Camera& camera, Quality quality, Layers& layers);
 
   struct Engine;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 #include <utility>
 
 namespace mien::render {
@@ -188,11 +189,21 @@ void StreamEncoder::open_file() {
   checked(code, path_ + ": writing the header");
 }
 
+void StreamEncoder::note_coded() {
+  if (packet_->pts != static_cast<std::int64_t>(coded_.size())) {
+    throw Error(path_ + ": the encoder gives frame " + std::to_string(packet_->pts) +
+                " where frame " + std::to_string(coded_.size()) + " comes next");
+  }
+  const std::span bytes(packet_->data, static_cast<std::size_t>(packet_->size));
+  coded_.push_back(hash_of_coded(traits_of(format_.kind).codec, bytes, false));
+}
+
 void StreamEncoder::drain() {
   for (;;) {
     const int code = avcodec_receive_packet(codec_.get(), packet_.get());
     if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
     checked(code, path_ + ": encoding");
+    if (codes_apart(format_.kind)) note_coded();
     packet_->duration = 1;
     packet_->stream_index = stream_->index;
     av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
@@ -222,6 +233,10 @@ void StreamEncoder::finish() {
   if (frames_ == 0) throw Error(path_ + ": a video without frames");
   checked(avcodec_send_frame(codec_.get(), nullptr), path_ + ": encoding");
   drain();
+  if (codes_apart(format_.kind) && static_cast<std::int64_t>(coded_.size()) != frames_) {
+    throw Error(path_ + ": the encoder gave " + std::to_string(coded_.size()) + " of " +
+                std::to_string(frames_) + " frames");
+  }
   if (format_.kind == VideoKind::gif) end_on_time();
   checked(av_write_trailer(file_.get()), path_ + ": writing the index");
   checked(avio_closep(&file_->pb), path_ + ": closing");

@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "render/video/libav.h"
 #include "render/video/video.h"
+#include "render/video/video_receipt.h"
 
 namespace mien::render {
 
@@ -23,16 +25,21 @@ class StreamEncoder {
   /// The picture to be filled for the next `send`.
   AVFrame& picture();
 
-  /// Encodes the picture as the next frame.
+  /// Encodes the picture as the next frame. Throws Error when what the encoder gives is not the
+  /// frame that comes next, where frames are coded apart.
   void send();
 
-  /// Completes the file. Throws Error when no frame was sent.
+  /// Completes the file. Throws Error when no frame was sent, or one did not come out.
   void finish();
+
+  /// hash_of_coded each frame so far; empty unless they are coded apart.
+  const std::vector<std::uint64_t>& coded() const { return coded_; }
 
  private:
   void open_codec();
   void open_file();
   void drain();
+  void note_coded();
 
   /// A GIF's last frame would last as long as the one before, which is rounded otherwise.
   void end_on_time();
@@ -45,6 +52,7 @@ class StreamEncoder {
   Packet packet_;
   AVStream* stream_ = nullptr;
   std::int64_t frames_ = 0;
+  std::vector<std::uint64_t> coded_;
 };
 
 }  // namespace mien::render

@@ -8,6 +8,7 @@
 
 #include "render/image/image.h"
 #include "render/video/video_kind.h"
+#include "render/video/video_receipt.h"
 
 namespace mien::render {
 
@@ -66,6 +67,9 @@ class VideoWriter {
   /// Completes the file. Throws Error: no frame was written, encoder or disk failed.
   void finish();
 
+  /// What went into the file; whole once it is complete.
+  const VideoReceipt& receipt() const;
+
  private:
   struct Encoder;
   std::unique_ptr<Encoder> encoder_;
@@ -80,6 +84,7 @@ struct VideoSummary {
   int height = 0;
   FrameRate rate;
   int frames = 0;                      ///< that decode
+  std::vector<std::uint64_t> coded;    ///< hash_of_coded each packet, in the file's order
   std::vector<double> times;           ///< when each frame is shown, seconds
   double tick_seconds = 0.0;           ///< the container's unit of time
   double duration_seconds = 0.0;       ///< from the first frame's time to the last frame's end
@@ -105,8 +110,11 @@ struct ShownPicture {
 /// own in a WebP: the one before is shown longer.
 VideoSummary probe(const std::filesystem::path& path,
                    const std::function<void(int index, const Image8& frame)>& on_frame = {});
+
+/// With a step, pictures are their rows 0, step, 2 · step … and no others; not of a WebP.
 VideoSummary probe_timed(const std::filesystem::path& path,
-                         const std::function<void(const ShownPicture&)>& on_picture);
+                         const std::function<void(const ShownPicture&)>& on_picture,
+                         int row_step = 1);
 
 /// The first picture, decoded from its own bytes and no others. Throws Error when that fails.
 Image8 first_picture_alone(const std::filesystem::path& path);

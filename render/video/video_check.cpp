@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 #include "render/error.h"
 
@@ -14,6 +15,9 @@ namespace mien::render {
 namespace {
 
 constexpr double most_part_error = 12.0;         ///< mean luma of a tile
+constexpr double coded_part_error = 1.0;         ///< likewise, more than coding makes of it
+constexpr double neighbour_margin = 4.0;         ///< of squared errors
+constexpr int rows_of_a_block = 4;               ///< of what codecs code as one, at the least
 constexpr std::int64_t small_picture = 100'000;  ///< pixels
 
 /// By how much a mean square that is estimated from so few tiles may be too large; one estimate in
@@ -41,13 +45,19 @@ class Comparison {
 
   /// A decoded picture, shown for the frames first … last.
   void take(int first, int last, const Image8& picture) {
-    if (picture.width != format_.width || picture.height != format_.height)
+    if (!has_size(picture))
       throw Error(name_ + ": the size is another one in frame " + std::to_string(first));
-    const FrameSketch sketch = written_.sketcher.sketch(picture);
+    const FrameSketch sketch = written_.sketcher.sketch_of_rows(picture);
     const int count = static_cast<int>(written_.frames.size());
     for (int frame = first; frame <= std::min(last, count - 1); ++frame) {
       compare(frame, sketch);
     }
+  }
+
+  /// Whether a picture of the rows that are looked at has its size.
+  bool has_size(const Image8& rows) const {
+    const int step = written_.sketcher.row_step();
+    return rows.width == format_.width && rows.height == (format_.height + step - 1) / step;
   }
 
   void require_least() const {
@@ -86,6 +96,10 @@ class Comparison {
                   fixed(like.worst_part, 0) + " of 255 in a part of " +
                   std::to_string(written_.sketcher.tile_edge()) + " pixels' width");
     }
+    if (like.worst_part > coded_part_error) {
+      refuse_neighbour(frame, frame - 1, sketch, like);
+      refuse_neighbour(frame, frame + 1, sketch, like);
+    }
     check_.identical = check_.identical && like.identical;
     if (like.psnr_db < check_.worst_psnr_db) {
       check_.worst_psnr_db = like.psnr_db;
@@ -95,6 +109,16 @@ class Comparison {
       check_.worst_ssim = like.ssim;
       check_.worst_ssim_frame = frame;
     }
+  }
+
+  /// One frame in the place of the next, in a movement so slow that nothing else tells them apart.
+  void refuse_neighbour(int frame, int other, const FrameSketch& sketch, const Likeness& like) {
+    if (other < 0 || other >= static_cast<int>(written_.frames.size())) return;
+    const Likeness likelier =
+        written_.sketcher.likeness(sketch, written_.frames[static_cast<std::size_t>(other)]);
+    if (neighbour_margin * likelier.parts_square >= like.parts_square) return;
+    throw Error(name_ + ": frame " + std::to_string(frame) + " shows what was drawn for frame " +
+                std::to_string(other));
   }
 
   const std::string& name_;
@@ -107,6 +131,22 @@ void require(const std::string& name, const std::string& what, const std::string
              const std::string& wanted) {
   if (found != wanted) {
     throw Error(name + ": " + what + " is \"" + found + "\" instead of \"" + wanted + "\"");
+  }
+}
+
+/// That the film's frames went into the video, and that what came of them is in the file.
+void check_receipt(const std::string& name, const VideoReceipt& receipt, const FilmSketch& film,
+                   const VideoSummary& video) {
+  const auto first_other = [](const auto& found, const auto& wanted) {
+    return std::to_string(std::ranges::mismatch(found, wanted).in1 - found.begin());
+  };
+  if (receipt.frames != film.hashes) {
+    throw Error(name + ": frame " + first_other(receipt.frames, film.hashes) +
+                " that was encoded is not the one that was drawn");
+  }
+  if (!receipt.coded.empty() && video.coded != receipt.coded) {
+    throw Error(name + ": frame " + first_other(video.coded, receipt.coded) +
+                " is not in the bytes that it was encoded in");
   }
 }
 
@@ -164,7 +204,9 @@ void check_times(const std::string& name, const VideoSummary& video, const Video
 }  // namespace
 
 VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
-                       const FilmSketch& written) {
+                       const FilmSketch& written, const VideoReceipt* receipt) {
+  if (receipt == nullptr && written.sketcher.row_step() > 1)
+    throw std::invalid_argument("check_video: a few rows do not tell frames apart");
   const std::string name = path.string();
   VideoCheck check;
   Comparison comparison(name, format, written, check);
@@ -175,11 +217,9 @@ VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& for
   // While one picture is compared, the next is decoded.
   Image8 compared;
   std::future<void> comparing;
-  check.summary = probe_timed(path, [&](const ShownPicture& shot) {
-    if (shot.index == 0 && shot.picture.width == format.width &&
-        shot.picture.height == format.height) {
-      first = written.sketcher.sketch(shot.picture);
-    }
+  const auto take = [&](const ShownPicture& shot) {
+    if (shot.index == 0 && comparison.has_size(shot.picture))
+      first = written.sketcher.sketch_of_rows(shot.picture);
     const int last = format.kind == VideoKind::webp && shot.duration > 0.0
                          ? static_cast<int>(std::lround((shot.seconds + shot.duration) * rate)) - 1
                          : shown;
@@ -189,7 +229,8 @@ VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& for
       comparison.take(from, last, compared);
     });
     shown = last + 1;
-  });
+  };
+  check.summary = probe_timed(path, take, written.sketcher.row_step());
   if (comparing.valid()) comparing.get();
   if (format.kind == VideoKind::webp && check.summary.frames == 1 && stands_still(written))
     shown = frames;
@@ -199,12 +240,20 @@ VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& for
                 std::to_string(frames));
   }
   check.frames = shown;
+  if (receipt != nullptr) check_receipt(name, *receipt, written, check.summary);
   check_times(name, check.summary, format, frames);
   comparison.require_least();
   if (written.sketcher.sketch(first_picture_alone(path)).hash != first.hash) {
     throw Error(name + ": the first frame does not decode alone");
   }
   return check;
+}
+
+int checked_row_step(const VideoFormat& format) {
+  const VideoTraits& traits = traits_of(format.kind);
+  const bool in_blocks = !traits.lossless && !traits.picture;
+  const bool is_small = std::int64_t{format.width} * format.height < small_picture;
+  return format.effort == VideoEffort::fast && in_blocks && !is_small ? rows_of_a_block : 1;
 }
 
 std::string likeness_text(const VideoCheck& check) {

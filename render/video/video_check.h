@@ -30,9 +30,23 @@ struct VideoCheck {
 /// - no part of a frame (a tile of video_sketch.h) is lighter or darker by more than 12 of 255;
 /// - lossless kinds: each frame is the frame written; others: the worst frame's PSNR and SSIM reach
 ///   the kind's least values (video_kind.h); 6 dB and 0.15 less for pictures below 100,000 pixels,
-///   and less still where they have few tiles to estimate them from.
+///   and less still where they have few tiles to estimate them from;
+/// - no frame's parts are twice as near to those of the one before or after it as to its own,
+/// unless
+///   within 1 of 255;
+/// - with a receipt: the frames that the encoder was given are those of the film, every one once
+/// and
+///   in its place, and the file holds of each the very bytes that the encoder made of it.
+///
+/// The receipt finds every frame that is lost, doubled, swapped or damaged, however little they
+/// differ; what is left to likeness is whether the encoder did its work, and a sketch need not look
+/// at every row for that. Throws std::invalid_argument for one that does not, without a receipt.
 VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
-                       const FilmSketch& written);
+                       const FilmSketch& written, const VideoReceipt* receipt = nullptr);
+
+/// Between the rows that the check of a draft looks at: of videos whose pictures are coded in
+/// blocks, of four rows at the least, every fourth; of others and of small ones every row.
+int checked_row_step(const VideoFormat& format);
 
 /// "identical to the frames", or "worst PSNR 44.1 dB (frame 3), worst SSIM 0.995 (frame 7)".
 std::string likeness_text(const VideoCheck& check);

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <span>
 
 #include "render/parts/loaded_part.h"
 #include "render/video/libav.h"
@@ -96,12 +98,21 @@ void take_exact_times(const std::string& path, VideoSummary& summary) {
   summary.duration_seconds = time;
 }
 
+/// The rows 0, step, 2 · step … of a picture.
+Image8 rows_of(const Image8& picture, int step) {
+  Image8 rows(picture.width, (picture.height + step - 1) / step);
+  for (int y = 0; y < rows.height; ++y)
+    std::copy_n(picture.at(0, step * y), 3 * picture.width, rows.at(0, y));
+  return rows;
+}
+
 /// Decoded frames one by one: their order, times and pictures.
 struct Decoding {
   const std::string& path;
   const AVStream* stream;
   const std::function<void(const ShownPicture&)>& on_picture;
   VideoSummary& summary;
+  int row_step = 1;
   Scaler scaler = nullptr;
 
   void take(const AVFrame& frame) {
@@ -120,7 +131,8 @@ struct Decoding {
       return rgb_from_yuv({frame.width,
                            frame.height,
                            {frame.data[0], frame.data[1], frame.data[2]},
-                           {frame.linesize[0], frame.linesize[1], frame.linesize[2]}});
+                           {frame.linesize[0], frame.linesize[1], frame.linesize[2]}},
+                          row_step);
     }
     if (!scaler) {
       scaler = make_scaler(frame.width, frame.height, static_cast<AVPixelFormat>(frame.format),
@@ -130,7 +142,7 @@ struct Decoding {
     std::uint8_t* rows[1] = {image.channels.data()};
     const int strides[1] = {3 * frame.width};
     sws_scale(scaler.get(), frame.data, frame.linesize, 0, frame.height, rows, strides);
-    return image;
+    return row_step == 1 ? image : rows_of(image, row_step);
   }
 };
 
@@ -176,6 +188,14 @@ struct OpenVideo {
     return facts;
   }
 
+  void note_coded(const AVPacket& packet, VideoSummary& summary) const {
+    const AVCodecParameters& how = *stream->codecpar;
+    const bool has_lengths = how.extradata_size > 0 && how.extradata[0] == 1;  // its version
+    const std::span bytes(packet.data, static_cast<std::size_t>(packet.size));
+    summary.coded.push_back(
+        hash_of_coded(named(avcodec_get_name(how.codec_id)), bytes, has_lengths));
+  }
+
   /// Decodes the file, or no more than `most` packets of it.
   void decode(Decoding& decoding, int most) {
     const Packet packet(av_packet_alloc());
@@ -185,6 +205,7 @@ struct OpenVideo {
       if (code == AVERROR_EOF) break;
       checked(code, name + ": reading");
       if (packet->stream_index == stream->index) {
+        note_coded(*packet, decoding.summary);
         checked(avcodec_send_packet(codec.get(), packet.get()), name + ": decoding");
         receive_all(*codec, *frame, decoding);
         --most;
@@ -207,11 +228,11 @@ bool are_steady(const VideoSummary& video) {
 }  // namespace
 
 VideoSummary probe_timed(const std::filesystem::path& path,
-                         const std::function<void(const ShownPicture&)>& on_picture) {
+                         const std::function<void(const ShownPicture&)>& on_picture, int row_step) {
   if (is_webp(path)) return probe_webp(path, on_picture);
   OpenVideo video(path);
   VideoSummary summary = video.facts();
-  Decoding decoding{video.name, video.stream, on_picture, summary};
+  Decoding decoding{video.name, video.stream, on_picture, summary, row_step};
   video.decode(decoding, std::numeric_limits<int>::max());
   if (summary.codec == "apng") take_exact_times(video.name, summary);
   summary.steady_timestamps = are_steady(summary);

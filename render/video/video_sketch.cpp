@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 
 #include <xxhash.h>
@@ -91,6 +92,15 @@ MIEN_FOR_AVX2_TOO Sums sums_of(const std::uint8_t* luma, const std::int8_t* luma
   return {sum, squares, luma_projection, color_projection};
 }
 
+std::uint64_t hash_of_rows(const std::uint8_t* row, std::ptrdiff_t row_bytes, std::size_t bytes,
+                           int rows) {
+  const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(),
+                                                                              XXH3_freeState);
+  XXH3_64bits_reset(state.get());
+  for (int y = 0; y < rows; ++y, row += row_bytes) XXH3_64bits_update(state.get(), row, bytes);
+  return XXH3_64bits_digest(state.get());
+}
+
 double squared(double x) { return x * x; }
 
 double mean_of(const FrameSketch::Tile& tile) { return tile.mean / mean_steps; }
@@ -118,30 +128,44 @@ double ssim_of(const FrameSketch::Tile& a, const FrameSketch::Tile& b) {
 
 }  // namespace
 
-FrameSketcher::FrameSketcher(int width, int height)
+FrameSketcher::FrameSketcher(int width, int height, int row_step)
     : width_(width),
-      height_(height),
-      edge_(edge_for(width, height)),
+      height_((height + row_step - 1) / row_step),
+      whole_height_(height),
+      row_step_(row_step),
+      edge_(edge_for(width, height_)),
       across_((width + edge_ - 1) / edge_),
-      down_((height + edge_ - 1) / edge_),
+      down_((height_ + edge_ - 1) / edge_),
       color_signs_(random_signs(
           static_cast<std::size_t>(3 * width) * static_cast<std::size_t>(edge_), 1ull << 40)),
       luma_signs_(random_signs(static_cast<std::size_t>(width) * static_cast<std::size_t>(edge_),
                                2ull << 40)) {}
 
 FrameSketch FrameSketcher::sketch(const Image8& frame) const {
-  if (frame.width != width_ || frame.height != height_) {
+  if (frame.width != width_ || frame.height != whole_height_) {
     throw std::invalid_argument("FrameSketcher: a frame of another size");
   }
+  return sketch_from(frame.channels.data(), std::ptrdiff_t{3} * row_step_ * width_);
+}
+
+FrameSketch FrameSketcher::sketch_of_rows(const Image8& rows) const {
+  if (rows.width != width_ || rows.height != height_) {
+    throw std::invalid_argument("FrameSketcher: rows of another size");
+  }
+  return sketch_from(rows.channels.data(), std::ptrdiff_t{3} * width_);
+}
+
+FrameSketch FrameSketcher::sketch_from(const std::uint8_t* rows_begin,
+                                       std::ptrdiff_t row_bytes) const {
   FrameSketch result;
-  result.hash = XXH3_64bits(frame.channels.data(), frame.channels.size());
+  result.hash = hash_of_rows(rows_begin, row_bytes, static_cast<std::size_t>(3 * width_), height_);
   result.tiles.reserve(static_cast<std::size_t>(tile_count()));
   std::vector<std::uint8_t> luma(static_cast<std::size_t>(width_));
   for (int top = 0; top < height_; top += edge_) {
     const int rows = std::min(edge_, height_ - top);
     std::vector<Sums> sums(static_cast<std::size_t>(across_));
     for (int row = 0; row < rows; ++row) {
-      const std::uint8_t* rgb = frame.at(0, top + row);
+      const std::uint8_t* rgb = rows_begin + (top + row) * row_bytes;
       const std::int8_t* color_signs =
           color_signs_.data() + static_cast<std::ptrdiff_t>(row) * 3 * width_;
       const std::int8_t* luma_signs =
@@ -164,8 +188,9 @@ FrameSketch FrameSketcher::sketch(const Image8& frame) const {
 }
 
 Likeness FrameSketcher::likeness(const FrameSketch& a, const FrameSketch& b) const {
-  if (a.hash == b.hash) return {true, std::numeric_limits<double>::infinity(), 1.0, 0.0};
+  if (a.hash == b.hash) return {true, std::numeric_limits<double>::infinity(), 1.0, 0.0, 0.0};
   double worst_part = 0.0;
+  double parts_square = 0.0;
   double square = 0.0;
   double ssim = 0.0;
   for (int i = 0; i < tile_count(); ++i) {
@@ -175,15 +200,18 @@ Likeness FrameSketcher::likeness(const FrameSketch& a, const FrameSketch& b) con
     const int rows = std::min(edge_, height_ - i / across_ * edge_);
     const int in_tile = columns * rows;
     square += in_tile * square_between(ta.color_projection, tb.color_projection);
-    if (in_tile >= least_part)
-      worst_part = std::max(worst_part, std::abs(mean_of(ta) - mean_of(tb)));
+    if (in_tile >= least_part) {
+      const double part = std::abs(mean_of(ta) - mean_of(tb));
+      worst_part = std::max(worst_part, part);
+      parts_square += part * part;
+    }
     ssim += in_tile * ssim_of(ta, tb);
   }
   const double pixels = static_cast<double>(width_) * height_;
   // Not identical, so there is at least one difference of one.
   const double mean_square = std::max(square / pixels, 1.0 / (3.0 * pixels));
   return {false, 10.0 * std::log10(255.0 * 255.0 / mean_square), std::min(1.0, ssim / pixels),
-          worst_part};
+          worst_part, parts_square};
 }
 
 }  // namespace mien::render

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "render/image/image.h"
+#include "render/video/video_receipt.h"
 
 namespace mien::render {
 
@@ -29,10 +31,11 @@ struct FrameSketch {
 
 /// How like two frames are.
 struct Likeness {
-  bool identical = false;   ///< by hash
-  double psnr_db = 0.0;     ///< over the three channels of 8 bits; infinite when identical
-  double ssim = 0.0;        ///< of luma (Wang et al. 2004), uniform windows without overlap
-  double worst_part = 0.0;  ///< largest difference of a tile's mean luma, 0 … 255; to 1/256
+  bool identical = false;     ///< by hash
+  double psnr_db = 0.0;       ///< over the three channels of 8 bits; infinite when identical
+  double ssim = 0.0;          ///< of luma (Wang et al. 2004), uniform windows without overlap
+  double worst_part = 0.0;    ///< largest difference of a tile's mean luma, 0 … 255; to 1/256
+  double parts_square = 0.0;  ///< sum over the tiles of the squares of those differences
 };
 
 /// Makes and compares sketches of frames of one size.
@@ -44,19 +47,29 @@ struct Likeness {
 /// What is wrong in one part alone shows in `worst_part`.
 class FrameSketcher {
  public:
-  FrameSketcher(int width, int height);
+  /// With a step, only the rows 0, step, 2 · step … are looked at.
+  FrameSketcher(int width, int height, int row_step = 1);
 
   /// Throws std::invalid_argument for a frame of another size.
   FrameSketch sketch(const Image8& frame) const;
 
+  /// Of a picture of nothing but the rows that are looked at.
+  FrameSketch sketch_of_rows(const Image8& rows) const;
+
+  int row_step() const { return row_step_; }
+
   Likeness likeness(const FrameSketch& a, const FrameSketch& b) const;
 
-  int tile_edge() const { return edge_; }  ///< pixels; SSIM's windows
+  int tile_edge() const { return edge_; }  ///< pixels, and rows that are looked at; SSIM's windows
   int tile_count() const { return across_ * down_; }
 
  private:
+  FrameSketch sketch_from(const std::uint8_t* rows, std::ptrdiff_t row_bytes) const;
+
   int width_;
-  int height_;
+  int height_;  // rows that are looked at
+  int whole_height_;
+  int row_step_;
   int edge_;
   int across_;
   int down_;
@@ -68,9 +81,13 @@ class FrameSketcher {
 struct FilmSketch {
   FrameSketcher sketcher;
   std::vector<FrameSketch> frames;
+  std::vector<std::uint64_t> hashes;  ///< hash_of each frame, whatever the sketches look at
 
-  FilmSketch(int width, int height) : sketcher(width, height) {}
-  void add(const Image8& frame) { frames.push_back(sketcher.sketch(frame)); }
+  FilmSketch(int width, int height, int row_step = 1) : sketcher(width, height, row_step) {}
+  void add(const Image8& frame) {
+    frames.push_back(sketcher.sketch(frame));
+    hashes.push_back(hash_of(frame));
+  }
 };
 
 }  // namespace mien::render

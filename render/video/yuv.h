@@ -17,6 +17,19 @@ struct Yuv420 {
 
 /// As sRGB codes. Colour differences are interpolated linearly. Whole numbers only, so the same
 /// everywhere; within one code of the definition for a flat colour.
-Image8 rgb_from_yuv(const Yuv420& picture);
+///
+/// With a step, only of the rows 0, step, 2 · step …
+Image8 rgb_from_yuv(const Yuv420& picture, int row_step = 1);
+
+/// Planes for a picture of an even size, to be filled.
+struct Yuv420Planes {
+  std::uint8_t* planes[3] = {};
+  int strides[3] = {};  ///< bytes from row to row
+};
+
+/// A picture of an even size in that form: each code is the nearest to the definition's value, of
+/// colour differences that is the mean of two rows, weighted 1 2 1 along them. Whole numbers only,
+/// so the same everywhere.
+void yuv_from_rgb(const Image8& picture, const Yuv420Planes& out);
 
 }  // namespace mien::render

@@ -3,6 +3,7 @@
 //   run_bench [MANIFEST]     manifests/quickstart.yaml without one
 //
 // Makes everything anew, in a temporary folder, with one task and with one a processor at a time.
+// Tells the most memory that the process had so far, too.
 
 #include <chrono>
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 #include <benchmark/benchmark.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/production/run.h"
@@ -41,6 +43,9 @@ void run_everything(benchmark::State& state, const std::filesystem::path& manife
     if (!result.is_complete()) state.SkipWithError("the run failed");
   }
   state.counters["drawing_s"] = drawn / static_cast<double>(state.iterations());
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  state.counters["peak_MB"] = static_cast<double>(used.ru_maxrss) * 1024e-6;
   state.counters["other_%"] = 100.0 * (total - drawn) / total;
 }
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "render/light/light.h"
+#include "render/light/sky_cone.h"
+#include "render/math/constants.h"
 #include "render/math/directions.h"
 #include "render/math/sampler.h"
 
@@ -85,6 +87,30 @@ TEST_F(Lanes, GiveThePointsOfALight) {
                   1e-4f * (1.0f + expected.perpendicular.x()));
     }
   }
+}
+
+TEST_F(Lanes, GiveTheRaysFromTheFloorTowardsABall) {
+  int within_a_cone = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vec3 centre{uniform(-1, 1), uniform(0.1f, 2.0f), uniform(-1, 1)};
+    const float radius = uniform(0.1f, 1.5f);
+    LaneVectors places;
+    for (int i = 0; i < count; ++i) places.set(i, {uniform(-4, 4), 0.0f, uniform(-4, 4)});
+    const LanePoints u = points();
+    const LaneSkyRays found = floor_sky_rays(centre, radius, places, u);
+    for (int i = 0; i < count; ++i) {
+      const auto cone = cone_of({centre, radius}, places.at(i));
+      within_a_cone += cone ? 1 : 0;
+      const Point2 point{u.u[i], u.v[i]};
+      const Vec3 towards = cone ? cone_direction(cone->axis, cone->cosine, point)
+                                : cosine_direction(Vec3::UnitY(), point);
+      EXPECT_LT((found.towards.at(i) - towards).norm(), 4e-6f);
+      const float share = cone ? cone->solid_angle() / pi * towards.y() : 1.0f;
+      EXPECT_NEAR(found.share[i], share, 1e-5f);
+    }
+  }
+  EXPECT_GT(within_a_cone, 100);
+  EXPECT_LT(within_a_cone, 200 * count - 20) << "both cases are tried";
 }
 
 TEST_F(Lanes, GiveTheRaysOfACamera) {

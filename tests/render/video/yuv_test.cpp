@@ -72,5 +72,52 @@ TEST(Yuv, InterpolatesColoursBetweenTheirPlaces) {
   }
 }
 
+TEST(Yuv, OfRgbIsTheNearestCodeOfBt709) {
+  Planes planes(4, 4);
+  const Yuv420Planes out{{planes.y.data(), planes.u.data(), planes.v.data()}, {4, 2, 2}};
+  for (int r = 0; r < 256; r += 15) {
+    for (int g = 0; g < 256; g += 15) {
+      for (int b = 0; b < 256; b += 15) {
+        Image8 image(4, 4);
+        for (std::size_t i = 0; i < image.channels.size(); i += 3) {
+          image.channels[i] = static_cast<std::uint8_t>(r);
+          image.channels[i + 1] = static_cast<std::uint8_t>(g);
+          image.channels[i + 2] = static_cast<std::uint8_t>(b);
+        }
+        yuv_from_rgb(image, out);
+        const double light = (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255.0;
+        EXPECT_NEAR(planes.y[5], 16.0 + 219.0 * light, 0.51);
+        EXPECT_NEAR(planes.u[3], 128.0 + 224.0 * (b / 255.0 - light) / 1.8556, 0.51);
+        EXPECT_NEAR(planes.v[0], 128.0 + 224.0 * (r / 255.0 - light) / 1.5748, 0.51);
+        if (r == g && g == b) {
+          EXPECT_EQ(planes.u[1], 128) << r;
+        }
+      }
+    }
+  }
+}
+
+TEST(Yuv, ComesBackFromRgbAsItWas) {
+  // Smooth, so that halved colours lose little.
+  Image8 image(32, 16);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 32; ++x) {
+      image.at(x, y)[0] = static_cast<std::uint8_t>(60 + 3 * x);
+      image.at(x, y)[1] = static_cast<std::uint8_t>(90 + 5 * y);
+      image.at(x, y)[2] = static_cast<std::uint8_t>(200 - 2 * x - 3 * y);
+    }
+  Planes planes(32, 16);
+  yuv_from_rgb(image, {{planes.y.data(), planes.u.data(), planes.v.data()}, {32, 16, 16}});
+  planes.picture.strides[0] = 32;
+  const Image8 back = rgb_from_yuv(planes.picture);
+  for (int y = 2; y < 14; ++y)
+    for (int x = 2; x < 30; ++x)
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.at(x, y)[c], image.at(x, y)[c], 3.0) << x << y;
+  const Image8 rows = rgb_from_yuv(planes.picture, 4);
+  ASSERT_EQ(rows.height, 4);
+  for (int y = 0; y < 4; ++y)
+    EXPECT_TRUE(std::equal(rows.at(0, y), rows.at(0, y) + 3 * 32, back.at(0, 4 * y)));
+}
+
 }  // namespace
 }  // namespace mien::render
