@@ -1,11 +1,13 @@
-import { Color, PerspectiveCamera, type LineBasicMaterial, type LineSegments, type Scene, type WebGLRenderer } from "three";
+import {
+  Color, PerspectiveCamera, type LineBasicMaterial, type LineSegments, type Scene, type WebGLRenderer,
+} from "three";
 import type { LiveMotion } from "../live/core";
 import type { Body, BodyStyle } from "./body_shape";
 import { let_turn, stand, within, type Turn } from "./camera_turn";
 import { Figure, type JointPoses } from "./figure";
 import { corresponding_phase, phase_in_round, round_seconds, seconds_of, type Step } from "./playing";
 import type { Skin } from "./skin";
-import { floor, floor_square, lit_scene, renderer_on } from "./stage";
+import { floor, floor_square, has_graphics_card, lit_scene, renderer_on } from "./stage";
 
 /** Over each other, the first shining through, or each in its own part of the view, seen alike. */
 export type Arrangement = "over" | "beside";
@@ -46,6 +48,9 @@ export class FigureView {
   private is_released = false;
   private is_stale = true;
   private last = 0;
+  private drawn_at = 0;
+  /** Milliseconds between pictures of what plays: a processor alone needs time for the motions, too. */
+  private interval = has_graphics_card() ? 0 : 30;
   /** Nothing is drawn before then (performance.now). */
   private rests_until = 0;
   private waiting: (() => void)[] = [];
@@ -69,10 +74,11 @@ export class FigureView {
     requestAnimationFrame(this.frame);
   }
 
-  /** A figure plays this from now on, from the phase where it was; null: it is gone. */
+  /** A figure plays this from now on, from the phase where it was; null: it is gone. `data-shown` counts. */
   show(figure: number, motion: LiveMotion | null, poses: JointPoses | null = null): void {
     this.figures[figure]!.show(motion, poses);
     this.rests_until = 0;
+    this.element.dataset.shown = String(Number(this.element.dataset.shown ?? 0) + 1);
     this.arrange(this.arrangement);
   }
 
@@ -186,7 +192,10 @@ export class FigureView {
     const seconds = this.last === 0 ? 0 : within(0, (now - this.last) / 1000, 0.25);
     this.last = now;
     if (this.is_playing) this.advance(seconds);
-    if (now >= this.rests_until && (this.is_playing || this.is_stale)) this.draw();
+    if (now >= this.rests_until && (this.is_stale || (this.is_playing && now - this.drawn_at >= this.interval))) {
+      this.drawn_at = now;
+      this.draw();
+    }
     requestAnimationFrame(this.frame);
   };
 

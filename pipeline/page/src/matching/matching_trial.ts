@@ -89,9 +89,8 @@ export class MatchingRun {
 
   private async show(setting: LiveSetting): Promise<number> {
     this.view.expect_motion();
-    const [motion, { D }] = await Promise.all(
-      [this.core.make(setting), this.core.distance(this.target, setting)]);
-    this.view.show(1, motion);
+    const shown = this.core.make(setting).then((motion) => this.view.show(1, motion));
+    const [{ D }] = await Promise.all([this.core.distance(this.target, setting), shown]);
     this.last = setting;
     this.last_d = D;
     return D;

@@ -2,7 +2,8 @@
 //   node latency.mjs FOLDER-OR-ADDRESS [SLIDERS] [CHANGES]
 // takes an experiment up to a trial of each interface, adds sliders from the list until there are
 // SLIDERS (10), moves one after the other CHANGES (25) times, and prints a line an interface:
-// milliseconds from the slider's event to the end of the frame that shows the motion and its D.
+// milliseconds from the slider's event to the end of the frame that shows the motion, and to the end of
+// the one that tells its D.
 import { resolve } from "node:path";
 import { open_browser } from "../questionnaire/participant.mjs";
 import { take } from "./participant.mjs";
@@ -32,21 +33,24 @@ const latencies = (page) => page.evaluate(async (most) => {
     channel.port1.onmessage = drawn;  // once the frame is drawn
     channel.port2.postMessage(0);
   }));
-  const told = () => new Promise((known) => {
+  const changed = (element, attribute) => new Promise((known) => {
     const watch = new MutationObserver(() => { watch.disconnect(); known(true); });
-    watch.observe(readings, { attributes: true, attributeFilter: ["data-d"] });
+    watch.observe(element, { attributes: true, attributeFilter: [attribute] });
     setTimeout(() => { watch.disconnect(); known(false); }, 5000);  // the trial is over, or nothing answers
   });
+  const view = document.querySelector(".figure-view");
   const took = [];
   for (let i = 0; i < most + 2 && !is_over(); i += 1) {
     const slider = rows[i % rows.length];
     slider.value = String(((Number(slider.value) * 100 + 37) % 100) / 100);
-    const known = told();
     const before = performance.now();
+    const until = (element, attribute) => changed(element, attribute)
+      .then((known) => known && frame().then(() => performance.now() - before));
+    const [told, shown] = [until(readings, "data-d"), until(view, "data-shown")];
     slider.dispatchEvent(new Event("input", { bubbles: true }));
-    if (!await known) break;
-    await frame();
-    if (i >= 2) took.push(performance.now() - before);  // the first ones still compile
+    const times = { shown: await shown, told: await told };
+    if (!times.shown || !times.told) break;
+    if (i >= 2) took.push(times);  // the first ones still compile
     await new Promise((rested) => setTimeout(rested, 30));
   }
   return { took, sliders: rows.length };
@@ -73,7 +77,10 @@ try {
 }
 await browser.close();
 for (const [kind, { took, sliders: count }] of measured) {
-  const sorted = [...took].sort((a, b) => a - b);
-  const at = (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))].toFixed(1);
-  console.log(`${kind}: ${count} sliders, ${took.length} changes, median ${at(0.5)} ms, 90 % below ${at(0.9)} ms`);
+  const of = (what) => {
+    const sorted = took.map((one) => one[what]).sort((a, b) => a - b);
+    const at = (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))].toFixed(1);
+    return `median ${at(0.5)} ms, 90 % below ${at(0.9)} ms`;
+  };
+  console.log(`${kind}: ${count} sliders, ${took.length} changes; motion: ${of("shown")}; D: ${of("told")}`);
 }
