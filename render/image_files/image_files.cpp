@@ -9,8 +9,8 @@ namespace {
 const ImageFiles& loaded() {
   const std::string name = "mien-image-files.so", purpose = "reads and writes pictures";
   void* const part = loaded_part(name, purpose);
-  auto* const entry = reinterpret_cast<ImageFilesEntry*>(
-      function_of_part(part, image_files_entry, name, purpose));
+  auto* const entry =
+      reinterpret_cast<ImageFilesEntry*>(function_of_part(part, image_files_entry, name, purpose));
   const ImageFiles* files = entry(image_files_edition);
   if (files == nullptr) fail_to_load(name, purpose, "it is of another build");
   return *files;

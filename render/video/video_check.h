@@ -32,11 +32,9 @@ struct VideoCheck {
 ///   the kind's least values (video_kind.h); 6 dB and 0.15 less for pictures below 100,000 pixels,
 ///   and less still where they have few tiles to estimate them from;
 /// - no frame's parts are twice as near to those of the one before or after it as to its own,
-/// unless
-///   within 1 of 255;
+///   unless all are within 1 of 255;
 /// - with a receipt: the frames that the encoder was given are those of the film, every one once
-/// and
-///   in its place, and the file holds of each the very bytes that the encoder made of it.
+///   and in its place, and the file holds of each the very bytes that the encoder made of it.
 ///
 /// The receipt finds every frame that is lost, doubled, swapped or damaged, however little they
 /// differ; what is left to likeness is whether the encoder did its work, and a sketch need not look
