@@ -142,7 +142,7 @@ TEST_F(StudyFolder, HasATableOfStimuliThatAllOthersJoin) {
   EXPECT_EQ(cell(stimuli, 1, "scene"), "my.set.yaml");
   EXPECT_EQ(cell(stimuli, 2, "modified"), "heavy × 0.5");
   EXPECT_EQ(cell(stimuli, 0, "quality"), "draft");
-  EXPECT_EQ(cell(stimuli, 0, "samples_per_pixel"), "4");
+  EXPECT_EQ(cell(stimuli, 0, "samples_per_pixel"), "2");
   EXPECT_EQ(cell(stimuli, 3, "kind"), "overlay");
 }
 
