@@ -50,7 +50,7 @@ TEST(GuidedWalk, CirclesAndSlalomsAreFollowedWithin30Centimetres) {
   for (const std::vector<Vec3>& path : {circle(2.0), circle(4.0), slalom()}) {
     const Clip clip = walk_along(made_graph(), path).clip;
     EXPECT_LT(farthest_beside(path, clip), 0.3);
-    EXPECT_LT((level(clip.poses.back().root_position) - path.back()).norm(), 0.3);
+    EXPECT_LT((level(clip.poses.back().root_position) - path.back()).norm(), 0.2);
   }
 }
 
@@ -123,7 +123,7 @@ TEST(GuidedWalk, FollowsAPathInAMixtureOfVersions) {
   for (const std::vector<Vec3>& path : {circle(2.0), circle(3.0), slalom()}) {
     const GuidedWalk walk = walk_along(versions, path, moods);
     EXPECT_LT(farthest_beside(path, walk.clip), 0.3);
-    EXPECT_LT((level(walk.clip.poses.back().root_position) - path.back()).norm(), 0.3);
+    EXPECT_LT((level(walk.clip.poses.back().root_position) - path.back()).norm(), 0.2);
   }
   const std::vector<Vec3> path = circle(3.0);
   const GuidedWalk walk = walk_along(versions, path, moods);
