@@ -14,7 +14,6 @@
 #include <vector>
 
 #include <stdlib.h>
-#include <sys/resource.h>
 
 #include "motion/procedural/builtin_sets.h"
 #include "pipeline/film/film.h"
@@ -23,21 +22,15 @@
 #include "render/image/tone.h"
 #include "render/video/video_check.h"
 
+#include "processor_time.h"
+
 namespace {
 
 using namespace mien;
+using bench::processor_seconds;
 using Clock = std::chrono::steady_clock;
 
 constexpr int cycles = 3;
-
-double processor_seconds() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
 
 /// Prints what `work` takes a frame.
 double measured(const char* what, int frames, const std::function<void()>& work) {

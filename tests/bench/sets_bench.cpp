@@ -10,25 +10,17 @@
 #include <string>
 #include <vector>
 
-#include <sys/resource.h>
-
 #include "motion/procedural/builtin_sets.h"
 #include "pipeline/film/film.h"
 #include "pipeline/look/set_file.h"
 #include "render/tracer/tracer.h"
 
+#include "processor_time.h"
+
 namespace {
 
 using namespace mien;
-
-double processor_seconds() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
+using bench::processor_seconds;
 
 struct Cost {
   double first = 0.0;    ///< seconds of the first frame, with what is worked out once
