@@ -38,8 +38,8 @@ struct GuidedWalk {
 /// stretches (Kovar, Gleicher and Pighin 2002, section 5): of all walks that look so far ahead the
 /// one with the least sum of squared distances from the path, of squared angles to it and of lost
 /// progress. How far is looked ahead goes by the time of the graph's own motions, whatever versions
-/// make of it. It begins on the
-/// first point, facing along, and ends when the path does. Deterministic.
+/// make of it. It begins on the first point, facing along, and ends when the path does.
+/// Deterministic.
 ///
 /// Throws mien::Error for a path that is none (floor_path.h), for options out of range, and when
 /// the graph's motions do not get on (less than 2 cm of the path in a stretch) or stray by more
