@@ -11,6 +11,7 @@ namespace mien::render {
 namespace {
 
 constexpr float quarter_pi = std::numbers::pi_v<float> / 4.0f;
+constexpr float half_pi = std::numbers::pi_v<float> / 2.0f;
 
 struct Disc {
   float x;
@@ -49,6 +50,48 @@ inline Direction about(float nx, float ny, float nz, float x, float y, float z) 
   const float dz = x * (-sign * nx) + y * (-ny) + z * nz;
   const float scale = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz);
   return {dx * scale, dy * scale, dz * scale};
+}
+
+// As arc_sine, without branches.
+inline float arc_sine_of(float x) {
+  const bool upper = x > 0.5f;
+  const float rest = 0.5f * (1.0f - x);
+  const float z = upper ? (rest > 0.0f ? rest : 0.0f) : x * x;
+  const float s = upper ? std::sqrt(z) : x;
+  const float series =
+      s * (1.0f + z * (0.166667819f +
+                       z * (0.0749469697f +
+                            z * (0.0455206372f + z * (0.0239939988f + z * 0.0424173735f)))));
+  return upper ? half_pi - 2.0f * series : series;
+}
+
+/// What of a light is above the floor: five corners at most, in the order in which `irradiance`
+/// goes round them.
+struct LitCorners {
+  float x[5];
+  float y[5];
+  float z[5];
+  int count = 0;
+
+  void add(const Vec3& corner) {
+    x[count] = corner.x();
+    y[count] = corner.y();
+    z[count++] = corner.z();
+  }
+};
+
+LitCorners above_floor(const AreaLight& light) {
+  const Vec3 &centre = light.centre, &u = light.half_u, &v = light.half_v;
+  const Vec3 corners[4] = {centre - u - v, centre - u + v, centre + u + v, centre + u - v};
+  LitCorners kept;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 &here = corners[i], &next = corners[(i + 1) % 4];
+    const float height = here.y(), next_height = next.y();
+    if (height >= 0.0f) kept.add(here);
+    if ((height < 0.0f) != (next_height < 0.0f))
+      kept.add(here + (height / (height - next_height)) * (next - here));
+  }
+  return kept;
 }
 
 }  // namespace
@@ -170,6 +213,48 @@ MIEN_FOR_AVX2_TOO LaneLights sample_lights(const AreaLight& light, const LaneVec
     out.towards.z.lane[i] = z * scale;
     out.distance.lane[i] = distance;
     out.share.lane[i] = facing > 0.0f ? facing / squared : 0.0f;
+  }
+  return out;
+}
+
+// The horizon of a floor that faces up is the floor itself, so the light is cut once for all
+// points.
+MIEN_FOR_AVX2_TOO LaneFloats light_on_floor(const AreaLight& light, const LaneVectors& point) {
+  LaneFloats out;
+  const LitCorners corners = above_floor(light);
+  if (corners.count < 3) return out;
+  const Vec3 front = light.half_u.cross(light.half_v);
+  const float fx = front.x(), fy = front.y(), fz = front.z();
+  const float cx = light.centre.x(), cy = light.centre.y(), cz = light.centre.z();
+  LaneFloats sum;
+  LaneVectors last;  // unit, to the corner before
+  for (int k = -1; k < corners.count; ++k) {
+    const int corner = k < 0 ? corners.count - 1 : k;
+    const float x = corners.x[corner], y = corners.y[corner], z = corners.z[corner];
+    const float counts = k < 0 ? 0.0f : 1.0f;
+#pragma omp simd
+    for (unsigned i = 0; i < lanes; ++i) {
+      const float dx = x - point.x.lane[i], dy = y - point.y.lane[i], dz = z - point.z.lane[i];
+      const float scale = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz);
+      const float bx = dx * scale, by = dy * scale, bz = dz * scale;
+      const float ax = last.x.lane[i], ay = last.y.lane[i], az = last.z.lane[i];
+      const float sx = ay * bz - az * by, sy = az * bx - ax * bz, sz = ax * by - ay * bx;
+      const float sine = std::sqrt(sx * sx + sy * sy + sz * sz);
+      const float ex = ax - bx, ey = ay - by, ez = az - bz;
+      const float half_chord = 0.5f * std::sqrt(ex * ex + ey * ey + ez * ez);
+      const float angle = 2.0f * arc_sine_of(half_chord < 1.0f ? half_chord : 1.0f);
+      const float by_sine = sine > 1e-6f ? angle / sine : 1.0f;
+      sum.lane[i] += counts * by_sine * sy;
+      last.x.lane[i] = bx;
+      last.y.lane[i] = by;
+      last.z.lane[i] = bz;
+    }
+  }
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float px = point.x.lane[i], py = point.y.lane[i], pz = point.z.lane[i];
+    const bool is_behind = fx * (cx - px) + fy * (cy - py) + fz * (cz - pz) >= 0.0f;
+    out.lane[i] = is_behind | !(sum.lane[i] > 0.0f) ? 0.0f : 0.5f * sum.lane[i];
   }
   return out;
 }

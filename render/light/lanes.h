@@ -69,6 +69,9 @@ struct LaneLights {
 };
 LaneLights sample_lights(const AreaLight& light, const LaneVectors& point, const LanePoints& u);
 
+/// `irradiance` of a light of radiance 1 on points of the floor, which face up.
+LaneFloats light_on_floor(const AreaLight& light, const LaneVectors& point);
+
 /// Rays that look from points of the floor for what is in a ball before the sky: cone_direction in
 /// the cone round it (cone_of), or cosine_direction where it fills too much of the sky. `share` is
 /// how much of an even sky's light each stands for.

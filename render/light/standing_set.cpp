@@ -1,6 +1,7 @@
 #include "render/light/standing_set.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include <xxhash.h>
@@ -138,15 +139,19 @@ StandingSet empty_set(int width, int height) {
 
 void expose_open_row(const Scene& scene, const CameraFrame& camera, int y, StandingSet& set) {
   const int width = set.radiance.width;
-  for (int x = 0; x < width; ++x) {
-    const SetPixel pixel = set_pixel(
-        scene, camera, camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
-    std::copy_n(pixel.radiance.data(), 3, set.radiance.at(x, y));
-    std::copy_n(pixel.visible_albedo.data(), 3, set.floor_albedo.at(x, y));
-    const std::size_t place = set.place_of(x, y);
-    set.floor[place] = pixel.shows_floor ? 1 : 0;
-    set.floor_x[place] = pixel.point.x();
-    set.floor_z[place] = pixel.point.z();
+  for (int first = 0; first < width; first += static_cast<int>(lanes)) {
+    const int count = std::min(static_cast<int>(lanes), width - first);
+    const std::array<SetPixel, lanes> pixels = set_pixels(scene, camera, first, y, count);
+    for (int i = 0; i < count; ++i) {
+      const SetPixel& pixel = pixels[static_cast<std::size_t>(i)];
+      const int x = first + i;
+      std::copy_n(pixel.radiance.data(), 3, set.radiance.at(x, y));
+      std::copy_n(pixel.visible_albedo.data(), 3, set.floor_albedo.at(x, y));
+      const std::size_t place = set.place_of(x, y);
+      set.floor[place] = pixel.shows_floor ? 1 : 0;
+      set.floor_x[place] = pixel.point.x();
+      set.floor_z[place] = pixel.point.z();
+    }
   }
 }
 

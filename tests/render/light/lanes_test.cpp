@@ -134,5 +134,26 @@ TEST_F(Lanes, GiveTheRaysOfACamera) {
   }
 }
 
+TEST_F(Lanes, GiveTheLightOnTheFloorOfOneByOne) {
+  int lit = 0, dark = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    // Some shine upwards, some reach below the floor.
+    const Vec3 u = uniform(0.1f, 2.0f) * direction();
+    const Vec3 v = uniform(0.1f, 2.0f) * u.cross(direction()).normalized();
+    const AreaLight light{
+        {uniform(-2, 2), uniform(-1, 4), uniform(-2, 2)}, u, v, Color::Constant(1.0f)};
+    LaneVectors points;
+    for (int i = 0; i < count; ++i) points.set(i, {uniform(-5, 5), 0.0f, uniform(-5, 5)});
+    const LaneFloats found = light_on_floor(light, points);
+    for (int i = 0; i < count; ++i) {
+      const float expected = irradiance(light, points.at(i), Vec3::UnitY()).x();
+      EXPECT_NEAR(found[i], expected, 2e-6f + 1e-5f * expected);
+      ++(expected > 0.0f ? lit : dark);
+    }
+  }
+  EXPECT_GT(lit, 500);
+  EXPECT_GT(dark, 500);
+}
+
 }  // namespace
 }  // namespace mien::render
