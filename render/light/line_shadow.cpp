@@ -162,17 +162,68 @@ float bell(float x) {
   return x / (1.0f + x * x) + angle;
 }
 
-MIEN_FOR_AVX2_TOO void find_outline(const RoundCone& solid, const LaneVectors& points,
-                                    const LightLines& lines, LineParts& parts) {
-  const Triple from = triple(points), start = triple(lines.start), along = triple(lines.along);
+MIEN_LANES Triple unit(const Triple& v) {
+  const Eight scale = 1.0f / root(dot(v, v));
+  return {scale * v.x, scale * v.y, scale * v.z};
+}
+
+MIEN_LANES void keep(const Triple& v, LaneVectors& lanes_of) {
+  std::memcpy(lanes_of.x.lane, &v.x, sizeof v.x);
+  std::memcpy(lanes_of.y.lane, &v.y, sizeof v.y);
+  std::memcpy(lanes_of.z.lane, &v.z, sizeof v.z);
+}
+
+MIEN_FOR_AVX2_TOO void find_sides(LightLines& lines) {
+  const Triple start = triple(lines.start), along = triple(lines.along);
+  const Triple plane = cross(start, along);
+  keep(unit(plane), lines.plane);
+  keep(unit(cross(plane, start)), lines.start_side);
+  keep(unit(cross(sum(start, along, eight(1.0f)), plane)), lines.end_side);
+}
+
+/// Whether a solid lies beyond none of the sides of what point and line span: where it does, it
+/// hides nothing. All bits of a lane or none.
+MIEN_FOR_AVX2_TOO bool find_met(const RoundCone& solid, const LaneVectors& points,
+                                const LightLines& lines, LaneWords& met) {
+  const Triple from = triple(points);
   const Triple a = sum(triple(solid.a), from, eight(-1.0f));
   const Triple b = sum(a, triple(solid.axis), eight(1.0f));
-  const Span hidden = hull(hull(hidden_by_ball(a, solid.radius_a, start, along),
-                                hidden_by_ball(b, solid.radius_b, start, along)),
-                           hidden_by_side(solid, a, b, start, along));
-  const Choice inside = is_within_side(solid, a);
-  const Eight first = inside ? eight(0.0f) : greater(hidden.low, eight(0.0f));
-  const Eight last = inside ? eight(1.0f) : less(hidden.high, eight(1.0f));
+  // More than rounding can be.
+  const Eight slack = 1e-4f + 1e-5f * (dot(a, a) + dot(b, b));
+  const Eight radius_a = solid.radius_a + slack, radius_b = solid.radius_b + slack;
+  const Triple plane = triple(lines.plane);
+  const Eight above_a = dot(plane, a), above_b = dot(plane, b);
+  const Triple start_side = triple(lines.start_side), end_side = triple(lines.end_side);
+  // Comparisons with what is not a number, where there is no triangle, are false: nothing is told.
+  const Choice apart = ((above_a > radius_a) & (above_b > radius_b)) |
+                       ((above_a < -radius_a) & (above_b < -radius_b)) |
+                       ((dot(start_side, a) < -radius_a) & (dot(start_side, b) < -radius_b)) |
+                       ((dot(end_side, a) < -radius_a) & (dot(end_side, b) < -radius_b));
+  const Choice meets = ~apart;
+  std::memcpy(met.lane, &meets, sizeof meets);
+  std::uint32_t any = 0;
+  for (const std::uint32_t lane : met.lane) any |= lane;
+  return any != 0;
+}
+
+MIEN_FOR_AVX2_TOO void find_outline(const RoundCone& solid, const LaneVectors& points,
+                                    const LightLines& lines, const LaneWords& met,
+                                    LineParts& parts) {
+  const Triple from = triple(points), start = triple(lines.start), along = triple(lines.along);
+  const Triple a = sum(triple(solid.a), from, eight(-1.0f));
+  Span hidden = hidden_by_ball(a, solid.radius_a, start, along);
+  if (solid.side_squared > 0.0f) {
+    const Triple b = sum(a, triple(solid.axis), eight(1.0f));
+    hidden = hull(hull(hidden, hidden_by_ball(b, solid.radius_b, start, along)),
+                  hidden_by_side(solid, a, b, start, along));
+    const Choice inside = is_within_side(solid, a);
+    hidden.low = inside ? eight(0.0f) : hidden.low;
+    hidden.high = inside ? eight(1.0f) : hidden.high;
+  }
+  Choice meets;
+  std::memcpy(&meets, met.lane, sizeof meets);
+  const Eight first = meets ? greater(hidden.low, eight(0.0f)) : eight(1.0f);
+  const Eight last = meets ? less(hidden.high, eight(1.0f)) : eight(0.0f);
   std::memcpy(parts.first.lane, &first, sizeof first);
   std::memcpy(parts.last.lane, &last, sizeof last);
 }
@@ -214,12 +265,15 @@ LightLines lines_across(const AreaLight& light, const LaneVectors& points, const
   const Vec3 edge = light.centre - light.half_u;
   for (int i = 0; i < static_cast<int>(lanes); ++i)
     lines.start.set(i, edge + (2.0f * v[i] - 1.0f) * light.half_v - points.at(i));
+  find_sides(lines);
   return lines;
 }
 
 LineParts hidden_by(const RoundCone& solid, const LaneVectors& points, const LightLines& lines) {
   LineParts parts;
-  find_outline(solid, points, lines, parts);
+  LaneWords met;
+  if (!find_met(solid, points, lines, met)) return parts;
+  find_outline(solid, points, lines, met, parts);
   const float lowest = std::min(solid.a.y() - solid.radius_a, solid.b().y() - solid.radius_b);
   if (solid.side_squared > 0.0f && (lines.along.y() != 0.0f || lowest <= 0.0f))
     hide_ends(solid, points, lines, parts);

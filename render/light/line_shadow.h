@@ -17,6 +17,12 @@ struct LightLines {
   LaneVectors start;           ///< from the point to the line's start
   Vec3 along = Vec3::Zero();   ///< from there to its end
   Vec3 normal = Vec3::Zero();  ///< towards where it shines; its length is the light's area
+
+  /// Unit normals of the sides of what the point and the line span, a flat triangle: of its plane,
+  /// and inwards of the sides to the line's start and to its end.
+  LaneVectors plane;
+  LaneVectors start_side;
+  LaneVectors end_side;
 };
 
 /// Whether all of these hide what `hidden_by` says from every point of the floor, or nothing where

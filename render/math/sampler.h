@@ -132,6 +132,11 @@ class PixelSampler {
     return index_of(group, (samples_ + size - 1) / size);
   }
 
+  /// Of a point that so many pixels, a power of two, have in common: neighbours on the curve.
+  std::uint32_t index_of_neighbours(int pixels) const {
+    return place_ / static_cast<std::uint32_t>(pixels);
+  }
+
   Point2 point(Dimension dimension, int index) const { return point(dimension, 0, index); }
   Point2 point(Dimension dimension, int which, int index) const {
     return sample_point(this->index(index), seed(dimension, which));

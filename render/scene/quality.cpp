@@ -5,7 +5,8 @@ namespace mien::render {
 Quality draft_quality() {
   Quality quality;
   quality.samples_per_pixel = 2;
-  quality.sky_rays = 1;
+  quality.sky_rays = 2;
+  quality.lit_as_one = 2;
   quality.standing_samples = 16;
   quality.floor_sky_noise = 0.012f;
   quality.floor_sky_tolerance = 0.016f;

@@ -33,7 +33,8 @@ void light_from_lights(const Picture& picture, const SurfaceSamples& batch,
       const float cosine = surface.normal.dot(towards);
       if (cosine <= 0.0f || light.share[i] <= 0.0f) continue;
       queries.ask(batch.samples[i], surface.origin, towards, light.distance[i],
-                  (cosine * light.share[i]) * lights[k].radiance * reflectance(surface, towards),
+                  (batch.samples[i].weight * cosine * light.share[i]) * lights[k].radiance *
+                      reflectance(surface, towards),
                   arrives);
     }
   }
@@ -47,7 +48,7 @@ void light_from_sky(const Picture& picture, const SurfaceSamples& batch, const L
     const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
     Pixel& pixel = *batch.samples[i].pixel;
     (of_figure ? pixel.known_figure : pixel.known_set) +=
-        surface.albedo * open_sky_light(sky, surface.normal);
+        batch.samples[i].weight * surface.albedo * open_sky_light(sky, surface.normal);
   }
   const Effect taken = of_figure ? Effect::taken_from_figure : Effect::taken_from_set;
   const int rays = picture.quality.sky_rays;
@@ -60,7 +61,8 @@ void light_from_sky(const Picture& picture, const SurfaceSamples& batch, const L
       const Vec3 direction = towards.at(i);
       queries.ask(batch.samples[i], surface.origin, direction,
                   distance_to_end(picture.scene, surface.origin, direction),
-                  share * surface.albedo * sky_radiance(sky, direction), taken);
+                  batch.samples[i].weight * share * surface.albedo * sky_radiance(sky, direction),
+                  taken);
     }
   }
 }
@@ -114,24 +116,18 @@ void look_at_floor_sky(const Picture& picture, const FloorSamples& batch, LightQ
   }
 }
 
-/// Where half shadows are wide, one of so many samples of a pixel asks for all of them.
-constexpr int samples_per_line = 4;
-
 /// All samples of a pixel stand together.
-void ask_lines(const FloorSamples& batch, LineQueries& lines) {
+void ask_lines(const Picture& picture, const FloorSamples& batch, LineQueries& lines) {
   const Samples& samples = batch.samples;
-  const int shared = lines.of_tile().are_soft ? samples_per_line : 1;
+  const int shared = shared_line(lines.of_tile(), picture.quality.samples_per_pixel).samples;
   for (int first = 0, last = 0; first < samples.count; first = last) {
     Pixel& pixel = *samples[first].pixel;
     const int group = samples[first].index / shared;
     while (last < samples.count && samples[last].pixel == &pixel &&
            samples[last].index / shared == group)
       ++last;
-    if ((pixel.shadow_lights & lines.of_tile().lights) == 0) continue;
-    const std::uint32_t index = pixel.sampler.index_of_group(group, shared);
-    const float u = sample_point(index, pixel.sampler.seed(Dimension::LightLine)).u;
-    const int chosen = first + static_cast<int>(u * static_cast<float>(last - first));
-    lines.ask(pixel, batch.points.at(chosen), index, last - first);
+    if ((pixel.shadow_lights & lines.of_tile().lights) != 0)
+      lines.ask(pixel, samples[first].index, last - first);
   }
 }
 
@@ -144,7 +140,8 @@ void light_surfaces(const Picture& picture, const SurfaceSamples& batch, bool of
   for (int i = 0; i < batch.samples.count; ++i) {
     const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
     Pixel& pixel = *batch.samples[i].pixel;
-    (of_figure ? pixel.known_figure : pixel.known_set) += surface.material->emission;
+    (of_figure ? pixel.known_figure : pixel.known_set) +=
+        batch.samples[i].weight * surface.material->emission;
     if (is_dull(surface)) continue;
     origins.set(lit.samples.count, surface.origin);
     normals.set(lit.samples.count, surface.normal);
@@ -186,7 +183,7 @@ void darken_floor(const Picture& picture, const FloorSamples& batch, LightQuerie
   const Scene& scene = picture.scene;
   std::uint32_t shaded = 0;
   for (int i = 0; i < batch.samples.count; ++i) shaded |= batch.samples[i].pixel->shadow_lights;
-  if ((shaded & lines.of_tile().lights) != 0) ask_lines(batch, lines);
+  if ((shaded & lines.of_tile().lights) != 0) ask_lines(picture, batch, lines);
   for (shaded &= ~lines.of_tile().lights; shaded != 0; shaded &= shaded - 1) {
     const int k = std::countr_zero(shaded);
     ask_for_light(scene.lights[static_cast<std::size_t>(k)], k, batch, queries);

@@ -52,6 +52,7 @@ struct Sample {
   int index = 0;
   float time = 0.0f;
   std::uint32_t present = ~0u;  ///< bit f: figure f is there
+  float weight = 1.0f;          ///< of so many samples, whose light its own stands for
 };
 
 /// Up to eight samples.

@@ -1,6 +1,7 @@
 #include "render/tracer/pixel_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "render/light/floor.h"
@@ -36,6 +37,33 @@ std::optional<FloorArea> floor_under(const CameraFrame& camera, const FilmArea& 
   return area;
 }
 
+/// How far the floor that samples of a pixel show can be from what its middle shows, for all pixels
+/// of a part of the film; `reach` pixels is how far samples go. Nothing where that goes on to the
+/// horizon. Floor is seen at o + t·d with t = −o.y / d.y, and o and d are linear on the film, so
+/// the derivatives of that are bounded by what the corners show.
+std::optional<FloorReach> floor_reach(const CameraFrame& camera, const FilmArea& film,
+                                      float reach) {
+  float steepest = -infinity;
+  Vec3 widest = Vec3::Zero();
+  for (const float x : {film.x_min, film.x_max}) {
+    for (const float y : {film.y_min, film.y_max}) {
+      const EyeRay ray = camera.line_through(x, y);
+      if (!distance_to_floor(ray.origin, ray.direction)) return std::nullopt;
+      steepest = std::max(steepest, ray.direction.y());
+      widest = widest.cwiseMax(ray.direction.cwiseAbs());
+    }
+  }
+  const float distance = camera.parallel ? 1.0f : camera.position.y() / -steepest;
+  const Vec3 slope = widest / -steepest;
+  FloorReach floor{0.0f, 0.0f};
+  for (const Vec3& step : {camera.step_right, camera.step_down}) {
+    const float drop = std::abs(step.y());
+    floor.x += reach * distance * (std::abs(step.x()) + drop * slope.x());
+    floor.z += reach * distance * (std::abs(step.z()) + drop * slope.z());
+  }
+  return floor;
+}
+
 /// Shows the pixels first … end − 1, whose floor lies in one cell, less the sky that is hidden
 /// there.
 MIEN_FOR_AVX2_TOO void show_cell(const StandingSet& set, const FloorSky::Cell& cell,
@@ -60,8 +88,23 @@ MIEN_FOR_AVX2_TOO void show_cell(const StandingSet& set, const FloorSky::Cell& c
   }
 }
 
-/// Half shadows that are so many pixels wide change so little within one that few lines do.
-constexpr float soft_pixels = 4.0f;
+/// Where the pixels of a row end that lie in the cell of the first. A row shows a straight line of
+/// the floor, and cells are convex, as is the floor: where two pixels lie in a cell so do all
+/// between.
+std::size_t end_of_cell(const StandingSet& set, const FloorSky::Cell& cell, std::size_t first,
+                        std::size_t end) {
+  const auto inside = [&](std::size_t place) {
+    return set.floor[place] != 0 && cell.holds(set.floor_x[place], set.floor_z[place]);
+  };
+  std::size_t last = first, step = 1;
+  while (last + step < end && inside(last + step)) {
+    last += step;
+    step *= 2;
+  }
+  for (; step > 0; step /= 2)
+    if (last + step < end && inside(last + step)) last += step;
+  return last + 1;
+}
 
 /// Metres of floor that a pixel of a tile shows, at most.
 float pixel_step(const FloorArea& area, const Tile& tile) {
@@ -81,14 +124,18 @@ float half_shadow(const AreaLight& light, float height) {
 void PixelPlanner::turn_to(const Tile& tile) {
   const bool whole = picture_.quality.exhaustive;
   const float margin = picture_.filter.half_width();
-  const std::optional<FloorArea> area = floor_under(
-      picture_.camera,
-      {static_cast<float>(tile.x_begin) - margin, static_cast<float>(tile.x_end) + margin,
-       static_cast<float>(tile.y_begin) - margin, static_cast<float>(tile.y_end) + margin});
+  const FilmArea film{
+      static_cast<float>(tile.x_begin) - margin, static_cast<float>(tile.x_end) + margin,
+      static_cast<float>(tile.y_begin) - margin, static_cast<float>(tile.y_end) + margin};
+  const std::optional<FloorArea> area = floor_under(picture_.camera, film);
   tile_lights_ = 0;
   for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
     if (whole || !area || picture_.shadow_masks[i].may_shade(*area)) tile_lights_ |= 1u << i;
   find_casters(tile, area);
+  // What a pixel's neighbour shows may stand for what it shows itself.
+  const bool alone = shared_line(lines_, picture_.quality.samples_per_pixel).pixels == 1;
+  if (tile_lights_ != 0)
+    floor_reach_ = floor_reach(picture_.camera, film, margin + (alone ? 0.0f : 1.0f));
   is_alone_ = tile_lights_ == 0 && !whole && !picture_.piecemeal() && !picture_.walls;
   for (int y = tile.y_begin; y < tile.y_end && is_alone_; ++y)
     is_alone_ = !picture_.film_mask.may_meet_row(tile.x_begin, tile.x_end, y);
@@ -97,7 +144,7 @@ void PixelPlanner::turn_to(const Tile& tile) {
 void PixelPlanner::find_casters(const Tile& tile, const std::optional<FloorArea>& area) {
   lines_.casters.resize(picture_.shadow_masks.size());
   lines_.lights = picture_.line_lights;
-  lines_.are_soft = area.has_value();
+  lines_.half_shadow = area ? infinity : 0.0f;
   const float step = area ? pixel_step(*area, tile) : 0.0f;
   for (std::size_t i = 0; i < lines_.casters.size(); ++i) {
     std::vector<int>& casters = lines_.casters[i];
@@ -105,8 +152,8 @@ void PixelPlanner::find_casters(const Tile& tile, const std::optional<FloorArea>
     if (((picture_.line_lights >> i) & 1u) == 0) continue;
     if (area && ((tile_lights_ >> i) & 1u) != 0) {
       const float height = picture_.shadow_masks[i].add_casters(*area, casters);
-      if (half_shadow(picture_.scene.lights[i], height) < soft_pixels * step)
-        lines_.are_soft = false;
+      lines_.half_shadow =
+          std::min(lines_.half_shadow, half_shadow(picture_.scene.lights[i], height) / step);
     }
     if (area && !picture_.quality.exhaustive) continue;
     casters.clear();
@@ -135,9 +182,7 @@ void PixelPlanner::show_set(const Tile& band, Film& film, std::vector<std::uint8
         open[(place - begin) / tile_size] = 1;
         ++place;
       } else {
-        do ++place;
-        while (place < end && set.floor[place] != 0 &&
-               cell_->holds(set.floor_x[place], set.floor_z[place]));
+        place = end_of_cell(set, *cell_, first, end);
         show_cell(set, *cell_, first, place, film);
       }
     }
@@ -172,21 +217,19 @@ PixelPlan PixelPlanner::plan(int x, int y) const {
   } else if (solid && somebody) {
     plan.kind = PixelKind::wall;
   }
-  if (set.floor[place] != 0 && somebody) plan.shadow_lights = shadow_lights(x, y);
+  if (set.floor[place] != 0 && somebody) plan.shadow_lights = shadow_lights(place);
   if (plan.kind == PixelKind::untouched && plan.shadow_lights != 0) plan.kind = PixelKind::floor;
   return plan;
 }
 
-std::uint32_t PixelPlanner::shadow_lights(int pixel_x, int pixel_y) const {
-  if (tile_lights_ == 0) return 0;
-  const float reach = picture_.filter.half_width();
-  const auto x = static_cast<float>(pixel_x) + 0.5f, y = static_cast<float>(pixel_y) + 0.5f;
-  const std::optional<FloorArea> area =
-      floor_under(picture_.camera, {x - reach, x + reach, y - reach, y + reach});
+std::uint32_t PixelPlanner::shadow_lights(std::size_t place) const {
+  if (tile_lights_ == 0 || picture_.quality.exhaustive || !floor_reach_) return tile_lights_;
+  const float x = picture_.set.floor_x[place], z = picture_.set.floor_z[place];
+  const FloorArea area{x - floor_reach_->x, x + floor_reach_->x, z - floor_reach_->z,
+                       z + floor_reach_->z};
   std::uint32_t hidden = 0;
   for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
-    if (((tile_lights_ >> i) & 1u) != 0 &&
-        (picture_.quality.exhaustive || !area || picture_.shadow_masks[i].may_shade(*area)))
+    if (((tile_lights_ >> i) & 1u) != 0 && picture_.shadow_masks[i].may_shade(area))
       hidden |= 1u << i;
   return hidden;
 }

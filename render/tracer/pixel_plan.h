@@ -23,6 +23,12 @@ struct PixelPlan {
   std::uint32_t shadow_lights = 0;  ///< bit i: the figure may hide light i from its floor
 };
 
+/// How far from a point of the floor, along its axes, metres.
+struct FloorReach {
+  float x;
+  float z;
+};
+
 /// Decides what of a picture need not be traced. Each thread has its own.
 class PixelPlanner {
  public:
@@ -50,12 +56,13 @@ class PixelPlanner {
   void set_out(Pixel& pixel, int x, int y, const PixelPlan& plan, const SetLight& set) const;
 
  private:
-  std::uint32_t shadow_lights(int x, int y) const;
+  std::uint32_t shadow_lights(std::size_t place) const;
   void find_casters(const Tile& tile, const std::optional<FloorArea>& area);
 
   const Picture& picture_;
   const FloorSky::Cell* cell_;     // of the floor, that was looked at last
   std::uint32_t tile_lights_ = 0;  // bit i: the figure may hide light i somewhere in the tile
+  std::optional<FloorReach> floor_reach_;  // where tile_lights_ are; none at the horizon
   bool is_alone_ = false;
   TileLines lines_;
 };

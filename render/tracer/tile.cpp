@@ -8,28 +8,13 @@
 #include "render/image/luminance.h"
 #include "render/light/floor.h"
 #include "render/math/constants.h"
-#include "render/math/directions.h"
+#include "render/tracer/eye_samples.h"
 #include "render/tracer/lighting.h"
 #include "render/tracer/pixel.h"
 #include "render/tracer/pixel_plan.h"
 
 namespace mien::render {
 namespace {
-
-Vec3 floor_point(const EyeRay& ray, float distance) {
-  Vec3 point = ray.origin + distance * ray.direction;
-  point.y() = 0.0f;
-  return point;
-}
-
-CameraFrame between(const CameraFrame& from, const CameraFrame& to, float time) {
-  CameraFrame frame = from;
-  frame.position += time * (to.position - from.position);
-  frame.forward = (from.forward + time * (to.forward - from.forward)).normalized();
-  frame.step_right += time * (to.step_right - from.step_right);
-  frame.step_down += time * (to.step_down - from.step_down);
-  return frame;
-}
 
 class TilePainter {
  public:
@@ -45,11 +30,10 @@ class TilePainter {
   void draw_tile(const Tile& tile, bool open, Exposure& exposure);
   int samples_of(const Pixel& pixel) const;
   Sample sample_of(Pixel& pixel, int index) const;
-  CameraFrame camera_of(const Sample& sample) const;
-  void aim(const Samples& samples, LaneVectors& origins, LaneVectors& directions) const;
   void show_floor(Samples& samples);
   void trace(Samples& samples);
   void take_primary(const Sample& sample, int lane, const Hits& figure, const Hits& standing);
+  bool is_lit_with_last(const Sample& sample, int shape);
   Surface surface(int lane, const Hits& hits, bool of_figure, float time) const;
   void take_samples(Pixel& pixel, int first, int last);
   void push_floor(const Sample& sample, const EyeRay& ray);
@@ -67,6 +51,7 @@ class TilePainter {
   Samples traced_;                  // samples that may, not yet aimed
   RayPacket primaries_;
   SurfaceSamples figure_surfaces_;
+  int last_shape_ = -1;  // of them
   SurfaceSamples set_surfaces_;
   FloorSamples floor_points_;
   LightQueries queries_;
@@ -117,10 +102,12 @@ void TilePainter::draw_tile(const Tile& tile, bool open, Exposure& exposure) {
         pixels_.pop_back();
         continue;
       }
+      if (lines_.tell_all(pixel)) continue;
       for (int first = 0; first < needed; first += static_cast<int>(lanes))
         take_samples(pixel, first, std::min(first + static_cast<int>(lanes), needed));
     }
   }
+  lines_.ask_all(pixels_);
   finish();
   for (const Pixel& pixel : pixels_) develop(pixel, exposure);
 }
@@ -139,32 +126,9 @@ Sample TilePainter::sample_of(Pixel& pixel, int index) const {
   return sample;
 }
 
-CameraFrame TilePainter::camera_of(const Sample& sample) const {
-  return picture_.closing_camera ? between(picture_.camera, *picture_.closing_camera, sample.time)
-                                 : picture_.camera;
-}
-
-void TilePainter::aim(const Samples& samples, LaneVectors& origins, LaneVectors& directions) const {
-  const LanePoints u = points_for(samples, Dimension::FilmPosition);
-  LaneFloats x, y;
-  for (int i = 0; i < samples.count; ++i) {
-    const Pixel& pixel = *samples[i].pixel;
-    x[i] = static_cast<float>(pixel.x) + 0.5f + picture_.filter.offset(u.u[i]);
-    y[i] = static_cast<float>(pixel.y) + 0.5f + picture_.filter.offset(u.v[i]);
-  }
-  if (!picture_.piecemeal()) return eye_rays(picture_.camera, x, y, origins, directions);
-  for (int i = 0; i < samples.count; ++i) {
-    const DiscPoint lens =
-        disc_point(samples[i].pixel->sampler.point(Dimension::Lens, samples[i].index));
-    const EyeRay ray = camera_of(samples[i]).ray(x[i], y[i], lens.x, lens.y);
-    origins.set(i, ray.origin);
-    directions.set(i, ray.direction);
-  }
-}
-
 void TilePainter::show_floor(Samples& samples) {
   LaneVectors origins, directions;
-  aim(samples, origins, directions);
+  aim(picture_, samples, origins, directions);
   for (int i = 0; i < samples.count; ++i) push_floor(samples[i], {origins.at(i), directions.at(i)});
   samples.count = 0;
   light_floor();
@@ -194,7 +158,7 @@ void TilePainter::light_floor() {
 void TilePainter::trace(Samples& samples) {
   if (samples.count == 0) return;
   LaneVectors origins, directions;
-  aim(samples, origins, directions);
+  aim(picture_, samples, origins, directions);
   primaries_.count = 0;
   for (int i = 0; i < samples.count; ++i) {
     const Vec3 origin = origins.at(i), direction = directions.at(i);
@@ -221,16 +185,31 @@ void TilePainter::take_primary(const Sample& sample, int lane, const Hits& figur
   const bool wall = standing.shape[lane] >= 0;
   if (figure.shape[lane] >= 0 && (!wall || figure.distance[lane] <= standing.distance[lane])) {
     ++pixel.covered;
+    if (is_lit_with_last(sample, figure.shape[lane])) return;
+    last_shape_ = figure.shape[lane];
     return figure_surfaces_.push(sample, surface(lane, figure, true, sample.time));
   }
   const EyeRay ray{primaries_.origin(lane), primaries_.direction(lane)};
   if (pixel.kind == PixelKind::piecemeal) {
     if (wall) return set_surfaces_.push(sample, surface(lane, standing, false, 0.0f));
-    return show_open_set(picture_, sample, camera_of(sample), ray, queries_);
+    return show_open_set(picture_, sample, camera_of(picture_, sample), ray, queries_);
   }
   ++pixel.set_samples;
   if (wall) return darken_wall(picture_, sample, surface(lane, standing, false, 0.0f), queries_);
   push_floor(sample, ray);
+}
+
+// Then the last one's light counts for this sample too.
+bool TilePainter::is_lit_with_last(const Sample& sample, int shape) {
+  const int together = picture_.quality.lit_as_one;
+  if (together == 1 || figure_surfaces_.samples.count == 0 || shape != last_shape_ ||
+      picture_.closing_solids != nullptr)
+    return false;
+  Sample& last =
+      figure_surfaces_.samples.lane[static_cast<std::size_t>(figure_surfaces_.samples.count - 1)];
+  if (last.pixel != sample.pixel || last.index / together != sample.index / together) return false;
+  last.weight += 1.0f;
+  return true;
 }
 
 Surface TilePainter::surface(int lane, const Hits& hits, bool of_figure, float time) const {
