@@ -8,8 +8,8 @@ Quality draft_quality() {
   quality.sky_rays = 2;
   quality.lit_as_one = 2;
   quality.standing_samples = 16;
-  quality.floor_sky_noise = 0.012f;
-  quality.floor_sky_tolerance = 0.016f;
+  quality.floor_sky_noise = 0.016f;
+  quality.floor_sky_tolerance = 0.032f;
   quality.floor_sky_cell = 0.03f;
   return quality;
 }
