@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "end_to_end/program.h"
+#include "shared_set_up.h"
 
 namespace mien::test {
 namespace {
@@ -28,12 +29,17 @@ bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+void make_tiny(const fs::path& folder) {
+  const fs::path manifest = folder / "tiny.yaml";
+  std::ofstream(manifest) << tiny_manifest;
+  must_run(mien_with({"run", manifest.string(), "--out", (folder / "out").string()}));
+}
+
 /// A study that was made, with a file of its owner.
 class Archive : public testing::Test {
  protected:
   Archive() {
-    manifest = scratch.write("tiny.yaml", tiny_manifest).string();
-    EXPECT_EQ(run_mien({"run", manifest, "--out", (scratch.path() / "out").string()}).code, 0);
+    fs::copy(shared_set_up("archive", make_tiny), scratch.path(), fs::copy_options::recursive);
     std::ofstream(study / "my notes.txt") << "mine";
   }
 
@@ -50,7 +56,7 @@ class Archive : public testing::Test {
 
   const Scratch scratch;
   const fs::path study = scratch.path() / "out/tiny";
-  std::string manifest;
+  const std::string manifest = (scratch.path() / "tiny.yaml").string();
 };
 
 TEST_F(Archive, IsVerifiedInWordsAndAsJson) {

@@ -87,6 +87,15 @@ std::vector<std::string> mien_with(const std::vector<std::string>& arguments) {
   return words;
 }
 
+std::string must_run(const std::vector<std::string>& words) {
+  const Ended ended = run_program(words, 300.0);
+  if (ended.code == 0) return ended.output;
+  std::string command;
+  for (const std::string& word : words) command += word + " ";
+  throw std::runtime_error(command + "ended with " + std::to_string(ended.code) + ": " +
+                           ended.errors + ended.output);
+}
+
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

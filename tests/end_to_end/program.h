@@ -66,6 +66,9 @@ Ended run_mien(const std::vector<std::string>& arguments, double kill_after_seco
 Ended run_program(const std::vector<std::string>& words, double kill_after_seconds = -1.0,
                   int signal = 9);
 
+/// Runs a program and throws std::runtime_error unless it ends well. Gives its output.
+std::string must_run(const std::vector<std::string>& words);
+
 /// The words that run the mien that was built beside the tests.
 std::vector<std::string> mien_with(const std::vector<std::string>& arguments);
 

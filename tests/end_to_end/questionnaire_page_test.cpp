@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "end_to_end/browser.h"
 #include "end_to_end/program.h"
+#include "shared_set_up.h"
 
 namespace mien::test {
 namespace {
@@ -75,6 +77,13 @@ std::vector<std::map<std::string, std::string>> rows_in(const std::string& csv) 
   return rows;
 }
 
+void export_study(const fs::path& folder) {
+  const fs::path manifest = folder / "gaits.yaml";
+  std::ofstream(manifest) << study_text;
+  must_run(mien_with({"study", "export", manifest.string(), "--out", (folder / "out").string(),
+                      "-o", (folder / "questionnaire").string()}));
+}
+
 /// A questionnaire that was exported once, and people who take it in Chromium.
 class QuestionnairePage : public testing::Test {
  protected:
@@ -89,14 +98,13 @@ class QuestionnairePage : public testing::Test {
   static void SetUpTestSuite() {
     if (!hindrance().empty()) return;
     scratch = std::make_unique<Scratch>();
-    exported = run_mien({"study", "export", scratch->write("gaits.yaml", study_text).string(),
-                         "--out", (scratch->path() / "out").string(), "-o", folder().string()});
+    fs::copy(shared_set_up("questionnaire_page", export_study), scratch->path(),
+             fs::copy_options::recursive);
   }
   static void TearDownTestSuite() { scratch.reset(); }
 
   void SetUp() override {
     if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
-    ASSERT_EQ(exported.code, 0) << exported.errors;
   }
 
   static fs::path folder() { return scratch->path() / "questionnaire"; }
@@ -165,7 +173,6 @@ class QuestionnairePage : public testing::Test {
   }
 
   inline static std::unique_ptr<Scratch> scratch;
-  inline static Ended exported;
 };
 
 TEST_F(QuestionnairePage, GoesOnAfterAReload) {

@@ -1,5 +1,6 @@
 #include <filesystem>
-#include <memory>
+#include <fstream>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 
 #include "end_to_end/browser.h"
 #include "end_to_end/program.h"
+#include "shared_set_up.h"
 
 namespace mien::test {
 namespace {
@@ -29,36 +31,34 @@ constexpr char stimuli_now[] =
     "  - {id: a, weights: {normal: 0.5, proud: 0.5}}\n  - {id: b, weights: {normal: 0.5, sad: "
     "0.5}}\n";
 
+void make_report(const fs::path& folder) {
+  const fs::path manifest = folder / "study.yaml";
+  const std::string out = (folder / "out").string();
+  std::ofstream(manifest) << study_start << stimuli_before;
+  must_run(mien_with(
+      {"regress", "approve", manifest.string(), "--why", "first", "--keep-videos", "--out", out}));
+  std::ofstream(manifest) << study_start << stimuli_now;
+  const std::string report = (folder / "report").string();
+  const Ended compared = run_mien({"regress", manifest.string(), "--out", out, "-o", report});
+  if (compared.code != 1) throw std::runtime_error("no difference: " + compared.errors);
+}
+
 /// The report of a study of which two stimuli have changed, made once.
 class RegressionPage : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    if (chromium().empty()) return;
-    scratch = std::make_unique<Scratch>();
-    const fs::path manifest =
-        scratch->write("study.yaml", std::string(study_start) + stimuli_before);
-    const std::string out = (scratch->path() / "out").string();
-    ASSERT_EQ(run_mien({"regress", "approve", manifest.string(), "--why", "first", "--keep-videos",
-                        "--out", out})
-                  .code,
-              0);
-    scratch->write("study.yaml", std::string(study_start) + stimuli_now);
-    ASSERT_EQ(run_mien({"regress", manifest.string(), "--out", out, "-o", folder().string()}).code,
-              1);
+    if (!chromium().empty()) folder = shared_set_up("regression_page", make_report) / "report";
   }
-  static void TearDownTestSuite() { scratch.reset(); }
 
   void SetUp() override {
     if (chromium().empty()) GTEST_SKIP() << "no Chromium here: install it to test pages";
   }
 
-  static fs::path folder() { return scratch->path() / "report"; }
-
   /// What a script gives in the page, which finds shorthands in it. The page alone is opened:
   /// nothing lies beside it.
   static json seen(const std::string& body) {
     const Scratch alone;
-    const fs::path page = alone.write("report.html", text_of(folder() / "report.html"));
+    const fs::path page = alone.write("report.html", text_of(folder / "report.html"));
     return in_browser(page, R"(
       const opened = () => [...document.querySelectorAll("details.card[open]")].map(one => one.id).join();
       const card = () => document.querySelector("details.card[open]");
@@ -68,7 +68,7 @@ class RegressionPage : public testing::Test {
     )" + body);
   }
 
-  inline static std::unique_ptr<Scratch> scratch;
+  inline static fs::path folder;
 };
 
 TEST_F(RegressionPage, OpensFromDiskWithoutANetwork) {

@@ -98,15 +98,6 @@ std::string command_of(pid_t process) {
 
 }  // namespace
 
-std::string must_run(const std::vector<std::string>& words) {
-  const Ended ended = run_program(words, 60.0);
-  if (ended.code == 0) return ended.output;
-  std::string command;
-  for (const std::string& word : words) command += word + " ";
-  throw std::runtime_error(command + "ended with " + std::to_string(ended.code) + ": " +
-                           ended.errors + ended.output);
-}
-
 bool wait_until(double seconds, const std::function<bool()>& holds) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (!holds()) {

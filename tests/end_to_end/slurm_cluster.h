@@ -55,9 +55,6 @@ class SlurmCluster {
   int port_ = 0;  ///< of the controller; the nodes have the next two
 };
 
-/// Runs a command and throws std::runtime_error unless it ends well. Gives its output.
-std::string must_run(const std::vector<std::string>& words);
-
 /// Asks every fifth of a second until it holds. False after so many seconds.
 bool wait_until(double seconds, const std::function<bool()>& holds);
 

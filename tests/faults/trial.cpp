@@ -1,6 +1,9 @@
 #include "faults/trial.h"
 
+#include <fstream>
 #include <stdexcept>
+
+#include "shared_set_up.h"
 
 namespace mien::test {
 
@@ -36,35 +39,37 @@ std::string end_of(const std::string& text) {
 }  // namespace
 
 Trial::Trial(std::uint64_t seed)
-    : random(seed), manifest_(scratch_.write("study.yaml", manifest_text)) {
-  const fs::path out = scratch_.path() / "finished";
-  const double begin = seconds_now();
-  const Ended made = ended(run(out));
-  duration_ = seconds_now() - begin;
-  if (made.code != 0) throw std::runtime_error("the undisturbed run failed: " + made.errors);
-  undisturbed_ = bytes_in(study_in(out));
+    : random(seed), set_up_(shared_set_up("faults", [](const fs::path& folder) {
+        std::ofstream(folder / "study.yaml") << manifest_text;
+        const double begin = seconds_now();
+        const Ended made = ended(run(folder / "study.yaml", folder / "finished"));
+        std::ofstream(folder / "seconds") << seconds_now() - begin;
+        if (made.code != 0) throw std::runtime_error("the undisturbed run failed: " + made.errors);
+      })) {
+  duration_ = std::stod(text_of(set_up_ / "seconds"));
+  undisturbed_ = bytes_in(study_in(set_up_ / "finished"));
 }
 
 fs::path Trial::fresh_out() { return scratch_.path() / std::to_string(++folders_); }
 
 fs::path Trial::finished_out() {
   const fs::path out = fresh_out();
-  fs::copy(scratch_.path() / "finished", out, fs::copy_options::recursive);
+  fs::copy(set_up_ / "finished", out, fs::copy_options::recursive);
   return out;
 }
 
-Trial::Words Trial::run(const fs::path& out) const {
-  return mien_with({"run", manifest_.string(), "--out", out.string(), "--jobs", "2"});
+Trial::Words Trial::run(const fs::path& manifest, const fs::path& out) {
+  return mien_with({"run", manifest.string(), "--out", out.string(), "--jobs", "2"});
 }
 
 Trial::Words Trial::worker(const fs::path& out) const {
   return mien_with(
-      {"farm", "worker", manifest_.string(), "--out", out.string(), "--tasks", all_tasks});
+      {"farm", "worker", manifest().string(), "--out", out.string(), "--tasks", all_tasks});
 }
 
 Trial::Words Trial::chunks(const fs::path& out) const {
   return mien_with(
-      {"farm", "worker", manifest_.string(), "--out", out.string(), "--tasks", all_chunks});
+      {"farm", "worker", manifest().string(), "--out", out.string(), "--tasks", all_chunks});
 }
 
 Trial::Words Trial::any(const fs::path& out) {

@@ -43,7 +43,7 @@ class Trial {
 
   /// Words of programs that work on the study: `mien run`; a worker of the farm that makes films,
   /// sheets and the report; one that draws chunks of the films; one of them by chance.
-  Words run(const std::filesystem::path& out) const;
+  Words run(const std::filesystem::path& out) const { return run(manifest(), out); }
   Words worker(const std::filesystem::path& out) const;
   Words chunks(const std::filesystem::path& out) const;
   Words any(const std::filesystem::path& out);
@@ -68,8 +68,11 @@ class Trial {
                     Figures& figures) const;
 
  private:
+  static Words run(const std::filesystem::path& manifest, const std::filesystem::path& out);
+  std::filesystem::path manifest() const { return set_up_ / "study.yaml"; }
+
   Scratch scratch_;
-  std::filesystem::path manifest_;
+  std::filesystem::path set_up_;  ///< manifest, finished study, and how many seconds it took
   Bytes undisturbed_;
   double duration_ = 0.0;
   int folders_ = 0;

@@ -7,6 +7,8 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/production/run.h"
 
+#include "shared_set_up.h"
+
 namespace mien::test {
 
 namespace {
@@ -30,28 +32,22 @@ overlays: [{target: a, created: b, output: {video: [webm]}}]
 sheets: [{compare: {target: a, created: b}}]
 )";
 
-/// Made when it is first asked for, and removed when the program ends.
-const fs::path& original() {
-  static const TemporaryFolder folder;
-  static const fs::path study = [] {
-    write_file(folder.path() / "my.recipes.yaml", "recipes: {heavy: {tempo: 0.9}}\n");
-    write_file(folder.path() / "m.yaml", manifest_text);
-    Production production(
-        load_manifest(folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; }),
-        {});
-    fs::path made = folder.path() / "tiny";
-    const RunResult result = run(production, made, 2, {}, {});
-    for (const TaskOutcome& outcome : result.outcomes) {
-      if (!outcome.error.empty()) throw std::runtime_error(outcome.error);
-    }
-    return made;
-  }();
-  return study;
+void make(const fs::path& folder) {
+  write_file(folder / "my.recipes.yaml", "recipes: {heavy: {tempo: 0.9}}\n");
+  write_file(folder / "m.yaml", manifest_text);
+  Production production(
+      load_manifest(folder / "m.yaml", [](const std::string&) { return std::nullopt; }), {});
+  const RunResult result = run(production, folder / "tiny", 2, {}, {});
+  for (const TaskOutcome& outcome : result.outcomes) {
+    if (!outcome.error.empty()) throw std::runtime_error(outcome.error);
+  }
 }
 
 }  // namespace
 
-MadeStudy::MadeStudy() { fs::copy(original(), folder_, fs::copy_options::recursive); }
+MadeStudy::MadeStudy() {
+  fs::copy(shared_set_up("made_study", make) / "tiny", folder_, fs::copy_options::recursive);
+}
 
 void MadeStudy::forget_receipts() const { fs::remove_all(folder_ / ".mien"); }
 

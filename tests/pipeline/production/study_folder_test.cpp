@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,8 @@
 #include "pipeline/production/run.h"
 #include "pipeline/report/study_tasks.h"
 #include "pipeline/temporary_folder.h"
+
+#include "shared_set_up.h"
 
 namespace mien::pipeline {
 namespace {
@@ -46,37 +49,52 @@ overlays: [{target: a, created: b}]
 sheets: [{compare: {target: a, created: b, reference: normal}}]
 )";
 
-/// A folder with the manifest and what it names.
+/// Runs a manifest or a provenance into `out`.
+void make(const fs::path& file, const fs::path& out, std::optional<Quality> quality) {
+  Production production(load_manifest(file, [](const std::string&) { return std::nullopt; }),
+                        {.quality = quality, .only = {}, .jobs = 1});
+  const RunResult result = run(production, out, 1, {}, {});
+  for (const TaskOutcome& outcome : result.outcomes) {
+    if (!outcome.error.empty()) throw std::runtime_error(outcome.error);
+  }
+}
+
+void make_draft(const fs::path& folder) {
+  fs::create_directories(folder / "sub");
+  write_file(folder / "m.yaml", manifest_text);
+  write_file(
+      folder / "sub/my.scales.yaml",
+      "range: [1, 7]\nscales: {slow-fast: {low: slow, high: fast, loadings: {quickness: 1}}}\n");
+  write_file(folder / "my.recipes.yaml",
+             "recipes: {heavy: {tempo: 0.9, posture: {head-flexion: 10}}}\n");
+  write_file(folder / "my.set.yaml", "name: bare\nbackground: \"#808080\"\n");
+  make(folder / "m.yaml", folder / "draft/tiny", Quality::draft);
+}
+
+/// A folder with the manifest, what it names, and what was made of it as a draft.
 class StudyFolder : public testing::Test {
  protected:
   StudyFolder() {
-    fs::create_directories(folder.path() / "sub");
-    write("m.yaml", manifest_text);
-    write(
-        "sub/my.scales.yaml",
-        "range: [1, 7]\nscales: {slow-fast: {low: slow, high: fast, loadings: {quickness: 1}}}\n");
-    write("my.recipes.yaml", "recipes: {heavy: {tempo: 0.9, posture: {head-flexion: 10}}}\n");
-    write("my.set.yaml", "name: bare\nbackground: \"#808080\"\n");
+    fs::copy(test::shared_set_up("study_folder", make_draft), folder.path(),
+             fs::copy_options::recursive);
   }
 
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder.path() / name) << text;
   }
 
-  /// Runs a manifest or a provenance into out/<name>, and returns that folder.
+  /// What a manifest or a provenance makes in a folder of that name.
   fs::path made(const fs::path& file, const std::string& name,
                 std::optional<Quality> quality = Quality::draft) const {
-    const fs::path out = folder.path() / name / "tiny";
-    Production production(load_manifest(file, [](const std::string&) { return std::nullopt; }),
-                          {.quality = quality, .only = {}, .jobs = 1});
-    const RunResult result = run(production, out, 1, {}, {});
-    for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
-    return out;
+    const fs::path made = folder.path() / name / "tiny";
+    make(file, made, quality);
+    return made;
   }
 
   static json document(const fs::path& file) { return json::parse(read_file(file)); }
 
-  test::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
+  const fs::path out = folder.path() / "draft/tiny";
 };
 
 /// All files of a study by their paths, without what the store keeps for itself.
@@ -100,7 +118,6 @@ std::string cell(const CsvTable& table, std::size_t row, const char* column) {
 }
 
 TEST_F(StudyFolder, HasACodebookOfEveryColumnOfEveryTable) {
-  const fs::path out = made(folder.path() / "m.yaml", "out");
   std::map<std::string, std::vector<std::string>> told;
   const json book = document(out / "metrics/codebook.json");
   for (const json& table : book["tables"]) {
@@ -121,7 +138,6 @@ TEST_F(StudyFolder, HasACodebookOfEveryColumnOfEveryTable) {
 }
 
 TEST_F(StudyFolder, HasATableOfStimuliThatAllOthersJoin) {
-  const fs::path out = made(folder.path() / "m.yaml", "out");
   const CsvTable stimuli = read_csv(out / "metrics/stimuli.csv");
   ASSERT_EQ(stimuli.rows.size(), 4u);
   std::set<std::string> known;
@@ -147,7 +163,6 @@ TEST_F(StudyFolder, HasATableOfStimuliThatAllOthersJoin) {
 }
 
 TEST_F(StudyFolder, TellsFilesOfStimuliWithTheirLengthAndHash) {
-  const fs::path out = made(folder.path() / "m.yaml", "out");
   const CsvTable stimuli = read_csv(out / "metrics/stimuli.csv");
   for (std::size_t r = 0; r < 3; ++r) {
     const auto frames = std::stoul(cell(stimuli, r, "film_frames"));
@@ -166,8 +181,7 @@ TEST_F(StudyFolder, TellsFilesOfStimuliWithTheirLengthAndHash) {
 }
 
 TEST_F(StudyFolder, TellsWhichExpectationsHold) {
-  const CsvTable table =
-      read_csv(made(folder.path() / "m.yaml", "out") / "metrics/expectations.csv");
+  const CsvTable table = read_csv(out / "metrics/expectations.csv");
   ASSERT_EQ(table.rows.size(), 5u);
   EXPECT_EQ(cell(table, 0, "above_previous"), "");
   EXPECT_EQ(cell(table, 1, "above_previous"), "1");
@@ -179,20 +193,19 @@ TEST_F(StudyFolder, TellsWhichExpectationsHold) {
 }
 
 TEST_F(StudyFolder, SaysWithWhatQualityItWasMade) {
-  const fs::path draft = made(folder.path() / "m.yaml", "draft");
   const fs::path standard = made(folder.path() / "m.yaml", "standard", std::nullopt);
-  const json one = document(draft / "provenance.json");
+  const json one = document(out / "provenance.json");
   const json other = document(standard / "provenance.json");
   EXPECT_EQ(one["command"], "mien run m.yaml --quality draft");
   EXPECT_EQ(other["command"], "mien run m.yaml");
   for (const json& stimulus : one["stimuli"]) EXPECT_EQ(stimulus["output"]["quality"], "draft");
   EXPECT_EQ(other["stimuli"][0]["output"]["samples_per_pixel"], 16);
-  EXPECT_NE(read_file(draft / "report.html").find("draft quality"), std::string::npos);
+  EXPECT_NE(read_file(out / "report.html").find("draft quality"), std::string::npos);
   EXPECT_EQ(read_file(standard / "report.html").find("draft quality"), std::string::npos);
 }
 
 TEST_F(StudyFolder, TellsAllSettingsOfEveryStimulus) {
-  const json record = document(made(folder.path() / "m.yaml", "out") / "provenance.json");
+  const json record = document(out / "provenance.json");
   ASSERT_EQ(record["stimuli"].size(), 3u);
   const json& heavy = record["stimuli"][2];
   EXPECT_EQ(heavy["modify"][0]["tempo"], 0.9);  // out of the file of recipes
@@ -205,7 +218,6 @@ TEST_F(StudyFolder, TellsAllSettingsOfEveryStimulus) {
 }
 
 TEST_F(StudyFolder, KeepsCopiesOfWhatItWasDescribedBy) {
-  const fs::path out = made(folder.path() / "m.yaml", "out");
   EXPECT_EQ(read_file(out / "inputs/m.yaml"), manifest_text);
   for (const char* name : {"sub/my.scales.yaml", "my.recipes.yaml", "my.set.yaml"}) {
     EXPECT_EQ(read_file(out / "inputs" / name), read_file(folder.path() / name));
@@ -215,7 +227,6 @@ TEST_F(StudyFolder, KeepsCopiesOfWhatItWasDescribedBy) {
 }
 
 TEST_F(StudyFolder, IsMadeAgainFromItsProvenanceToTheLastByte) {
-  const fs::path out = made(folder.path() / "m.yaml", "out");
   const auto files = files_in(out);
   for (const char* name : {"m.yaml", "my.recipes.yaml", "my.set.yaml", "sub/my.scales.yaml"})
     fs::remove(folder.path() / name);
@@ -226,7 +237,6 @@ TEST_F(StudyFolder, IsMadeAgainFromItsProvenanceToTheLastByte) {
 }
 
 TEST_F(StudyFolder, IsFoundMadeByItsProvenance) {
-  const fs::path out = made(folder.path() / "m.yaml", "out");
   Production production(
       load_manifest(out / "provenance.json", [](const std::string&) { return std::nullopt; }),
       {.quality = {}, .only = {}, .jobs = 1});
@@ -235,7 +245,7 @@ TEST_F(StudyFolder, IsFoundMadeByItsProvenance) {
 }
 
 TEST_F(StudyFolder, TellsWhichInputsHaveChangedSince) {
-  const fs::path provenance = made(folder.path() / "m.yaml", "out") / "provenance.json";
+  const fs::path provenance = out / "provenance.json";
   const auto changes = [&] {
     return changes_since(
         provenance, load_manifest(provenance, [](const std::string&) { return std::nullopt; }));
@@ -247,7 +257,6 @@ TEST_F(StudyFolder, TellsWhichInputsHaveChangedSince) {
 }
 
 TEST_F(StudyFolder, TellsThatTheManifestWhichIsRunHasChanged) {
-  const fs::path out = made(folder.path() / "m.yaml", "out");
   std::string text = read_file(out / "inputs/as-run.yaml");
   text.replace(text.find("0.6"), 3, "0.5");
   std::ofstream(out / "inputs/as-run.yaml") << text;
@@ -262,16 +271,16 @@ TEST_F(StudyFolder, IsNotToldAsMadeOfInputsThatChangedMeanwhile) {
       load_manifest(folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; }),
       {.quality = Quality::draft, .only = {}, .jobs = 1});
   write("my.recipes.yaml", "recipes: {heavy: {tempo: 0.8, posture: {head-flexion: 10}}}\n");
-  const fs::path out = folder.path() / "out/tiny";
+  const fs::path again = folder.path() / "again/tiny";
   try {
-    run(production, out, 1, {}, {});
+    run(production, again, 1, {}, {});
     FAIL() << "the change was not seen";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("inputs/my.recipes.yaml was changed"),
               std::string::npos)
         << error.what();
   }
-  EXPECT_FALSE(fs::exists(out / "provenance.json"));
+  EXPECT_FALSE(fs::exists(again / "provenance.json"));
 }
 
 TEST_F(StudyFolder, HasTablesOfTheEnvironmentsFactors) {
@@ -290,7 +299,6 @@ TEST_F(StudyFolder, HasTablesOfTheEnvironmentsFactors) {
 }
 
 TEST_F(StudyFolder, IsNotMadeAgainWithoutItsInputs) {
-  const fs::path out = made(folder.path() / "m.yaml", "out");
   fs::remove(out / "inputs/m.yaml");
   const auto faults = check_manifest(out / "provenance.json", [](const std::string&) {
                         return std::nullopt;

@@ -15,6 +15,8 @@
 #include "render/image/image_io.h"
 #include "scenes/skinned_gltf.h"
 
+#include "shared_set_up.h"
+
 namespace mien::test {
 
 namespace {
@@ -134,14 +136,15 @@ void write_texture(const fs::path& folder, std::uint8_t grey) {
   render::write_png(folder / "skin.png", skin);
 }
 
-ApprovedStudy::ApprovedStudy() {
-  write_study(folder_.path());
-  approve_in(folder_.path(), folder_.path() / "baselines" / "small",
-             videos_of_study(json::parse(manifest_text)));
-}
+ApprovedStudy::ApprovedStudy()
+    : folder_(shared_set_up("approved_study", [](const fs::path& folder) {
+        write_study(folder);
+        approve_in(folder, folder / "baselines" / "small",
+                   videos_of_study(json::parse(manifest_text)));
+      })) {}
 
 ChangedStudy ApprovedStudy::copied(const fs::path& folder) const {
-  fs::copy(folder_.path(), folder, fs::copy_options::recursive);
+  fs::copy(folder_, folder, fs::copy_options::recursive);
   ChangedStudy study{.folder = folder,
                      .manifest = json::parse(manifest_text),
                      .baseline = read_baseline(folder / "baselines" / "small"),

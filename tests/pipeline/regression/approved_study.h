@@ -60,7 +60,7 @@ class ApprovedStudy {
   pipeline::Baseline approved(const ChangedStudy& study, const std::filesystem::path& folder) const;
 
  private:
-  TemporaryFolder folder_;
+  std::filesystem::path folder_;
 };
 
 const ApprovedStudy& approved_study();

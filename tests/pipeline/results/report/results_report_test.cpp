@@ -18,6 +18,8 @@
 #include "pipeline/results/two_emotions.h"
 #include "pipeline/temporary_folder.h"
 
+#include "shared_set_up.h"
+
 namespace mien::pipeline {
 namespace {
 
@@ -55,18 +57,29 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
   return files;
 }
 
+void write_report(const Reported& reported, const FrozenVerdict& frozen, const fs::path& report) {
+  clear_results_folder(report);
+  write_results(reported.results, reported.rows, frozen, report);
+}
+
 std::map<std::string, std::string> written_report(const Reported& reported,
                                                   const FrozenVerdict& frozen = {}) {
   const test::TemporaryFolder folder;
-  const fs::path report = folder.path() / "report";
-  clear_results_folder(report);
-  write_results(reported.results, reported.rows, frozen, report);
-  return files_in(report);
+  write_report(reported, frozen, folder.path() / "report");
+  return files_in(folder.path() / "report");
+}
+
+/// What is written of reported_study().
+std::map<std::string, std::string> usual_report() {
+  return files_in(test::shared_set_up("results_report",
+                                      [](const fs::path& folder) {
+                                        write_report(reported_study(), {}, folder / "report");
+                                      }) /
+                  "report");
 }
 
 TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
-  const Reported reported = reported_study();
-  const auto files = written_report(reported);
+  const auto files = usual_report();
   for (const char* name : {"report.html",
                            "results/means.csv",
                            "results/histograms.csv",
@@ -94,18 +107,17 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "dataset_description.json",
                            "README.md"})
     EXPECT_TRUE(files.contains(name)) << name;
-  EXPECT_EQ(written_report(reported), files);
+  EXPECT_EQ(written_report(reported_study()), files);
 }
 
 TEST(ResultsReport, TellsWhatWasAnsweredTwice) {
-  const std::string page = written_report(reported_study()).at("report.html");
+  const std::string page = usual_report().at("report.html");
   EXPECT_NE(page.find("<section id=\"catch\">"), std::string::npos);
   EXPECT_NE(page.find("href=\"results/catch_summary.csv\""), std::string::npos);
 }
 
 TEST(ResultsReport, NamesTheFiguresOfTheThesisThatItsOwnAreLike) {
-  const CsvTable list =
-      parse_csv(written_report(reported_study()).at("figures.csv"), "figures.csv");
+  const CsvTable list = parse_csv(usual_report().at("figures.csv"), "figures.csv");
   std::set<std::string> numbers;
   for (const auto& row : list.rows) numbers.insert(row[0].text);
   for (const char* number :
@@ -114,7 +126,7 @@ TEST(ResultsReport, NamesTheFiguresOfTheThesisThatItsOwnAreLike) {
 }
 
 TEST(ResultsReport, MarksWhatIsSimulatedEverywhere) {
-  const auto files = written_report(reported_study());
+  const auto files = usual_report();
   const std::string& page = files.at("report.html");
   EXPECT_NE(page.find("<title>Simulated: "), std::string::npos);
   const auto count = [](const std::string& text, const std::string& word) {
@@ -190,7 +202,7 @@ TEST(ResultsReport, CountsOnePersonAsOne) {
 }
 
 TEST(ResultsReport, EscapesWhatParticipantsWrote) {
-  const std::string page = written_report(reported_study()).at("report.html");
+  const std::string page = usual_report().at("report.html");
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; &amp;"), std::string::npos);
 }
@@ -221,7 +233,7 @@ TEST(ResultsReport, TellsWhatDiffersFromAFrozenDesign) {
 // The rules of the Psych-DS validator that bear on such a folder (psych-ds.github.io, schema 0.4):
 // names of data files, columns that the metadata lack, metadata without a column, the JSON-LD.
 TEST(ResultsReport, IsADatasetByTheRulesOfPsychDs) {
-  const auto files = written_report(reported_study());
+  const auto files = usual_report();
   const nlohmann::json description = nlohmann::json::parse(files.at("dataset_description.json"));
   EXPECT_EQ(description.at("@type"), "Dataset");
   EXPECT_EQ(std::string(description.at("@context")).rfind("https://schema.org", 0), 0u);
@@ -259,7 +271,7 @@ TEST(ResultsReport, IsADatasetByTheRulesOfPsychDs) {
 }
 
 TEST(ResultsReport, TellsEveryColumnOfItsTablesInTheCodebook) {
-  const auto files = written_report(reported_study());
+  const auto files = usual_report();
   const CsvTable codebook = parse_csv(files.at("codebook.csv"), "codebook.csv");
   std::set<std::pair<std::string, std::string>> told;
   for (const auto& row : codebook.rows) {
@@ -274,11 +286,10 @@ TEST(ResultsReport, TellsEveryColumnOfItsTablesInTheCodebook) {
 }
 
 TEST(ResultsReport, KeepsAnswersThatGoBackInAsRatings) {
-  const Reported reported = reported_study();
-  const auto files = written_report(reported);
+  const auto files = usual_report();
   const std::string& csv = files.at(dataset_paths("two-emotions").answers);
   ScaleSet scales;
-  scales.scales = reported.results.gathered.scales;
+  scales.scales = reported_study().results.gathered.scales;
   const Answers answers = parse_answers(csv, "answers.csv", scales);
   EXPECT_EQ(answers.answers.size(), 12u * 5u * 2u);
   EXPECT_TRUE(answers.simulated);
