@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -13,11 +14,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const fs::path tests = fs::path(MIEN_SOURCE_DIR) / "tests";
+
+struct Label {
+  std::string label;
+  std::string name;  ///< of a suite or a test
+};
+
+std::vector<Label> all_labels() {
+  std::vector<Label> all;
+  std::ifstream file(tests / "labels.txt");
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line.starts_with("#")) continue;
+    Label& one = all.emplace_back();
+    std::istringstream(line) >> one.label >> one.name;
+  }
+  return all;
+}
+
 /// Suites ("FootLock") and tests ("FootLock.HoldsPlantedFeetStill") of all sources.
-std::set<std::string> names_of_tests(const fs::path& folder) {
+std::set<std::string> names_of_tests() {
   static const std::regex declared(R"((?:^|\n)TEST(?:_F|_P)?\((\w+),\s*(\w+)\))");
   std::set<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+  for (const auto& entry : fs::recursive_directory_iterator(tests)) {
     if (entry.path().extension() != ".cpp") continue;
     std::ifstream file(entry.path());
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -30,20 +49,31 @@ std::set<std::string> names_of_tests(const fs::path& folder) {
 }
 
 TEST(Labels, AreOfTestsThatThereAre) {
-  const fs::path folder = fs::path(MIEN_SOURCE_DIR) / "tests";
-  const std::set<std::string> names = names_of_tests(folder);
-  const std::set<std::string> labels = {"slow", "browser", "slurm"};
-  std::ifstream file(folder / "labels.txt");
-  int count = 0;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line.starts_with("#")) continue;
-    std::string label, name;
-    std::istringstream(line) >> label >> name;
-    EXPECT_TRUE(labels.contains(label)) << line;
-    EXPECT_TRUE(names.contains(name)) << line;
-    ++count;
+  const std::set<std::string> names = names_of_tests();
+  const std::set<std::string> labels = {"slow", "long", "browser", "slurm"};
+  const std::vector<Label> all = all_labels();
+  for (const Label& one : all) {
+    EXPECT_TRUE(labels.contains(one.label)) << one.label << " " << one.name;
+    EXPECT_TRUE(names.contains(one.name)) << one.label << " " << one.name;
   }
-  EXPECT_GT(count, 0);
+  EXPECT_FALSE(all.empty());
+}
+
+// What nobody asks for runs seldom: something of each suite runs always.
+TEST(Labels, LeaveEachSuiteATestThatIsNotLong) {
+  std::set<std::string> names = names_of_tests();
+  std::set<std::string> suites;
+  for (const Label& one : all_labels()) {
+    if (one.label != "long") continue;
+    const std::size_t dot = one.name.find('.');
+    EXPECT_NE(dot, std::string::npos) << one.name << " is a suite";
+    suites.insert(one.name.substr(0, dot) + ".");
+    names.erase(one.name);
+  }
+  for (const std::string& suite : suites) {
+    const auto first = names.lower_bound(suite);
+    EXPECT_TRUE(first != names.end() && first->starts_with(suite)) << suite;
+  }
 }
 
 }  // namespace
