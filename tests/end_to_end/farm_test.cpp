@@ -73,6 +73,21 @@ class FarmOnSlurm : public Farm {
     return "";
   }
 
+  /// A job that ends each time as if it had better be tried again.
+  std::string submit_transient() const {
+    write_files();
+    return submit_changed(submission() / "2-frames.sbatch", stand_in("echo tried; exit 75"),
+                          {"--array=2"});
+  }
+
+  int tries_of(const std::string& job) const {
+    const std::string log = log_of("2-frames", job + "_2");
+    int tries = 0;
+    for (auto at = log.find("tried\n"); at != std::string::npos; at = log.find("tried\n", at + 1))
+      ++tries;
+    return tries;
+  }
+
   std::unique_ptr<SlurmCluster> cluster;
 };
 
@@ -92,23 +107,23 @@ TEST_F(FarmOnSlurm, MakesAStudyAndKnowsIt) {
   EXPECT_NE(farm({"resume"}).output.find("nothing to do"), std::string::npos);
 }
 
+TEST_F(FarmOnSlurm, PutsBackWhatIsTransient) {
+  start(SlurmCluster::Requeue::by_job);
+  if (IsSkipped()) return;
+  const std::string job = submit_transient();
+  EXPECT_TRUE(wait_until(60.0, [&] { return tries_of(job) == 2; })) << state_of(job, "2");
+}
+
 TEST_F(FarmOnSlurm, PutsBackWhatIsTransientThreeTimesWhoeverDoesIt) {
   for (const auto requeue : {SlurmCluster::Requeue::by_site, SlurmCluster::Requeue::by_job}) {
     if (requeue == SlurmCluster::Requeue::by_job) start(requeue);
     if (IsSkipped()) return;
     fs::remove_all(out);
-    write_files();
-    const std::string job = submit_changed(submission() / "2-frames.sbatch",
-                                           stand_in("echo tried; exit 75"), {"--array=2"});
+    const std::string job = submit_transient();
     EXPECT_TRUE(wait_until(120.0, [&] { return state_of(job, "2") == "FAILED"; }))
         << state_of(job, "2");
     const std::string log = log_of("2-frames", job + "_2");
-    int tries = 0;
-    for (std::size_t at = log.find("tried\n"); at != std::string::npos;
-         at = log.find("tried\n", at + 1)) {
-      ++tries;
-    }
-    EXPECT_EQ(tries, 4) << log;
+    EXPECT_EQ(tries_of(job), 4) << log;
     EXPECT_NE(log.find("ended with 75 on n"), std::string::npos) << log;
   }
 }
@@ -240,9 +255,10 @@ TEST_F(FarmOnSlurm, KeepsTheCutOfWhatWaitsAndSubmitsTheRestAlone) {
 TEST_F(FarmOnSlurm, ResumesWhatKilledJobsLeft) {
   ASSERT_EQ(farm({"submit"}, {"--chunk", "4"}).code, 0);
   ASSERT_TRUE(wait_until(30.0, [&] { return status()["running"] > 0; }));
-  cluster->kill_node(1);
+  // Where a node's daemon lives, Slurm takes a minute to see that a job is gone.
+  for (const int node : {1, 2}) cluster->kill_node(node);
   cluster->kill_steps();
-  cluster->restart_node(1);
+  for (const int node : {1, 2}) cluster->restart_node(node);
   ASSERT_TRUE(cluster->wait_until_empty(180.0));
   ASSERT_EQ(farm({"resume"}).code, 0);
   ASSERT_TRUE(cluster->wait_until_empty(180.0));

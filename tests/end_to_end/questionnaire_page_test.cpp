@@ -295,7 +295,13 @@ TEST_F(QuestionnairePage, FindsRoomForWordsAndForJapaneseOnAPhone) {
 TEST_F(QuestionnairePage, HasNoFaultOfAccessibility) {
   const json checked = played("accessibility");
   EXPECT_EQ(checked.at("faults"), json::array());
-  EXPECT_GT(checked.at("checked"), 20);
+  EXPECT_GT(checked.at("checked"), 10);
+}
+
+TEST_F(QuestionnairePage, HasNoFaultOfAccessibilityAsNarrowAsAPhone) {
+  const json checked = played("narrow_accessibility");
+  EXPECT_EQ(checked.at("faults"), json::array());
+  EXPECT_GT(checked.at("checked"), 10);
 }
 
 TEST_F(QuestionnairePage, SendsPhonesAwayAndKeepsNothingOfWhoRefuses) {

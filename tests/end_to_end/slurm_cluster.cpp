@@ -145,7 +145,7 @@ void SlurmCluster::write_configuration(Requeue requeue) const {
        << "MpiDefault=none\nSchedulerType=sched/backfill\nSelectType=select/cons_tres\n"
        << "SelectTypeParameters=CR_CPU\nReturnToService=2\nSlurmdTimeout=10\nKillWait=3\n"
        << "JobRequeue=1\nMaxArraySize=1001\n"
-       << "SchedulerParameters=batch_sched_delay=0,sched_interval=2,bf_interval=2,"
+       << "SchedulerParameters=batch_sched_delay=0,sched_interval=1,bf_interval=1,"
        << "sched_min_interval=0,requeue_setup_env_fail\n"
        << "JobCompType=jobcomp/filetxt\nJobCompLoc=" << at << "/log/jobcomp.txt\n"
        << "AccountingStorageType=accounting_storage/none\n";

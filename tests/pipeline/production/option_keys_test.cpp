@@ -139,7 +139,7 @@ TEST_F(Options, AreInTheKeysOfWhatTheyConcernAndOfNothingElse) {
 
 /// With MIEN_ALL_OPTIONS=1 every option is tried, else some of them: making studies takes its time.
 TEST_F(Options, ThatDifferNeverShareAnArtifactThatDiffers) {
-  const int step = std::getenv("MIEN_ALL_OPTIONS") != nullptr ? 1 : 45;
+  const int step = std::getenv("MIEN_ALL_OPTIONS") != nullptr ? 1 : 90;
   std::map<std::string, Artifacts> known;
   const auto artifacts_of = [&](const json& document) -> const Artifacts& {
     const auto [entry, is_new] = known.try_emplace(document.dump());

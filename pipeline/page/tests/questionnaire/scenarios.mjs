@@ -133,34 +133,34 @@ async function refusal() {
   return { text: await page.locator("main").innerText(), kept, troubles };
 }
 
-/** Faults of accessibility on every page, at the size of a laptop and of a phone. */
-async function accessibility() {
+/** Faults of accessibility on every page, on a laptop or as `how` says. */
+async function accessibility(how = desktop) {
   const script = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
   const faults = [];
   let checked = 0;
-  // As narrow as a phone, and not refused as one.
-  for (const how of [desktop, { viewport: phone.viewport }]) {
-    const { page } = await open(on_disk, { ...how, bypassCSP: true });
-    const check = async (where) => {
-      if (!(await page.evaluate(() => !!window.axe))) await page.evaluate(script);
-      const { violations } = await page.evaluate(() => window.axe.run());
-      checked += 1;
-      for (const { id, impact, nodes } of violations)
-        faults.push(`${impact} ${id} on ${where}: ${nodes[0].html.slice(0, 120)}`);
-    };
-    await take(page, { each: async (sight, number) => {
-      if (sight === "load") return false;
-      await check(`${sight} ${number}`);
-      if (sight === "trial" && number < 3 && await page.locator(".stage").count()) {
-        await page.locator(".play").click();
-        await page.waitForFunction(() => !document.querySelector(".answers").inert);
-        await check(`answers of trial ${number}`);
-      }
-      return false;
-    } });
-  }
+  const { page } = await open(on_disk, { ...how, bypassCSP: true });
+  const check = async (where) => {
+    if (!(await page.evaluate(() => !!window.axe))) await page.evaluate(script);
+    const { violations } = await page.evaluate(() => window.axe.run());
+    checked += 1;
+    for (const { id, impact, nodes } of violations)
+      faults.push(`${impact} ${id} on ${where}: ${nodes[0].html.slice(0, 120)}`);
+  };
+  await take(page, { each: async (sight, number) => {
+    if (sight === "load") return false;
+    await check(`${sight} ${number}`);
+    if (sight === "trial" && number < 3 && await page.locator(".stage").count()) {
+      await page.locator(".play").click();
+      await page.waitForFunction(() => !document.querySelector(".answers").inert);
+      await check(`answers of trial ${number}`);
+    }
+    return false;
+  } });
   return { faults, checked };
 }
+
+/** As narrow as a phone, and not refused as one. */
+const narrow_accessibility = () => accessibility({ viewport: phone.viewport });
 
 /** In the place of JATOS's own script: what it keeps outlives a reload. */
 const jatos_script = `
@@ -435,7 +435,7 @@ async function take_to_trial(page) {
 
 const given_study = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
-const scenarios = { reload, keys, stall, refused_phone, refusal, accessibility, jatos,
+const scenarios = { reload, keys, stall, refused_phone, refusal, accessibility, narrow_accessibility, jatos,
   served, laboratory, single_keys, thanks_again, crowded };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);

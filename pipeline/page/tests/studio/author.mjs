@@ -9,26 +9,6 @@ const { browser, page, wrong, tab, number, settled, set, pictures } = await open
 
 const text = () => readFileSync(file, "utf8");
 
-/** From a slider's change to the motion on the screen, milliseconds: the median of many. */
-async function waiting() {
-  return page.evaluate(async () => {
-    const range = document.querySelector(".slider input[type=range]");
-    const { studio, stage } = globalThis.studio;
-    const took = [];
-    for (let i = 0; i < 25; i += 1) {
-      const before = studio.made;
-      const from = performance.now();
-      range.value = String(0.3 + 0.015 * i);
-      range.dispatchEvent(new Event("input"));
-      while (studio.made === before) await new Promise((resolve) => setTimeout(resolve, 1));
-      await stage.drawn();
-      took.push(performance.now() - from);
-    }
-    range.dispatchEvent(new Event("change"));
-    return took.sort((a, b) => a - b)[12];
-  });
-}
-
 const seen = {};
 seen.stimuli = await page.locator(".stimulus span:first-child").allTextContents();
 seen.sliders = await page.locator(".slider:visible").count();
@@ -105,6 +85,7 @@ seen.D = await page.evaluate(() => globalThis.studio.studio.made.distance.D);
 
 // A still and a video of the same.
 await tab("Render");
+await page.getByLabel("Quality").selectOption("draft");
 await page.getByRole("button", { name: "Still of this moment" }).click();
 await page.locator(".result img").waitFor({ timeout: 120000 });
 seen.still = await page.evaluate(async () => {
@@ -119,11 +100,6 @@ await page.waitForFunction(() => document.querySelector(".result video").readySt
 seen.video = await page.evaluate(() => document.querySelector(".result video").duration);
 seen.told = await page.locator(".told").textContent();
 
-await page.locator("select[name=against]").selectOption("");
-await settled();
-await tab("Motion");
-seen.milliseconds = await waiting();
-await page.keyboard.press("Control+z");
 seen.wrong = wrong.filter((told) => !/422|409/.test(told));
 console.log(JSON.stringify(seen));
 await browser.close();
