@@ -30,10 +30,11 @@ const fs::path pages = fs::path(MIEN_PROGRAM).parent_path() / "pages";
 /// A copy of the quickstart in the studio.
 class StudioAtWork : public testing::Test {
  protected:
-  /// With the program at `mien`, until it tells its link.
-  void open(const fs::path& mien) {
+  /// With the program at `mien`, until it tells its link. Fewer frames are sooner drawn.
+  void open(const fs::path& mien, int fps = 30) {
     std::string quickstart = text_of(fs::path(MIEN_SOURCE_DIR) / "manifests/quickstart.yaml");
-    quickstart.replace(quickstart.find("[960, 540]"), 10, "[160, 90]");
+    quickstart.replace(quickstart.find("[960, 540], fps: 30"), 19,
+                       "[160, 90], fps: " + std::to_string(fps));
     manifest = folder.write("my.yaml", quickstart);
     const fs::path told = folder.path() / "link.json";
     studio.emplace(std::vector<std::string>{
@@ -152,7 +153,7 @@ class StudioPage : public StudioAtWork {
 
 TEST_F(StudioPage, ChangesTheQuickstartAndMakesIt) {
   if (const std::string why = hindrance(); !why.empty()) GTEST_SKIP() << why;
-  open(MIEN_PROGRAM);
+  open(MIEN_PROGRAM, 10);
   const json seen = played("author.mjs", {manifest.string()});
   ASSERT_TRUE(seen.is_object());
   EXPECT_EQ(seen.at("wrong"), json::array());
