@@ -23,8 +23,11 @@ import tempfile
 
 
 def seconds_for(rows, error):
-    """Seconds a frame at that error, along a line through the two nearest rows (log-log)."""
+    """Seconds a frame at that error, along a line through the two nearest rows (log-log). No frame
+    takes less than one of a single sample, however large the error may be."""
     rows = sorted(rows, key=lambda row: row["error"])
+    if error >= rows[-1]["error"]:
+        return rows[-1]["seconds"]
     for near, far in zip(rows, rows[1:]):
         if error <= far["error"] or far is rows[-1]:
             break

@@ -3,7 +3,8 @@
 //   peer_scene write SCENE.json            for the peers
 //   peer_scene measure FRAMES REFERENCE    draws it with both cores at several numbers of samples,
 //                                          and prints JSON: seconds a frame and the RMS error of
-//                                          linear RGB against REFERENCE samples, for a camera that
+//                                          linear RGB against REFERENCE samples, after a first
+//                                          frame that shows the set, for a camera that
 //                                          stands and one that goes round the figure
 //   peer_scene draw FRAMES SAMPLES standing|moving
 //                                          draws it on one thread and prints processor seconds a
@@ -90,7 +91,9 @@ json measure(const motion::Clip& clip, bool moving, int frames, int reference_sa
   json rows;
   for (const int samples : {1, 2, 4, 8, 16, 32, 64}) {
     render::Tracer fresh;
-    render::Film film;
+    // As its peers do: the first builds what persists.
+    render::Film film =
+        fresh.trace(scene_of(joints_at(clip, 0)), camera_at(0, moving), quality_of(samples));
     const auto start = std::chrono::steady_clock::now();
     for (int f = 0; f < frames; ++f)
       film = fresh.trace(scene_of(joints_at(clip, f)), camera_at(f, moving), quality_of(samples));

@@ -267,6 +267,11 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
       EXPECT_EQ(part.alpha, cut_out(whole.alpha, camera.width, *cropped.window));
     }
   }
+  for (const int samples : {1, 2}) {
+    const Quality few{.samples_per_pixel = samples};
+    EXPECT_EQ(Tracer().trace(scene, cropped, few),
+              cut_out(Tracer().trace(scene, camera, few), *cropped.window));
+  }
   const Quality quality{.samples_per_pixel = 4};
   const Layers whole = cut_out(Tracer().layers(scene, camera, quality), *cropped.window);
   const Layers part = Tracer().layers(scene, cropped, quality);
