@@ -29,10 +29,11 @@ constexpr std::size_t waiting_frames = 1;
 constexpr int contact_frames = 12;
 constexpr int contact_width = 480;
 
-/// A frame on its way: just traced, or read from the store.
+/// A frame on its way, in the form in which it is kept; or read from the store.
 struct Exposure {
   int frame = 0;
-  std::variant<render::Film, render::Layers, render::Image8> picture;
+  FramePicture picture;
+  bool is_stored = false;
 };
 
 /// The second half of the work, in a thread of its own.
@@ -64,8 +65,7 @@ class FrameTaker {
     try {
       Exposure exposure;
       while (queue_.pop(exposure)) {
-        const render::Image8 shown = developed(exposure);
-        exposure.picture = {};  // a film is large, and encoding takes its time
+        const render::Image8 shown = kept(exposure);
         sink_(exposure.frame, shown);
       }
     } catch (...) {
@@ -74,21 +74,17 @@ class FrameTaker {
     }
   }
 
-  render::Image8 developed(Exposure& exposure) {
-    if (auto* stored = std::get_if<render::Image8>(&exposure.picture)) return std::move(*stored);
-    const auto* layers = std::get_if<render::Layers>(&exposure.picture);
-    const render::Film& film =
-        layers != nullptr ? layers->beauty : std::get<render::Film>(exposure.picture);
-    if (store_ == nullptr) return render::to_srgb8(film, tone_);
+  /// The frame as the file has it, where it is kept in one; its picture is used up.
+  render::Image8 kept(Exposure& exposure) {
+    if (exposure.is_stored || store_ == nullptr)
+      return std::move(std::get<render::Image8>(exposure.picture));
     const FrameFormat format = settings_.output.frames;
     render::Image8 read_back;
     store_->put(
         frame_name(format, exposure.frame),
+        [&](const std::filesystem::path& file) { write_frame(file, exposure.picture); },
         [&](const std::filesystem::path& file) {
-          layers != nullptr ? render::write_layers(file, *layers)
-                            : write_frame(file, film, format, tone_);
-        },
-        [&](const std::filesystem::path& file) {
+          exposure.picture = {};  // as large as what is read
           read_back = read_frame(file, format, settings_.output.shown_size(), tone_);
         });
     return read_back;
@@ -229,7 +225,9 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
   render::Tracer tracer(tracer_options(settings, shot, stop));
   const render::Quality quality = quality_of(settings, shot);
   render::Film used;  // of the frame before
-  const bool keeps = store != nullptr && settings.output.frames != FrameFormat::none;
+  const FrameFormat kept = store != nullptr ? settings.output.frames : FrameFormat::none;
+  const bool keeps = kept != FrameFormat::none;
+  const bool develops = kept != FrameFormat::exr;
   FrameTaker taker(settings, shot.tone, keeps ? store : nullptr, sink);
   double done = 0.0;
   for (const int frame : frames) {
@@ -238,14 +236,17 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
     exposure.frame = frame;
     if (auto stored = stored_frame(store, frame, settings.output, shot.tone)) {
       exposure.picture = std::move(*stored);
+      exposure.is_stored = true;
     } else if (!draw_frame(tracer, shot, settings, quality, used, exposure)) {
       break;
     }
     // A film has three times the memory of its picture, which is all that is wanted of it.
-    if (auto* film = std::get_if<render::Film>(&exposure.picture); film != nullptr && !keeps) {
+    if (auto* film = std::get_if<render::Film>(&exposure.picture); film != nullptr && develops) {
       used = std::move(*film);
-      exposure.picture = render::to_srgb8(used, shot.tone);
+      exposure.picture = developed(used, kept, shot.tone);
     }
+    if (auto* layers = std::get_if<render::Layers>(&exposure.picture); layers != nullptr && !keeps)
+      exposure.picture = developed(layers->beauty, kept, shot.tone);
     if (!taker.push(std::move(exposure))) break;
     progress(++done / static_cast<double>(frames.size()));
   }

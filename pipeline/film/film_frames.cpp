@@ -1,6 +1,7 @@
 #include "pipeline/film/film_frames.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -38,16 +39,23 @@ std::string frame_name(FrameFormat format, int frame) {
                      format == FrameFormat::exr || format == FrameFormat::layers ? "exr" : "png");
 }
 
-void write_frame(const std::filesystem::path& file, const render::Film& film, FrameFormat format,
-                 const render::Tone& tone) {
-  switch (format) {
-    case FrameFormat::exr:
-      return render::write_exr(file, film);
-    case FrameFormat::png16:
-      return render::write_png(file, render::to_srgb16(film, tone));
-    default:
-      return render::write_png(file, render::to_srgb8(film, tone));
-  }
+FramePicture developed(const render::Film& film, FrameFormat format, const render::Tone& tone) {
+  if (format == FrameFormat::png16) return render::to_srgb16(film, tone);
+  return render::to_srgb8(film, tone);
+}
+
+void write_frame(const std::filesystem::path& file, const FramePicture& picture) {
+  std::visit(
+      [&]<class Picture>(const Picture& kept) {
+        if constexpr (std::is_same_v<Picture, render::Film>) {
+          render::write_exr(file, kept);
+        } else if constexpr (std::is_same_v<Picture, render::Layers>) {
+          render::write_layers(file, kept);
+        } else {
+          render::write_png(file, kept);
+        }
+      },
+      picture);
 }
 
 render::Image8 read_frame(const std::filesystem::path& file, FrameFormat format,

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <string>
+#include <variant>
 
 #include "pipeline/manifest/manifest.h"
 #include "render/image/film.h"
 #include "render/image/image.h"
+#include "render/image/layers.h"
 #include "render/image/tone.h"
 
 namespace mien::pipeline {
@@ -13,9 +15,14 @@ namespace mien::pipeline {
 /// "00012.png", "00012.exr"
 std::string frame_name(FrameFormat format, int frame);
 
-/// Writes one frame. `format` is not none. EXR keeps the light as it is, without the tone.
-void write_frame(const std::filesystem::path& file, const render::Film& film, FrameFormat format,
-                 const render::Tone& tone = {});
+/// A frame in the form in which a file has it: light, or what a display shows.
+using FramePicture = std::variant<render::Film, render::Layers, render::Image8, render::Image16>;
+
+/// What a display shows, of 16 bits for png16 and of 8 for the rest.
+FramePicture developed(const render::Film& film, FrameFormat format, const render::Tone& tone = {});
+
+/// Writes one frame: light as EXR, the others as PNG.
+void write_frame(const std::filesystem::path& file, const FramePicture& picture);
 
 /// The frame as a display shows it. Throws render::Error when it does not decode or has another
 /// size.

@@ -191,7 +191,7 @@ TEST(FilmFrames, HaveNamesThatSort) {
 TEST(FilmFrames, OfAnotherSizeAreRefused) {
   const test::TemporaryFolder folder;
   const render::Film film(8, 4);
-  write_frame(folder.path() / "a.png", film, FrameFormat::png);
+  write_frame(folder.path() / "a.png", developed(film, FrameFormat::png));
   EXPECT_NO_THROW(read_frame(folder.path() / "a.png", FrameFormat::png, {8, 4}));
   EXPECT_THROW(read_frame(folder.path() / "a.png", FrameFormat::png, {8, 5}), render::Error);
   EXPECT_THROW(read_frame(folder.path() / "a.png", FrameFormat::png16, {8, 4}), render::Error);
