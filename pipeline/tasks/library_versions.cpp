@@ -10,6 +10,7 @@
 
 #include "pipeline/tasks/code_identity.h"
 #include "render/image/image_io.h"
+#include "render/image/png_file.h"
 #include "render/tracer/tracer.h"
 #include "render/video/video.h"
 
@@ -34,6 +35,7 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
       {"Embree", render::Tracer().description()},
       {"FFmpeg", render::video_libraries()},
       {"fmt", dotted(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+      {"libpng", render::png_library()},
       {"nlohmann_json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                NLOHMANN_JSON_VERSION_PATCH)},
       {"OpenImageIO", render::image_library()},

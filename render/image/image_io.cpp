@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/error.h"
+#include "render/image/png_file.h"
 #include "render/image_files/image_files.h"
 
 namespace mien::render {
@@ -21,24 +22,24 @@ void write(const std::filesystem::path& path, const ImagePart& part) {
 }
 
 template <class Channel>
-void write_png_of(const std::filesystem::path& path, const Image<Channel>& image,
-                  ChannelKind depth) {
-  ImagePart part{.width = image.width,
-                 .height = image.height,
-                 .stored = depth,
-                 .attributes = {{"oiio:ColorSpace", "sRGB"}},
-                 .given = depth,
-                 .values = image.channels.data()};
-  // Rendered gradients gain little from more effort, and a frame is written many times as fast.
-  if constexpr (sizeof(Channel) == 1) {
-    // Few codes, each often repeated: unfiltered rows are smaller, and written three times as fast.
-    constexpr int unfiltered = 8;  // PNG_FILTER_NONE
-    part.attributes.emplace_back("png:compressionLevel", 2);
-    part.attributes.emplace_back("png:filter", unfiltered);
-  } else {
-    part.attributes.emplace_back("png:compressionLevel", 3);
-  }
-  write(path, part);
+constexpr int bits_of = 8 * static_cast<int>(sizeof(Channel));
+
+template <class Channel>
+void write_png_of(const std::filesystem::path& path, const Image<Channel>& image) {
+  write_png_file(path, {.width = image.width,
+                        .height = image.height,
+                        .bits = bits_of<Channel>,
+                        .values = image.channels.data()});
+}
+
+template <class Channel>
+Image<Channel> read_png_of(const std::filesystem::path& path) {
+  PngFile file(path);
+  if (file.channels() != 3) fail(path, "does not have three channels");
+  if (file.bits() != bits_of<Channel>) fail(path, "has another number of bits a channel");
+  Image<Channel> image(file.width(), file.height());
+  file.read(image.channels.data());
+  return image;
 }
 
 std::unique_ptr<ImageFile> opened(const std::filesystem::path& path, const char* format) {
@@ -50,26 +51,14 @@ std::unique_ptr<ImageFile> opened(const std::filesystem::path& path, const char*
   return file;
 }
 
-template <class Channel>
-Image<Channel> read(const std::filesystem::path& path, const char* format, ChannelKind wanted) {
-  const std::unique_ptr<ImageFile> file = opened(path, format);
-  const ImageLayout& layout = file->layout();
-  if (layout.channels.size() != 3) fail(path, "does not have three channels");
-  if (format == std::string("png") && layout.stored != wanted)
-    fail(path, "has another number of bits a channel");
-  Image<Channel> image(layout.width, layout.height);
-  if (!file->read(wanted, image.channels.data())) fail(path, file->error());
-  return image;
-}
-
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Image8& image) {
-  write_png_of(path, image, ChannelKind::byte);
+  write_png_of(path, image);
 }
 
 void write_png(const std::filesystem::path& path, const Image16& image) {
-  write_png_of(path, image, ChannelKind::word);
+  write_png_of(path, image);
 }
 
 void write_png(const std::filesystem::path& path, const Exposure& exposure, const Tone& tone) {
@@ -106,16 +95,17 @@ void write_exr(const std::filesystem::path& path, const Film& film, ExrDepth dep
          .values = film.channels.data()});
 }
 
-Image8 read_png8(const std::filesystem::path& path) {
-  return read<std::uint8_t>(path, "png", ChannelKind::byte);
-}
+Image8 read_png8(const std::filesystem::path& path) { return read_png_of<std::uint8_t>(path); }
 
-Image16 read_png16(const std::filesystem::path& path) {
-  return read<std::uint16_t>(path, "png", ChannelKind::word);
-}
+Image16 read_png16(const std::filesystem::path& path) { return read_png_of<std::uint16_t>(path); }
 
 Film read_exr(const std::filesystem::path& path) {
-  return read<float>(path, "openexr", ChannelKind::single);
+  const std::unique_ptr<ImageFile> file = opened(path, "openexr");
+  const ImageLayout& layout = file->layout();
+  if (layout.channels.size() != 3) fail(path, "does not have three channels");
+  Film film(layout.width, layout.height);
+  if (!file->read(ChannelKind::single, film.channels.data())) fail(path, file->error());
+  return film;
 }
 
 ImageSummary check_image(const std::filesystem::path& path) {

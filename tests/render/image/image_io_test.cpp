@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -14,6 +15,7 @@
 
 #include "pipeline/temporary_folder.h"
 #include "render/file_damage.h"
+#include "render/image/channels.h"
 #include "render/refusal.h"
 
 namespace mien::render {
@@ -52,6 +54,22 @@ TEST_F(ImageIo, KeepsEveryBitOfAPng) {
   EXPECT_EQ(read_png8(png), noise<std::uint8_t>());
   write_png(png, noise<std::uint16_t>());
   EXPECT_EQ(read_png16(png), noise<std::uint16_t>());
+}
+
+/// We write PNGs with libpng; OpenImageIO reads them as shares of full scale.
+template <class Channel>
+void expect_read_alike(const std::filesystem::path& file, const Image<Channel>& image) {
+  const Channels read = read_channels(file);
+  ASSERT_EQ(read.values.size(), image.channels.size());
+  for (std::size_t i = 0; i < read.values.size(); ++i)
+    EXPECT_NEAR(read.values[i] * std::numeric_limits<Channel>::max(), image.channels[i], 0.01f);
+}
+
+TEST_F(ImageIo, WritesPngsThatOthersReadAlike) {
+  write_png(png, noise<std::uint8_t>());
+  expect_read_alike(png, noise<std::uint8_t>());
+  write_png(png, noise<std::uint16_t>());
+  expect_read_alike(png, noise<std::uint16_t>());
 }
 
 TEST_F(ImageIo, KeepsEveryBitOfAFloatExr) {
