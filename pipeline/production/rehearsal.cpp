@@ -1,6 +1,11 @@
 #include "pipeline/production/rehearsal.h"
 
+#include <algorithm>
+#include <atomic>
+#include <future>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -21,12 +26,10 @@ class Rehearsal : public FaultList {
 
   void play() {
     if (!goes("examples", [&] { motions_.repertoire(); })) return;
-    bool all_go = true;
-    for (const Stimulus& stimulus : manifest_.stimuli) {
-      const bool goes_well = goes(stimulus.path, [&] { stage(stimulus); });
-      all_go = all_go && goes_well;
-    }
-    if (!all_go) return;
+    const std::vector<Staging> stagings = staged();
+    for (std::size_t i = 0; i < stagings.size(); ++i) tell(manifest_.stimuli[i], stagings[i]);
+    if (!std::ranges::all_of(stagings, [](const Staging& one) { return one.wrong.empty(); }))
+      return;
     for (const Overlay& overlay : manifest_.overlays) {
       goes(overlay.film.path, [&] {
         check_fades(overlay.film, shot_of(overlay, motions_, manifest_.seed).frame_count());
@@ -50,8 +53,40 @@ class Rehearsal : public FaultList {
     }
   }
 
-  void stage(const Stimulus& stimulus) {
-    check_fades(stimulus, shot_of(stimulus, motions_, manifest_.seed).frame_count());
+  /// What came of a stimulus.
+  struct Staging {
+    int frames = 0;
+    std::string wrong;  ///< empty when it can be staged
+  };
+
+  Staging stage(const Stimulus& stimulus) const {
+    try {
+      return {shot_of(stimulus, motions_, manifest_.seed).frame_count(), ""};
+    } catch (const Error& error) {
+      return {0, error.what()};
+    }
+  }
+
+  /// All stimuli, several at a time.
+  std::vector<Staging> staged() const {
+    std::vector<Staging> stagings(manifest_.stimuli.size());
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < stagings.size(); i = next++)
+        stagings[i] = stage(manifest_.stimuli[i]);
+    };
+    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::future<void>> others;
+    for (std::size_t i = 1; i < std::min(processors, stagings.size()); ++i)
+      others.push_back(std::async(std::launch::async, work));
+    work();
+    for (std::future<void>& other : others) other.get();
+    return stagings;
+  }
+
+  void tell(const Stimulus& stimulus, const Staging& staging) {
+    if (staging.wrong.empty()) return check_fades(stimulus, staging.frames);
+    add(stimulus.path, staging.wrong, "");
   }
 
   void check_fades(const Stimulus& film, int frames) {
