@@ -94,7 +94,7 @@ def main():
         if process.returncode != 0:
             raise SystemExit("the run failed")
         frames = len(list(pathlib.Path(folder, "memory/frames").glob("*/*.png")))
-        print(f"{options.films} films, {frames} frames of {options.size} in {options.video}: "
+        print(f"{options.films} films, {frames} frames of {options.size.replace(', ', ' x ')} in {options.video}: "
               f"{watch.most / 1024:.0f} MB at most, {time.perf_counter() - start:.0f} s")
 
 
