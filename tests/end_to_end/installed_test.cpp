@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -114,13 +115,18 @@ TEST(Program, SaysWhichOfItsPartsIsNotThere) {
       run_bash(there +
                "bin/mien version\n"
                "bin/mien motion blend --examples builtin:walks-10 --weights sad=1 -o a.bvh\n"
-               "bin/mien render a.bvh --still --size 64x36 --quality draft -o a.png"),
-      "mien-image-files.so: the part of mien that reads and writes pictures");
-  const fs::path part = "mien-image-files.so";
-  fs::copy_file(fs::path(MIEN_PROGRAM).parent_path() / part, scratch.path() / "bin" / part);
-  expect_told(run_bash(there + "bin/mien version && bin/mien render a.bvh --size 64x36 -o a.mp4"),
-              "mien-video-files.so: the part of mien that reads and writes videos");
+               "bin/mien render a.bvh --size 64x36 --quality draft -o a.mp4"),
+      "mien-video-files.so: the part of mien that reads and writes videos");
   EXPECT_FALSE(fs::exists(scratch.path() / "a.mp4"));
+  const fs::path part = "mien-video-files.so";
+  fs::copy_file(fs::path(MIEN_PROGRAM).parent_path() / part, scratch.path() / "bin" / part);
+  std::ofstream(scratch.path() / "a.yaml")
+      << "mien: 1\nstudy: a\n"
+         "examples: {set: builtin:walks-10}\n"
+         "output: {size: [64, 36], quality: draft, frames: exr}\n"
+         "stimuli: [{id: a, weights: {sad: 1}}]\n";
+  expect_told(run_bash(there + "bin/mien version && bin/mien run a.yaml"),
+              "mien-image-files.so: the part of mien that reads and writes pictures");
 }
 
 TEST(Program, LoadsNoLibraryForPicturesOrVideosBeforeItDrawsSomething) {
