@@ -12,6 +12,7 @@
 #endif
 
 #include "pipeline/film/film_frames.h"
+#include "pipeline/film/frame_drawer.h"
 #include "pipeline/tasks/bounded_queue.h"
 #include "pipeline/tasks/progress.h"
 #include "render/error.h"
@@ -123,40 +124,6 @@ std::optional<render::Image8> stored_frame(FrameStore* store, int frame, const O
   }
 }
 
-/// Two pictures of the same height as one.
-render::Film beside(const render::Film& left, const render::Film& right) {
-  render::Film both(left.width + right.width, left.height);
-  for (int y = 0; y < both.height; ++y) {
-    std::copy_n(left.at(0, y), 3 * left.width, both.at(0, y));
-    std::copy_n(right.at(0, y), 3 * right.width, both.at(left.width, y));
-  }
-  return both;
-}
-
-/// The frame towards which a shutter opens: the next one, and from the last back to the one before.
-int frame_after(const scenes::Shot& shot, int frame) {
-  return frame + 1 < shot.frame_count() ? frame + 1 : std::max(frame - 1, 0);
-}
-
-render::Film exposed(render::Tracer& tracer, const scenes::Shot& shot, int frame,
-                     const render::Quality& quality, render::Film used) {
-  const render::Scene scene = scene_at(shot, frame);
-  const std::vector<render::Camera> cameras = cameras_at(shot, frame);
-  const bool blurs = quality.shutter > 0.0f;
-  const int after = frame_after(shot, frame);
-  const render::Scene closing = blurs ? scene_at(shot, after, frame) : render::Scene{};
-  const std::vector<render::Camera> there = cameras_at(shot, after);
-  const bool camera_moves = shot.cameras.cameras.size() > 1;
-  const auto seen_by = [&](std::size_t eye) {
-    if (!blurs) return tracer.trace(scene, cameras[eye], quality, std::move(used));
-    return tracer
-        .expose(scene, cameras[eye], quality, &closing, camera_moves ? &there[eye] : nullptr)
-        .film;
-  };
-  if (cameras.size() == 1) return seen_by(0);
-  return beside(seen_by(0), seen_by(cameras.size() - 1));
-}
-
 /// Whether the set looks another way in each frame, by a camera or ground that moves.
 bool set_moves(const scenes::Shot& shot) {
   const bool ground_moves = shot.set.in_place && shot.set.ground &&
@@ -165,21 +132,24 @@ bool set_moves(const scenes::Shot& shot) {
 }
 
 /// False when it was given up because of a stop request.
-bool draw_frame(render::Tracer& tracer, const scenes::Shot& shot, const FilmSettings& settings,
-                const render::Quality& quality, render::Film& used, Exposure& exposure) {
+bool draw_frame(FrameDrawer& drawer, std::optional<int> next, const FilmSettings& settings,
+                Exposure& exposure) {
   const Stopwatch::Running tracing(settings.drawing);
   const double begin = steady_seconds();
   try {
-    if (settings.output.frames == FrameFormat::layers)
-      exposure.picture = layers_of(tracer, shot, exposure.frame, quality);
-    else
-      exposure.picture = exposed(tracer, shot, exposure.frame, quality, std::move(used));
+    exposure.picture = drawer.draw(exposure.frame, next);
   } catch (const render::Stopped&) {
     return false;
   }
   if (settings.drew) settings.drew(steady_seconds() - begin);
   return true;
 }
+
+/// A frame that is to come, with its picture where the store has it.
+struct Coming {
+  int frame = 0;
+  std::optional<render::Image8> stored;
+};
 
 }  // namespace
 
@@ -222,31 +192,31 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress) {
   give_back_memory();
-  render::Tracer tracer(tracer_options(settings, shot, stop));
-  const render::Quality quality = quality_of(settings, shot);
-  render::Film used;  // of the frame before
   const FrameFormat kept = store != nullptr ? settings.output.frames : FrameFormat::none;
-  const bool keeps = kept != FrameFormat::none;
-  const bool develops = kept != FrameFormat::exr;
-  FrameTaker taker(settings, shot.tone, keeps ? store : nullptr, sink);
+  FrameDrawer drawer(shot, settings, kept, stop);
+  FrameTaker taker(settings, shot.tone, kept != FrameFormat::none ? store : nullptr, sink);
+  const auto coming = [&](std::size_t place) {
+    return Coming{frames[place], stored_frame(store, frames[place], settings.output, shot.tone)};
+  };
   double done = 0.0;
-  for (const int frame : frames) {
-    if (stop.stop_requested()) break;
+  Coming next;
+  if (!frames.empty()) next = coming(0);
+  for (std::size_t place = 0; place < frames.size() && !stop.stop_requested(); ++place) {
+    Coming now = std::move(next);
+    next = {};
+    std::optional<int> drawn_next;
+    if (place + 1 < frames.size()) {
+      next = coming(place + 1);
+      if (!next.stored) drawn_next = next.frame;
+    }
     Exposure exposure;
-    exposure.frame = frame;
-    if (auto stored = stored_frame(store, frame, settings.output, shot.tone)) {
-      exposure.picture = std::move(*stored);
+    exposure.frame = now.frame;
+    if (now.stored) {
+      exposure.picture = std::move(*now.stored);
       exposure.is_stored = true;
-    } else if (!draw_frame(tracer, shot, settings, quality, used, exposure)) {
+    } else if (!draw_frame(drawer, drawn_next, settings, exposure)) {
       break;
     }
-    // A film has three times the memory of its picture, which is all that is wanted of it.
-    if (auto* film = std::get_if<render::Film>(&exposure.picture); film != nullptr && develops) {
-      used = std::move(*film);
-      exposure.picture = developed(used, kept, shot.tone);
-    }
-    if (auto* layers = std::get_if<render::Layers>(&exposure.picture); layers != nullptr && !keeps)
-      exposure.picture = developed(layers->beauty, kept, shot.tone);
     if (!taker.push(std::move(exposure))) break;
     progress(++done / static_cast<double>(frames.size()));
   }

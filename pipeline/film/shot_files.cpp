@@ -54,7 +54,7 @@ void write_still(const ShotWork& work, int frame, render::Background background,
   if (background != render::Background::shown) {
     quality.background = background;
     return render::write_png(
-        file, tracer().expose(scene_at(work.shot, frame), camera_at(work.shot, frame), quality),
+        file, tracer().expose({scene_at(work.shot, frame), camera_at(work.shot, frame), quality}),
         work.shot.tone);
   }
   const FrameSink write = [&](int, const render::Image8& picture) {

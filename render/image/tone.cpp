@@ -149,17 +149,30 @@ void NearestTable::codes(const float* light, int count, std::uint8_t* codes) con
   look_up(words_.data(), lowest_, light, count, codes);
 }
 
-/// Calls to_codes(light, y, codes) for each row of 3 · width channels, the tone curve applied.
+struct Place {
+  int x;
+  int y;
+};
+
+/// Calls to_codes(light, place, codes) for each row of a part, the tone curve applied: `light` has
+/// three channels a pixel, `place` is the picture's first pixel.
 template <class Channel, class ToCodes>
-Image<Channel> developed(const Film& film, const Tone& tone, const ToCodes& to_codes) {
-  Image<Channel> image(film.width, film.height);
+void develop_rows(const Film& film, const Window& part, const Tone& tone, Image<Channel>& picture,
+                  int right, const ToCodes& to_codes) {
   const float factor = exposure(tone);
-  std::vector<float> shown(3 * static_cast<std::size_t>(film.width));
-  for (int y = 0; y < film.height; ++y) {
-    tone_row(film.at(0, y), 3 * film.width, factor, tone.shoulder, shown.data());
-    to_codes(shown, y, image.at(0, y));
+  std::vector<float> shown(3 * static_cast<std::size_t>(part.width));
+  for (int y = part.y; y < part.y + part.height; ++y) {
+    tone_row(film.at(part.x, y), 3 * part.width, factor, tone.shoulder, shown.data());
+    const Place first{part.x + right, y};
+    to_codes(shown, first, picture.at(first.x, first.y));
   }
-  return image;
+}
+
+template <class Picture>
+Picture developed(const Film& film, const Tone& tone) {
+  Picture picture(film.width, film.height);
+  develop(film, {0, 0, film.width, film.height}, tone, picture);
+  return picture;
 }
 
 }  // namespace
@@ -179,35 +192,40 @@ Color linear_from_srgb8(int red, int green, int blue) {
   return {linear(red), linear(green), linear(blue)};
 }
 
-Image8 to_srgb8(const Film& film, const Tone& tone) {
+void develop(const Film& film, const Window& part, const Tone& tone, Image8& picture, int right) {
   if (!tone.dither) {
     static const NearestTable nearest(Quantiser(255, 0.5, bits_for_8));
-    return developed<std::uint8_t>(
-        film, tone, [](const std::vector<float>& light, int, std::uint8_t* codes) {
-          nearest.codes(light.data(), static_cast<int>(light.size()), codes);
-        });
+    return develop_rows(film, part, tone, picture, right,
+                        [](const std::vector<float>& light, Place, std::uint8_t* codes) {
+                          nearest.codes(light.data(), static_cast<int>(light.size()), codes);
+                        });
   }
   static const std::vector<Quantiser> ranks = [] {
     std::vector<Quantiser> all;
     for (int rank = 0; rank < 64; ++rank) all.emplace_back(255, (rank + 0.5) / 64.0, bits_for_8);
     return all;
   }();
-  return developed<std::uint8_t>(
-      film, tone, [](const std::vector<float>& light, int y, std::uint8_t* codes) {
-        for (std::size_t i = 0; i < light.size(); ++i) {
-          const auto rank = static_cast<std::size_t>(bayer(static_cast<int>(i / 3), y));
-          codes[i] = static_cast<std::uint8_t>(ranks[rank].code(light[i]));
-        }
-      });
+  develop_rows(film, part, tone, picture, right,
+               [](const std::vector<float>& light, Place first, std::uint8_t* codes) {
+                 for (std::size_t i = 0; i < light.size(); ++i) {
+                   const int x = first.x + static_cast<int>(i / 3);
+                   const auto rank = static_cast<std::size_t>(bayer(x, first.y));
+                   codes[i] = static_cast<std::uint8_t>(ranks[rank].code(light[i]));
+                 }
+               });
 }
 
-Image16 to_srgb16(const Film& film, const Tone& tone) {
+void develop(const Film& film, const Window& part, const Tone& tone, Image16& picture, int right) {
   static const Quantiser nearest(65535, 0.5, bits_for_16);
-  return developed<std::uint16_t>(film, tone,
-                                  [](const std::vector<float>& light, int, std::uint16_t* codes) {
-                                    for (std::size_t i = 0; i < light.size(); ++i)
-                                      codes[i] = static_cast<std::uint16_t>(nearest.code(light[i]));
-                                  });
+  develop_rows(film, part, tone, picture, right,
+               [](const std::vector<float>& light, Place, std::uint16_t* codes) {
+                 for (std::size_t i = 0; i < light.size(); ++i)
+                   codes[i] = static_cast<std::uint16_t>(nearest.code(light[i]));
+               });
 }
+
+Image8 to_srgb8(const Film& film, const Tone& tone) { return developed<Image8>(film, tone); }
+
+Image16 to_srgb16(const Film& film, const Tone& tone) { return developed<Image16>(film, tone); }
 
 }  // namespace mien::render

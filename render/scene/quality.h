@@ -15,7 +15,7 @@ enum class Background {
 struct Quality {
   int samples_per_pixel = 16;  ///< primary rays a pixel, each with one shadow ray a light
   int sky_rays = 2;            ///< rays towards the sky for each primary ray that meets the figure
-  int lit_as_one = 1;          ///< samples of a pixel, if they meet the same solid
+  int lit_as_one = 1;          ///< so many samples of a pixel, where they meet the same solid
   int standing_samples = 64;   ///< samples a pixel of what stands still, done once a camera
 
   /// The sky that a figure hides from the floor is known at points, each from so many rays that its

@@ -7,11 +7,16 @@
 
 #include "render/light/floor.h"
 #include "render/tracer/eye_samples.h"
+#include "render/tracer/tile.h"
 
 namespace mien::render {
 namespace {
 
+/// Samples that share a line, of one pixel or of neighbours.
 constexpr int most_samples = 4;
+
+/// Half a shadow's width, in pixels, from which on the samples of a pixel share a line; neighbours
+/// do from twice that.
 constexpr float soft_pixels = 4.0f;
 
 /// The pixel that is so many on from the first of those that share a line; on the film.
@@ -48,12 +53,12 @@ void LineQueries::ask_all(std::vector<Pixel>& pixels) {
         ask(pixel, first, std::min(shared.samples, all - first));
     return;
   }
-  // Those that share a line, in the order in which their first is met.
-  constexpr int side = 16;
-  std::array<Query, side * side> queries;
+  // The two neighbours in a row share a line, or those of two rows.
+  constexpr int pairs = tile_size / 2;
+  std::array<Query, static_cast<std::size_t>(tile_size * pairs)> queries;
   const auto place_of = [&](const Pixel& pixel) {
-    const int row = pixel.y % side / (shared.pixels == 4 ? 2 : 1);
-    return static_cast<std::size_t>(row * side + pixel.x % side / 2);
+    const int row = pixel.y % tile_size / (shared.pixels == 4 ? 2 : 1);
+    return static_cast<std::size_t>(row * pairs + pixel.x % tile_size / 2);
   };
   for (Pixel& pixel : pixels) {
     if (!tell_all(pixel)) continue;

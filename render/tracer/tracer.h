@@ -1,11 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
 #include "render/image/film.h"
 #include "render/image/layers.h"
+#include "render/image/window.h"
 #include "render/scene/camera.h"
 #include "render/scene/quality.h"
 #include "render/scene/scene.h"
@@ -33,12 +36,52 @@ struct TracerOptions {
 /// Thrown when a picture was given up because a stop was requested.
 struct Stopped {};
 
+class Engine;
+
+/// What a picture shows.
+struct View {
+  Scene scene;
+  Camera camera;
+  Quality quality;
+
+  /// Where solids are and from where they are seen when a shutter closes that was open from
+  /// `scene` and `camera` on: they go straight there. The set stays as it is in `scene`.
+  std::optional<Scene> closing;
+  std::optional<Camera> closing_camera;
+};
+
+/// A view made ready: where its figures and their shadows can be is known, and rays find their way.
+/// Drawn once, by the tracer that made it ready and outlives it.
+class ReadyPicture {
+ public:
+  ReadyPicture();
+  ~ReadyPicture();
+  ReadyPicture(ReadyPicture&&) noexcept;
+  ReadyPicture& operator=(ReadyPicture&&) noexcept;
+
+ private:
+  friend class Tracer;
+  struct Contents;
+  std::unique_ptr<Contents> contents_;  // null: nothing is ready
+};
+
+/// What else the threads of a tracer do while they draw.
+struct Alongside {
+  /// Once, beside the first tiles.
+  std::function<void()> meanwhile;
+
+  /// For each part of the film as soon as it has its light, for several at a time. Not where the
+  /// background does not show.
+  std::function<void(const Film& film, const Window& part)> drawn;
+};
+
 /// Draws scenes with Embree: Lambert surfaces under area lights and a sky, direct light only, soft
 /// shadows, filtered by a Blackman–Harris filter.
 ///
 /// A picture depends on the scene, camera and quality alone: not on threads, on what was traced
-/// before, nor on the machine. One trace at a time a Tracer; several Tracers may work side by side.
-/// Whatever draws throws Stopped when it was asked to stop.
+/// before, nor on the machine. One picture at a time is drawn by a Tracer, and one made ready,
+/// which may be meanwhile; several Tracers may work side by side. Whatever draws throws Stopped
+/// when it was asked to stop.
 class Tracer {
  public:
   /// Throws Error when the machine cannot run Embree with that instruction set.
@@ -47,17 +90,20 @@ class Tracer {
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;
 
-  /// Drawn over a film that is no longer wanted, if one is given: of this size it saves the time
-  /// that fresh memory takes. Throws std::invalid_argument when the scene or camera is degenerate
-  /// (validate, frame_of).
-  Film trace(const Scene& scene, const Camera& camera, const Quality& quality, Film used = {});
+  /// Throws std::invalid_argument when a scene or camera is degenerate (validate, frame_of), or
+  /// `closing` holds other solids than the scene.
+  ReadyPicture prepare(View view);
 
-  /// As trace, with the alpha that the quality's background asks for, and as seen while a shutter
-  /// is open: with `closing`, solids go straight from where they are in `scene` to where they are
-  /// there, and likewise the camera; the set stays as it is in `scene`. Throws
-  /// std::invalid_argument also when `closing` holds other solids.
-  Exposure expose(const Scene& scene, const Camera& camera, const Quality& quality,
-                  const Scene* closing = nullptr, const Camera* closing_camera = nullptr);
+  /// With the alpha that the quality's background asks for. Drawn over a film that is no longer
+  /// wanted, if one is given: of this size it saves the time that fresh memory takes. Throws
+  /// std::logic_error when nothing is ready, and what `alongside` throws.
+  Exposure draw(ReadyPicture ready, Film used = {}, const Alongside& alongside = {});
+
+  /// A picture without more ado, its background shown. Throws as prepare.
+  Film trace(Scene scene, const Camera& camera, const Quality& quality);
+
+  /// Likewise as its quality has it.
+  Exposure expose(View view);
 
   /// A picture with all its layers: as `trace`, without blur by lens or shutter. With `next`,
   /// motion tells where each point is in that scene, which holds the same solids, through
@@ -71,11 +117,8 @@ class Tracer {
   int threads() const;
 
  private:
-  Exposure expose_on(Film used, const Scene& scene, const Camera& camera, const Quality& quality,
-                     const Scene* closing, const Camera* closing_camera);
   void add_variance(const Scene& scene, const Camera& camera, Quality quality, Layers& layers);
 
-  struct Engine;
   std::unique_ptr<Engine> engine_;
 };
 

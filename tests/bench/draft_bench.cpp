@@ -86,8 +86,11 @@ int main(int argc, char** argv) {
 
   const double tracing = measured("tracing", frames, [&] {
     for (int f = 0; f < frames; ++f)
-      film = tracer.trace(scenes[static_cast<std::size_t>(f)], camera_at(shot, f), quality,
-                          std::move(film));
+      film = tracer
+                 .draw(tracer.prepare(
+                           {scenes[static_cast<std::size_t>(f)], camera_at(shot, f), quality}),
+                       std::move(film))
+                 .film;
   });
   measured("development", frames, [&] {
     for (int f = 0; f < frames; ++f) render::to_srgb8(film, shot.tone);

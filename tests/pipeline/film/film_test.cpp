@@ -146,6 +146,49 @@ TEST_F(Film, DrawsOnlyTheFramesAskedFor) {
   EXPECT_EQ(drawn, (std::vector<int>{1, 5}));
 }
 
+// Before a camera that stands, that follows, before two, and while a shutter is open.
+TEST_F(Film, DrawsAFrameTheSameWhateverIsDrawnBeforeAndAfter) {
+  for (const bool follows : {false, true}) {
+    for (const double separation : {0.0, 0.065}) {
+      for (const double shutter : {0.0, 180.0}) {
+        scenes::Look look;
+        look.size = size;
+        if (follows) look.camera.view = "follow";
+        if (separation > 0.0) look.camera.stereo_separation_m = separation;
+        shot = scenes::stage(motion::builtin_examples("walks-10", 10.0).examples[0].clip, look);
+        FilmSettings how = settings();
+        how.output.shutter = shutter;
+        how.threads = 2;
+        const auto drawn = [&](const std::vector<int>& frames) {
+          Pictures pictures;
+          draw_frames(
+              shot, frames, how, nullptr,
+              [&](int frame, const render::Image8& picture) { pictures[frame] = picture; },
+              stop.get_token(), [](double) {});
+          return pictures;
+        };
+        Pictures together = drawn({3, 1, 2});
+        EXPECT_EQ(together.size(), 3u);
+        for (const auto& [frame, picture] : together)
+          EXPECT_EQ(drawn({frame}).at(frame), picture)
+              << "frame " << frame << ", follows " << follows << ", separation " << separation
+              << ", shutter " << shutter;
+        EXPECT_NE(together.at(1), together.at(3));
+      }
+    }
+  }
+}
+
+// Of what the store has nothing is made ready.
+TEST_F(Film, DrawsWhatIsMissingBetweenStoredFrames) {
+  const Pictures whole = draw(settings(), nullptr);
+  Store store(folder);
+  const auto frames = store.frames("f", "k");
+  draw(settings(), frames.get());
+  for (const int frame : {0, 2, 3, 6}) frames->discard(frame_name(FrameFormat::png, frame));
+  EXPECT_EQ(draw(settings(), frames.get()), whole);
+}
+
 TEST_F(Film, BecomesAVideoThatIsWhatWasAskedFor) {
   const std::filesystem::path file = temporary.path() / "walk.mp4";
   const std::filesystem::path other = temporary.path() / "walk.mkv";

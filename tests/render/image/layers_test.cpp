@@ -60,7 +60,7 @@ TEST(Layers, CoverEachPixelAsMuchAsItsAlpha) {
   Quality quality{.samples_per_pixel = 16, .background = Background::transparent};
   Tracer tracer;
   const Layers layers = tracer.layers(two_balls(), camera, quality);
-  const Exposure cut = tracer.expose(two_balls(), camera, quality);
+  const Exposure cut = tracer.expose({two_balls(), camera, quality});
   bool both = false;
   for (std::size_t i = 0; i < cut.alpha.size(); ++i) {
     float sum = 0.0f;

@@ -1,7 +1,9 @@
 #include "render/image/tone.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -114,6 +116,49 @@ TEST(Dither, KeepsTheMeanOfALightBetweenTwoCodes) {
     sum += code;
   }
   EXPECT_NEAR(sum / static_cast<double>(image.channels.size()), 100.3, 1.0 / 64.0);
+}
+
+// Random light from black to far above the shoulder, in a picture of 37 x 21 cut at odd places.
+template <class Picture>
+void expect_parts_to_make(const Picture& whole, const Film& film, const Tone& tone) {
+  constexpr int right = 5;
+  Picture found(film.width + right, film.height);
+  for (const int y : {0, 8, 17}) {
+    const int height = y == 17 ? film.height - 17 : y == 8 ? 9 : 8;
+    for (const int x : {0, 16, 29})
+      develop(film,
+              {x, y,
+               x == 29   ? film.width - 29
+               : x == 16 ? 13
+                         : 16,
+               height},
+              tone, found, right);
+  }
+  for (int y = 0; y < film.height; ++y) {
+    EXPECT_EQ(*found.at(right - 1, y), 0) << "row " << y;
+    for (int x = 0; x < film.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        ASSERT_EQ(found.at(x + right, y)[c], whole.at(x + right, y)[c]) << x << ", " << y;
+  }
+}
+
+Film random_film(int width, int height) {
+  Film film(width, height);
+  std::mt19937 random(7);
+  std::lognormal_distribution<float> light(-1.5f, 1.0f);
+  for (float& channel : film.channels) channel = light(random);
+  return film;
+}
+
+TEST(Development, GivesPartsTheCodesThatTheyHaveInTheWholePicture) {
+  const Film film = random_film(37, 21);
+  // The same film five pixels further to the right, as dither counts from the picture's corner.
+  Film moved(film.width + 5, film.height);
+  for (int y = 0; y < film.height; ++y) std::copy_n(film.at(0, y), 3 * film.width, moved.at(5, y));
+  for (const Tone& tone : {Tone{}, Tone{.exposure_stops = 1.0f}, Tone{.dither = true}}) {
+    expect_parts_to_make(to_srgb8(moved, tone), film, tone);
+    expect_parts_to_make(to_srgb16(moved, tone), film, tone);
+  }
 }
 
 }  // namespace

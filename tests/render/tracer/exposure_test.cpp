@@ -91,7 +91,7 @@ TEST(Exposing, SpreadsWhatMovesAlongItsWay) {
   Tracer tracer;
   const Quality quality{.samples_per_pixel = 64};
   const Spot still = spot_on(tracer.trace(opening, straight_on(), quality));
-  const Spot moving = spot_on(tracer.expose(opening, straight_on(), quality, &closing).film);
+  const Spot moving = spot_on(tracer.expose({opening, straight_on(), quality, closing}).film);
   const double pixels_per_metre = 32.0 / (5.0 * std::tan(0.2));
   EXPECT_NEAR(moving.light, still.light, 0.02 * still.light);
   EXPECT_NEAR(moving.column, still.column + 0.4 * pixels_per_metre, 0.2);
@@ -106,7 +106,7 @@ TEST(Exposing, SpreadsWhatStandsWhenTheCameraMoves) {
   closing.target.x() -= 0.8f;
   Tracer tracer;
   const Quality quality{.samples_per_pixel = 64};
-  const Spot moving = spot_on(tracer.expose(scene, straight_on(), quality, nullptr, &closing).film);
+  const Spot moving = spot_on(tracer.expose({scene, straight_on(), quality, {}, closing}).film);
   const double pixels_per_metre = 32.0 / (5.0 * std::tan(0.2));
   EXPECT_NEAR(moving.column, 48.0 + 0.4 * pixels_per_metre, 0.2);
 }
@@ -115,7 +115,7 @@ TEST(Exposing, RefusesAClosingSceneOfOtherSolids) {
   const Scene opening = shining_ball(0.1f);
   Scene closing = opening;
   closing.solids.spheres.clear();
-  EXPECT_THROW(Tracer().expose(opening, straight_on(), {}, &closing), std::invalid_argument);
+  EXPECT_THROW(Tracer().expose({opening, straight_on(), {}, closing}), std::invalid_argument);
 }
 
 // A point at distance d of a lens of radius r focused at f is seen as a disc of radius
@@ -170,9 +170,9 @@ TEST(Exposing, CompositesBackToThePictureWithItsSet) {
   const Film shown = tracer.trace(scene, camera, quality);
   const Film set = tracer.trace(nobody, camera, quality);
   quality.background = Background::shadow;
-  const Exposure shadow = tracer.expose(scene, camera, quality);
+  const Exposure shadow = tracer.expose({scene, camera, quality});
   quality.background = Background::transparent;
-  const Exposure clear = tracer.expose(scene, camera, quality);
+  const Exposure clear = tracer.expose({scene, camera, quality});
   EXPECT_EQ(clear.film, shadow.film);
   bool shaded = false;
   for (std::size_t i = 0; i < shadow.alpha.size(); ++i) {
@@ -260,8 +260,8 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
   for (const Background background :
        {Background::shown, Background::transparent, Background::shadow}) {
     const Quality quality{.samples_per_pixel = 4, .background = background};
-    const Exposure whole = Tracer().expose(scene, camera, quality);
-    const Exposure part = Tracer().expose(scene, cropped, quality);
+    const Exposure whole = Tracer().expose({scene, camera, quality});
+    const Exposure part = Tracer().expose({scene, cropped, quality});
     EXPECT_EQ(part.film, cut_out(whole.film, *cropped.window));
     if (background != Background::shown) {
       EXPECT_EQ(part.alpha, cut_out(whole.alpha, camera.width, *cropped.window));

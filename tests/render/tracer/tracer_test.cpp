@@ -1,9 +1,13 @@
 #include "render/tracer/tracer.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -225,6 +229,59 @@ TEST(Tracer, GivesTheSamePictureWithAnyNumberOfThreads) {
     EXPECT_EQ(two.trace(scene, camera, standard_quality()), film) << "seed " << seed;
     EXPECT_EQ(three.trace(scene, camera, standard_quality()), film) << "seed " << seed;
   }
+}
+
+// Other scenes before other cameras, so that the sets behind them are made meanwhile, too.
+TEST(Tracer, DrawsAPictureWhileTheNextIsMadeReady) {
+  for (const int threads : {1, 3}) {
+    Tracer tracer({.threads = threads});
+    const auto view = [](unsigned seed) {
+      return View{random_figure(seed), random_view(seed), draft_quality()};
+    };
+    ReadyPicture next = tracer.prepare(view(0));
+    for (unsigned seed = 0; seed < trials; ++seed) {
+      ReadyPicture now = std::move(next);
+      const auto meanwhile = [&] { next = tracer.prepare(view(seed + 1)); };
+      EXPECT_EQ(tracer.draw(std::move(now), {}, {.meanwhile = meanwhile}).film,
+                Tracer().trace(random_figure(seed), random_view(seed), draft_quality()))
+          << "seed " << seed << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST(Tracer, HandsOnEachPartOnceWithItsLight) {
+  Tracer tracer({.threads = 3});
+  Camera camera = random_view(1);
+  camera.width = 301;
+  camera.height = 200;
+  Film parts(camera.width, camera.height);
+  std::vector<std::atomic<int>> times(parts.channels.size() / 3);
+  const auto keep = [&](const Film& film, const Window& part) {
+    for (int y = part.y; y < part.y + part.height; ++y) {
+      std::copy_n(film.at(part.x, y), 3 * part.width, parts.at(part.x, y));
+      for (int x = part.x; x < part.x + part.width; ++x)
+        ++times[static_cast<std::size_t>(y * camera.width + x)];
+    }
+  };
+  const Film film =
+      tracer.draw(tracer.prepare({random_figure(1), camera, draft_quality()}), {}, {.drawn = keep})
+          .film;
+  EXPECT_EQ(parts, film);
+  EXPECT_TRUE(std::all_of(times.begin(), times.end(), [](const auto& n) { return n == 1; }));
+}
+
+TEST(Tracer, GivesUpAPictureWhenWhatGoesOnBesideItFails) {
+  Tracer tracer({.threads = 2});
+  const auto ready = [&] {
+    return tracer.prepare({random_figure(0), random_view(0), draft_quality()});
+  };
+  const auto fail = [] { throw std::runtime_error("no room"); };
+  EXPECT_THROW(tracer.draw(ready(), {}, {.meanwhile = fail}), std::runtime_error);
+  EXPECT_THROW(tracer.draw(ready(), {}, {.drawn = [&](const Film&, const Window&) { fail(); }}),
+               std::runtime_error);
+  EXPECT_THROW(tracer.draw({}), std::logic_error);
+  EXPECT_EQ(tracer.draw(ready()).film,
+            Tracer().trace(random_figure(0), random_view(0), draft_quality()));
 }
 
 TEST(Tracer, GivesTheSamePictureWithAnyInstructionSet) {

@@ -1,8 +1,8 @@
 // How soon the studio shows a slider's change:  node latency.mjs MIEN [FIGURE] [CHANGES]
 // starts MIEN (a program) with 27 examples and 10 parameters, moves sliders in headless Chromium while
-// the motion plays, and prints JSON: medians of milliseconds from the input event to the figure on the screen and of the
-// server's share of it, and the processor time of a change, user and system, of the server and of the
-// browser's processes. FIGURE is "stick" (default), "mannequin" or a character's file.
+// the motion plays, and prints JSON: medians of milliseconds from the input event to the figure on the
+// screen and of the server's share of it, and the processor time of a change, user and system, of the
+// server and of the browser's processes. FIGURE is "stick" (default), "mannequin" or a character's file.
 import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

@@ -1,0 +1,133 @@
+#include "render/tracer/engine.h"
+
+#include <optional>
+#include <utility>
+
+#include "render/light/line_shadow.h"
+
+namespace mien::render {
+
+namespace {
+
+std::vector<float> opacities_of(const Scene& scene) {
+  std::vector<float> opacities;
+  for (const Figure& figure : scene.figures) opacities.push_back(figure.opacity);
+  return opacities;
+}
+
+/// Bit i: lines tell what the shapes hide of light i from the floor (line_shadow.h).
+std::uint32_t lights_for_lines(const std::vector<AreaLight>& lights, const Shapes& shapes,
+                               bool set_has_solids) {
+  if (set_has_solids || !shapes.triangles.empty() || shapes.move() || !shapes.all_present) return 0;
+  std::uint32_t found = 0;
+  for (std::size_t k = 0; k < lights.size(); ++k)
+    if (has_line_shadows(lights[k], shapes.cones)) found |= 1u << k;
+  return found;
+}
+
+}  // namespace
+
+Engine::Engine(const TracerOptions& options)
+    : device_(options.instruction_set),
+      arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
+      stop_(options.stop),
+      sets_(options.sets),
+      keep_light_(options.keep_light) {}
+
+void Engine::look_at_sky(Picture& picture) {
+  if (picture.piecemeal()) return;
+  arena_.execute([&] {
+    tbb::parallel_for(std::size_t{0}, picture.floor_sky.corner_count(), [&](std::size_t corner) {
+      picture.floor_sky.look(corner, picture.figure, picture.opacities);
+    });
+  });
+  picture.floor_sky.settle(picture.scene.sky);
+}
+
+SetBehind Engine::set_behind(const Scene& scene, const Camera& camera, const Quality& quality) {
+  std::vector<float> wanted = standing_key(scene, camera, quality);
+  if (wanted == kept_[0].key) return kept_[0].behind;
+  std::swap(kept_[0], kept_[1]);
+  auto& [key, behind] = kept_[0];
+  if (wanted == key) return behind;
+  key.clear();
+  behind = {};
+  const std::string name = standing_name(wanted);
+  const auto make = [&] { return made_set(scene, camera, quality, name); };
+  behind.set =
+      sets_ != nullptr ? sets_->lend(name, make) : std::make_shared<const StandingSet>(make());
+  if (!scene.standing.empty())
+    behind.solids = std::make_shared<const EmbreeScene>(device_, standing_shapes(scene));
+  key = std::move(wanted);
+  return behind;
+}
+
+StandingSet Engine::made_set(const Scene& scene, const Camera& camera, const Quality& quality,
+                             const std::string& name) {
+  StandingSet set = empty_set(camera.width, camera.height);
+  const CameraFrame frame = frame_of(camera);
+  arena_.execute([&] {
+    tbb::parallel_for(0, camera.height, [&](int y) { expose_open_row(scene, frame, y, set); });
+  });
+  if (scene.standing.empty()) return set;
+  Camera sharp = camera;
+  sharp.aperture_radius = 0.0f;
+  const FilmMask mask(sharp, standing_shapes(scene), 0.5f * quality.filter_width);
+  const auto draw = [&] { return light_with_solids(scene, sharp, quality, set); };
+  Film light = keep_light_ ? keep_light_(name, draw) : draw();
+  for (int y = 0; y < camera.height; ++y)
+    for (int x = 0; x < camera.width; ++x)
+      set.solid[set.place_of(x, y)] = mask.may_meet(x, y) ? 1 : 0;
+  set.radiance = std::move(light);
+  return set;
+}
+
+// What stands is drawn like a figure in the open set, once.
+Film Engine::light_with_solids(const Scene& scene, const Camera& camera, const Quality& quality,
+                               const StandingSet& open) {
+  Quality thorough = quality;
+  thorough.samples_per_pixel = quality.standing_samples;
+  thorough.background = Background::shown;
+  Exposure exposure{Film(camera.width, camera.height), {}};
+  Picture picture =
+      prepare(scene, camera, thorough, open, nullptr, standing_shapes(scene), scene.standing);
+  look_at_sky(picture);
+  for_all_parts(camera.width, camera.height, {0, 0, camera.width, camera.height},
+                [&](const Tile& part) { draw(picture, part, exposure); });
+  return std::move(exposure.film);
+}
+
+Picture Engine::prepare(const Scene& scene, const Camera& camera, const Quality& quality,
+                        const StandingSet& set, const EmbreeScene* walls, Shapes shapes,
+                        const Solids& solids) {
+  const Shapes nothing;
+  const Shapes& above_floor = scene.has_ground ? shapes : nothing;
+  const std::uint32_t line_lights = lights_for_lines(scene.lights, shapes, walls != nullptr);
+  std::vector<ShadowMask> shadow_masks;
+  for (const AreaLight& light : scene.lights) shadow_masks.emplace_back(light, above_floor);
+  const BoundingSphere bounds = bounding_sphere(shapes);
+  FilmMask film_mask(camera, shapes, 0.5f * quality.filter_width);
+  // Behind standing solids the sky changes too fast for interpolation.
+  Quality floor_quality = quality;
+  if (walls != nullptr) floor_quality.floor_sky_tolerance = 0.0f;
+  FloorSky floor_sky(above_floor, bounds, floor_quality,
+                     view_of(frame_of(camera), camera.width, camera.height, 1.0f));
+  return {.scene = scene,
+          .solids = solids,
+          .closing_solids = nullptr,
+          .quality = quality,
+          .camera = frame_of(camera),
+          .closing_camera = std::nullopt,
+          .filter = filters_.try_emplace(quality.filter_width, quality.filter_width).first->second,
+          .figure = EmbreeScene(device_, std::move(shapes)),
+          .set = set,
+          .walls = walls,
+          .bounds = bounds,
+          .film_mask = std::move(film_mask),
+          .shadow_masks = std::move(shadow_masks),
+          .line_lights = line_lights,
+          .floor_sky = std::move(floor_sky),
+          .opacities = opacities_of(scene)};
+}
+
+}  // namespace mien::render
