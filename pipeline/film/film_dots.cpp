@@ -35,8 +35,7 @@ std::vector<Eye> eyes_at(const scenes::Shot& shot, int frame) {
 void add_rows(CsvWriter& table, const Eye& eye, const scenes::Actor& actor, int frame,
               std::size_t first) {
   const render::Camera& camera = eye.camera;
-  const render::Window shown_part =
-      camera.window.value_or(render::Window{0, 0, camera.width, camera.height});
+  const render::Window shown_part = window_of(camera);
   const double seconds = frame / actor.clip.frames_per_second;
   for (std::size_t d = 0; d < actor.dots.size(); ++d) {
     const scenes::Dot& dot = actor.dots[d];

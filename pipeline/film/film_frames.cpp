@@ -39,11 +39,6 @@ std::string frame_name(FrameFormat format, int frame) {
                      format == FrameFormat::exr || format == FrameFormat::layers ? "exr" : "png");
 }
 
-FramePicture developed(const render::Film& film, FrameFormat format, const render::Tone& tone) {
-  if (format == FrameFormat::png16) return render::to_srgb16(film, tone);
-  return render::to_srgb8(film, tone);
-}
-
 void write_frame(const std::filesystem::path& file, const FramePicture& picture) {
   std::visit(
       [&]<class Picture>(const Picture& kept) {

@@ -18,9 +18,6 @@ std::string frame_name(FrameFormat format, int frame);
 /// A frame in the form in which a file has it: light, or what a display shows.
 using FramePicture = std::variant<render::Film, render::Layers, render::Image8, render::Image16>;
 
-/// What a display shows, of 16 bits for png16 and of 8 for the rest.
-FramePicture developed(const render::Film& film, FrameFormat format, const render::Tone& tone = {});
-
 /// Writes one frame: light as EXR, the others as PNG.
 void write_frame(const std::filesystem::path& file, const FramePicture& picture);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "render/image/tone.h"
 
@@ -44,7 +45,7 @@ FramePicture FrameDrawer::draw(int frame, std::optional<int> next) {
 
 FramePicture FrameDrawer::draw_layers(int frame) {
   render::Layers layers = layers_of(tracer_, shot_, frame, quality_);
-  if (kept_ == FrameFormat::none) return developed(layers.beauty, kept_, shot_.tone);
+  if (kept_ == FrameFormat::none) return render::to_srgb8(layers.beauty, shot_.tone);
   return layers;
 }
 
@@ -59,10 +60,11 @@ render::Film FrameDrawer::draw_light(int frame, std::optional<int> next) {
 
 template <class Picture>
 Picture FrameDrawer::draw_picture(int frame, std::optional<int> next) {
-  const render::Camera camera = cameras_at(shot_, frame)[0];
-  Picture picture(eyes_ * camera.width, camera.height);
+  const render::Window window = window_of(cameras_at(shot_, frame)[0]);
+  Picture picture(eyes_ * window.width, window.height);
   const Drawn drawn = [&](int eye, const render::Film& film, const render::Window& part) {
-    develop(film, part, shot_.tone, picture, eye * film.width);
+    develop(film, part, shot_.tone, picture, eye * window.width + part.x - window.x,
+            part.y - window.y);
   };
   for (Sight sight{frame, 0}; sight.eye < eyes_; ++sight.eye)
     draw_sight(sight, after(sight, next), drawn);

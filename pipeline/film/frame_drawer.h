@@ -1,8 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <stop_token>
-#include <vector>
 
 #include "pipeline/film/film.h"
 #include "pipeline/film/film_frames.h"

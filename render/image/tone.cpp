@@ -149,6 +149,7 @@ void NearestTable::codes(const float* light, int count, std::uint8_t* codes) con
   look_up(words_.data(), lowest_, light, count, codes);
 }
 
+/// Of a picture's pixel.
 struct Place {
   int x;
   int y;
@@ -158,12 +159,12 @@ struct Place {
 /// three channels a pixel, `place` is the picture's first pixel.
 template <class Channel, class ToCodes>
 void develop_rows(const Film& film, const Window& part, const Tone& tone, Image<Channel>& picture,
-                  int right, const ToCodes& to_codes) {
+                  const Place& corner, const ToCodes& to_codes) {
   const float factor = exposure(tone);
   std::vector<float> shown(3 * static_cast<std::size_t>(part.width));
-  for (int y = part.y; y < part.y + part.height; ++y) {
-    tone_row(film.at(part.x, y), 3 * part.width, factor, tone.shoulder, shown.data());
-    const Place first{part.x + right, y};
+  for (int row = 0; row < part.height; ++row) {
+    tone_row(film.at(part.x, part.y + row), 3 * part.width, factor, tone.shoulder, shown.data());
+    const Place first{corner.x, corner.y + row};
     to_codes(shown, first, picture.at(first.x, first.y));
   }
 }
@@ -171,7 +172,7 @@ void develop_rows(const Film& film, const Window& part, const Tone& tone, Image<
 template <class Picture>
 Picture developed(const Film& film, const Tone& tone) {
   Picture picture(film.width, film.height);
-  develop(film, {0, 0, film.width, film.height}, tone, picture);
+  develop(film, {0, 0, film.width, film.height}, tone, picture, 0, 0);
   return picture;
 }
 
@@ -192,10 +193,11 @@ Color linear_from_srgb8(int red, int green, int blue) {
   return {linear(red), linear(green), linear(blue)};
 }
 
-void develop(const Film& film, const Window& part, const Tone& tone, Image8& picture, int right) {
+void develop(const Film& film, const Window& part, const Tone& tone, Image8& picture, int x,
+             int y) {
   if (!tone.dither) {
     static const NearestTable nearest(Quantiser(255, 0.5, bits_for_8));
-    return develop_rows(film, part, tone, picture, right,
+    return develop_rows(film, part, tone, picture, {x, y},
                         [](const std::vector<float>& light, Place, std::uint8_t* codes) {
                           nearest.codes(light.data(), static_cast<int>(light.size()), codes);
                         });
@@ -205,19 +207,20 @@ void develop(const Film& film, const Window& part, const Tone& tone, Image8& pic
     for (int rank = 0; rank < 64; ++rank) all.emplace_back(255, (rank + 0.5) / 64.0, bits_for_8);
     return all;
   }();
-  develop_rows(film, part, tone, picture, right,
+  develop_rows(film, part, tone, picture, {x, y},
                [](const std::vector<float>& light, Place first, std::uint8_t* codes) {
                  for (std::size_t i = 0; i < light.size(); ++i) {
-                   const int x = first.x + static_cast<int>(i / 3);
-                   const auto rank = static_cast<std::size_t>(bayer(x, first.y));
+                   const int column = first.x + static_cast<int>(i / 3);
+                   const auto rank = static_cast<std::size_t>(bayer(column, first.y));
                    codes[i] = static_cast<std::uint8_t>(ranks[rank].code(light[i]));
                  }
                });
 }
 
-void develop(const Film& film, const Window& part, const Tone& tone, Image16& picture, int right) {
+void develop(const Film& film, const Window& part, const Tone& tone, Image16& picture, int x,
+             int y) {
   static const Quantiser nearest(65535, 0.5, bits_for_16);
-  develop_rows(film, part, tone, picture, right,
+  develop_rows(film, part, tone, picture, {x, y},
                [](const std::vector<float>& light, Place, std::uint16_t* codes) {
                  for (std::size_t i = 0; i < light.size(); ++i)
                    codes[i] = static_cast<std::uint16_t>(nearest.code(light[i]));

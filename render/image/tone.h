@@ -31,12 +31,11 @@ Color linear_from_srgb8(int red, int green, int blue);
 Image8 to_srgb8(const Film& film, const Tone& tone = {});
 Image16 to_srgb16(const Film& film, const Tone& tone = {});
 
-/// Likewise a part of the film alone, to where it is in a picture of this height: `right` pixels
-/// further to the right. The parts of a picture may be developed at the same time, and have the
-/// codes that they have when the whole picture is.
-void develop(const Film& film, const Window& part, const Tone& tone, Image8& picture,
-             int right = 0);
-void develop(const Film& film, const Window& part, const Tone& tone, Image16& picture,
-             int right = 0);
+/// Likewise a part of the film alone, to the picture's pixels from column x and row y on. The parts
+/// of a picture may be developed at the same time, and have the codes that they have when the whole
+/// picture is.
+void develop(const Film& film, const Window& part, const Tone& tone, Image8& picture, int x, int y);
+void develop(const Film& film, const Window& part, const Tone& tone, Image16& picture, int x,
+             int y);
 
 }  // namespace mien::render

@@ -14,6 +14,10 @@ bool lies_within(const Window& window, int width, int height) {
 
 }  // namespace
 
+Window window_of(const Camera& camera) {
+  return camera.window.value_or(Window{0, 0, camera.width, camera.height});
+}
+
 CameraFrame frame_of(const Camera& camera) {
   if (camera.width < 1 || camera.height < 1)
     throw std::invalid_argument("camera: the picture has no pixels");

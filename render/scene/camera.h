@@ -29,6 +29,9 @@ struct Camera {
                                  ///< it would be in the whole; none: all
 };
 
+/// The part of the camera's film that is drawn.
+Window window_of(const Camera& camera);
+
 /// A ray of light, seen from the eye. The direction has unit length.
 struct EyeRay {
   Vec3 origin;

@@ -14,16 +14,19 @@ namespace mien::render {
 
 namespace {
 
-Window window_of(const Camera& camera) {
-  return camera.window.value_or(Window{0, 0, camera.width, camera.height});
-}
-
 void check(const Quality& quality) {
   if (quality.samples_per_pixel < 1 || quality.sky_rays < 1 || quality.standing_samples < 1 ||
       !(quality.filter_width > 0.0f))
     throw std::invalid_argument("quality: samples, sky rays and filter width must be positive");
   if (!(quality.shutter >= 0.0f && quality.shutter <= 1.0f))
     throw std::invalid_argument("quality: the shutter is not open for a share of 0 to 1");
+}
+
+/// The pixels of a tile that a window has, too.
+Window part_within(const Window& window, const Tile& tile) {
+  const int x = std::max(window.x, tile.x_begin), y = std::max(window.y, tile.y_begin);
+  return {x, y, std::min(window.x + window.width, tile.x_end) - x,
+          std::min(window.y + window.height, tile.y_end) - y};
 }
 
 Shapes shapes_of(const View& view) {
@@ -69,22 +72,21 @@ ReadyPicture Tracer::prepare(View view) {
 }
 
 // Where the background is shown every pixel of the window is drawn, so what was there before is
-// of no account.
+// of no account. Elsewhere what nothing covers stays black.
 Exposure Tracer::draw(ReadyPicture ready, Film used, const Alongside& alongside) {
   if (ready.contents_ == nullptr) throw std::logic_error("no picture is ready to be drawn");
   const Camera& camera = ready.contents_->view.camera;
   const Picture& picture = ready.contents_->picture;
-  const bool fits = used.width == camera.width && used.height == camera.height;
-  Exposure exposure{
-      fits && !used.channels.empty() ? std::move(used) : Film(camera.width, camera.height), {}};
+  const Window window = window_of(camera);
   const bool shown = picture.quality.background == Background::shown;
+  const bool fits =
+      used.width == camera.width && used.height == camera.height && !used.channels.empty();
+  Exposure exposure{shown && fits ? std::move(used) : Film(camera.width, camera.height), {}};
   if (!shown) exposure.alpha.resize(exposure.film.channels.size() / 3);
   const auto draw_all = [&] {
-    engine_->for_all_parts(camera.width, camera.height, window_of(camera), [&](const Tile& part) {
+    engine_->for_all_parts(camera.width, camera.height, window, [&](const Tile& part) {
       render::draw(picture, part, exposure);
-      if (shown && alongside.drawn)
-        alongside.drawn(exposure.film, {part.x_begin, part.y_begin, part.x_end - part.x_begin,
-                                        part.y_end - part.y_begin});
+      if (shown && alongside.drawn) alongside.drawn(exposure.film, part_within(window, part));
     });
   };
   if (alongside.meanwhile)

@@ -36,7 +36,7 @@ struct TracerOptions {
 /// Thrown when a picture was given up because a stop was requested.
 struct Stopped {};
 
-class Engine;
+class Engine;  // what a tracer works with (engine.h)
 
 /// What a picture shows.
 struct View {
@@ -70,8 +70,8 @@ struct Alongside {
   /// Once, beside the first tiles.
   std::function<void()> meanwhile;
 
-  /// For each part of the film as soon as it has its light, for several at a time. Not where the
-  /// background does not show.
+  /// For each part of the camera's window as soon as it has its light, for several at a time: the
+  /// whole film and where the part is in it. Only of pictures whose background is shown.
   std::function<void(const Film& film, const Window& part)> drawn;
 };
 

@@ -1,6 +1,5 @@
 #include "pipeline/film/film.h"
 
-#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -8,11 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "motion/procedural/builtin_sets.h"
+#include "pipeline/film/drawn_frames.h"
 #include "pipeline/film/film_frames.h"
 #include "pipeline/film/film_recorder.h"
 #include "pipeline/tasks/task_graph.h"
 #include "pipeline/temporary_folder.h"
 #include "render/error.h"
+#include "render/image/tone.h"
 #include "render/video/video.h"
 
 namespace mien::pipeline {
@@ -42,7 +43,7 @@ std::vector<int> frames_of(const scenes::Shot& shot) {
   return frames;
 }
 
-using Pictures = std::map<int, render::Image8>;
+using test::Pictures;
 
 class Film : public testing::Test {
  protected:
@@ -159,21 +160,39 @@ TEST_F(Film, DrawsAFrameTheSameWhateverIsDrawnBeforeAndAfter) {
         FilmSettings how = settings();
         how.output.shutter = shutter;
         how.threads = 2;
-        const auto drawn = [&](const std::vector<int>& frames) {
-          Pictures pictures;
-          draw_frames(
-              shot, frames, how, nullptr,
-              [&](int frame, const render::Image8& picture) { pictures[frame] = picture; },
-              stop.get_token(), [](double) {});
-          return pictures;
-        };
-        Pictures together = drawn({3, 1, 2});
+        const Pictures together = test::drawn_frames(shot, {3, 1, 2}, how);
         EXPECT_EQ(together.size(), 3u);
         for (const auto& [frame, picture] : together)
-          EXPECT_EQ(drawn({frame}).at(frame), picture)
+          EXPECT_EQ(test::drawn_frames(shot, {frame}, how).at(frame), picture)
               << "frame " << frame << ", follows " << follows << ", separation " << separation
               << ", shutter " << shutter;
         EXPECT_NE(together.at(1), together.at(3));
+      }
+    }
+  }
+}
+
+// Where its pixels are dithered, too: the pattern begins at the corner of what is shown.
+TEST_F(Film, ShowsAPartOfThePictureAlone) {
+  const render::Window part{5, 9, 23, 17};
+  scenes::Look look;
+  look.size = size;
+  for (const std::string view : {"side", "follow"}) {
+    for (const bool dither : {false, true}) {
+      look.camera.view = view;
+      look.window.reset();
+      const motion::Clip clip = motion::builtin_examples("walks-10", 10.0).examples[0].clip;
+      scenes::Shot whole = scenes::stage(clip, look);
+      look.window = part;
+      scenes::Shot shown = scenes::stage(clip, look);
+      whole.tone.dither = shown.tone.dither = dither;
+      const Pictures found = test::drawn_frames(shown, {3, 4}, settings());
+      for (const int frame : {3, 4}) {
+        render::Tracer tracer;
+        const render::Film film = tracer.trace(scene_at(whole, frame), camera_at(whole, frame),
+                                               quality_of(settings(), whole));
+        EXPECT_EQ(found.at(frame), render::to_srgb8(cut_out(film, part), whole.tone))
+            << "frame " << frame << ", " << view << ", dither " << dither;
       }
     }
   }
@@ -234,7 +253,7 @@ TEST(FilmFrames, HaveNamesThatSort) {
 TEST(FilmFrames, OfAnotherSizeAreRefused) {
   const test::TemporaryFolder folder;
   const render::Film film(8, 4);
-  write_frame(folder.path() / "a.png", developed(film, FrameFormat::png));
+  write_frame(folder.path() / "a.png", render::to_srgb8(film));
   EXPECT_NO_THROW(read_frame(folder.path() / "a.png", FrameFormat::png, {8, 4}));
   EXPECT_THROW(read_frame(folder.path() / "a.png", FrameFormat::png, {8, 5}), render::Error);
   EXPECT_THROW(read_frame(folder.path() / "a.png", FrameFormat::png16, {8, 4}), render::Error);

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <numeric>
 #include <thread>
 #include <vector>
@@ -10,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/procedural/builtin_sets.h"
-#include "pipeline/film/film.h"
+#include "pipeline/film/drawn_frames.h"
 #include "pipeline/tasks/receipt.h"
 #include "pipeline/tasks/task_graph.h"
 #include "pipeline/temporary_folder.h"
@@ -34,7 +33,7 @@ scenes::Shot walk_beside_a_box(const std::string& view = "three-quarter") {
   return scenes::stage(motion::repeated(clip, 1), look);
 }
 
-using Pictures = std::map<int, render::Image8>;
+using test::Pictures;
 
 class KeptLight : public testing::Test {
  protected:
@@ -53,12 +52,7 @@ class KeptLight : public testing::Test {
   Pictures drawn(const scenes::Shot& shot, const FilmSettings& how, int first, int end) {
     std::vector<int> frames(static_cast<std::size_t>(end - first));
     std::iota(frames.begin(), frames.end(), first);
-    Pictures pictures;
-    draw_frames(
-        shot, frames, how, nullptr,
-        [&](int frame, const render::Image8& picture) { pictures[frame] = picture; },
-        stop.get_token(), [](double) {});
-    return pictures;
+    return test::drawn_frames(shot, frames, how);
   }
 
   /// How often light is drawn, and not found.

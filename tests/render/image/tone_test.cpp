@@ -1,6 +1,7 @@
 #include "render/image/tone.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -121,24 +122,21 @@ TEST(Dither, KeepsTheMeanOfALightBetweenTwoCodes) {
 // Random light from black to far above the shoulder, in a picture of 37 x 21 cut at odd places.
 template <class Picture>
 void expect_parts_to_make(const Picture& whole, const Film& film, const Tone& tone) {
-  constexpr int right = 5;
-  Picture found(film.width + right, film.height);
-  for (const int y : {0, 8, 17}) {
-    const int height = y == 17 ? film.height - 17 : y == 8 ? 9 : 8;
-    for (const int x : {0, 16, 29})
-      develop(film,
-              {x, y,
-               x == 29   ? film.width - 29
-               : x == 16 ? 13
-                         : 16,
-               height},
-              tone, found, right);
-  }
-  for (int y = 0; y < film.height; ++y) {
-    EXPECT_EQ(*found.at(right - 1, y), 0) << "row " << y;
-    for (int x = 0; x < film.width; ++x)
+  constexpr int right = 5, down = 3;
+  Picture found(film.width + right, film.height + down);
+  constexpr std::array columns{0, 16, 29, 37}, rows{0, 8, 17, 21};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int x = columns[k], y = rows[row];
+      develop(film, {x, y, columns[k + 1] - x, rows[row + 1] - y}, tone, found, x + right,
+              y + down);
+    }
+  for (int y = 0; y < found.height; ++y) {
+    for (int x = 0; x < found.width; ++x) {
+      const bool is_part = x >= right && y >= down;
       for (int c = 0; c < 3; ++c)
-        ASSERT_EQ(found.at(x + right, y)[c], whole.at(x + right, y)[c]) << x << ", " << y;
+        ASSERT_EQ(found.at(x, y)[c], is_part ? whole.at(x, y)[c] : 0) << x << ", " << y;
+    }
   }
 }
 
@@ -152,9 +150,10 @@ Film random_film(int width, int height) {
 
 TEST(Development, GivesPartsTheCodesThatTheyHaveInTheWholePicture) {
   const Film film = random_film(37, 21);
-  // The same film five pixels further to the right, as dither counts from the picture's corner.
-  Film moved(film.width + 5, film.height);
-  for (int y = 0; y < film.height; ++y) std::copy_n(film.at(0, y), 3 * film.width, moved.at(5, y));
+  // The same film further to the right and down, as dither counts from the picture's corner.
+  Film moved(film.width + 5, film.height + 3);
+  for (int y = 0; y < film.height; ++y)
+    std::copy_n(film.at(0, y), 3 * film.width, moved.at(5, y + 3));
   for (const Tone& tone : {Tone{}, Tone{.exposure_stops = 1.0f}, Tone{.dither = true}}) {
     expect_parts_to_make(to_srgb8(moved, tone), film, tone);
     expect_parts_to_make(to_srgb16(moved, tone), film, tone);

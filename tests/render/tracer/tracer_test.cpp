@@ -231,19 +231,23 @@ TEST(Tracer, GivesTheSamePictureWithAnyNumberOfThreads) {
   }
 }
 
-// Other scenes before other cameras, so that the sets behind them are made meanwhile, too.
+// Other scenes before other cameras, so that the sets behind them are made meanwhile, too: some
+// with solids, which are drawn for it.
 TEST(Tracer, DrawsAPictureWhileTheNextIsMadeReady) {
   for (const int threads : {1, 3}) {
     Tracer tracer({.threads = threads});
     const auto view = [](unsigned seed) {
-      return View{random_figure(seed), random_view(seed), draft_quality()};
+      View shown{random_figure(seed), random_view(seed), draft_quality()};
+      if (seed % 3 == 1)
+        shown.scene.standing.spheres = {{.centre = {0.5f, 0.3f, -1.0f}, .radius = 0.3f}};
+      return shown;
     };
     ReadyPicture next = tracer.prepare(view(0));
     for (unsigned seed = 0; seed < trials; ++seed) {
       ReadyPicture now = std::move(next);
       const auto meanwhile = [&] { next = tracer.prepare(view(seed + 1)); };
       EXPECT_EQ(tracer.draw(std::move(now), {}, {.meanwhile = meanwhile}).film,
-                Tracer().trace(random_figure(seed), random_view(seed), draft_quality()))
+                Tracer().expose(view(seed)).film)
           << "seed " << seed << ", " << threads << " threads";
     }
   }
@@ -254,6 +258,7 @@ TEST(Tracer, HandsOnEachPartOnceWithItsLight) {
   Camera camera = random_view(1);
   camera.width = 301;
   camera.height = 200;
+  camera.window = Window{7, 16, 281, 171};
   Film parts(camera.width, camera.height);
   std::vector<std::atomic<int>> times(parts.channels.size() / 3);
   const auto keep = [&](const Film& film, const Window& part) {
@@ -266,8 +271,25 @@ TEST(Tracer, HandsOnEachPartOnceWithItsLight) {
   const Film film =
       tracer.draw(tracer.prepare({random_figure(1), camera, draft_quality()}), {}, {.drawn = keep})
           .film;
-  EXPECT_EQ(parts, film);
-  EXPECT_TRUE(std::all_of(times.begin(), times.end(), [](const auto& n) { return n == 1; }));
+  EXPECT_EQ(cut_out(parts, *camera.window), film);
+  EXPECT_EQ(std::count(times.begin(), times.end(), 1), 281 * 171);
+  EXPECT_EQ(std::count(times.begin(), times.end(), 0), std::ssize(times) - 281 * 171);
+}
+
+// Where the background does not show, what nobody covers is not drawn.
+TEST(Tracer, ShowsNothingOfTheFilmThatItDrawsOver) {
+  Tracer tracer;
+  Film used(75, 50);
+  for (const Background background :
+       {Background::shown, Background::transparent, Background::shadow}) {
+    View view{random_figure(0), random_view(1), draft_quality()};
+    view.quality.background = background;
+    used.channels.assign(used.channels.size(), 7.0f);
+    const Exposure over = tracer.draw(tracer.prepare(view), used);
+    const Exposure fresh = tracer.expose(view);
+    EXPECT_EQ(over.film, fresh.film);
+    EXPECT_EQ(over.alpha, fresh.alpha);
+  }
 }
 
 TEST(Tracer, GivesUpAPictureWhenWhatGoesOnBesideItFails) {
