@@ -21,65 +21,83 @@ Pose posed(const Skeleton& body, const std::vector<PostureChange>& changes, doub
   return with_posture(stand(standing_pose(body), fps, body).clip, changes).poses.front();
 }
 
-void add_example(const std::string& name, Example example, ExampleSet& set) {
-  example.name = name;
-  example.clip.name = name;
-  set.examples.push_back(std::move(example));
+using Makers = std::vector<ExampleMaker>;
+
+template <class Make>
+void add_maker(const std::string& name, const Make& make, Makers& makers) {
+  makers.push_back({name, [=] {
+                      Example example = make();
+                      example.name = name;
+                      example.clip.name = name;
+                      return example;
+                    }});
 }
 
-void add_actor(const std::string& actor, const Skeleton& body, double fps, ExampleSet& set) {
-  for (const auto& [emotion, style] : acted_walks()) {
-    add_example(actor + "-walk-" + emotion, walk(style, fps, body), set);
-  }
-  add_example(actor + "-knock-neutral", knock({}, fps, body), set);
-  add_example(actor + "-knock-angry", knock(angry_knock(), fps, body), set);
-  add_example(actor + "-knock-sad", knock(sad_knock(), fps, body), set);
+void add_actor(const std::string& actor, const Skeleton& body, double fps, Makers& makers) {
+  const auto add_walk = [&](const std::string& name, const WalkStyle& style) {
+    add_maker(
+        actor + "-walk-" + name, [=] { return walk(style, fps, body); }, makers);
+  };
+  const auto add_knock = [&](const std::string& name, const KnockStyle& style) {
+    add_maker(
+        actor + "-knock-" + name, [=] { return knock(style, fps, body); }, makers);
+  };
+  const auto add_pose = [&](const std::string& name, const std::vector<PostureChange>& changes) {
+    add_maker(
+        actor + "-stand-" + name,
+        [=] {
+          const Pose pose = changes.empty() ? standing_pose(body) : posed(body, changes, fps);
+          return stand(pose, fps, body);
+        },
+        makers);
+  };
+  for (const auto& [emotion, style] : acted_walks()) add_walk(emotion, style);
+  add_knock("neutral", {});
+  add_knock("angry", angry_knock());
+  add_knock("sad", sad_knock());
   using enum PostureUnit;
-  add_example(actor + "-stand-neutral", stand(standing_pose(body), fps, body), set);
-  add_example(actor + "-stand-sad",
-              stand(posed(body, {{head_flexion, 28.0}, {chest_flexion, 8.0}}, fps), fps, body),
-              set);
-  add_example(
-      actor + "-stand-strong",
-      stand(posed(body, {{shoulder_abduction, 18.0}, {chest_flexion, -5.0}}, fps), fps, body), set);
+  add_pose("neutral", {});
+  add_pose("sad", {{head_flexion, 28.0}, {chest_flexion, 8.0}});
+  add_pose("strong", {{shoulder_abduction, 18.0}, {chest_flexion, -5.0}});
 }
 
-/// Walks, knocks and standing poses of a woman and a man.
-ExampleSet two_actors(double frames_per_second) {
-  ExampleSet set;
-  set.name = "actors";
-  set.simulated = true;
-  set.blendable = false;
-  add_actor("woman", standard_female_body(), frames_per_second, set);
-  add_actor("man", standard_body(1.8), frames_per_second, set);
-  return set;
-}
+constexpr std::string_view actors = "actors";
 
 }  // namespace
 
+std::vector<ExampleMaker> builtin_example_makers(std::string_view name, double frames_per_second) {
+  Makers makers;
+  if (name == actors) {
+    add_actor("woman", standard_female_body(), frames_per_second, makers);
+    add_actor("man", standard_body(1.8), frames_per_second, makers);
+    return makers;
+  }
+  for (const auto& [style_name, style] : builtin_styles(name))
+    add_maker(
+        style_name, [=, style = style] { return walk(style, frames_per_second, standard_body()); },
+        makers);
+  return makers;
+}
+
 std::vector<std::string> builtin_example_names(std::string_view name) {
   std::vector<std::string> names;
-  if (name == "actors") {
-    // The names do not depend on the frame rate, and a low one is soon made.
-    for (const Example& example : two_actors(10.0).examples) names.push_back(example.name);
-  } else {
-    for (const NamedStyle& style : builtin_styles(name)) names.push_back(style.name);
-  }
+  for (const ExampleMaker& maker : builtin_example_makers(name)) names.push_back(maker.name);
   return names;
 }
 
-ExampleSet builtin_examples(std::string_view name, double frames_per_second) {
-  if (name == "actors") return two_actors(frames_per_second);
-  const Skeleton body = standard_body();
+// The actors' walks, knocks and poses are no motions between which there are others.
+ExampleSet unmade_examples(std::string_view name) {
   ExampleSet set;
   set.name = name;
   set.simulated = true;
-  for (const auto& [style_name, style] : builtin_styles(name)) {
-    Example example = walk(style, frames_per_second, body);
-    example.name = style_name;
-    example.clip.name = style_name;
-    set.examples.push_back(std::move(example));
-  }
+  set.blendable = name != actors;
+  return set;
+}
+
+ExampleSet builtin_examples(std::string_view name, double frames_per_second) {
+  ExampleSet set = unmade_examples(name);
+  for (const ExampleMaker& maker : builtin_example_makers(name, frames_per_second))
+    set.examples.push_back(maker.make());
   return set;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,19 @@ std::vector<NamedStyle> builtin_styles(std::string_view name);
 
 /// Names of the examples of a built-in set. Throws as above.
 std::vector<std::string> builtin_example_names(std::string_view name);
+
+/// One of a built-in set.
+struct ExampleMaker {
+  std::string name;
+  std::function<Example()> make;  ///< named; several may be called at the same time
+};
+
+/// Makers of the examples of a built-in set, in its fixed order. Throws as above.
+std::vector<ExampleMaker> builtin_example_makers(std::string_view name,
+                                                 double frames_per_second = 30.0);
+
+/// What a built-in set is beside its examples, which are still to be made.
+ExampleSet unmade_examples(std::string_view name);
 
 /// The set's walks, made by the parametric walker on the standard body; marked as simulated.
 ///

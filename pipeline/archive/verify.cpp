@@ -11,9 +11,9 @@
 #include "pipeline/archive/artifact_check.h"
 #include "pipeline/archive/extra_files.h"
 #include "pipeline/archive/not_kept.h"
-#include "pipeline/archive/parallel.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_record.h"
+#include "pipeline/tasks/parallel.h"
 #include "pipeline/tasks/receipt.h"
 #include "pipeline/tasks/task_graph.h"
 

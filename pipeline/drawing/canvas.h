@@ -60,7 +60,8 @@ struct DrawnText {
 /// same drawing gives the same bytes on every run: no dates, no names of the machine.
 class Canvas {
  public:
-  /// A PDF page. Throws mien::Error when the system's fonts have no Japanese.
+  /// A PDF page. Throws mien::Error when the system's fonts have no Japanese and render::Error
+  /// when the part of mien that draws pages cannot be loaded.
   static Canvas pdf(double width, double height, const std::string& title);
   /// An SVG image. Throws as `pdf`.
   static Canvas svg(double width, double height);

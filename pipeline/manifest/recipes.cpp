@@ -108,6 +108,14 @@ nlohmann::ordered_json RecipesMapForm::write(const std::vector<Recipe>& recipes,
   return map;
 }
 
+namespace {
+
+bool needs_recipes(const Stimulus& stimulus) {
+  return !stimulus.modify.empty() || (stimulus.walk && !stimulus.walk->graph.empty());
+}
+
+}  // namespace
+
 const Recipe* RecipeBook::find(std::string_view emotion) const {
   const auto found = std::ranges::find(recipes, emotion, &Recipe::name);
   return found == recipes.end() ? nullptr : &*found;
@@ -152,6 +160,9 @@ RecipeBook parse_recipes(std::string_view yaml, const fs::path& file) {
 }
 
 std::vector<Fault> resolve_modifications(Manifest& manifest) {
+  // Those that come with mien have no faults, and reading them takes a while.
+  if (manifest.recipes.file.empty() && std::ranges::none_of(manifest.stimuli, needs_recipes))
+    return {};
   RecipeBook book;
   try {
     book = read_recipes(manifest.recipes.name, manifest.recipes.file);

@@ -1,10 +1,7 @@
 #include "pipeline/production/rehearsal.h"
 
 #include <algorithm>
-#include <atomic>
-#include <future>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +11,7 @@
 #include "pipeline/film/film_framing.h"
 #include "pipeline/film/film_presentation.h"
 #include "pipeline/film/film_shot.h"
+#include "pipeline/tasks/parallel.h"
 
 namespace mien::pipeline {
 
@@ -70,17 +68,8 @@ class Rehearsal : public FaultList {
   /// All stimuli, several at a time.
   std::vector<Staging> staged() const {
     std::vector<Staging> stagings(manifest_.stimuli.size());
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-      for (std::size_t i = next++; i < stagings.size(); i = next++)
-        stagings[i] = stage(manifest_.stimuli[i]);
-    };
-    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::future<void>> others;
-    for (std::size_t i = 1; i < std::min(processors, stagings.size()); ++i)
-      others.push_back(std::async(std::launch::async, work));
-    work();
-    for (std::future<void>& other : others) other.get();
+    on_all_processors(stagings.size(),
+                      [&](std::size_t i) { stagings[i] = stage(manifest_.stimuli[i]); });
     return stagings;
   }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include "motion/error.h"
@@ -115,28 +117,62 @@ StyleProfile loadings_of(const Scale& scale) {
               "give the scale `loadings:` in the scales file, for instance {activeness: 0.6}");
 }
 
+namespace {
+
+/// What each stimulus makes of each scale, a row a scale and a column a stimulus.
+Eigen::MatrixXd impressions_on(const std::vector<StyledStimulus>& stimuli, const ScaleSet& scales) {
+  Eigen::MatrixXd impressions(scales.scales.size(), stimuli.size());
+  for (Eigen::Index s = 0; s < impressions.rows(); ++s) {
+    const StyleProfile weights = loadings_of(scales.scales[static_cast<std::size_t>(s)]);
+    for (Eigen::Index i = 0; i < impressions.cols(); ++i) {
+      const StyleProfile& profile = stimuli[static_cast<std::size_t>(i)].profile;
+      impressions(s, i) = std::inner_product(weights.begin(), weights.end(), profile.begin(), 0.0);
+    }
+  }
+  return impressions;
+}
+
+/// How a rater uses a scale.
+struct Habit {
+  double gain;
+  double offset;
+  double noise;  ///< standard deviation
+};
+
+std::vector<Habit> habits_of(const std::string& rater, const ScaleSet& scales,
+                             const SimulatedRaters& raters) {
+  std::vector<Habit> habits;
+  for (const Scale& scale : scales.scales) {
+    const auto draw = [&](const char* what) {
+      return normal(raters.seed, fmt::format("{}/{}/{}", what, rater, scale.id));
+    };
+    habits.push_back({1.0 + raters.gain_spread * draw("gain"),
+                      raters.offset_spread * draw("offset"), noise_of(scale, raters)});
+  }
+  return habits;
+}
+
+}  // namespace
+
 Answers simulate_answers(const std::vector<StyledStimulus>& stimuli, const ScaleSet& scales,
                          const SimulatedRaters& raters) {
   Answers result;
   result.simulated = true;
+  const Eigen::MatrixXd impressions = impressions_on(stimuli, scales);
   for (int r = 0; r < raters.count; ++r) {
     const std::string rater = fmt::format("simulated-{:02}", r + 1);
-    for (const StyledStimulus& stimulus : stimuli) {
-      for (const Scale& scale : scales.scales) {
-        const StyleProfile loadings = loadings_of(scale);
-        double impression = 0.0;
-        for (size_t a = 0; a < loadings.size(); ++a)
-          impression += loadings[a] * stimulus.profile[a];
-        const double gain =
-            1.0 +
-            raters.gain_spread * normal(raters.seed, fmt::format("gain/{}/{}", rater, scale.id));
-        const double offset = raters.offset_spread *
-                              normal(raters.seed, fmt::format("offset/{}/{}", rater, scale.id));
+    const std::vector<Habit> habits = habits_of(rater, scales, raters);
+    for (std::size_t i = 0; i < stimuli.size(); ++i) {
+      const std::string& name = stimuli[i].name;
+      for (std::size_t s = 0; s < scales.scales.size(); ++s) {
+        const Scale& scale = scales.scales[s];
+        const Habit& habit = habits[s];
         const double noise =
-            noise_of(scale, raters) *
-            normal(raters.seed, fmt::format("noise/{}/{}/{}", rater, stimulus.name, scale.id));
-        const double share = std::tanh(1.2 * gain * impression) + offset + noise;
-        result.answers.push_back({rater, stimulus.name, scale.id, answer_of(scale, share)});
+            habit.noise * normal(raters.seed, fmt::format("noise/{}/{}/{}", rater, name, scale.id));
+        const double impression =
+            impressions(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(i));
+        const double share = std::tanh(1.2 * habit.gain * impression) + habit.offset + noise;
+        result.answers.push_back({rater, name, scale.id, answer_of(scale, share)});
       }
     }
   }

@@ -4,11 +4,11 @@
 #include <array>
 #include <utility>
 
-#include "pipeline/archive/parallel.h"
 #include "pipeline/film/film.h"
 #include "pipeline/film/film_shot.h"
 #include "pipeline/manifest/own_seed.h"
 #include "pipeline/synthesis/motion_task.h"
+#include "pipeline/tasks/parallel.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/image/tone.h"
 

@@ -8,15 +8,31 @@
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/ratings/measured_profiles.h"
 #include "pipeline/ratings/simulated_raters.h"
+#include "pipeline/tasks/parallel.h"
 
 namespace mien::pipeline {
 
 namespace {
 
+motion::ExampleSet made_examples(const std::string& builtin) {
+  const std::vector<motion::ExampleMaker> makers = motion::builtin_example_makers(builtin);
+  motion::ExampleSet set = motion::unmade_examples(builtin);
+  set.examples.resize(makers.size());
+  on_all_processors(makers.size(), [&](std::size_t i) { set.examples[i] = makers[i].make(); });
+  return set;
+}
+
+motion::ExampleSet settled_examples(motion::ExampleSet set) {
+  on_all_processors(set.examples.size(), [&](std::size_t i) {
+    set.examples[i].clip = motion::with_settled_feet(set.examples[i].clip);
+  });
+  return set;
+}
+
 void load_examples(const Manifest& manifest, Repertoire& repertoire) {
   const Examples& examples = manifest.examples;
   if (!examples.builtin.empty()) {
-    repertoire.examples = motion::builtin_examples(examples.builtin);
+    repertoire.examples = made_examples(examples.builtin);
     for (const motion::Example& example : repertoire.examples.examples) {
       repertoire.names.push_back({example.name, ""});
     }
@@ -37,7 +53,7 @@ Repertoire unrated_repertoire(const Manifest& manifest) {
   repertoire.scales = scales_of(manifest.scales);
   if (manifest.examples.builtin.empty() && manifest.examples.folder.empty()) return repertoire;
   load_examples(manifest, repertoire);
-  repertoire.settled = motion::with_settled_feet(repertoire.examples);
+  repertoire.settled = settled_examples(repertoire.examples);
   repertoire.features = feature_parameters(repertoire.settled);
   return repertoire;
 }

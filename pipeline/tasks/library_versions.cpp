@@ -2,12 +2,11 @@
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
-#include <cairo.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <pango/pango.h>
 #include <xxhash.h>
 
+#include "pipeline/drawing/page_libraries.h"
 #include "pipeline/tasks/code_identity.h"
 #include "render/image/image_io.h"
 #include "render/image/png_file.h"
@@ -29,7 +28,7 @@ std::string dotted(int major, int minor, int patch) {
 std::vector<std::pair<std::string, std::string>> library_versions() {
   return {
       {"compiler", __VERSION__},
-      {"Cairo", cairo_version_string()},
+      {"Cairo", cairo_library()},
       {"CLI11", CLI11_VERSION},
       {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"Embree", render::Tracer().description()},
@@ -39,7 +38,7 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
       {"nlohmann_json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                NLOHMANN_JSON_VERSION_PATCH)},
       {"OpenImageIO", render::image_library()},
-      {"Pango", pango_version_string()},
+      {"Pango", pango_library()},
       {"xxHash", dotted(static_cast<int>(XXH_versionNumber() / 10000),
                         static_cast<int>(XXH_versionNumber() / 100 % 100),
                         static_cast<int>(XXH_versionNumber() % 100))},

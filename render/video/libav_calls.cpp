@@ -1,37 +1,30 @@
 // FFmpeg's libraries take 0.02 s to load, more than all else that mien is linked to. So mien is not
-// linked to them: here are those of their functions that it calls, each of which loads the part
-// that is (libav_part.cpp) when it is first called, and calls the library's own. A function that is
-// missing here is missing when mien is linked.
+// linked to them: here are those of their functions that it calls, and the part that is linked is
+// libav_part.cpp.
 
 extern "C" {
 #include <libavutil/mem.h>
 #include <libavutil/sha.h>
 }
 
-#include "render/parts/loaded_part.h"
+#include "render/parts/library_calls.h"
 #include "render/video/libav.h"
 
 namespace mien::render {
 
 namespace {
 
-template <class Function>
-Function* own_function(const char* function) {
-  static const std::string name = "mien-video-files.so", purpose = "reads and writes videos";
-  static void* const part = loaded_part(name, purpose);
-  return reinterpret_cast<Function*>(function_of_part(part, function, name, purpose));
-}
+struct VideoFiles {
+  static const char* name() { return "mien-video-files.so"; }
+  static const char* purpose() { return "reads and writes videos"; }
+};
 
 }  // namespace
 
 }  // namespace mien::render
 
-// Names and signatures are FFmpeg's; the compiler holds them to its headers.
-#define MIEN_LIBAV(result, name, parameters, arguments)                           \
-  result name parameters {                                                        \
-    static const auto own = mien::render::own_function<result parameters>(#name); \
-    return own arguments;                                                         \
-  }
+#define MIEN_LIBAV(result, name, parameters, arguments) \
+  MIEN_LIBRARY_CALL(mien::render::VideoFiles, result, name, parameters, arguments)
 
 // clang-format off
 extern "C" {

@@ -6,9 +6,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "pipeline/archive/parallel.h"
 #include "pipeline/comparison/frame_comparison.h"
 #include "pipeline/comparison/noise_test.h"
+#include "pipeline/tasks/parallel.h"
 
 namespace {
 

@@ -118,18 +118,27 @@ TEST(Program, SaysWhichOfItsPartsIsNotThere) {
                "bin/mien render a.bvh --size 64x36 --quality draft -o a.mp4"),
       "mien-video-files.so: the part of mien that reads and writes videos");
   EXPECT_FALSE(fs::exists(scratch.path() / "a.mp4"));
-  const fs::path part = "mien-video-files.so";
-  fs::copy_file(fs::path(MIEN_PROGRAM).parent_path() / part, scratch.path() / "bin" / part);
+  const auto bring = [&](const fs::path& part) {
+    fs::copy_file(fs::path(MIEN_PROGRAM).parent_path() / part, scratch.path() / "bin" / part);
+  };
+  bring("mien-video-files.so");
+  const std::string study =
+      "mien: 1\nstudy: a\n"
+      "examples: {set: builtin:walks-10}\n"
+      "stimuli: [{id: a, weights: {sad: 1}}, {id: b, weights: {happy: 1}}]\n";
+  std::ofstream(scratch.path() / "sheet.yaml")
+      << study << "output: {size: [64, 36], quality: draft}\n"
+      << "sheets: [{compare: {target: a, created: b}}]\n";
+  expect_told(run_bash(there + "bin/mien version && bin/mien run sheet.yaml"),
+              "mien-pages.so: the part of mien that draws sheets and charts");
+  bring("mien-pages.so");
   std::ofstream(scratch.path() / "a.yaml")
-      << "mien: 1\nstudy: a\n"
-         "examples: {set: builtin:walks-10}\n"
-         "output: {size: [64, 36], quality: draft, frames: exr}\n"
-         "stimuli: [{id: a, weights: {sad: 1}}]\n";
+      << study << "output: {size: [64, 36], quality: draft, frames: exr}\n";
   expect_told(run_bash(there + "bin/mien version && bin/mien run a.yaml"),
               "mien-image-files.so: the part of mien that reads and writes pictures");
 }
 
-TEST(Program, LoadsNoLibraryForPicturesOrVideosBeforeItDrawsSomething) {
+TEST(Program, LoadsNoLibraryThatDrawsBeforeItDrawsSomething) {
   const Scratch scratch;
   const std::string folder = scratch.path().string();
   const Ended ended = run_bash(
@@ -139,7 +148,8 @@ TEST(Program, LoadsNoLibraryForPicturesOrVideosBeforeItDrawsSomething) {
       "./mien check quickstart.yaml && ./mien plan quickstart.yaml && ./mien motion info a.bvh");
   EXPECT_EQ(ended.code, 0);
   EXPECT_NE(ended.output.find("calling init: "), std::string::npos);
-  for (const char* library : {"libavcodec", "libswscale", "libOpenImageIO"})
+  for (const char* library :
+       {"libavcodec", "libswscale", "libOpenImageIO", "libcairo", "libpango-1.0"})
     EXPECT_EQ(ended.output.find(std::string("/") + library + ".so."), std::string::npos) << library;
 }
 
@@ -150,7 +160,7 @@ TEST(Program, FindsItsPartsInAnInstallationThatIsMoved) {
   fs::create_directories(prefix / "bin");
   fs::create_directories(parts);
   fs::copy_file(MIEN_PROGRAM, prefix / "bin/mien");
-  for (const char* part : {"mien-image-files.so", "mien-video-files.so"})
+  for (const char* part : {"mien-image-files.so", "mien-pages.so", "mien-video-files.so"})
     fs::copy_file(fs::path(MIEN_PROGRAM).parent_path() / part, parts / part);
   fs::rename(prefix, scratch.path() / "moved");
   // By another name and from elsewhere: where it is comes from the program itself.

@@ -52,8 +52,9 @@ fs::path mien_with_pages(const fs::path& folder) {
   std::ofstream(folder / "pages/questionnaire/index.html")
       << "<!doctype html><meta name=\"mien-mode\" content=\"static\"><title>stand-in</title>";
   std::ofstream(folder / "pages/questionnaire/questionnaire.js") << "start();";
-  for (const fs::path& part : {fs::path(MIEN_PROGRAM), program_part("mien-image-files.so"),
-                               program_part("mien-video-files.so")}) {
+  for (const fs::path& part :
+       {fs::path(MIEN_PROGRAM), program_part("mien-image-files.so"), program_part("mien-pages.so"),
+        program_part("mien-video-files.so")}) {
     std::error_code other_disk;
     fs::create_hard_link(part, folder / part.filename(), other_disk);
     if (other_disk) fs::copy_file(part, folder / part.filename());

@@ -11,6 +11,7 @@ const sizes = [{ width: 1366, height: 768 }, { width: 1920, height: 1080 }];
 export async function open_studio(link) {
   const browser = await open_browser();
   const page = await (await browser.newContext({ viewport: sizes[0] })).newPage();
+  page.setDefaultTimeout(120000); // of busy machines that draw without a graphics card
   const wrong = [];
   page.on("pageerror", (error) => wrong.push(String(error)));
   page.on("console", (message) => message.type() === "error" && wrong.push(message.text()));

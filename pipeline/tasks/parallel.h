@@ -12,4 +12,7 @@ namespace mien::pipeline {
 void for_each_of(std::size_t count, int threads, const std::stop_token& stop,
                  const std::function<void(std::size_t)>& work);
 
+/// The same on as many threads as there are processors, of what is soon done.
+void on_all_processors(std::size_t count, const std::function<void(std::size_t)>& work);
+
 }  // namespace mien::pipeline

@@ -1,4 +1,4 @@
-#include "pipeline/archive/parallel.h"
+#include "pipeline/tasks/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -33,6 +33,11 @@ void for_each_of(std::size_t count, int threads, const std::stop_token& stop,
   }
   if (failure) std::rethrow_exception(failure);
   if (stop.stop_requested()) throw Interrupted{};
+}
+
+void on_all_processors(std::size_t count, const std::function<void(std::size_t)>& work) {
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  for_each_of(count, processors, {}, work);
 }
 
 }  // namespace mien::pipeline
