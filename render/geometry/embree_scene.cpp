@@ -100,13 +100,7 @@ Distances cone_crossings(const Shapes& shapes, std::size_t index, const PacketFi
                       leave + i);
   }
   Distances distances;
-  const float* from = packet.near_distance();
-  for (unsigned i = 0; i < packet.lanes; ++i) {
-    distances.lane[i] = enter[i] > leave[i]  ? infinity
-                        : enter[i] > from[i] ? enter[i]
-                        : leave[i] > from[i] ? leave[i]
-                                             : infinity;
-  }
+  crossings_beyond(packet.near_distance(), enter, leave, packet.lanes, distances.lane);
   return distances;
 }
 

@@ -126,19 +126,22 @@ std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes) {
 
 FilmMask::FilmMask(const Camera& camera, const Shapes& shapes, float filter_half_width)
     : width_(camera.width),
-      touched_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)) {
+      touched_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)),
+      rows_(static_cast<std::size_t>(camera.height), Stretch{camera.width, 0}) {
   if (camera.aperture_radius > 0.0f && !shapes.empty()) {
     // What is out of focus may show anywhere.
     std::fill(touched_.begin(), touched_.end(), std::uint8_t{1});
+    std::fill(rows_.begin(), rows_.end(), Stretch{0, camera.width});
     return;
   }
   const CameraFrame frame = frame_of(camera);
-  const float margin = filter_half_width + 0.01f;
+  // Pixel i has rays through i + ½ ± the half width.
+  const float margin = filter_half_width + 0.02f;
   const auto first = [&](float edge, int size) {
-    return static_cast<int>(std::clamp(std::floor(edge - margin - 0.5f), 0.0f, float(size)));
+    return static_cast<int>(std::clamp(std::ceil(edge - margin - 0.5f), 0.0f, float(size)));
   };
   const auto past = [&](float edge, int size) {
-    return static_cast<int>(std::clamp(std::ceil(edge + margin + 0.5f), 0.0f, float(size)));
+    return static_cast<int>(std::clamp(std::floor(edge + margin + 0.5f), 0.0f, float(size)));
   };
   visit_pieces(shapes, [&](const auto& balls) {
     FilmBox box = film_box(frame, balls[0]);
@@ -148,13 +151,20 @@ FilmMask::FilmMask(const Camera& camera, const Shapes& shapes, float filter_half
     const int x_end = all ? camera.width : past(box.x.high, camera.width);
     const int y_begin = all ? 0 : first(box.y.low, camera.height);
     const int y_end = all ? camera.height : past(box.y.high, camera.height);
-    for (int y = y_begin; y < y_end && x_begin < x_end; ++y)
+    for (int y = y_begin; y < y_end && x_begin < x_end; ++y) {
       std::fill_n(touched_.begin() + std::ptrdiff_t{y} * camera.width + x_begin, x_end - x_begin,
                   std::uint8_t{1});
+      Stretch& row = rows_[static_cast<std::size_t>(y)];
+      row = {std::min(row.begin, x_begin), std::max(row.end, x_end)};
+    }
   });
 }
 
 bool FilmMask::may_meet_row(int x_begin, int x_end, int y) const {
+  const Stretch& touched = rows_[static_cast<std::size_t>(y)];
+  x_begin = std::max(x_begin, touched.begin);
+  x_end = std::min(x_end, touched.end);
+  if (x_begin >= x_end) return false;
   const auto row = touched_.begin() + std::ptrdiff_t{y} * width_;
   return std::find(row + x_begin, row + x_end, std::uint8_t{1}) != row + x_end;
 }

@@ -40,8 +40,14 @@ class FilmMask {
   bool may_meet_row(int x_begin, int x_end, int y) const;
 
  private:
+  struct Stretch {
+    int begin;
+    int end;
+  };
+
   int width_;
   std::vector<std::uint8_t> touched_;
+  std::vector<Stretch> rows_;  // where the touched pixels of each lie
 };
 
 }  // namespace mien::render

@@ -58,8 +58,33 @@ Vec3 normal_at(const RoundCone& cone, const Vec3& point) {
   return (cone.side_squared * from_a - along * cone.axis).normalized();
 }
 
+namespace {
+
+// What intersect_lines works out for both balls and the side, for one ball alone.
+MIEN_FOR_AVX2_TOO void intersect_ball(const RoundCone& cone, const RayLanes& rays, unsigned count,
+                                      float* enter, float* leave) {
+  const float x = cone.a.x(), y = cone.a.y(), z = cone.a.z();
+  const float squared = cone.radius_a * cone.radius_a;
+#pragma omp simd
+  for (unsigned i = 0; i < count; ++i) {
+    const float dx = rays.direction_x[i], dy = rays.direction_y[i], dz = rays.direction_z[i];
+    const float ox = rays.origin_x[i] - x, oy = rays.origin_y[i] - y, oz = rays.origin_z[i] - z;
+    const float nearest = -(ox * dx + oy * dy + oz * dz);
+    const float px = ox + nearest * dx, py = oy + nearest * dy, pz = oz + nearest * dz;
+    const float along = dx * px + dy * py + dz * pz;
+    const float inside = along * along - (px * px + py * py + pz * pz) + squared;
+    const float root = std::sqrt(inside > 0.0f ? inside : 0.0f);
+    const bool met = inside >= 0.0f;
+    enter[i] = nearest + (met ? -along - root : infinity);
+    leave[i] = nearest + (met ? -along + root : -infinity);
+  }
+}
+
+}  // namespace
+
 MIEN_FOR_AVX2_TOO void intersect_lines(const RoundCone& cone, const RayLanes& rays, unsigned count,
                                        float* enter, float* leave) {
+  if (cone.side_squared == 0.0f) return intersect_ball(cone, rays, count, enter, leave);
   const float ax = cone.axis.x(), ay = cone.axis.y(), az = cone.axis.z();
   const float hx = 0.5f * ax, hy = 0.5f * ay, hz = 0.5f * az;
   const float mx = cone.a.x() + hx, my = cone.a.y() + hy, mz = cone.a.z() + hz;
@@ -117,6 +142,16 @@ MIEN_FOR_AVX2_TOO void intersect_lines(const RoundCone& cone, const RayLanes& ra
 
     enter[i] = nearest + first;
     leave[i] = nearest + last;
+  }
+}
+
+MIEN_FOR_AVX2_TOO void crossings_beyond(const float* from, const float* enter, const float* leave,
+                                        unsigned count, float* distance) {
+#pragma omp simd
+  for (unsigned i = 0; i < count; ++i) {
+    const float out = leave[i] > from[i] ? leave[i] : infinity;
+    const float first = enter[i] > from[i] ? enter[i] : out;
+    distance[i] = enter[i] > leave[i] ? infinity : first;
   }
 }
 

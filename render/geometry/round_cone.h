@@ -54,4 +54,8 @@ inline constexpr unsigned max_lanes = 16;
 void intersect_lines(const RoundCone& cone, const RayLanes& rays, unsigned count, float* enter,
                      float* leave);
 
+/// The first of either that lies beyond `from`, of each line; infinity when there is none.
+void crossings_beyond(const float* from, const float* enter, const float* leave, unsigned count,
+                      float* distance);
+
 }  // namespace mien::render

@@ -28,6 +28,9 @@ class ShadowMask {
   /// Whether any point of the area may lie in shadow or half shadow.
   bool may_shade(const FloorArea& area) const;
 
+  /// Whether every point of the area may, as far as the grid tells.
+  bool may_shade_all(const FloorArea& area) const;
+
   /// Adds the indices of the round cones that may hide a part of the light somewhere in the area,
   /// in rising order. Returns the least height above the floor, metres, of what of them hides it
   /// there; infinity where there are none.

@@ -73,77 +73,28 @@ Color unshadowed_floor(const Scene& scene, const Vec3& point) {
   return scene.ground.albedo * inverse_pi * irradiance_on_floor(scene, point);
 }
 
-namespace {
-
-/// What a ray shows of the set but for the light on the floor.
-struct View {
-  SetPixel pixel;      // its radiance is that of the backdrop
-  float share = 0.0f;  // of the floor, which the rest has faded from
-};
-
-View view_of_set(const Scene& scene, const CameraFrame& camera, const EyeRay& ray) {
+SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, const EyeRay& ray) {
   const Vec3& direction = ray.direction;
-  View view;
-  SetPixel& pixel = view.pixel;
+  SetPixel pixel;
   pixel.radiance = backdrop_radiance(scene.sky, direction);
-  if (!scene.has_ground) return view;
+  if (!scene.has_ground) return pixel;
   const std::optional<float> distance = distance_to_floor(ray.origin, direction);
-  if (!distance) return view;
+  if (!distance) return pixel;
 
   pixel.point = ray.origin + *distance * direction;
   pixel.point.y() = 0.0f;
   const Vec3 across = pixel.point - Vec3{camera.position.x(), 0.0f, camera.position.z()};
-  view.share = visibility(scene.ground, across.norm());
-  if (view.share <= 0.0f) return view;
+  const float share = visibility(scene.ground, across.norm());
+  if (share <= 0.0f) return pixel;
 
   pixel.shows_floor = true;
   const float forwards = direction.dot(camera.forward);
   const Footprint print =
       footprint(camera, direction / forwards, camera.parallel ? 1.0f : *distance * forwards);
-  pixel.visible_albedo = view.share * albedo_at(scene.ground, pixel.point, print);
-  return view;
-}
-
-/// With light on the floor.
-SetPixel lit(const View& view, const Color& irradiance) {
-  SetPixel pixel = view.pixel;
-  if (pixel.shows_floor)
-    pixel.radiance =
-        (1.0f - view.share) * pixel.radiance + pixel.visible_albedo * inverse_pi * irradiance;
+  pixel.visible_albedo = share * albedo_at(scene.ground, pixel.point, print);
+  pixel.radiance = (1.0f - share) * pixel.radiance +
+                   pixel.visible_albedo * inverse_pi * irradiance_on_floor(scene, pixel.point);
   return pixel;
-}
-
-}  // namespace
-
-SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, const EyeRay& ray) {
-  const View view = view_of_set(scene, camera, ray);
-  if (!view.pixel.shows_floor) return view.pixel;
-  return lit(view, irradiance_on_floor(scene, view.pixel.point));
-}
-
-std::array<SetPixel, lanes> set_pixels(const Scene& scene, const CameraFrame& camera, int x, int y,
-                                       int count) {
-  std::array<View, lanes> views;
-  LaneVectors points;
-  bool floor = false;
-  for (int i = 0; i < count; ++i) {
-    View& view = views[static_cast<std::size_t>(i)];
-    view = view_of_set(scene, camera,
-                       camera.ray(static_cast<float>(x + i) + 0.5f, static_cast<float>(y) + 0.5f));
-    points.set(i, view.pixel.point);
-    floor |= view.pixel.shows_floor;
-  }
-  std::array<Color, lanes> light;
-  light.fill(sky_irradiance_on_floor(scene.sky));
-  for (const AreaLight& each : scene.lights) {
-    if (!floor) break;
-    const LaneFloats share = light_on_floor(each, points);
-    for (int i = 0; i < count; ++i) light[static_cast<std::size_t>(i)] += share[i] * each.radiance;
-  }
-  std::array<SetPixel, lanes> pixels;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-    pixels[i] = lit(views[i], light[i]);
-  return pixels;
 }
 
 }  // namespace mien::render

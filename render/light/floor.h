@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
-#include "render/light/lanes.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"
 
@@ -22,10 +20,6 @@ struct SetPixel {
   Color visible_albedo = Color::Zero();  ///< of the floor, times how little of it has faded
 };
 SetPixel set_pixel(const Scene& scene, const CameraFrame& camera, const EyeRay& ray);
-
-/// The same through the middles of `count` pixels of a row, eight at most, from (x, y) on.
-std::array<SetPixel, lanes> set_pixels(const Scene& scene, const CameraFrame& camera, int x, int y,
-                                       int count);
 
 /// Distance, in lengths of the direction, at which a ray meets the floor from above.
 inline std::optional<float> distance_to_floor(const Vec3& origin, const Vec3& direction) {

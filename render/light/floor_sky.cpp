@@ -97,8 +97,8 @@ void FloorSky::divide(std::size_t branch, const Square& square) {
   }
   if (interpolation_error(square) > tolerance) {
     const int half = square.side / 2;
-    if (half >= 1 && metres(half) >= quality_.floor_sky_cell && tolerance > 0.0f &&
-        !is_hopeless(square)) {
+    const bool divides = half >= 1 && metres(half) >= quality_.floor_sky_cell && tolerance > 0.0f;
+    if (divides && !is_hopeless(square)) {
       const std::size_t first = branches_.size();
       branches_[branch].children = static_cast<int>(first);
       branches_.resize(first + 4);
@@ -107,9 +107,11 @@ void FloorSky::divide(std::size_t branch, const Square& square) {
                {square.x + (k & 1) * half, square.z + (k >> 1) * half, half});
       return;
     }
-    branches_[branch].cell = static_cast<int>(cells_.size());
-    cells_.push_back({metres(square.x), metres(square.z), 1.0f / metres(square.side), false});
-    return;
+    if (divides || !quality_.floor_sky_smooth || tolerance == 0.0f) {
+      branches_[branch].cell = static_cast<int>(cells_.size());
+      cells_.push_back({metres(square.x), metres(square.z), 1.0f / metres(square.side), false});
+      return;
+    }
   }
   Cell cell{metres(square.x), metres(square.z), 1.0f / metres(square.side), true};
   for (int k = 0; k < 4; ++k)

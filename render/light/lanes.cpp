@@ -52,46 +52,15 @@ inline Direction about(float nx, float ny, float nz, float x, float y, float z) 
   return {dx * scale, dy * scale, dz * scale};
 }
 
-// As arc_sine, without branches.
-inline float arc_sine_of(float x) {
-  const bool upper = x > 0.5f;
-  const float rest = 0.5f * (1.0f - x);
-  const float z = upper ? (rest > 0.0f ? rest : 0.0f) : x * x;
-  const float s = upper ? std::sqrt(z) : x;
-  const float series =
-      s * (1.0f + z * (0.166667819f +
-                       z * (0.0749469697f +
-                            z * (0.0455206372f + z * (0.0239939988f + z * 0.0424173735f)))));
-  return upper ? half_pi - 2.0f * series : series;
-}
-
-/// What of a light is above the floor: five corners at most, in the order in which `irradiance`
-/// goes round them.
-struct LitCorners {
-  float x[5];
-  float y[5];
-  float z[5];
-  int count = 0;
-
-  void add(const Vec3& corner) {
-    x[count] = corner.x();
-    y[count] = corner.y();
-    z[count++] = corner.z();
-  }
-};
-
-LitCorners above_floor(const AreaLight& light) {
-  const Vec3 &centre = light.centre, &u = light.half_u, &v = light.half_v;
-  const Vec3 corners[4] = {centre - u - v, centre - u + v, centre + u + v, centre + u - v};
-  LitCorners kept;
-  for (int i = 0; i < 4; ++i) {
-    const Vec3 &here = corners[i], &next = corners[(i + 1) % 4];
-    const float height = here.y(), next_height = next.y();
-    if (height >= 0.0f) kept.add(here);
-    if ((height < 0.0f) != (next_height < 0.0f))
-      kept.add(here + (height / (height - next_height)) * (next - here));
-  }
-  return kept;
+// atan(√z) / √z for z in [0, 1], off by 1e-7 of it at most: a Chebyshev approximation of our own.
+inline float arc_tangent_ratio(float z) {
+  return 1.0f +
+         z * (-0.33333066f +
+              z * (0.19992484f +
+                   z * (-0.14202571f +
+                        z * (0.10636754f +
+                             z * (-0.07495446f +
+                                  z * (0.042587608f + z * (-0.01600503f + z * 0.0028340644f)))))));
 }
 
 }  // namespace
@@ -109,22 +78,23 @@ MIEN_FOR_AVX2_TOO LanePoints sample_points(const LaneWords& index, const LaneWor
 
 MIEN_FOR_AVX2_TOO void eye_rays(const CameraFrame& camera, const LaneFloats& x, const LaneFloats& y,
                                 LaneVectors& origin, LaneVectors& direction) {
-  const Vec3 &position = camera.position, &forward = camera.forward;
-  const Vec3 &right = camera.step_right, &down = camera.step_down;
   const bool parallel = camera.parallel;
+  // What a camera's rays have in common, and what of it grows from the middle of the film.
+  const float all = parallel ? 0.0f : 1.0f, some = parallel ? 1.0f : 0.0f;
+  const float px = camera.position.x(), py = camera.position.y(), pz = camera.position.z();
+  const float fx = camera.forward.x(), fy = camera.forward.y(), fz = camera.forward.z();
+  const float rx = camera.step_right.x(), ry = camera.step_right.y(), rz = camera.step_right.z();
+  const float sx = camera.step_down.x(), sy = camera.step_down.y(), sz = camera.step_down.z();
+  const float centre_x = camera.centre_x, centre_y = camera.centre_y;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float u = x.lane[i] - camera.centre_x, v = y.lane[i] - camera.centre_y;
-    const float ax = u * right.x() + v * down.x();
-    const float ay = u * right.y() + v * down.y();
-    const float az = u * right.z() + v * down.z();
-    const float dx = forward.x() + (parallel ? 0.0f : ax);
-    const float dy = forward.y() + (parallel ? 0.0f : ay);
-    const float dz = forward.z() + (parallel ? 0.0f : az);
+    const float u = x.lane[i] - centre_x, v = y.lane[i] - centre_y;
+    const float ax = u * rx + v * sx, ay = u * ry + v * sy, az = u * rz + v * sz;
+    const float dx = fx + all * ax, dy = fy + all * ay, dz = fz + all * az;
     const float scale = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz);
-    origin.x.lane[i] = position.x() + (parallel ? ax : 0.0f);
-    origin.y.lane[i] = position.y() + (parallel ? ay : 0.0f);
-    origin.z.lane[i] = position.z() + (parallel ? az : 0.0f);
+    origin.x.lane[i] = px + some * ax;
+    origin.y.lane[i] = py + some * ay;
+    origin.z.lane[i] = pz + some * az;
     direction.x.lane[i] = dx * scale;
     direction.y.lane[i] = dy * scale;
     direction.z.lane[i] = dz * scale;
@@ -217,37 +187,51 @@ MIEN_FOR_AVX2_TOO LaneLights sample_lights(const AreaLight& light, const LaneVec
   return out;
 }
 
+FloorLight::FloorLight(const AreaLight& light)
+    : front_(light.half_u.cross(light.half_v)), centre_(light.centre) {
+  const Vec3 &centre = light.centre, &u = light.half_u, &v = light.half_v;
+  const Vec3 corners[4] = {centre - u - v, centre - u + v, centre + u + v, centre + u - v};
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 &here = corners[i], &next = corners[(i + 1) % 4];
+    const float height = here.y(), next_height = next.y();
+    if (height >= 0.0f) add(here);
+    if ((height < 0.0f) != (next_height < 0.0f))
+      add(here + (height / (height - next_height)) * (next - here));
+  }
+}
+
 // The horizon of a floor that faces up is the floor itself, so the light is cut once for all
-// points.
-MIEN_FOR_AVX2_TOO LaneFloats light_on_floor(const AreaLight& light, const LaneVectors& point) {
+// points. Of each edge, from a to b as seen from the point, Lambert's formula takes the angle
+// between them times how much of the unit normal a × b / |a × b| is upwards; the angle's tangent is
+// |a × b| / a · b.
+MIEN_FOR_AVX2_TOO LaneFloats light_on_floor(const FloorLight& light, const LaneVectors& point) {
   LaneFloats out;
-  const LitCorners corners = above_floor(light);
-  if (corners.count < 3) return out;
-  const Vec3 front = light.half_u.cross(light.half_v);
-  const float fx = front.x(), fy = front.y(), fz = front.z();
-  const float cx = light.centre.x(), cy = light.centre.y(), cz = light.centre.z();
+  if (light.count() < 3) return out;
+  const float fx = light.front().x(), fy = light.front().y(), fz = light.front().z();
+  const float cx = light.centre().x(), cy = light.centre().y(), cz = light.centre().z();
   LaneFloats sum;
-  LaneVectors last;  // unit, to the corner before
-  for (int k = -1; k < corners.count; ++k) {
-    const int corner = k < 0 ? corners.count - 1 : k;
-    const float x = corners.x[corner], y = corners.y[corner], z = corners.z[corner];
-    const float counts = k < 0 ? 0.0f : 1.0f;
+  for (int k = 0; k < light.count(); ++k) {
+    const Vec3& from = light.corner(k == 0 ? light.count() - 1 : k - 1);
+    const Vec3& to = light.corner(k);
+    const float from_x = from.x(), from_y = from.y(), from_z = from.z();
+    const float to_x = to.x(), to_y = to.y(), to_z = to.z();
 #pragma omp simd
     for (unsigned i = 0; i < lanes; ++i) {
-      const float dx = x - point.x.lane[i], dy = y - point.y.lane[i], dz = z - point.z.lane[i];
-      const float scale = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz);
-      const float bx = dx * scale, by = dy * scale, bz = dz * scale;
-      const float ax = last.x.lane[i], ay = last.y.lane[i], az = last.z.lane[i];
-      const float sx = ay * bz - az * by, sy = az * bx - ax * bz, sz = ax * by - ay * bx;
-      const float sine = std::sqrt(sx * sx + sy * sy + sz * sz);
-      const float ex = ax - bx, ey = ay - by, ez = az - bz;
-      const float half_chord = 0.5f * std::sqrt(ex * ex + ey * ey + ez * ez);
-      const float angle = 2.0f * arc_sine_of(half_chord < 1.0f ? half_chord : 1.0f);
-      const float by_sine = sine > 1e-6f ? angle / sine : 1.0f;
-      sum.lane[i] += counts * by_sine * sy;
-      last.x.lane[i] = bx;
-      last.y.lane[i] = by;
-      last.z.lane[i] = bz;
+      const float px = point.x.lane[i], py = point.y.lane[i], pz = point.z.lane[i];
+      const float ax = from_x - px, ay = from_y - py, az = from_z - pz;
+      const float bx = to_x - px, by = to_y - py, bz = to_z - pz;
+      const float nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx;
+      const float sine = std::sqrt(nx * nx + ny * ny + nz * nz);
+      const float cosine = ax * bx + ay * by + az * bz;
+      const float size = cosine < 0.0f ? -cosine : cosine;
+      const bool steep = sine > size;
+      const float tangent = (steep ? size : sine) / (steep ? sine : size);
+      const float flat = tangent * arc_tangent_ratio(tangent * tangent);
+      const float acute = steep ? half_pi - flat : flat;
+      const float angle = cosine < 0.0f ? 2.0f * half_pi - acute : acute;
+      // Where a and b are all but one the ratio is that of their lengths.
+      const float by_sine = sine > 1e-6f * size ? angle / sine : 1.0f / size;
+      sum.lane[i] += by_sine * ny;
     }
   }
 #pragma omp simd

@@ -69,8 +69,28 @@ struct LaneLights {
 };
 LaneLights sample_lights(const AreaLight& light, const LaneVectors& point, const LanePoints& u);
 
+/// What of a light is above the floor: five corners at most, in the order in which `irradiance`
+/// goes round them.
+class FloorLight {
+ public:
+  explicit FloorLight(const AreaLight& light);
+
+  int count() const { return count_; }
+  const Vec3& corner(int i) const { return corners_[i]; }
+  const Vec3& front() const { return front_; }  ///< towards where it shines
+  const Vec3& centre() const { return centre_; }
+
+ private:
+  void add(const Vec3& corner) { corners_[count_++] = corner; }
+
+  Vec3 corners_[5];
+  int count_ = 0;
+  Vec3 front_;
+  Vec3 centre_;
+};
+
 /// `irradiance` of a light of radiance 1 on points of the floor, which face up.
-LaneFloats light_on_floor(const AreaLight& light, const LaneVectors& point);
+LaneFloats light_on_floor(const FloorLight& light, const LaneVectors& point);
 
 /// Rays that look from points of the floor for what is in a ball before the sky: cone_direction in
 /// the cone round it (cone_of), or cosine_direction where it fills too much of the sky. `share` is

@@ -1,12 +1,9 @@
 #include "render/light/standing_set.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include <xxhash.h>
-
-#include "render/light/floor.h"
 
 namespace mien::render {
 namespace {
@@ -125,8 +122,12 @@ std::string standing_name(const std::vector<float>& key) {
   return name;
 }
 
-StandingSet empty_set(int width, int height) {
+StandingSet room_for(int width, int height, StandingSet used) {
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (used.radiance.width == width && used.radiance.height == height) {
+    used.solid.assign(pixels, 0);
+    return used;
+  }
   StandingSet set;
   set.radiance = Film(width, height);
   set.floor_albedo = Film(width, height);
@@ -137,21 +138,25 @@ StandingSet empty_set(int width, int height) {
   return set;
 }
 
-void expose_open_row(const Scene& scene, const CameraFrame& camera, int y, StandingSet& set) {
+void expose_open_row(const OpenSet& open, int y, StandingSet& set) {
   const int width = set.radiance.width;
   for (int first = 0; first < width; first += static_cast<int>(lanes)) {
     const int count = std::min(static_cast<int>(lanes), width - first);
-    const std::array<SetPixel, lanes> pixels = set_pixels(scene, camera, first, y, count);
-    for (int i = 0; i < count; ++i) {
-      const SetPixel& pixel = pixels[static_cast<std::size_t>(i)];
-      const int x = first + i;
-      std::copy_n(pixel.radiance.data(), 3, set.radiance.at(x, y));
-      std::copy_n(pixel.visible_albedo.data(), 3, set.floor_albedo.at(x, y));
-      const std::size_t place = set.place_of(x, y);
-      set.floor[place] = pixel.shows_floor ? 1 : 0;
-      set.floor_x[place] = pixel.point.x();
-      set.floor_z[place] = pixel.point.z();
-    }
+    const LaneSetPixels pixels = open.pixels(first, y);
+    const auto put = [&](const LaneColors& colors, float* out) {
+      for (int i = 0; i < count; ++i) {
+        out[3 * i] = colors.red[i];
+        out[3 * i + 1] = colors.green[i];
+        out[3 * i + 2] = colors.blue[i];
+      }
+    };
+    put(pixels.radiance, set.radiance.at(first, y));
+    put(pixels.visible_albedo, set.floor_albedo.at(first, y));
+    const std::size_t place = set.place_of(first, y);
+    for (int i = 0; i < count; ++i)
+      set.floor[place + static_cast<std::size_t>(i)] = pixels.share[i] > 0.0f ? 1 : 0;
+    std::copy_n(pixels.point.x.lane, count, set.floor_x.data() + place);
+    std::copy_n(pixels.point.z.lane, count, set.floor_z.data() + place);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/image/film.h"
+#include "render/light/open_set.h"
 #include "render/scene/camera.h"
 #include "render/scene/quality.h"
 #include "render/scene/scene.h"
@@ -35,10 +36,11 @@ std::vector<float> standing_key(const Scene& scene, const Camera& camera, const 
 /// 2⁻¹²⁸.
 std::string standing_name(const std::vector<float>& key);
 
-/// The floor and backdrop of a row, in closed form at the centres of the pixels.
-void expose_open_row(const Scene& scene, const CameraFrame& camera, int y, StandingSet& set);
+/// The floor and backdrop of a row, in closed form at the centres of the pixels: all of a set
+/// without solids.
+void expose_open_row(const OpenSet& open, int y, StandingSet& set);
 
-/// Room for the set of a picture of that size.
-StandingSet empty_set(int width, int height);
+/// Room for the set of a picture of that size, none of it solid: that of another, or new.
+StandingSet room_for(int width, int height, StandingSet used = {});
 
 }  // namespace mien::render

@@ -103,9 +103,15 @@ class PixelSampler {
   /// of a pixel is as it would be alone, that of areas is less.
   static PixelSampler among_neighbours(std::uint64_t seed, int x, int y, int samples) {
     PixelSampler sampler(seed, 0, 0);
+    sampler.samples_ = static_cast<std::uint32_t>(samples);
+    return sampler.of_neighbour(x, y);
+  }
+
+  /// Of another pixel among them.
+  PixelSampler of_neighbour(int x, int y) const {
+    PixelSampler sampler = *this;
     sampler.place_ = spread_bits(static_cast<std::uint32_t>(x)) |
                      (spread_bits(static_cast<std::uint32_t>(y)) << 1);
-    sampler.samples_ = static_cast<std::uint32_t>(samples);
     return sampler;
   }
 
@@ -140,6 +146,11 @@ class PixelSampler {
   Point2 point(Dimension dimension, int index) const { return point(dimension, 0, index); }
   Point2 point(Dimension dimension, int which, int index) const {
     return sample_point(this->index(index), seed(dimension, which));
+  }
+
+  /// One number for one of the pixel's points, quick and as it comes.
+  float dice(int point) const {
+    return unit_float(mixed(seed_ ^ place_, index(point) + (1u << 31)));
   }
 
   /// One number for the whole pixel.

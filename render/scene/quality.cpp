@@ -7,10 +7,12 @@ Quality draft_quality() {
   quality.samples_per_pixel = 2;
   quality.sky_rays = 2;
   quality.lit_as_one = 2;
+  quality.lit_in_pairs = true;
   quality.standing_samples = 16;
-  quality.floor_sky_noise = 0.016f;
+  quality.floor_sky_noise = 0.032f;
   quality.floor_sky_tolerance = 0.032f;
-  quality.floor_sky_cell = 0.03f;
+  quality.floor_sky_cell = 0.06f;
+  quality.floor_sky_smooth = true;
   return quality;
 }
 

@@ -16,7 +16,11 @@ struct Quality {
   int samples_per_pixel = 16;  ///< primary rays a pixel, each with one shadow ray a light
   int sky_rays = 2;            ///< rays towards the sky for each primary ray that meets the figure
   int lit_as_one = 1;          ///< so many samples of a pixel, where they meet the same solid
-  int standing_samples = 64;   ///< samples a pixel of what stands still, done once a camera
+
+  /// And with them those of the next pixel in the row, of every two, where `lit_as_one` is not less
+  /// than `samples_per_pixel`.
+  bool lit_in_pairs = false;
+  int standing_samples = 64;  ///< samples a pixel of what stands still, done once a camera
 
   /// The sky that a figure hides from the floor is known at points, each from so many rays that its
   /// noise is about `floor_sky_noise` of the sky's light, and interpolated where a safe estimate of
@@ -26,6 +30,10 @@ struct Quality {
   float floor_sky_noise = 0.004f;
   float floor_sky_tolerance = 0.008f;
   float floor_sky_cell = 0.015f;  ///< metres
+
+  /// Interpolate there all the same: smooth where it would be grainy, and less dark in the very
+  /// corner between floor and foot. Not where the tolerance is 0.
+  bool floor_sky_smooth = false;
 
   float filter_width = 2.0f;  ///< whole width of the Blackman–Harris filter, pixels
   Background background = Background::shown;

@@ -48,14 +48,19 @@ SetBehind Engine::set_behind(const Scene& scene, const Camera& camera, const Qua
   std::vector<float> wanted = standing_key(scene, camera, quality);
   if (wanted == kept_[0].key) return kept_[0].behind;
   std::swap(kept_[0], kept_[1]);
-  auto& [key, behind] = kept_[0];
+  auto& [key, behind, own] = kept_[0];
   if (wanted == key) return behind;
   key.clear();
   behind = {};
+  // Sets that are seen once would else take new memory for every picture.
+  StandingSet room = own.use_count() == 1 ? std::move(*own) : StandingSet{};
+  own.reset();
   const std::string name = standing_name(wanted);
-  const auto make = [&] { return made_set(scene, camera, quality, name); };
-  behind.set =
-      sets_ != nullptr ? sets_->lend(name, make) : std::make_shared<const StandingSet>(make());
+  const auto make = [&] { return made_set(scene, camera, quality, name, std::move(room)); };
+  if (sets_ != nullptr)
+    behind.set = sets_->lend(name, make);
+  else
+    behind.set = own = std::make_shared<StandingSet>(make());
   if (!scene.standing.empty())
     behind.solids = std::make_shared<const EmbreeScene>(device_, standing_shapes(scene));
   key = std::move(wanted);
@@ -63,12 +68,11 @@ SetBehind Engine::set_behind(const Scene& scene, const Camera& camera, const Qua
 }
 
 StandingSet Engine::made_set(const Scene& scene, const Camera& camera, const Quality& quality,
-                             const std::string& name) {
-  StandingSet set = empty_set(camera.width, camera.height);
-  const CameraFrame frame = frame_of(camera);
-  arena_.execute([&] {
-    tbb::parallel_for(0, camera.height, [&](int y) { expose_open_row(scene, frame, y, set); });
-  });
+                             const std::string& name, StandingSet room) {
+  StandingSet set = room_for(camera.width, camera.height, std::move(room));
+  const OpenSet open(scene, frame_of(camera));
+  arena_.execute(
+      [&] { tbb::parallel_for(0, camera.height, [&](int y) { expose_open_row(open, y, set); }); });
   if (scene.standing.empty()) return set;
   Camera sharp = camera;
   sharp.aperture_radius = 0.0f;
@@ -87,6 +91,7 @@ Film Engine::light_with_solids(const Scene& scene, const Camera& camera, const Q
                                const StandingSet& open) {
   Quality thorough = quality;
   thorough.samples_per_pixel = quality.standing_samples;
+  thorough.lit_in_pairs = thorough.floor_sky_smooth = false;
   thorough.background = Background::shown;
   Exposure exposure{Film(camera.width, camera.height), {}};
   Picture picture =
@@ -116,6 +121,7 @@ Picture Engine::prepare(const Scene& scene, const Camera& camera, const Quality&
           .solids = solids,
           .closing_solids = nullptr,
           .quality = quality,
+          .sampler = PixelSampler::among_neighbours(quality.seed, 0, 0, quality.samples_per_pixel),
           .camera = frame_of(camera),
           .closing_camera = std::nullopt,
           .filter = filters_.try_emplace(quality.filter_width, quality.filter_width).first->second,

@@ -70,10 +70,12 @@ class Engine {
   struct KeptSet {
     std::vector<float> key;
     SetBehind behind;
+    std::shared_ptr<StandingSet> own;  // the set, where no other tracer may have it
   };
 
+  /// `room`: a set that is no longer wanted, whose memory serves again, or an empty one.
   StandingSet made_set(const Scene& scene, const Camera& camera, const Quality& quality,
-                       const std::string& name);
+                       const std::string& name, StandingSet room);
   Film light_with_solids(const Scene& scene, const Camera& camera, const Quality& quality,
                          const StandingSet& open);
 

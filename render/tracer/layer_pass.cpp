@@ -93,7 +93,7 @@ void put_ranks(const std::map<int, float>& shares, const std::vector<std::string
 void LayerPainter::take_samples(int x, int y) {
   const int spp = picture_.quality.samples_per_pixel;
   const float share = 1.0f / static_cast<float>(spp);
-  const auto sampler = PixelSampler::among_neighbours(picture_.quality.seed, x, y, spp);
+  const PixelSampler sampler = picture_.sampler.of_neighbour(x, y);
   Color albedo = Color::Zero();
   Vec3 normal = Vec3::Zero();
   std::map<int, float> parts, figures;

@@ -11,22 +11,22 @@ void LightQueries::trace() {
     const bool figure = ((by_figure >> i) & 1u) != 0, set = ((by_set >> i) & 1u) != 0;
     switch (query.effect) {
       case Effect::arrives_at_figure:
-        if (!figure && !set) query.pixel->figure += query.light;
+        if (!figure && !set) add_light(query.sample, &Pixel::figure, query.light);
         break;
       case Effect::arrives_at_set:
-        if (!figure && !set) query.pixel->set += query.light;
+        if (!figure && !set) add_light(query.sample, &Pixel::set, query.light);
         break;
       case Effect::taken_from_figure:
-        if (figure || set) query.pixel->figure -= query.light;
+        if (figure || set) add_light(query.sample, &Pixel::figure, -query.light);
         break;
       case Effect::taken_from_set:
-        if (figure || set) query.pixel->set -= query.light;
+        if (figure || set) add_light(query.sample, &Pixel::set, -query.light);
         break;
       case Effect::taken_when_figure_blocks:
-        if (figure && !set) query.pixel->taken -= query.light;
+        if (figure && !set) add_light(query.sample, &Pixel::taken, -query.light);
         break;
       case Effect::taken_when_blocked:
-        if (figure || set) query.pixel->taken -= query.light;
+        if (figure || set) add_light(query.sample, &Pixel::taken, -query.light);
         break;
     }
   }

@@ -23,10 +23,11 @@ class LightQueries {
  public:
   explicit LightQueries(const Picture& picture) : picture_(picture) {}
 
+  /// `light`: of each sample that this one stands for.
   void ask(const Sample& sample, const Vec3& origin, const Vec3& direction, float distance,
            const Color& light, Effect effect) {
     if ((light == 0.0f).all()) return;
-    queries_[static_cast<std::size_t>(rays_.count)] = {sample.pixel, light, effect};
+    queries_[static_cast<std::size_t>(rays_.count)] = {sample, light, effect};
     rays_.push(origin, direction, distance, sample.time, sample.present);
     if (rays_.count == packet_size) trace();
   }
@@ -36,7 +37,7 @@ class LightQueries {
 
  private:
   struct Query {
-    Pixel* pixel = nullptr;
+    Sample sample;
     Color light = Color::Zero();
     Effect effect = Effect::arrives_at_figure;
   };

@@ -33,8 +33,7 @@ void light_from_lights(const Picture& picture, const SurfaceSamples& batch,
       const float cosine = surface.normal.dot(towards);
       if (cosine <= 0.0f || light.share[i] <= 0.0f) continue;
       queries.ask(batch.samples[i], surface.origin, towards, light.distance[i],
-                  (batch.samples[i].weight * cosine * light.share[i]) * lights[k].radiance *
-                      reflectance(surface, towards),
+                  (cosine * light.share[i]) * lights[k].radiance * reflectance(surface, towards),
                   arrives);
     }
   }
@@ -46,9 +45,8 @@ void light_from_sky(const Picture& picture, const SurfaceSamples& batch, const L
   const Sky& sky = picture.scene.sky;
   for (int i = 0; i < batch.samples.count; ++i) {
     const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
-    Pixel& pixel = *batch.samples[i].pixel;
-    (of_figure ? pixel.known_figure : pixel.known_set) +=
-        batch.samples[i].weight * surface.albedo * open_sky_light(sky, surface.normal);
+    add_light(batch.samples[i], of_figure ? &Pixel::known_figure : &Pixel::known_set,
+              surface.albedo * open_sky_light(sky, surface.normal));
   }
   const Effect taken = of_figure ? Effect::taken_from_figure : Effect::taken_from_set;
   const int rays = picture.quality.sky_rays;
@@ -61,8 +59,7 @@ void light_from_sky(const Picture& picture, const SurfaceSamples& batch, const L
       const Vec3 direction = towards.at(i);
       queries.ask(batch.samples[i], surface.origin, direction,
                   distance_to_end(picture.scene, surface.origin, direction),
-                  batch.samples[i].weight * share * surface.albedo * sky_radiance(sky, direction),
-                  taken);
+                  share * surface.albedo * sky_radiance(sky, direction), taken);
     }
   }
 }
@@ -139,9 +136,8 @@ void light_surfaces(const Picture& picture, const SurfaceSamples& batch, bool of
   LaneVectors origins, normals;
   for (int i = 0; i < batch.samples.count; ++i) {
     const Surface& surface = batch.surfaces[static_cast<std::size_t>(i)];
-    Pixel& pixel = *batch.samples[i].pixel;
-    (of_figure ? pixel.known_figure : pixel.known_set) +=
-        batch.samples[i].weight * surface.material->emission;
+    add_light(batch.samples[i], of_figure ? &Pixel::known_figure : &Pixel::known_set,
+              surface.material->emission);
     if (is_dull(surface)) continue;
     origins.set(lit.samples.count, surface.origin);
     normals.set(lit.samples.count, surface.normal);

@@ -12,62 +12,62 @@
 namespace mien::render {
 namespace {
 
-/// Samples that share a line, of one pixel or of neighbours.
-constexpr int most_samples = 4;
-
 /// Half a shadow's width, in pixels, from which on the samples of a pixel share a line; neighbours
-/// do from twice that.
+/// do from twice that, and more of them from four times.
 constexpr float soft_pixels = 4.0f;
 
 /// The pixel that is so many on from the first of those that share a line; on the film.
-std::pair<int, int> neighbour(const Picture& picture, const Pixel& pixel, int pixels, int on) {
-  if (pixels == 1) return {pixel.x, pixel.y};
-  const int x = (pixel.x & ~1) + (on & 1);
-  const int y = pixels == 2 ? pixel.y : (pixel.y & ~1) + (on >> 1);
-  return {std::min(x, picture.set.radiance.width - 1),
-          std::min(y, picture.set.radiance.height - 1)};
+std::pair<int, int> neighbour(const Picture& picture, const FloorPixel& pixel,
+                              const PixelBlock& block, int on) {
+  return {std::min(pixel.x / block.width * block.width + on % block.width,
+                   picture.set.radiance.width - 1),
+          std::min(pixel.y / block.height * block.height + on / block.width,
+                   picture.set.radiance.height - 1)};
 }
 
 }  // namespace
 
 SharedLine shared_line(const TileLines& tile, int samples_per_pixel) {
   if (tile.half_shadow < soft_pixels) return {1, 1};
-  const bool wide = tile.half_shadow >= 2.0f * soft_pixels;
-  const int pixels = wide && (samples_per_pixel == 1 || samples_per_pixel == 2)
-                         ? most_samples / samples_per_pixel
-                         : 1;
-  return {most_samples, pixels};
+  if (samples_per_pixel > 2 || tile.half_shadow < 2.0f * soft_pixels) return {4, 1};
+  const bool widest = tile.half_shadow >= 4.0f * soft_pixels;
+  const int samples = !widest ? 4 : samples_per_pixel == 1 ? 16 : 8;
+  return {samples, samples / samples_per_pixel};
 }
 
-void LineQueries::ask(Pixel& pixel, int sample, int samples) {
+PixelBlock block_of(const SharedLine& shared) {
+  const int doublings = std::bit_width(static_cast<unsigned>(shared.pixels)) - 1;
+  return {1 << ((doublings + 1) / 2), 1 << (doublings / 2)};
+}
+
+void LineQueries::ask(FloorPixel& pixel, int sample, int samples) {
   const SharedLine shared = shared_line(tile_, picture_.quality.samples_per_pixel);
-  add({{&pixel}, 1, shared.pixels > 1 ? 0 : sample / shared.samples, samples});
+  add({&pixel, shared.pixels > 1 ? 0 : sample / shared.samples, samples});
 }
 
-void LineQueries::ask_all(std::vector<Pixel>& pixels) {
+void LineQueries::ask_all(std::vector<FloorPixel>& pixels) {
   const int all = picture_.quality.samples_per_pixel;
   const SharedLine shared = shared_line(tile_, all);
-  if (shared.pixels == 1) {
-    for (Pixel& pixel : pixels)
-      for (int first = 0; first < all && tell_all(pixel); first += shared.samples)
-        ask(pixel, first, std::min(shared.samples, all - first));
-    return;
+  if (shared.pixels > 1) return ask_with_neighbours(pixels, shared);
+  for (FloorPixel& pixel : pixels)
+    for (int first = 0; first < all; first += shared.samples)
+      ask(pixel, first, std::min(shared.samples, all - first));
+}
+
+void LineQueries::ask_with_neighbours(std::vector<FloorPixel>& pixels, const SharedLine& shared) {
+  const PixelBlock block = block_of(shared);
+  const int blocks_across = tile_size / block.width;
+  std::array<FloorPixel*, static_cast<std::size_t>(tile_size * tile_size / 2)> firsts;
+  std::fill_n(firsts.begin(), blocks_across * (tile_size / block.height), nullptr);
+  for (FloorPixel& pixel : pixels) {
+    const int row = pixel.y % tile_size / block.height;
+    const int column = pixel.x % tile_size / block.width;
+    FloorPixel*& first = firsts[static_cast<std::size_t>(row * blocks_across + column)];
+    pixel.next = std::exchange(first, &pixel);
   }
-  // The two neighbours in a row share a line, or those of two rows.
-  constexpr int pairs = tile_size / 2;
-  std::array<Query, static_cast<std::size_t>(tile_size * pairs)> queries;
-  const auto place_of = [&](const Pixel& pixel) {
-    const int row = pixel.y % tile_size / (shared.pixels == 4 ? 2 : 1);
-    return static_cast<std::size_t>(row * pairs + pixel.x % tile_size / 2);
-  };
-  for (Pixel& pixel : pixels) {
-    if (!tell_all(pixel)) continue;
-    Query& query = queries[place_of(pixel)];
-    query.pixels[static_cast<std::size_t>(query.count++)] = &pixel;
-    query.samples = all;
-  }
-  for (const Query& query : queries)
-    if (query.count > 0) add(query);
+  for (int i = 0; i < blocks_across * (tile_size / block.height); ++i)
+    if (FloorPixel* first = firsts[static_cast<std::size_t>(i)])
+      add({first, 0, picture_.quality.samples_per_pixel});
 }
 
 void LineQueries::add(const Query& query) {
@@ -77,8 +77,8 @@ void LineQueries::add(const Query& query) {
 
 std::uint32_t LineQueries::shadow_lights(const Query& query) const {
   std::uint32_t lights = 0;
-  for (int k = 0; k < query.count; ++k)
-    lights |= query.pixels[static_cast<std::size_t>(k)]->shadow_lights;
+  for (const FloorPixel* pixel = query.pixel; pixel != nullptr; pixel = pixel->next)
+    lights |= pixel->shadow_lights;
   return lights & tile_.lights;
 }
 
@@ -86,10 +86,12 @@ std::uint32_t LineQueries::shadow_lights(const Query& query) const {
 // floor or something before it is no matter.
 void LineQueries::aim(const SharedLine& shared) {
   const int all = picture_.quality.samples_per_pixel;
+  const PixelBlock block = block_of(shared);
   LaneWords seed;
   for (int i = 0; i < count_; ++i) {
     const Query& query = queries_[static_cast<std::size_t>(i)];
-    const PixelSampler& sampler = query.pixels[0]->sampler;
+    const FloorPixel& pixel = *query.pixel;
+    const PixelSampler sampler = picture_.sampler.of_neighbour(pixel.x, pixel.y);
     index_[i] = shared.pixels > 1 ? sampler.index_of_neighbours(shared.pixels)
                                   : sampler.index_of_group(query.group, shared.samples);
     seed[i] = sampler.seed(Dimension::LightLine);
@@ -102,9 +104,8 @@ void LineQueries::aim(const SharedLine& shared) {
     const int first = query.group * shared.samples;
     const int sharing = shared.pixels > 1 ? shared.samples : std::min(shared.samples, all - first);
     const int chosen = first + static_cast<int>(choice.u[i] * static_cast<float>(sharing));
-    const auto [column, row] = neighbour(picture_, *query.pixels[0], shared.pixels, chosen / all);
-    const PixelSampler sampler =
-        PixelSampler::among_neighbours(picture_.quality.seed, column, row, all);
+    const auto [column, row] = neighbour(picture_, *query.pixel, block, chosen / all);
+    const PixelSampler sampler = picture_.sampler.of_neighbour(column, row);
     place[i] = sampler.index(chosen % all);
     seed[i] = sampler.seed(Dimension::FilmPosition);
     x[i] = static_cast<float>(column) + 0.5f;
@@ -138,10 +139,9 @@ void LineQueries::answer() {
     const auto lane = static_cast<std::size_t>(i);
     const Query& query = queries_[lane];
     if (!meets_floor_[lane]) continue;
-    for (int k = 0; k < query.count; ++k) {
-      Pixel& pixel = *query.pixels[static_cast<std::size_t>(k)];
-      pixel.known_taken -= static_cast<float>(query.samples) * taken_[lane] * pixel.floor_albedo;
-    }
+    const Color taken = static_cast<float>(query.samples) * taken_[lane];
+    for (FloorPixel* pixel = query.pixel; pixel != nullptr; pixel = pixel->next)
+      pixel->known_taken -= taken * pixel->floor_albedo;
   }
   count_ = 0;
 }
@@ -149,9 +149,7 @@ void LineQueries::answer() {
 void LineQueries::take_hidden(int light) {
   const auto k = static_cast<std::size_t>(light);
   LaneWords seed;
-  for (int i = 0; i < count_; ++i)
-    seed[i] =
-        queries_[static_cast<std::size_t>(i)].pixels[0]->sampler.seed(Dimension::FirstLight, light);
+  std::fill_n(seed.lane, count_, picture_.sampler.seed(Dimension::FirstLight, light));
   const LightLines lines =
       lines_across(picture_.scene.lights[k], points_, sample_points(index_, seed).u);
   for (std::vector<LinePart>& hidden : hidden_) hidden.clear();

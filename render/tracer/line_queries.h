@@ -24,8 +24,17 @@ struct SharedLine {
 };
 
 /// Where half shadows are wide they change so little within a pixel that four samples share the
-/// line of one; where they are twice as wide, also four samples of up to 2 × 2 pixels.
+/// line of one; where they are twice as wide, also four samples of up to 2 × 2 pixels; and where
+/// four times, those of 4 × 4 pixels of one sample or 2 × 2 of two.
 SharedLine shared_line(const TileLines& tile, int samples_per_pixel);
+
+/// Pixels that share a line are side by side, and begin at multiples of these: of a power of two,
+/// those that follow each other on the Morton curve.
+struct PixelBlock {
+  int width;
+  int height;
+};
+PixelBlock block_of(const SharedLine& shared);
 
 /// Samples that show the floor ask how much of the lights round cones hide from it, each on one
 /// line across each light (line_shadow.h), gathered and answered eight at a time. What they find is
@@ -37,30 +46,24 @@ class LineQueries {
   const TileLines& of_tile() const { return tile_; }
 
   /// For so many samples of a pixel that share a line, the one that `sample` has.
-  void ask(Pixel& pixel, int sample, int samples);
+  void ask(FloorPixel& pixel, int sample, int samples);
 
-  /// Whether no more is to be known of a pixel than what lines tell.
-  bool tell_all(const Pixel& pixel) const {
-    return pixel.kind == PixelKind::floor && pixel.floor_sky_rays == 0 &&
-           (pixel.shadow_lights & ~tile_.lights) == 0;
-  }
-
-  /// For all samples of a tile's pixels of which lines tell all.
-  void ask_all(std::vector<Pixel>& pixels);
+  /// For all samples of pixels of one tile.
+  void ask_all(std::vector<FloorPixel>& pixels);
 
   /// Answers those that are still waiting.
   void answer();
 
  private:
   struct Query {
-    std::array<Pixel*, 4> pixels{};
-    int count = 0;    // of pixels
-    int group = 0;    // of a pixel's samples
-    int samples = 0;  // of each pixel
+    FloorPixel* pixel = nullptr;  // the first of those that share it
+    int group = 0;                // of a pixel's samples
+    int samples = 0;              // of each pixel
   };
 
   void add(const Query& query);
   void aim(const SharedLine& shared);
+  void ask_with_neighbours(std::vector<FloorPixel>& pixels, const SharedLine& shared);
   std::uint32_t shadow_lights(const Query& query) const;
   void take_hidden(int light);
 

@@ -9,6 +9,7 @@
 #include "render/light/floor_sky.h"
 #include "render/light/standing_set.h"
 #include "render/math/filter.h"
+#include "render/math/sampler.h"
 #include "render/scene/camera.h"
 #include "render/scene/quality.h"
 #include "render/scene/scene.h"
@@ -22,6 +23,7 @@ struct Picture {
   const Solids& solids;          ///< the figure's, in `scene`
   const Solids* closing_solids;  ///< when the shutter closes; null: nothing moves
   Quality quality;
+  PixelSampler sampler;  ///< of one pixel; the others are its neighbours
   CameraFrame camera;
   std::optional<CameraFrame> closing_camera;  ///< none: the camera stands
   const Filter& filter;

@@ -18,32 +18,40 @@ enum class PixelKind {
   piecemeal   ///< every sample by itself: figure and standing solids may both show
 };
 
-/// A pixel while it is drawn.
-struct Pixel {
+/// A pixel that shows the floor, as far as lines of the lights may take away from it.
+struct FloorPixel {
   int x = 0;
   int y = 0;
+  std::uint32_t shadow_lights = 0;  ///< bit i: the figure may hide light i from here
+  Color radiance = Color::Zero();   ///< of the set
+  Color floor_albedo = Color::Zero();
+  Color known_taken = Color::Zero();  ///< what the figure takes away from the set as it is known,
+                                      ///< summed over the samples
+  FloorPixel* next = nullptr;         ///< of those that share a line
+};
+
+/// A pixel while its samples are drawn.
+struct Pixel : FloorPixel {
+  Pixel() {}  // sets no more to zero than what has no other beginning
+
   PixelKind kind = PixelKind::untouched;
   PixelSampler sampler;
-  Color radiance = Color::Zero();  ///< of the set
-  Color floor_albedo = Color::Zero();
   bool shows_floor = false;
-  int floor_sky_rays = 0;           ///< so many of the samples look from the floor at the sky
-  float floor_sky_samples = 0.0f;   ///< that each of those stands for
-  std::uint32_t shadow_lights = 0;  ///< bit i: the figure may hide light i from here
-  int set_samples = 0;              ///< samples that show the set as it is known
-  int covered = 0;                  ///< samples that show the figure
+  int floor_sky_rays = 0;          ///< so many of the samples look from the floor at the sky
+  float floor_sky_samples = 0.0f;  ///< that each of those stands for
+  int set_samples = 0;             ///< samples that show the set as it is known
+  int covered = 0;                 ///< samples that show the figure
 
   /// Whether the figure may hide a light from here.
   bool may_lack(int light) const { return ((shadow_lights >> light) & 1u) != 0; }
 
   // Sums over the samples. What is known at once and what rays find are kept apart, so that either
-  // is always added up in the same order.
+  // is always added up in the same order; of what the set loses `known_taken` is known at once.
   Color known_figure = Color::Zero();  ///< light from the figure
   Color known_set = Color::Zero();     ///< light from the set, sample by sample
-  Color known_taken = Color::Zero();   ///< what the figure takes away from the set as it is known
   Color figure = Color::Zero();        ///< more or less light from the figure, by rays
   Color set = Color::Zero();           ///< from the set
-  Color taken = Color::Zero();         ///< as known_taken
+  Color taken = Color::Zero();         ///< as known_taken, by rays
 };
 
 /// One primary ray of a pixel.
@@ -53,7 +61,15 @@ struct Sample {
   float time = 0.0f;
   std::uint32_t present = ~0u;  ///< bit f: figure f is there
   float weight = 1.0f;          ///< of so many samples, whose light its own stands for
+  Pixel* partner = nullptr;     ///< another pixel whose samples it stands for,
+  float partner_weight = 0.0f;  ///< so many
 };
+
+/// Adds light from a sample to what its pixels sum up so.
+inline void add_light(const Sample& sample, Color Pixel::*sum, const Color& light) {
+  sample.pixel->*sum += sample.weight * light;
+  if (sample.partner != nullptr) sample.partner->*sum += sample.partner_weight * light;
+}
 
 /// Up to eight samples.
 struct Samples {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 #include "render/light/floor.h"
@@ -18,6 +19,18 @@ struct FilmArea {
   float y_min;
   float y_max;
 };
+
+/// Whether a part of the film shows no floor: how steep rays fall is linear on it, so the corners
+/// tell.
+bool is_above_horizon(const CameraFrame& camera, const FilmArea& film) {
+  for (const float x : {film.x_min, film.x_max}) {
+    for (const float y : {film.y_min, film.y_max}) {
+      const EyeRay ray = camera.line_through(x, y);
+      if (distance_to_floor(ray.origin, ray.direction)) return false;
+    }
+  }
+  return true;
+}
 
 // Box around the floor that a part of the film shows; nothing when that goes on to the horizon.
 std::optional<FloorArea> floor_under(const CameraFrame& camera, const FilmArea& film) {
@@ -64,27 +77,69 @@ std::optional<FloorReach> floor_reach(const CameraFrame& camera, const FilmArea&
   return floor;
 }
 
+/// Eight numbers of the compiler's, with which it needs no gathering.
+using Octet = float __attribute__((vector_size(32), aligned(4)));
+using Places = int __attribute__((vector_size(32)));
+
+/// The numbers of eight pixels, each three times: for eight of the 24 channels, from the first, the
+/// second or the third eight on.
+constexpr Places thrice[3] = {
+    {0, 0, 0, 1, 1, 1, 2, 2}, {2, 3, 3, 3, 4, 4, 4, 5}, {5, 5, 6, 6, 6, 7, 7, 7}};
+
+/// The hidden light of a cell for each of those channels.
+struct CellLight {
+  Octet at_corner[3];
+  Octet along_x[3];
+  Octet along_z[3];
+  Octet along_both[3];
+};
+
 /// Shows the pixels first … end − 1, whose floor lies in one cell, less the sky that is hidden
 /// there.
 MIEN_FOR_AVX2_TOO void show_cell(const StandingSet& set, const FloorSky::Cell& cell,
                                  std::size_t first, std::size_t end, Film& film) {
   const float x = cell.x, z = cell.z, inverse_side = cell.inverse_side;
-  const float a0 = cell.at_corner[0], a1 = cell.at_corner[1], a2 = cell.at_corner[2];
-  const float x0 = cell.along_x[0], x1 = cell.along_x[1], x2 = cell.along_x[2];
-  const float z0 = cell.along_z[0], z1 = cell.along_z[1], z2 = cell.along_z[2];
-  const float b0 = cell.along_both[0], b1 = cell.along_both[1], b2 = cell.along_both[2];
   const float *floor_x = set.floor_x.data() + first, *floor_z = set.floor_z.data() + first;
   const float* radiance = set.radiance.channels.data() + 3 * first;
   const float* albedo = set.floor_albedo.channels.data() + 3 * first;
   float* out = film.channels.data() + 3 * first;
+  CellLight light;
+  for (int part = 0; part < 3; ++part) {
+    for (int i = 0; i < 8; ++i) {
+      const int c = (8 * part + i) % 3;
+      light.at_corner[part][i] = cell.at_corner[c];
+      light.along_x[part][i] = cell.along_x[c];
+      light.along_z[part][i] = cell.along_z[c];
+      light.along_both[part][i] = cell.along_both[c];
+    }
+  }
   const std::size_t count = end - first;
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) {
-    const float u = (floor_x[i] - x) * inverse_side;
-    const float v = (floor_z[i] - z) * inverse_side;
-    out[3 * i] = radiance[3 * i] - albedo[3 * i] * (a0 + u * x0 + v * (z0 + u * b0));
-    out[3 * i + 1] = radiance[3 * i + 1] - albedo[3 * i + 1] * (a1 + u * x1 + v * (z1 + u * b1));
-    out[3 * i + 2] = radiance[3 * i + 2] - albedo[3 * i + 2] * (a2 + u * x2 + v * (z2 + u * b2));
+  std::size_t i = 0;
+  for (; i + 8 <= count; i += 8) {
+    Octet px, pz;
+    std::memcpy(&px, floor_x + i, sizeof px);
+    std::memcpy(&pz, floor_z + i, sizeof pz);
+    const Octet along = (px - x) * inverse_side, across = (pz - z) * inverse_side;
+    for (int part = 0; part < 3; ++part) {
+      const Octet u = __builtin_shuffle(along, thrice[part]);
+      const Octet v = __builtin_shuffle(across, thrice[part]);
+      const std::size_t place = 3 * i + 8 * static_cast<std::size_t>(part);
+      Octet lit, of_light;
+      std::memcpy(&lit, radiance + place, sizeof lit);
+      std::memcpy(&of_light, albedo + place, sizeof of_light);
+      lit -= of_light * (light.at_corner[part] + u * light.along_x[part] +
+                         v * (light.along_z[part] + u * light.along_both[part]));
+      std::memcpy(out + place, &lit, sizeof lit);
+    }
+  }
+  for (; i < count; ++i) {
+    const float u = (floor_x[i] - x) * inverse_side, v = (floor_z[i] - z) * inverse_side;
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t place = 3 * i + static_cast<std::size_t>(c);
+      out[place] =
+          radiance[place] - albedo[place] * (cell.at_corner[c] + u * cell.along_x[c] +
+                                             v * (cell.along_z[c] + u * cell.along_both[c]));
+    }
   }
 }
 
@@ -105,6 +160,8 @@ std::size_t end_of_cell(const StandingSet& set, const FloorSky::Cell& cell, std:
     if (last + step < end && inside(last + step)) last += step;
   return last + 1;
 }
+
+constexpr int together = 8;  // pixels of a row
 
 /// Metres of floor that a pixel of a tile shows, at most.
 float pixel_step(const FloorArea& area, const Tile& tile) {
@@ -128,17 +185,28 @@ void PixelPlanner::turn_to(const Tile& tile) {
       static_cast<float>(tile.x_begin) - margin, static_cast<float>(tile.x_end) + margin,
       static_cast<float>(tile.y_begin) - margin, static_cast<float>(tile.y_end) + margin};
   const std::optional<FloorArea> area = floor_under(picture_.camera, film);
+  const bool no_floor = !area && is_above_horizon(picture_.camera, film);
   tile_lights_ = 0;
-  for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
-    if (whole || !area || picture_.shadow_masks[i].may_shade(*area)) tile_lights_ |= 1u << i;
+  shaded_everywhere_ = true;
+  for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i) {
+    const ShadowMask& mask = picture_.shadow_masks[i];
+    if (!whole && (area ? !mask.may_shade(*area) : no_floor)) continue;
+    tile_lights_ |= 1u << i;
+    shaded_everywhere_ &= area && mask.may_shade_all(*area);
+  }
   find_casters(tile, area);
   // What a pixel's neighbour shows may stand for what it shows itself.
-  const bool alone = shared_line(lines_, picture_.quality.samples_per_pixel).pixels == 1;
+  stretch_ = {};
+  const PixelBlock block = block_of(shared_line(lines_, picture_.quality.samples_per_pixel));
   if (tile_lights_ != 0)
-    floor_reach_ = floor_reach(picture_.camera, film, margin + (alone ? 0.0f : 1.0f));
-  is_alone_ = tile_lights_ == 0 && !whole && !picture_.piecemeal() && !picture_.walls;
-  for (int y = tile.y_begin; y < tile.y_end && is_alone_; ++y)
-    is_alone_ = !picture_.film_mask.may_meet_row(tile.x_begin, tile.x_end, y);
+    floor_reach_ = floor_reach(picture_.camera, film, margin + static_cast<float>(block.width - 1));
+  first_row_ = tile.y_begin;
+  figure_rows_ = 0;
+  for (int y = tile.y_begin; y < tile.y_end; ++y)
+    if (whole || picture_.film_mask.may_meet_row(tile.x_begin, tile.x_end, y))
+      figure_rows_ |= 1u << (y - first_row_);
+  end_ = tile.x_end;
+  is_alone_ = tile_lights_ == 0 && figure_rows_ == 0 && !piecemeal_ && !picture_.walls;
 }
 
 void PixelPlanner::find_casters(const Tile& tile, const std::optional<FloorArea>& area) {
@@ -201,14 +269,15 @@ SetLight PixelPlanner::set_at(int x, int y) {
   return {radiance - albedo * cell_->hidden(floor_x, floor_z), true};
 }
 
-PixelPlan PixelPlanner::plan(int x, int y) const {
+PixelPlan PixelPlanner::plan(int x, int y) {
   const StandingSet& set = picture_.set;
   const std::size_t place = set.place_of(x, y);
   const bool somebody = picture_.bounds.radius >= 0.0f;
-  const bool solid = set.solid[place] != 0;
-  const bool figure = picture_.quality.exhaustive || picture_.film_mask.may_meet(x, y);
+  const bool solid = picture_.walls != nullptr && set.solid[place] != 0;
+  const bool figure = ((figure_rows_ >> (y - first_row_)) & 1u) != 0 &&
+                      (picture_.quality.exhaustive || picture_.film_mask.may_meet(x, y));
   PixelPlan plan;
-  if (picture_.piecemeal() || (figure && solid)) {
+  if (piecemeal_ || (figure && solid)) {
     plan.kind = PixelKind::piecemeal;
     return plan;
   }
@@ -217,21 +286,65 @@ PixelPlan PixelPlanner::plan(int x, int y) const {
   } else if (solid && somebody) {
     plan.kind = PixelKind::wall;
   }
-  if (set.floor[place] != 0 && somebody) plan.shadow_lights = shadow_lights(place);
+  if (set.floor[place] != 0 && somebody) plan.shadow_lights = shadow_lights(x, y);
   if (plan.kind == PixelKind::untouched && plan.shadow_lights != 0) plan.kind = PixelKind::floor;
   return plan;
 }
 
-std::uint32_t PixelPlanner::shadow_lights(std::size_t place) const {
-  if (tile_lights_ == 0 || picture_.quality.exhaustive || !floor_reach_) return tile_lights_;
-  const float x = picture_.set.floor_x[place], z = picture_.set.floor_z[place];
-  const FloorArea area{x - floor_reach_->x, x + floor_reach_->x, z - floor_reach_->z,
-                       z + floor_reach_->z};
+int PixelPlanner::end_of_untouched(int x, int y) {
+  if (piecemeal_ || picture_.walls != nullptr || picture_.quality.exhaustive) return x;
+  const bool figure = ((figure_rows_ >> (y - first_row_)) & 1u) != 0;
+  if (!figure && tile_lights_ == 0) return end_;
+  while (x < end_ && x % together == 0) {
+    const int end = std::min(x + together, end_);
+    if (figure && picture_.film_mask.may_meet_row(x, end, y)) break;
+    if (tile_lights_ != 0 && !is_lit(x, end, y)) break;
+    x = end;
+  }
+  return x;
+}
+
+bool PixelPlanner::is_lit(int x, int end, int y) {
+  const std::vector<std::uint8_t>& floor = picture_.set.floor;
+  const std::size_t first = picture_.set.place_of(x, y), last = picture_.set.place_of(end - 1, y);
+  return floor[first] != 0 && floor[last] != 0 && shadow_lights(x, y) == 0;
+}
+
+// Looked up for eight pixels at once where both ends show the floor: a row shows a straight line of
+// it.
+std::uint32_t PixelPlanner::shadow_lights(int x, int y) {
+  if (shaded_everywhere_ || picture_.quality.exhaustive || !floor_reach_) return tile_lights_;
+  const StandingSet& set = picture_.set;
+  const std::size_t place = set.place_of(x, y);
+  if (place >= stretch_.first && place < stretch_.end) return stretch_.lights;
+  const int begin = x / together * together;
+  const int end = std::min(begin + together, end_);
+  stretch_ = {set.place_of(begin, y), set.place_of(end, y)};
+  if (set.floor[stretch_.first] == 0 || set.floor[stretch_.end - 1] == 0)
+    stretch_ = {place, place + 1};
+  stretch_.lights = lights_hidden_in(stretch_.first, stretch_.end - 1);
+  return stretch_.lights;
+}
+
+std::uint32_t PixelPlanner::lights_hidden_in(std::size_t first, std::size_t last) const {
+  const auto [x_min, x_max] = std::minmax(picture_.set.floor_x[first], picture_.set.floor_x[last]);
+  const auto [z_min, z_max] = std::minmax(picture_.set.floor_z[first], picture_.set.floor_z[last]);
+  const FloorArea area{x_min - floor_reach_->x, x_max + floor_reach_->x, z_min - floor_reach_->z,
+                       z_max + floor_reach_->z};
   std::uint32_t hidden = 0;
   for (std::size_t i = 0; i < picture_.shadow_masks.size(); ++i)
     if (((tile_lights_ >> i) & 1u) != 0 && picture_.shadow_masks[i].may_shade(area))
       hidden |= 1u << i;
   return hidden;
+}
+
+FloorPixel PixelPlanner::floor_pixel(int x, int y, const PixelPlan& plan,
+                                     const Color& radiance) const {
+  return {.x = x,
+          .y = y,
+          .shadow_lights = plan.shadow_lights,
+          .radiance = radiance,
+          .floor_albedo = Eigen::Map<const Color>(picture_.set.floor_albedo.at(x, y))};
 }
 
 void PixelPlanner::set_out(Pixel& pixel, int x, int y, const PixelPlan& plan,
@@ -241,8 +354,7 @@ void PixelPlanner::set_out(Pixel& pixel, int x, int y, const PixelPlan& plan,
   pixel.x = x;
   pixel.y = y;
   pixel.kind = plan.kind;
-  pixel.sampler = PixelSampler::among_neighbours(picture_.quality.seed, x, y,
-                                                 picture_.quality.samples_per_pixel);
+  pixel.sampler = picture_.sampler.of_neighbour(x, y);
   pixel.radiance = set_light.radiance;
   pixel.floor_albedo = Eigen::Map<const Color>(set.floor_albedo.at(x, y));
   pixel.shows_floor = set.floor[place] != 0;

@@ -33,7 +33,9 @@ struct FloorReach {
 class PixelPlanner {
  public:
   explicit PixelPlanner(const Picture& picture)
-      : picture_(picture), cell_(&picture.floor_sky.cell_at(0.0f, 0.0f)) {}
+      : picture_(picture),
+        piecemeal_(picture.piecemeal()),
+        cell_(&picture.floor_sky.cell_at(0.0f, 0.0f)) {}
 
   /// Turns to a tile, which the pixels that are planned from now on lie in.
   void turn_to(const Tile& tile);
@@ -50,20 +52,42 @@ class PixelPlanner {
 
   SetLight set_at(int x, int y);
 
-  PixelPlan plan(int x, int y) const;
+  /// Floor of that radiance, of which only what lines find is not known.
+  FloorPixel floor_pixel(int x, int y, const PixelPlan& plan, const Color& radiance) const;
+
+  PixelPlan plan(int x, int y);
+
+  /// The end of pixels of the tile's row y, from x on, of which is soon told that they show neither
+  /// figure nor shadow of it from a light; x where nothing is.
+  int end_of_untouched(int x, int y);
 
   /// Makes a pixel ready to be drawn so; `set` is what set_at told of it last.
   void set_out(Pixel& pixel, int x, int y, const PixelPlan& plan, const SetLight& set) const;
 
  private:
-  std::uint32_t shadow_lights(std::size_t place) const;
+  bool is_lit(int x, int end, int y);
+  std::uint32_t shadow_lights(int x, int y);
+  std::uint32_t lights_hidden_in(std::size_t first, std::size_t last) const;
   void find_casters(const Tile& tile, const std::optional<FloorArea>& area);
 
   const Picture& picture_;
-  const FloorSky::Cell* cell_;     // of the floor, that was looked at last
-  std::uint32_t tile_lights_ = 0;  // bit i: the figure may hide light i somewhere in the tile
+  const bool piecemeal_;
+  const FloorSky::Cell* cell_;      // of the floor, that was looked at last
+  std::uint32_t tile_lights_ = 0;   // bit i: the figure may hide light i somewhere in the tile
+  bool shaded_everywhere_ = false;  // by all of tile_lights_, as far as is known
+  int end_ = 0;                     // of the tile's columns
   std::optional<FloorReach> floor_reach_;  // where tile_lights_ are; none at the horizon
+  std::uint32_t figure_rows_ = 0;          // bit i: row i of the tile may show the figure
+  int first_row_ = 0;                      // of the tile
   bool is_alone_ = false;
+
+  /// Some pixels of a row, from `first` to before `end`, and what they may lack.
+  struct Stretch {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    std::uint32_t lights = 0;
+  };
+  Stretch stretch_;  // that was looked at last, in the tile
   TileLines lines_;
 };
 

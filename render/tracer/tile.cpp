@@ -20,6 +20,9 @@ class TilePainter {
  public:
   explicit TilePainter(const Picture& picture)
       : picture_(picture),
+        in_pairs_(picture.quality.lit_in_pairs && picture.closing_solids == nullptr &&
+                  picture.quality.samples_per_pixel <= picture.quality.lit_as_one &&
+                  2 * picture.quality.samples_per_pixel <= static_cast<int>(lanes)),
         planner_(picture),
         queries_(picture),
         lines_(picture, planner_.lines()) {}
@@ -32,8 +35,10 @@ class TilePainter {
   Sample sample_of(Pixel& pixel, int index) const;
   void show_floor(Samples& samples);
   void trace(Samples& samples);
+  void light_figure();
+  bool stay_together(const Sample& a, const Sample& b) const;
   void take_primary(const Sample& sample, int lane, const Hits& figure, const Hits& standing);
-  bool is_lit_with_last(const Sample& sample, int shape);
+  bool is_lit_with_last(const Sample& sample, int shape, int lane, const Hits& figure);
   Surface surface(int lane, const Hits& hits, bool of_figure, float time) const;
   void take_samples(Pixel& pixel, int first, int last);
   void push_floor(const Sample& sample, const EyeRay& ray);
@@ -42,11 +47,16 @@ class TilePainter {
   float missing(const Color& left, int x, int y) const;
   void show_set(const Color& set, int x, int y, Exposure& exposure) const;
   void develop(const Pixel& pixel, Exposure& exposure) const;
+  void develop(const FloorPixel& pixel, Exposure& exposure) const;
+  void expose(const FloorPixel& pixel, const Color& figure, const Color& set, const Color& taken,
+              float covered, Exposure& exposure) const;
 
   const Picture& picture_;
+  const bool in_pairs_;  // neighbours are lit as one
   PixelPlanner planner_;
   std::vector<std::uint8_t> open_;  // one a tile of the band
   std::vector<Pixel> pixels_;       // those that are traced; they stay where they are
+  std::vector<FloorPixel> floors_;  // those of which lines tell all; likewise
   Samples floor_;                   // samples that show no solid, not yet aimed
   Samples traced_;                  // samples that may, not yet aimed
   RayPacket primaries_;
@@ -85,13 +95,22 @@ void TilePainter::draw_tile(const Tile& tile, bool open, Exposure& exposure) {
   const bool alone = planner_.is_alone();
   pixels_.clear();
   pixels_.reserve(tile_size * tile_size);
+  floors_.clear();
   for (int y = tile.y_begin; y < tile.y_end; ++y) {
     for (int x = tile.x_begin; x < tile.x_end; ++x) {
+      if (!open) x = planner_.end_of_untouched(x, y);
+      if (x == tile.x_end) break;
       const PixelPlan plan = alone ? PixelPlan{} : planner_.plan(x, y);
       if (plan.kind == PixelKind::untouched && !open) continue;
-      const SetLight set = planner_.set_at(x, y);
+      const SetLight set = open ? planner_.set_at(x, y)
+                                : SetLight{Eigen::Map<const Color>(exposure.film.at(x, y)), true};
       if (plan.kind == PixelKind::untouched && set.complete) {
         show_set(set.radiance, x, y, exposure);
+        continue;
+      }
+      if (plan.kind == PixelKind::floor && set.complete &&
+          (plan.shadow_lights & ~planner_.lines().lights) == 0) {
+        floors_.push_back(planner_.floor_pixel(x, y, plan, set.radiance));
         continue;
       }
       Pixel& pixel = pixels_.emplace_back();
@@ -102,14 +121,14 @@ void TilePainter::draw_tile(const Tile& tile, bool open, Exposure& exposure) {
         pixels_.pop_back();
         continue;
       }
-      if (lines_.tell_all(pixel)) continue;
       for (int first = 0; first < needed; first += static_cast<int>(lanes))
         take_samples(pixel, first, std::min(first + static_cast<int>(lanes), needed));
     }
   }
-  lines_.ask_all(pixels_);
+  lines_.ask_all(floors_);
   finish();
   for (const Pixel& pixel : pixels_) develop(pixel, exposure);
+  for (const FloorPixel& pixel : floors_) develop(pixel, exposure);
 }
 
 int TilePainter::samples_of(const Pixel& pixel) const {
@@ -139,8 +158,9 @@ void TilePainter::show_floor(Samples& samples) {
 void TilePainter::take_samples(Pixel& pixel, int first, int last) {
   const bool open = pixel.kind == PixelKind::untouched || pixel.kind == PixelKind::floor;
   Samples& waiting = open ? floor_ : traced_;
-  if (waiting.count + last - first > static_cast<int>(lanes))
-    open ? show_floor(floor_) : trace(traced_);
+  // So do those of a pair.
+  const int needed = in_pairs_ && !open && pixel.x % 2 == 0 ? 2 * (last - first) : last - first;
+  if (waiting.count + needed > static_cast<int>(lanes)) open ? show_floor(floor_) : trace(traced_);
   for (int i = first; i < last; ++i) waiting.push(sample_of(pixel, i));
 }
 
@@ -171,12 +191,26 @@ void TilePainter::trace(Samples& samples) {
   Hits standing;
   std::fill_n(standing.shape, packet_size, -1);
   if (picture_.walls) standing = picture_.walls->intersect(primaries_);
-  for (int i = 0; i < samples.count; ++i) take_primary(samples[i], i, figure, standing);
+  for (int first = 0, last = 0; first < samples.count; first = last) {
+    while (last < samples.count && stay_together(samples[first], samples[last])) ++last;
+    if (figure_surfaces_.samples.count + last - first > static_cast<int>(lanes)) light_figure();
+    for (int i = first; i < last; ++i) take_primary(samples[i], i, figure, standing);
+  }
   samples.count = 0;
-  light_surfaces(picture_, figure_surfaces_, true, queries_);
   light_surfaces(picture_, set_surfaces_, false, queries_);
-  figure_surfaces_.samples.count = set_surfaces_.samples.count = 0;
+  set_surfaces_.samples.count = 0;
   light_floor();
+}
+
+void TilePainter::light_figure() {
+  light_surfaces(picture_, figure_surfaces_, true, queries_);
+  figure_surfaces_.samples.count = 0;
+}
+
+// Of one pixel, or of a pair.
+bool TilePainter::stay_together(const Sample& a, const Sample& b) const {
+  const int x = in_pairs_ ? a.pixel->x ^ 1 : a.pixel->x;
+  return a.pixel->y == b.pixel->y && (a.pixel->x == b.pixel->x || x == b.pixel->x);
 }
 
 void TilePainter::take_primary(const Sample& sample, int lane, const Hits& figure,
@@ -185,7 +219,7 @@ void TilePainter::take_primary(const Sample& sample, int lane, const Hits& figur
   const bool wall = standing.shape[lane] >= 0;
   if (figure.shape[lane] >= 0 && (!wall || figure.distance[lane] <= standing.distance[lane])) {
     ++pixel.covered;
-    if (is_lit_with_last(sample, figure.shape[lane])) return;
+    if (is_lit_with_last(sample, figure.shape[lane], lane, figure)) return;
     last_shape_ = figure.shape[lane];
     return figure_surfaces_.push(sample, surface(lane, figure, true, sample.time));
   }
@@ -199,16 +233,27 @@ void TilePainter::take_primary(const Sample& sample, int lane, const Hits& figur
   push_floor(sample, ray);
 }
 
-// Then the last one's light counts for this sample too.
-bool TilePainter::is_lit_with_last(const Sample& sample, int shape) {
+// Then the last one's light counts for this sample too. Of a pair any sample may be the one that is
+// lit, all by the same chance: else light would move to the left.
+bool TilePainter::is_lit_with_last(const Sample& sample, int shape, int lane, const Hits& figure) {
   const int together = picture_.quality.lit_as_one;
   if (together == 1 || figure_surfaces_.samples.count == 0 || shape != last_shape_ ||
       picture_.closing_solids != nullptr)
     return false;
-  Sample& last =
-      figure_surfaces_.samples.lane[static_cast<std::size_t>(figure_surfaces_.samples.count - 1)];
-  if (last.pixel != sample.pixel || last.index / together != sample.index / together) return false;
-  last.weight += 1.0f;
+  const auto number = static_cast<std::size_t>(figure_surfaces_.samples.count - 1);
+  Sample& last = figure_surfaces_.samples.lane[number];
+  if (last.pixel == sample.pixel) {
+    if (last.index / together != sample.index / together) return false;
+    last.weight += 1.0f;
+    return true;
+  }
+  const Pixel &pixel = *sample.pixel, &before = *last.pixel;
+  if (!in_pairs_ || pixel.y != before.y || pixel.x != before.x + 1 || pixel.x % 2 == 0)
+    return false;
+  last.partner = sample.pixel;
+  last.partner_weight += 1.0f;
+  if (pixel.sampler.dice(sample.index) * (last.weight + last.partner_weight) < 1.0f)
+    figure_surfaces_.surfaces[number] = surface(lane, figure, true, sample.time);
   return true;
 }
 
@@ -226,6 +271,7 @@ Surface TilePainter::surface(int lane, const Hits& hits, bool of_figure, float t
 void TilePainter::finish() {
   show_floor(floor_);
   trace(traced_);
+  light_figure();
   queries_.trace();
   lines_.answer();
 }
@@ -248,14 +294,26 @@ void TilePainter::develop(const Pixel& pixel, Exposure& exposure) const {
   const float share = 1.0f / static_cast<float>(picture_.quality.samples_per_pixel);
   const Color set = (share * static_cast<float>(pixel.set_samples)) * pixel.radiance +
                     share * (pixel.known_set + pixel.set);
-  const Color figure = share * (pixel.known_figure + pixel.figure);
-  const Color taken = share * (pixel.known_taken + pixel.taken);
+  expose(pixel, share * (pixel.known_figure + pixel.figure), set,
+         share * (pixel.known_taken + pixel.taken), share * static_cast<float>(pixel.covered),
+         exposure);
+}
+
+// The same bits as if it were a pixel whose samples all show the set.
+void TilePainter::develop(const FloorPixel& pixel, Exposure& exposure) const {
+  const auto samples = static_cast<float>(picture_.quality.samples_per_pixel);
+  const float share = 1.0f / samples;
+  expose(pixel, Color::Zero(), (share * samples) * pixel.radiance, share * pixel.known_taken, 0.0f,
+         exposure);
+}
+
+void TilePainter::expose(const FloorPixel& pixel, const Color& figure, const Color& set,
+                         const Color& taken, float covered, Exposure& exposure) const {
   if (picture_.quality.background == Background::shown) {
     const Color color = set + (figure + taken);
     std::copy_n(color.data(), 3, exposure.film.at(pixel.x, pixel.y));
     return;
   }
-  const float covered = share * static_cast<float>(pixel.covered);
   std::copy_n(figure.data(), 3, exposure.film.at(pixel.x, pixel.y));
   exposure.alpha[picture_.set.place_of(pixel.x, pixel.y)] =
       picture_.quality.background == Background::transparent

@@ -28,6 +28,29 @@ TEST(MayMeet, HoldsForEveryRayTowardsAPointInTheSphere) {
   EXPECT_GT(missed, 20'000);  // it does rule rays out
 }
 
+TEST(FilmMask, KnowsOfStretchesOfARowWhatItKnowsOfTheirPixels) {
+  Solids solids;
+  solids.spheres = {{{-0.5f, 1.0f, 0.0f}, 0.1f}, {{0.6f, 1.1f, 0.0f}, 0.15f}};
+  Shapes shapes;
+  shapes.cones = round_cones(solids);
+  const Camera camera{.width = 64, .height = 48};
+  const FilmMask mask(camera, shapes, 1.0f);
+  int met = 0, between = 0;
+  for (int y = 0; y < camera.height; ++y) {
+    for (int begin = 0; begin < camera.width; ++begin) {
+      bool any = false;
+      for (int end = begin + 1; end <= camera.width; ++end) {
+        any |= mask.may_meet(end - 1, y);
+        EXPECT_EQ(mask.may_meet_row(begin, end, y), any) << begin << " … " << end << ", " << y;
+        met += any ? 1 : 0;
+        between += !any && mask.may_meet_row(0, begin, y) && mask.may_meet_row(end, 64, y) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(met, 1000);
+  EXPECT_GT(between, 300);
+}
+
 TEST(MayMeet, IsFalseWithoutAFigure) {
   EXPECT_FALSE(may_meet({}, {0.0f, 1.0f, 2.0f}, {0.0f, 0.0f, -1.0f}));
 }

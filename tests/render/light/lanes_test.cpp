@@ -144,7 +144,7 @@ TEST_F(Lanes, GiveTheLightOnTheFloorOfOneByOne) {
         {uniform(-2, 2), uniform(-1, 4), uniform(-2, 2)}, u, v, Color::Constant(1.0f)};
     LaneVectors points;
     for (int i = 0; i < count; ++i) points.set(i, {uniform(-5, 5), 0.0f, uniform(-5, 5)});
-    const LaneFloats found = light_on_floor(light, points);
+    const LaneFloats found = light_on_floor(FloorLight(light), points);
     for (int i = 0; i < count; ++i) {
       const float expected = irradiance(light, points.at(i), Vec3::UnitY()).x();
       EXPECT_NEAR(found[i], expected, 2e-6f + 1e-5f * expected);
@@ -153,6 +153,23 @@ TEST_F(Lanes, GiveTheLightOnTheFloorOfOneByOne) {
   }
   EXPECT_GT(lit, 500);
   EXPECT_GT(dark, 500);
+}
+
+// Where an edge of the light is far off, and where it is all but overhead.
+TEST_F(Lanes, GiveTheLightOfEdgesSeenUnderAnyAngle) {
+  for (int trial = 0; trial < 500; ++trial) {
+    const float side = std::exp2(uniform(-4, 4)), height = std::exp2(uniform(-7, 4));
+    const AreaLight light{
+        {0.0f, height, 0.0f}, {side, 0.0f, 0.0f}, {0.0f, 0.0f, side}, Color::Constant(1.0f)};
+    LaneVectors points;
+    for (int i = 0; i < count; ++i)
+      points.set(i, {uniform(-2 * side, 2 * side), 0.0f, uniform(-2 * side, 2 * side)});
+    const LaneFloats found = light_on_floor(FloorLight(light), points);
+    for (int i = 0; i < count; ++i) {
+      const float expected = irradiance(light, points.at(i), Vec3::UnitY()).x();
+      EXPECT_NEAR(found[i], expected, 5e-6f + 1e-5f * expected) << side << ' ' << height;
+    }
+  }
 }
 
 }  // namespace

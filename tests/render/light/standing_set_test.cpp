@@ -152,6 +152,23 @@ TEST(StandingSet, ServesAPairOfCamerasByTurns) {
   }
 }
 
+// What one set was made of serves the next.
+TEST(StandingSet, ShowsNothingOfTheSetsBeforeIt) {
+  const Quality quality{.samples_per_pixel = 2, .standing_samples = 4};
+  const Scene walled = walled_scene();
+  Scene open = walled;
+  open.standing = {};
+  Camera narrow = camera;
+  narrow.width = 40;
+  Tracer one;
+  for (int k = 0; k < 8; ++k) {
+    const Scene& scene = k % 3 == 1 ? walled : open;
+    Camera moved = k % 4 == 3 ? narrow : camera;
+    moved.position.x() += 0.1f * static_cast<float>(k);
+    EXPECT_EQ(one.trace(scene, moved, quality), Tracer().trace(scene, moved, quality)) << k;
+  }
+}
+
 TEST(StandingSet, StaysWholeWhenTheFigureIsSeenThrough) {
   Scene scene = walled_scene();
   const Quality quality{.samples_per_pixel = 4, .standing_samples = 8};

@@ -13,7 +13,7 @@
 namespace mien::render {
 namespace {
 
-StandingSet dark_set() { return empty_set(4, 2); }
+StandingSet dark_set() { return room_for(4, 2); }
 
 TEST(StandingSets, MakeASetOnceForAllThatDrawWithItAtATime) {
   StandingSets sets;
