@@ -37,12 +37,12 @@ bool repeats(const FilmSubject& subject, Motions& motions) {
                      [&](const auto& name) { return motions.of(name).motion.clip.loops; });
 }
 
-/// Fitted to measured times of one core; only ratios matter. Cycles of 1.1 s are assumed where the
-/// length is not known before the motion is made.
+/// Seconds of one core, about those of stick figures before the quickstart's set in 2026. Cycles of
+/// 1.1 s are assumed where the length is not known before the motion is made.
 double cost_of(const Output& output) {
   const double frames = 1.1 * output.cycles * output.fps;
   const double pixels = static_cast<double>(output.shown_size()[0]) * output.shown_size()[1];
-  return frames * pixels * (9e-8 * quality_of({.output = output}).samples_per_pixel + 4e-7);
+  return frames * pixels * (2.4e-8 * quality_of({.output = output}).samples_per_pixel + 5e-9);
 }
 
 std::string video_path(const std::string& stimulus, render::VideoKind kind) {
