@@ -1,11 +1,10 @@
 #include "pipeline/film/film.h"
 
 #include <algorithm>
-#include <exception>
+#include <atomic>
+#include <functional>
 #include <optional>
-#include <thread>
 #include <utility>
-#include <variant>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -13,7 +12,7 @@
 
 #include "pipeline/film/film_frames.h"
 #include "pipeline/film/frame_drawer.h"
-#include "pipeline/tasks/bounded_queue.h"
+#include "pipeline/film/frame_taker.h"
 #include "pipeline/tasks/progress.h"
 #include "render/error.h"
 #include "render/image/contact_sheet.h"
@@ -26,79 +25,8 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr std::size_t waiting_frames = 1;
 constexpr int contact_frames = 12;
 constexpr int contact_width = 480;
-
-/// A frame on its way, in the form in which it is kept; or read from the store.
-struct Exposure {
-  int frame = 0;
-  FramePicture picture;
-  bool is_stored = false;
-};
-
-/// The second half of the work, in a thread of its own.
-class FrameTaker {
- public:
-  FrameTaker(const FilmSettings& settings, const render::Tone& tone, FrameStore* store,
-             const FrameSink& sink)
-      : settings_(settings), tone_(tone), store_(store), sink_(sink), queue_(waiting_frames) {
-    thread_ = std::thread([this] { take_all(); });
-  }
-
-  ~FrameTaker() {
-    queue_.close();
-    if (thread_.joinable()) thread_.join();
-  }
-
-  /// False once the taker has failed.
-  bool push(Exposure exposure) { return queue_.push(std::move(exposure)); }
-
-  /// Waits for the last frame and throws what went wrong.
-  void finish() {
-    queue_.close();
-    thread_.join();
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  void take_all() {
-    try {
-      Exposure exposure;
-      while (queue_.pop(exposure)) {
-        const render::Image8 shown = kept(exposure);
-        sink_(exposure.frame, shown);
-      }
-    } catch (...) {
-      failure_ = std::current_exception();
-      queue_.close();
-    }
-  }
-
-  /// The frame as the file has it, where it is kept in one; its picture is used up.
-  render::Image8 kept(Exposure& exposure) {
-    if (exposure.is_stored || store_ == nullptr)
-      return std::move(std::get<render::Image8>(exposure.picture));
-    const FrameFormat format = settings_.output.frames;
-    render::Image8 read_back;
-    store_->put(
-        frame_name(format, exposure.frame),
-        [&](const std::filesystem::path& file) { write_frame(file, exposure.picture); },
-        [&](const std::filesystem::path& file) {
-          exposure.picture = {};  // as large as what is read
-          read_back = read_frame(file, format, settings_.output.shown_size(), tone_);
-        });
-    return read_back;
-  }
-
-  const FilmSettings& settings_;
-  const render::Tone& tone_;
-  FrameStore* store_;
-  const FrameSink& sink_;
-  BoundedQueue<Exposure> queue_;
-  std::exception_ptr failure_;
-  std::thread thread_;
-};
 
 /// What loading and staging left free goes back to the system before frames take their place: the
 /// many small blocks of a long motion are of no use to films.
@@ -131,24 +59,95 @@ bool set_moves(const scenes::Shot& shot) {
   return shot.cameras.cameras.size() > 1 || ground_moves;
 }
 
-/// False when it was given up because of a stop request.
-bool draw_frame(FrameDrawer& drawer, std::optional<int> next, const FilmSettings& settings,
-                Exposure& exposure) {
-  const Stopwatch::Running tracing(settings.drawing);
-  const double begin = steady_seconds();
-  try {
-    exposure.picture = drawer.draw(exposure.frame, next);
-  } catch (const render::Stopped&) {
-    return false;
-  }
-  if (settings.drew) settings.drew(steady_seconds() - begin);
-  return true;
-}
+/// Frames on their way through the threads of a drawer, from the store or drawn anew, to the taker.
+class FramesInFlight {
+ public:
+  FramesInFlight(FrameDrawer& drawer, FrameTaker& taker, const std::vector<int>& frames,
+                 const FilmSettings& settings, const std::stop_token& stop)
+      : drawer_(drawer),
+        taker_(taker),
+        frames_(frames),
+        settings_(settings),
+        stop_(stop),
+        in_flight_(static_cast<std::size_t>(drawer.in_flight())) {}
 
-/// A frame that is to come, with its picture where the store has it.
-struct Coming {
-  int frame = 0;
-  std::optional<render::Image8> stored;
+  /// `stored` looks for a frame's picture in the store. Whether all frames were taken.
+  bool run(const std::function<std::optional<render::Image8>(int frame)>& stored,
+           const std::function<void(double)>& progress) {
+    drawer_.for_frames({.begin = [&](std::size_t place) { return begin(place, stored); },
+                        .draw = [&](std::size_t place) { draw(flight(place)); },
+                        .end =
+                            [&](std::size_t place) {
+                              if (!end(flight(place))) return;
+                              progress(static_cast<double>(++taken_) /
+                                       static_cast<double>(frames_.size()));
+                            }});
+    return taken_ == frames_.size();
+  }
+
+ private:
+  struct Flight {
+    KeptFrame frame;
+    ReadyFrame ready;
+    bool given_up = false;  // because of a stop request
+    double began = 0.0;
+  };
+
+  /// Free as soon as the frame has ended that had it before.
+  Flight& flight(std::size_t place) { return in_flight_[place % in_flight_.size()]; }
+
+  bool begin(std::size_t place,
+             const std::function<std::optional<render::Image8>(int frame)>& stored) {
+    if (place == frames_.size() || over_ || stop_.stop_requested()) return false;
+    Flight& now = flight(place) = {};
+    now.frame.number = frames_[place];
+    now.began = steady_seconds();
+    if (std::optional<render::Image8> picture = stored(now.frame.number)) {
+      now.frame.picture = std::move(*picture);
+      now.frame.is_stored = true;
+      return true;
+    }
+    const Stopwatch::Running preparing(settings_.drawing);
+    try {
+      now.ready = drawer_.prepare(now.frame.number);
+    } catch (const render::Stopped&) {
+      return false;
+    }
+    return true;
+  }
+
+  void draw(Flight& now) {
+    if (now.frame.is_stored) return;
+    const Stopwatch::Running tracing(settings_.drawing);
+    try {
+      now.frame.picture = drawer_.draw(std::move(now.ready));
+    } catch (const render::Stopped&) {
+      now.given_up = true;
+    }
+  }
+
+  /// Whether the frame was taken, as none is after one that was not.
+  bool end(Flight& now) {
+    over_ = over_ || now.given_up;
+    if (over_) return false;
+    if (settings_.drew && !now.frame.is_stored) {
+      const double since = std::max(now.began, ended_);
+      ended_ = steady_seconds();
+      settings_.drew(ended_ - since);
+    }
+    over_ = !taker_.push(std::move(now.frame));
+    return !over_;
+  }
+
+  FrameDrawer& drawer_;
+  FrameTaker& taker_;
+  const std::vector<int>& frames_;
+  const FilmSettings& settings_;
+  const std::stop_token& stop_;
+  std::vector<Flight> in_flight_;
+  std::atomic<bool> over_ = false;
+  double ended_ = 0.0;  // when the last frame was drawn
+  std::size_t taken_ = 0;
 };
 
 }  // namespace
@@ -195,33 +194,12 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
   const FrameFormat kept = store != nullptr ? settings.output.frames : FrameFormat::none;
   FrameDrawer drawer(shot, settings, kept, stop);
   FrameTaker taker(settings, shot.tone, kept != FrameFormat::none ? store : nullptr, sink);
-  const auto coming = [&](std::size_t place) {
-    return Coming{frames[place], stored_frame(store, frames[place], settings.output, shot.tone)};
+  const auto stored = [&](int frame) {
+    return stored_frame(store, frame, settings.output, shot.tone);
   };
-  double done = 0.0;
-  Coming next;
-  if (!frames.empty()) next = coming(0);
-  for (std::size_t place = 0; place < frames.size() && !stop.stop_requested(); ++place) {
-    Coming now = std::move(next);
-    next = {};
-    std::optional<int> drawn_next;
-    if (place + 1 < frames.size()) {
-      next = coming(place + 1);
-      if (!next.stored) drawn_next = next.frame;
-    }
-    Exposure exposure;
-    exposure.frame = now.frame;
-    if (now.stored) {
-      exposure.picture = std::move(*now.stored);
-      exposure.is_stored = true;
-    } else if (!draw_frame(drawer, drawn_next, settings, exposure)) {
-      break;
-    }
-    if (!taker.push(std::move(exposure))) break;
-    progress(++done / static_cast<double>(frames.size()));
-  }
+  const bool all = FramesInFlight(drawer, taker, frames, settings, stop).run(stored, progress);
   taker.finish();  // frames that are drawn are kept, also of a film that is given up
-  if (stop.stop_requested() && done < static_cast<double>(frames.size())) throw Interrupted{};
+  if (stop.stop_requested() && !all) throw Interrupted{};
 }
 
 ContactSheetBuilder::ContactSheetBuilder(int frame_count)

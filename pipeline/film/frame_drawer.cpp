@@ -10,6 +10,8 @@ namespace mien::pipeline {
 
 namespace {
 
+constexpr int most_in_flight = 4;
+
 /// The frame towards which a shutter opens: the next one, and from the last back to the one before.
 int frame_after(const scenes::Shot& shot, int frame) {
   return frame + 1 < shot.frame_count() ? frame + 1 : std::max(frame - 1, 0);
@@ -30,17 +32,31 @@ render::Film beside(const render::Film& left, const render::Film& right) {
 FrameDrawer::FrameDrawer(const scenes::Shot& shot, const FilmSettings& settings, FrameFormat kept,
                          const std::stop_token& stop)
     : shot_(shot),
-      settings_(settings),
       kept_(kept),
+      layers_(settings.output.frames == FrameFormat::layers),
       eyes_(static_cast<int>(cameras_at(shot, 0).size())),
       quality_(quality_of(settings, shot)),
       tracer_(tracer_options(settings, shot, stop)) {}
 
-FramePicture FrameDrawer::draw(int frame, std::optional<int> next) {
-  if (settings_.output.frames == FrameFormat::layers) return draw_layers(frame);
-  if (kept_ == FrameFormat::exr) return draw_light(frame, next);
-  if (kept_ == FrameFormat::png16) return draw_picture<render::Image16>(frame, next);
-  return draw_picture<render::Image8>(frame, next);
+// One more than there are threads: what is drawn before the frame ahead of it ends waits for that.
+// The layers of a frame take ten times the memory of others, and have pictures of their own.
+int FrameDrawer::in_flight() const {
+  const int threads = tracer_.threads();
+  return layers_ || threads == 1 ? 1 : std::min(threads + 1, most_in_flight);
+}
+
+ReadyFrame FrameDrawer::prepare(int frame) {
+  ReadyFrame ready{frame, {}};
+  for (int eye = 0; eye < eyes_ && !layers_; ++eye)
+    ready.sights.push_back(tracer_.prepare(view_of(frame, eye)));
+  return ready;
+}
+
+FramePicture FrameDrawer::draw(ReadyFrame ready) {
+  if (layers_) return draw_layers(ready.frame);
+  if (kept_ == FrameFormat::exr) return draw_light(std::move(ready));
+  if (kept_ == FrameFormat::png16) return draw_picture<render::Image16>(std::move(ready));
+  return draw_picture<render::Image8>(std::move(ready));
 }
 
 FramePicture FrameDrawer::draw_layers(int frame) {
@@ -49,57 +65,35 @@ FramePicture FrameDrawer::draw_layers(int frame) {
   return layers;
 }
 
-render::Film FrameDrawer::draw_light(int frame, std::optional<int> next) {
+render::Film FrameDrawer::draw_light(ReadyFrame ready) {
   std::vector<render::Film> seen;
-  for (Sight sight{frame, 0}; sight.eye < eyes_; ++sight.eye) {
-    draw_sight(sight, after(sight, next), {});
-    seen.push_back(std::move(film_));
-  }
+  for (render::ReadyPicture& sight : ready.sights)
+    seen.push_back(tracer_.draw(std::move(sight)).film);
   return eyes_ == 1 ? std::move(seen[0]) : beside(seen[0], seen[1]);
 }
 
 template <class Picture>
-Picture FrameDrawer::draw_picture(int frame, std::optional<int> next) {
-  const render::Window window = window_of(cameras_at(shot_, frame)[0]);
+Picture FrameDrawer::draw_picture(ReadyFrame ready) {
+  const render::Window window = window_of(cameras_at(shot_, ready.frame)[0]);
   Picture picture(eyes_ * window.width, window.height);
-  const Drawn drawn = [&](int eye, const render::Film& film, const render::Window& part) {
-    develop(film, part, shot_.tone, picture, eye * window.width + part.x - window.x,
-            part.y - window.y);
-  };
-  for (Sight sight{frame, 0}; sight.eye < eyes_; ++sight.eye)
-    draw_sight(sight, after(sight, next), drawn);
+  int left = 0;
+  for (render::ReadyPicture& sight : ready.sights) {
+    tracer_.draw(std::move(sight), [&](const render::DrawnPart& part) {
+      develop(part.film, part.pixels, shot_.tone, picture, left + part.x, part.y);
+    });
+    left += window.width;
+  }
   return picture;
 }
 
-void FrameDrawer::draw_sight(const Sight& sight, std::optional<Sight> next, const Drawn& drawn) {
-  render::ReadyPicture now =
-      waiting_ == sight ? std::move(ready_) : tracer_.prepare(view_of(sight));
-  waiting_.reset();
-  render::Alongside alongside;
-  if (next)
-    alongside.meanwhile = [&] {
-      ready_ = tracer_.prepare(view_of(*next));
-      waiting_ = next;
-    };
-  if (drawn) alongside.drawn = std::bind_front(drawn, sight.eye);
-  film_ = tracer_.draw(std::move(now), std::move(film_), alongside).film;
-}
-
-std::optional<FrameDrawer::Sight> FrameDrawer::after(const Sight& sight,
-                                                     std::optional<int> next_frame) const {
-  if (sight.eye + 1 < eyes_) return Sight{sight.frame, sight.eye + 1};
-  if (next_frame) return Sight{*next_frame, 0};
-  return std::nullopt;
-}
-
-render::View FrameDrawer::view_of(const Sight& sight) const {
-  const auto camera_at_frame = [&](int frame) {
-    return cameras_at(shot_, frame)[static_cast<std::size_t>(sight.eye)];
+render::View FrameDrawer::view_of(int frame, int eye) const {
+  const auto camera_at_frame = [&](int at) {
+    return cameras_at(shot_, at)[static_cast<std::size_t>(eye)];
   };
-  render::View view{scene_at(shot_, sight.frame), camera_at_frame(sight.frame), quality_};
+  render::View view{scene_at(shot_, frame), camera_at_frame(frame), quality_};
   if (quality_.shutter <= 0.0f) return view;
-  const int closing = frame_after(shot_, sight.frame);
-  view.closing = scene_at(shot_, closing, sight.frame);
+  const int closing = frame_after(shot_, frame);
+  view.closing = scene_at(shot_, closing, frame);
   if (shot_.cameras.cameras.size() > 1) view.closing_camera = camera_at_frame(closing);
   return view;
 }

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
-#include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "pipeline/film/film.h"
 #include "pipeline/film/film_frames.h"
@@ -11,7 +12,13 @@
 
 namespace mien::pipeline {
 
-/// Draws frames of a shot. While one is drawn the one after is made ready, and each part of a
+/// A frame that is ready to be drawn: what each eye sees of it.
+struct ReadyFrame {
+  int frame = 0;
+  std::vector<render::ReadyPicture> sights;
+};
+
+/// Draws frames of a shot, several at a time, and one is made ready meanwhile. Each part of a
 /// picture is developed by the thread that drew it. The shot and the settings outlive it.
 class FrameDrawer {
  public:
@@ -19,37 +26,32 @@ class FrameDrawer {
   FrameDrawer(const scenes::Shot& shot, const FilmSettings& settings, FrameFormat kept,
               const std::stop_token& stop);
 
-  /// A frame in that form; `next` is the one that will be asked for after it, if any. Throws
-  /// render::Stopped when it was given up because of a stop request.
-  FramePicture draw(int frame, std::optional<int> next);
+  ReadyFrame prepare(int frame);
+
+  /// The frame in the form that is wanted. Throws render::Stopped when it was given up because of a
+  /// stop request.
+  FramePicture draw(ReadyFrame ready);
+
+  /// How many frames are in flight at once: so many that all threads have something to do while one
+  /// is made ready, or its last parts are drawn.
+  int in_flight() const;
+
+  /// As render::Tracer::for_frames.
+  void for_frames(const render::FrameWork& work) { tracer_.for_frames(work, in_flight()); }
 
  private:
-  /// What one eye sees of a frame.
-  struct Sight {
-    int frame;
-    int eye;
-    friend bool operator==(const Sight&, const Sight&) = default;
-  };
-  using Drawn = std::function<void(int eye, const render::Film& film, const render::Window& part)>;
-
   FramePicture draw_layers(int frame);
-  render::Film draw_light(int frame, std::optional<int> next);
+  render::Film draw_light(ReadyFrame ready);
   template <class Picture>
-  Picture draw_picture(int frame, std::optional<int> next);
-  /// Over the film of the sight before.
-  void draw_sight(const Sight& sight, std::optional<Sight> next, const Drawn& drawn);
-  std::optional<Sight> after(const Sight& sight, std::optional<int> next_frame) const;
-  render::View view_of(const Sight& sight) const;
+  Picture draw_picture(ReadyFrame ready);
+  render::View view_of(int frame, int eye) const;
 
   const scenes::Shot& shot_;
-  const FilmSettings& settings_;
   FrameFormat kept_;
+  bool layers_;  // frames are drawn in layers
   int eyes_;
   render::Quality quality_;
   render::Tracer tracer_;
-  std::optional<Sight> waiting_;  // what is ready
-  render::ReadyPicture ready_;
-  render::Film film_;
 };
 
 }  // namespace mien::pipeline

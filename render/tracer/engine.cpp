@@ -3,6 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include <tbb/parallel_pipeline.h>
+
 #include "render/light/line_shadow.h"
 
 namespace mien::render {
@@ -27,6 +29,23 @@ std::uint32_t lights_for_lines(const std::vector<AreaLight>& lights, const Shape
 
 }  // namespace
 
+std::shared_ptr<const StandingSet> SetRooms::lend(StandingSet set) {
+  const auto give_back = [this](StandingSet* used) {
+    const std::unique_ptr<StandingSet> owned(used);
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(*owned));
+  };
+  return {new StandingSet(std::move(set)), give_back};
+}
+
+StandingSet SetRooms::take() {
+  const std::lock_guard lock(mutex_);
+  if (free_.empty()) return {};
+  StandingSet room = std::move(free_.back());
+  free_.pop_back();
+  return room;
+}
+
 Engine::Engine(const TracerOptions& options)
     : device_(options.instruction_set),
       arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic),
@@ -48,23 +67,36 @@ SetBehind Engine::set_behind(const Scene& scene, const Camera& camera, const Qua
   std::vector<float> wanted = standing_key(scene, camera, quality);
   if (wanted == kept_[0].key) return kept_[0].behind;
   std::swap(kept_[0], kept_[1]);
-  auto& [key, behind, own] = kept_[0];
+  auto& [key, behind] = kept_[0];
   if (wanted == key) return behind;
   key.clear();
   behind = {};
-  // Sets that are seen once would else take new memory for every picture.
-  StandingSet room = own.use_count() == 1 ? std::move(*own) : StandingSet{};
-  own.reset();
   const std::string name = standing_name(wanted);
-  const auto make = [&] { return made_set(scene, camera, quality, name, std::move(room)); };
-  if (sets_ != nullptr)
-    behind.set = sets_->lend(name, make);
-  else
-    behind.set = own = std::make_shared<StandingSet>(make());
+  const auto make = [&] { return made_set(scene, camera, quality, name, rooms_.take()); };
+  behind.set = sets_ != nullptr ? sets_->lend(name, make) : rooms_.lend(make());
   if (!scene.standing.empty())
     behind.solids = std::make_shared<const EmbreeScene>(device_, standing_shapes(scene));
   key = std::move(wanted);
   return behind;
+}
+
+void Engine::for_frames(const FrameWork& work, int in_flight) {
+  std::size_t next = 0;
+  const auto begin = [&](tbb::flow_control& control) {
+    // Whoever begins a frame is not to draw another one meanwhile: all would wait for that.
+    const bool more = tbb::this_task_arena::isolate([&] { return work.begin(next); });
+    if (!more) control.stop();
+    return more ? next++ : next;
+  };
+  const auto draw_frame = [&](std::size_t frame) {
+    work.draw(frame);
+    return frame;
+  };
+  const auto stages =
+      tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, begin) &
+      tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, draw_frame) &
+      tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, work.end);
+  arena_.execute([&] { tbb::parallel_pipeline(static_cast<std::size_t>(in_flight), stages); });
 }
 
 StandingSet Engine::made_set(const Scene& scene, const Camera& camera, const Quality& quality,
@@ -98,7 +130,7 @@ Film Engine::light_with_solids(const Scene& scene, const Camera& camera, const Q
       prepare(scene, camera, thorough, open, nullptr, standing_shapes(scene), scene.standing);
   look_at_sky(picture);
   for_all_parts(camera.width, camera.height, {0, 0, camera.width, camera.height},
-                [&](const Tile& part) { draw(picture, part, exposure); });
+                [&](const Tile& part) { draw(picture, part, {exposure}); });
   return std::move(exposure.film);
 }
 

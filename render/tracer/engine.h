@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -25,6 +26,21 @@ namespace mien::render {
 struct SetBehind {
   StandingSets::Lent set;
   std::shared_ptr<const EmbreeScene> solids;  ///< the standing ones; null without
+};
+
+/// Memory of sets that no picture shows any more: sets that are seen once would else take new
+/// memory for every picture.
+class SetRooms {
+ public:
+  /// A set whose memory comes back here, from whatever thread. Does not outlive the rooms.
+  std::shared_ptr<const StandingSet> lend(StandingSet set);
+
+  /// That of a set that came back, or an empty one.
+  StandingSet take();
+
+ private:
+  std::mutex mutex_;
+  std::vector<StandingSet> free_;
 };
 
 /// What a tracer works with: its threads, Embree, and what it knows from picture to picture.
@@ -63,6 +79,9 @@ class Engine {
     if (stop_.stop_requested()) throw Stopped{};
   }
 
+  /// As Tracer::for_frames.
+  void for_frames(const FrameWork& work, int in_flight);
+
   const EmbreeDevice& device() const { return device_; }
   tbb::task_arena& arena() { return arena_; }
 
@@ -70,7 +89,6 @@ class Engine {
   struct KeptSet {
     std::vector<float> key;
     SetBehind behind;
-    std::shared_ptr<StandingSet> own;  // the set, where no other tracer may have it
   };
 
   /// `room`: a set that is no longer wanted, whose memory serves again, or an empty one.
@@ -84,6 +102,7 @@ class Engine {
   std::stop_token stop_;
   StandingSets* sets_;
   KeepLight keep_light_;
+  SetRooms rooms_;                   // of sets that no other tracer may have
   std::array<KeptSet, 2> kept_;      // two, for a pair of cameras; the one used last comes first
   std::map<float, Filter> filters_;  // by width
 };

@@ -95,14 +95,13 @@ struct CellLight {
 };
 
 /// Shows the pixels first … end − 1, whose floor lies in one cell, less the sky that is hidden
-/// there.
+/// there: writes their channels from `out` on.
 MIEN_FOR_AVX2_TOO void show_cell(const StandingSet& set, const FloorSky::Cell& cell,
-                                 std::size_t first, std::size_t end, Film& film) {
+                                 std::size_t first, std::size_t end, float* out) {
   const float x = cell.x, z = cell.z, inverse_side = cell.inverse_side;
   const float *floor_x = set.floor_x.data() + first, *floor_z = set.floor_z.data() + first;
   const float* radiance = set.radiance.channels.data() + 3 * first;
   const float* albedo = set.floor_albedo.channels.data() + 3 * first;
-  float* out = film.channels.data() + 3 * first;
   CellLight light;
   for (int part = 0; part < 3; ++part) {
     for (int i = 0; i < 8; ++i) {
@@ -232,11 +231,13 @@ void PixelPlanner::find_casters(const Tile& tile, const std::optional<FloorArea>
   }
 }
 
-void PixelPlanner::show_set(const Tile& band, Film& film, std::vector<std::uint8_t>& open) {
+void PixelPlanner::show_set(const Tile& band, const Canvas& canvas,
+                            std::vector<std::uint8_t>& open) {
   const StandingSet& set = picture_.set;
   for (int y = band.y_begin; y < band.y_end; ++y) {
     const std::size_t begin = set.place_of(band.x_begin, y);
     const std::size_t end = begin + static_cast<std::size_t>(band.x_end - band.x_begin);
+    float* const row = canvas.film(band.x_begin, y);
     for (std::size_t place = begin; place < end;) {
       const std::size_t first = place;
       if (set.floor[first] != 0 && !cell_->holds(set.floor_x[first], set.floor_z[first]))
@@ -245,13 +246,13 @@ void PixelPlanner::show_set(const Tile& band, Film& film, std::vector<std::uint8
         do ++place;
         while (place < end && set.floor[place] == 0);
         std::copy_n(set.radiance.channels.data() + 3 * first, 3 * (place - first),
-                    film.channels.data() + 3 * first);
+                    row + 3 * (first - begin));
       } else if (!cell_->known) {
         open[(place - begin) / tile_size] = 1;
         ++place;
       } else {
         place = end_of_cell(set, *cell_, first, end);
-        show_cell(set, *cell_, first, place, film);
+        show_cell(set, *cell_, first, place, row + 3 * (first - begin));
       }
     }
   }

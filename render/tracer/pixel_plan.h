@@ -48,7 +48,7 @@ class PixelPlanner {
 
   /// Shows what each pixel gets from the set, but where what the figure hides of the sky is not
   /// known: `open` is set to 1 for tiles (from the left, tile_size pixels each) with such pixels.
-  void show_set(const Tile& band, Film& film, std::vector<std::uint8_t>& open);
+  void show_set(const Tile& band, const Canvas& canvas, std::vector<std::uint8_t>& open);
 
   SetLight set_at(int x, int y);
 

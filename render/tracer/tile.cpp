@@ -16,6 +16,8 @@
 namespace mien::render {
 namespace {
 
+constexpr int piece_width = 16 * tile_size;
+
 class TilePainter {
  public:
   explicit TilePainter(const Picture& picture)
@@ -26,11 +28,11 @@ class TilePainter {
         planner_(picture),
         queries_(picture),
         lines_(picture, planner_.lines()) {}
-  void draw(const Tile& part, Exposure& exposure);
+  void draw(const Tile& part, const Canvas& canvas);
 
  private:
-  void draw_band(const Tile& band, Exposure& exposure);
-  void draw_tile(const Tile& tile, bool open, Exposure& exposure);
+  void draw_band(const Tile& band, const Canvas& canvas);
+  void draw_tile(const Tile& tile, bool open, const Canvas& canvas);
   int samples_of(const Pixel& pixel) const;
   Sample sample_of(Pixel& pixel, int index) const;
   void show_floor(Samples& samples);
@@ -45,11 +47,11 @@ class TilePainter {
   void light_floor();
   void finish();
   float missing(const Color& left, int x, int y) const;
-  void show_set(const Color& set, int x, int y, Exposure& exposure) const;
-  void develop(const Pixel& pixel, Exposure& exposure) const;
-  void develop(const FloorPixel& pixel, Exposure& exposure) const;
+  void show_set(const Color& set, int x, int y, const Canvas& canvas) const;
+  void develop(const Pixel& pixel, const Canvas& canvas) const;
+  void develop(const FloorPixel& pixel, const Canvas& canvas) const;
   void expose(const FloorPixel& pixel, const Color& figure, const Color& set, const Color& taken,
-              float covered, Exposure& exposure) const;
+              float covered, const Canvas& canvas) const;
 
   const Picture& picture_;
   const bool in_pairs_;  // neighbours are lit as one
@@ -68,30 +70,30 @@ class TilePainter {
   LineQueries lines_;
 };
 
-void TilePainter::draw(const Tile& part, Exposure& exposure) {
+void TilePainter::draw(const Tile& part, const Canvas& canvas) {
   for (int y = part.y_begin; y < part.y_end; y += tile_size)
-    draw_band({part.x_begin, part.x_end, y, std::min(y + tile_size, part.y_end)}, exposure);
+    draw_band({part.x_begin, part.x_end, y, std::min(y + tile_size, part.y_end)}, canvas);
 }
 
 // The set is shown first, row by row, which memory likes. Tiles stay open where that left pixels
 // out.
-void TilePainter::draw_band(const Tile& band, Exposure& exposure) {
+void TilePainter::draw_band(const Tile& band, const Canvas& canvas) {
   // Where every sample is drawn by itself, so is the set.
   const bool shown = picture_.quality.background == Background::shown && !picture_.piecemeal() &&
                      !picture_.quality.exhaustive;
   const int tiles = (band.x_end - band.x_begin + tile_size - 1) / tile_size;
   open_.assign(static_cast<std::size_t>(tiles), shown ? 0 : 1);
-  if (shown) planner_.show_set(band, exposure.film, open_);
+  if (shown) planner_.show_set(band, canvas, open_);
   for (int k = 0; k < tiles; ++k) {
     const int x = band.x_begin + k * tile_size;
     const Tile tile{x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end};
     const bool open = open_[static_cast<std::size_t>(k)] != 0;
     planner_.turn_to(tile);
-    if (open || !planner_.is_alone()) draw_tile(tile, open, exposure);
+    if (open || !planner_.is_alone()) draw_tile(tile, open, canvas);
   }
 }
 
-void TilePainter::draw_tile(const Tile& tile, bool open, Exposure& exposure) {
+void TilePainter::draw_tile(const Tile& tile, bool open, const Canvas& canvas) {
   const bool alone = planner_.is_alone();
   pixels_.clear();
   pixels_.reserve(tile_size * tile_size);
@@ -102,10 +104,10 @@ void TilePainter::draw_tile(const Tile& tile, bool open, Exposure& exposure) {
       if (x == tile.x_end) break;
       const PixelPlan plan = alone ? PixelPlan{} : planner_.plan(x, y);
       if (plan.kind == PixelKind::untouched && !open) continue;
-      const SetLight set = open ? planner_.set_at(x, y)
-                                : SetLight{Eigen::Map<const Color>(exposure.film.at(x, y)), true};
+      const SetLight set =
+          open ? planner_.set_at(x, y) : SetLight{Eigen::Map<const Color>(canvas.film(x, y)), true};
       if (plan.kind == PixelKind::untouched && set.complete) {
-        show_set(set.radiance, x, y, exposure);
+        show_set(set.radiance, x, y, canvas);
         continue;
       }
       if (plan.kind == PixelKind::floor && set.complete &&
@@ -117,7 +119,7 @@ void TilePainter::draw_tile(const Tile& tile, bool open, Exposure& exposure) {
       planner_.set_out(pixel, x, y, plan, set);
       const int needed = samples_of(pixel);
       if (needed == 0) {
-        show_set(set.radiance, x, y, exposure);
+        show_set(set.radiance, x, y, canvas);
         pixels_.pop_back();
         continue;
       }
@@ -127,8 +129,8 @@ void TilePainter::draw_tile(const Tile& tile, bool open, Exposure& exposure) {
   }
   lines_.ask_all(floors_);
   finish();
-  for (const Pixel& pixel : pixels_) develop(pixel, exposure);
-  for (const FloorPixel& pixel : floors_) develop(pixel, exposure);
+  for (const Pixel& pixel : pixels_) develop(pixel, canvas);
+  for (const FloorPixel& pixel : floors_) develop(pixel, canvas);
 }
 
 int TilePainter::samples_of(const Pixel& pixel) const {
@@ -277,11 +279,11 @@ void TilePainter::finish() {
 }
 
 // A pixel without figure or shadow.
-void TilePainter::show_set(const Color& set, int x, int y, Exposure& exposure) const {
+void TilePainter::show_set(const Color& set, int x, int y, const Canvas& canvas) const {
   if (picture_.quality.background == Background::shown)
-    std::copy_n(set.data(), 3, exposure.film.at(x, y));
+    std::copy_n(set.data(), 3, canvas.film(x, y));
   else if (picture_.quality.background == Background::shadow)
-    exposure.alpha[picture_.set.place_of(x, y)] = missing(set, x, y);
+    canvas.alpha(x, y) = missing(set, x, y);
 }
 
 // How much of the set's light a pixel lacks.
@@ -290,41 +292,59 @@ float TilePainter::missing(const Color& left, int x, int y) const {
   return whole > 0.0f ? std::clamp(1.0f - relative_luminance(left) / whole, 0.0f, 1.0f) : 0.0f;
 }
 
-void TilePainter::develop(const Pixel& pixel, Exposure& exposure) const {
+void TilePainter::develop(const Pixel& pixel, const Canvas& canvas) const {
   const float share = 1.0f / static_cast<float>(picture_.quality.samples_per_pixel);
   const Color set = (share * static_cast<float>(pixel.set_samples)) * pixel.radiance +
                     share * (pixel.known_set + pixel.set);
   expose(pixel, share * (pixel.known_figure + pixel.figure), set,
          share * (pixel.known_taken + pixel.taken), share * static_cast<float>(pixel.covered),
-         exposure);
+         canvas);
 }
 
 // The same bits as if it were a pixel whose samples all show the set.
-void TilePainter::develop(const FloorPixel& pixel, Exposure& exposure) const {
+void TilePainter::develop(const FloorPixel& pixel, const Canvas& canvas) const {
   const auto samples = static_cast<float>(picture_.quality.samples_per_pixel);
   const float share = 1.0f / samples;
   expose(pixel, Color::Zero(), (share * samples) * pixel.radiance, share * pixel.known_taken, 0.0f,
-         exposure);
+         canvas);
 }
 
 void TilePainter::expose(const FloorPixel& pixel, const Color& figure, const Color& set,
-                         const Color& taken, float covered, Exposure& exposure) const {
+                         const Color& taken, float covered, const Canvas& canvas) const {
   if (picture_.quality.background == Background::shown) {
     const Color color = set + (figure + taken);
-    std::copy_n(color.data(), 3, exposure.film.at(pixel.x, pixel.y));
+    std::copy_n(color.data(), 3, canvas.film(pixel.x, pixel.y));
     return;
   }
-  std::copy_n(figure.data(), 3, exposure.film.at(pixel.x, pixel.y));
-  exposure.alpha[picture_.set.place_of(pixel.x, pixel.y)] =
-      picture_.quality.background == Background::transparent
-          ? covered
-          : std::max(covered, missing(set + taken, pixel.x, pixel.y));
+  std::copy_n(figure.data(), 3, canvas.film(pixel.x, pixel.y));
+  canvas.alpha(pixel.x, pixel.y) = picture_.quality.background == Background::transparent
+                                       ? covered
+                                       : std::max(covered, missing(set + taken, pixel.x, pixel.y));
 }
 
 }  // namespace
 
-void draw(const Picture& picture, const Tile& part, Exposure& exposure) {
-  TilePainter(picture).draw(part, exposure);
+void draw(const Picture& picture, const Tile& part, const Canvas& canvas) {
+  TilePainter(picture).draw(part, canvas);
+}
+
+void draw_pieces(const Picture& picture, const Tile& part,
+                 const std::function<void(const Tile& piece, const Film& film)>& drawn) {
+  TilePainter painter(picture);
+  Exposure exposure;
+  for (int y = part.y_begin; y < part.y_end; y += tile_size) {
+    for (int x = part.x_begin; x < part.x_end; x += piece_width) {
+      const Tile piece{x, std::min(x + piece_width, part.x_end), y,
+                       std::min(y + tile_size, part.y_end)};
+      Film& film = exposure.film;
+      film.width = piece.x_end - piece.x_begin;
+      film.height = piece.y_end - piece.y_begin;
+      film.channels.resize(3 * static_cast<std::size_t>(film.width) *
+                           static_cast<std::size_t>(film.height));
+      painter.draw(piece, {exposure, piece.x_begin, piece.y_begin});
+      drawn(piece, film);
+    }
+  }
 }
 
 }  // namespace mien::render

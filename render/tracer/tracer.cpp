@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <tbb/parallel_invoke.h>
-
 #include "render/image/luminance.h"
 #include "render/tracer/engine.h"
 #include "render/tracer/layer_pass.h"
@@ -52,6 +50,11 @@ struct ReadyPicture::Contents {
   }
 };
 
+const ReadyPicture::Contents& Tracer::contents_of(const ReadyPicture& ready) {
+  if (ready.contents_ == nullptr) throw std::logic_error("no picture is ready to be drawn");
+  return *ready.contents_;
+}
+
 ReadyPicture::ReadyPicture() = default;
 ReadyPicture::~ReadyPicture() = default;
 ReadyPicture::ReadyPicture(ReadyPicture&&) noexcept = default;
@@ -71,33 +74,39 @@ ReadyPicture Tracer::prepare(View view) {
   return ready;
 }
 
-// Where the background is shown every pixel of the window is drawn, so what was there before is
-// of no account. Elsewhere what nothing covers stays black.
-Exposure Tracer::draw(ReadyPicture ready, Film used, const Alongside& alongside) {
-  if (ready.contents_ == nullptr) throw std::logic_error("no picture is ready to be drawn");
-  const Camera& camera = ready.contents_->view.camera;
-  const Picture& picture = ready.contents_->picture;
-  const Window window = window_of(camera);
-  const bool shown = picture.quality.background == Background::shown;
-  const bool fits =
-      used.width == camera.width && used.height == camera.height && !used.channels.empty();
-  Exposure exposure{shown && fits ? std::move(used) : Film(camera.width, camera.height), {}};
-  if (!shown) exposure.alpha.resize(exposure.film.channels.size() / 3);
-  const auto draw_all = [&] {
-    engine_->for_all_parts(camera.width, camera.height, window, [&](const Tile& part) {
-      render::draw(picture, part, exposure);
-      if (shown && alongside.drawn) alongside.drawn(exposure.film, part_within(window, part));
-    });
-  };
-  if (alongside.meanwhile)
-    engine_->arena().execute([&] { tbb::parallel_invoke(alongside.meanwhile, draw_all); });
-  else
-    draw_all();
+Exposure Tracer::draw(ReadyPicture ready) {
+  const auto& [view, behind, picture] = contents_of(ready);
+  const Camera& camera = view.camera;
+  Exposure exposure{Film(camera.width, camera.height), {}};
+  if (picture.quality.background != Background::shown)
+    exposure.alpha.resize(exposure.film.channels.size() / 3);
+  engine_->for_all_parts(camera.width, camera.height, window_of(camera),
+                         [&](const Tile& part) { render::draw(picture, part, {exposure}); });
   if (!camera.window) return exposure;
   exposure.film = cut_out(exposure.film, *camera.window);
   if (!exposure.alpha.empty())
     exposure.alpha = cut_out(exposure.alpha, camera.width, *camera.window);
   return exposure;
+}
+
+void Tracer::draw(ReadyPicture ready, const TakePart& take) {
+  const auto& [view, behind, picture] = contents_of(ready);
+  if (picture.quality.background != Background::shown)
+    throw std::logic_error("only a picture whose background is shown is drawn part by part");
+  const Window window = window_of(view.camera);
+  engine_->for_all_parts(view.camera.width, view.camera.height, window, [&](const Tile& part) {
+    draw_pieces(picture, part, [&](const Tile& piece, const Film& film) {
+      const Window shown = part_within(window, piece);
+      take({film,
+            {shown.x - piece.x_begin, shown.y - piece.y_begin, shown.width, shown.height},
+            shown.x - window.x,
+            shown.y - window.y});
+    });
+  });
+}
+
+void Tracer::for_frames(const FrameWork& work, int in_flight) {
+  engine_->for_frames(work, in_flight);
 }
 
 Film Tracer::trace(Scene scene, const Camera& camera, const Quality& quality) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -65,23 +66,34 @@ class ReadyPicture {
   std::unique_ptr<Contents> contents_;  // null: nothing is ready
 };
 
-/// What else the threads of a tracer do while they draw.
-struct Alongside {
-  /// Once, beside the first tiles.
-  std::function<void()> meanwhile;
+/// Pixels of a picture that have their light.
+struct DrawnPart {
+  const Film& film;  ///< holds them, and may hold others
+  Window pixels;     ///< which of that film's
+  int x = 0;         ///< where the first of them is in what the camera shows
+  int y = 0;
+};
+using TakePart = std::function<void(const DrawnPart& part)>;
 
-  /// For each part of the camera's window as soon as it has its light, for several at a time: the
-  /// whole film and where the part is in it. Only of pictures whose background is shown.
-  std::function<void(const Film& film, const Window& part)> drawn;
+/// What is done for the frames of a film, which are numbered from 0 on.
+struct FrameWork {
+  /// In order, one at a time; false: there is no such frame, and no further one.
+  std::function<bool(std::size_t frame)> begin;
+
+  /// Several at a time.
+  std::function<void(std::size_t frame)> draw;
+
+  /// In order, one at a time.
+  std::function<void(std::size_t frame)> end;
 };
 
 /// Draws scenes with Embree: Lambert surfaces under area lights and a sky, direct light only, soft
 /// shadows, filtered by a Blackman–Harris filter.
 ///
 /// A picture depends on the scene, camera and quality alone: not on threads, on what was traced
-/// before, nor on the machine. One picture at a time is drawn by a Tracer, and one made ready,
-/// which may be meanwhile; several Tracers may work side by side. Whatever draws throws Stopped
-/// when it was asked to stop.
+/// before, nor on the machine. Several pictures at a time may be drawn by a Tracer, and one made
+/// ready meanwhile; several Tracers may work side by side. Whatever draws throws Stopped when it
+/// was asked to stop.
 class Tracer {
  public:
   /// Throws Error when the machine cannot run Embree with that instruction set.
@@ -94,10 +106,19 @@ class Tracer {
   /// `closing` holds other solids than the scene.
   ReadyPicture prepare(View view);
 
-  /// With the alpha that the quality's background asks for. Drawn over a film that is no longer
-  /// wanted, if one is given: of this size it saves the time that fresh memory takes. Throws
-  /// std::logic_error when nothing is ready, and what `alongside` throws.
-  Exposure draw(ReadyPicture ready, Film used = {}, const Alongside& alongside = {});
+  /// With the alpha that the quality's background asks for. Throws std::logic_error when nothing is
+  /// ready.
+  Exposure draw(ReadyPicture ready);
+
+  /// A picture whose background is shown, part by part, several at a time: what takes the light of
+  /// each as soon as it is there needs no film of the whole. Throws likewise, and what `take`
+  /// throws.
+  void draw(ReadyPicture ready, const TakePart& take);
+
+  /// Works on a film with the tracer's threads: so many frames at most have begun and not ended.
+  /// While one is made ready or its last parts are drawn, threads draw the next one. Throws what
+  /// the work throws, and then some frames may have begun that do not end.
+  void for_frames(const FrameWork& work, int in_flight);
 
   /// A picture without more ado, its background shown. Throws as prepare.
   Film trace(Scene scene, const Camera& camera, const Quality& quality);
@@ -117,6 +138,7 @@ class Tracer {
   int threads() const;
 
  private:
+  static const ReadyPicture::Contents& contents_of(const ReadyPicture& ready);
   void add_variance(const Scene& scene, const Camera& camera, Quality quality, Layers& layers);
 
   std::unique_ptr<Engine> engine_;

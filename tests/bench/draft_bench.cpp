@@ -81,16 +81,14 @@ int main(int argc, char** argv) {
   render::Tracer tracer({.threads = threads});
   const render::Quality quality = pipeline::quality_of(how, shot);
   measured("standing set, once", 1, [&] { tracer.trace(scenes[0], camera_at(shot, 0), quality); });
-  render::Film film;
+  const render::Film film = tracer.trace(scenes[0], camera_at(shot, 0), quality);
   std::vector<render::Image8> pictures;
 
   const double tracing = measured("tracing", frames, [&] {
     for (int f = 0; f < frames; ++f)
-      film = tracer
-                 .draw(tracer.prepare(
-                           {scenes[static_cast<std::size_t>(f)], camera_at(shot, f), quality}),
-                       std::move(film))
-                 .film;
+      tracer.draw(
+          tracer.prepare({scenes[static_cast<std::size_t>(f)], camera_at(shot, f), quality}),
+          [](const render::DrawnPart&) {});
   });
   measured("development", frames, [&] {
     for (int f = 0; f < frames; ++f) render::to_srgb8(film, shot.tone);

@@ -6,9 +6,8 @@
 //                                          linear RGB of the last of FRAMES against REFERENCE
 //                                          samples, for a camera that stands and one that goes
 //                                          round the figure. The time is that of a film of 24
-//                                          frames, drawn as those of a film are: each is made
-//                                          ready while the one before is drawn, what persists was
-//                                          made before
+//                                          frames, drawn as those of a film are, two in flight;
+//                                          what persists was made before
 //   peer_scene draw FRAMES SAMPLES standing|moving
 //                                          draws it on one thread and prints processor seconds a
 //                                          frame: for profilers, and to hold two builds side by
@@ -17,6 +16,8 @@
 //                                          its beauty, albedo and normals, one film after the
 //                                          other, as 32-bit floats, the first row at the top
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -24,6 +25,7 @@
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -88,22 +90,34 @@ render::Quality quality_of(int samples) {
   return quality;
 }
 
-/// Draws frames as those of a film are: into one film, each made ready while the one before is
-/// drawn.
+/// Draws frames as those of a film are: two in flight, and of each its light, part by part.
 render::Film draw_frames(render::Tracer& tracer, const motion::Clip& clip, bool moving, int frames,
                          const render::Quality& quality) {
-  const auto ready_at = [&](int f) {
-    return tracer.prepare({scene_of(joints_at(clip, f)), camera_at(f, moving), quality});
+  struct Flight {
+    render::ReadyPicture ready;
+    render::Film film;
   };
-  render::Film film;
-  render::ReadyPicture next = ready_at(0);
-  for (int f = 0; f < frames; ++f) {
-    render::ReadyPicture now = std::move(next);
-    render::Alongside alongside;
-    if (f + 1 < frames) alongside.meanwhile = [&] { next = ready_at(f + 1); };
-    film = tracer.draw(std::move(now), std::move(film), alongside).film;
-  }
-  return film;
+  std::array<Flight, 2> flights;
+  const auto flight = [&](std::size_t f) -> Flight& { return flights[f % flights.size()]; };
+  const auto begin = [&](std::size_t number) {
+    const int f = static_cast<int>(number);
+    if (f == frames) return false;
+    const render::Camera camera = camera_at(f, moving);
+    if (flight(number).film.channels.empty())
+      flight(number).film = render::Film(camera.width, camera.height);
+    flight(number).ready = tracer.prepare({scene_of(joints_at(clip, f)), camera, quality});
+    return true;
+  };
+  const auto draw = [&](std::size_t number) {
+    tracer.draw(std::move(flight(number).ready), [&](const render::DrawnPart& part) {
+      const auto& [x, y, width, height] = part.pixels;
+      for (int row = 0; row < height; ++row)
+        std::copy_n(part.film.at(x, y + row), 3 * width,
+                    flight(number).film.at(part.x, part.y + row));
+    });
+  };
+  tracer.for_frames({begin, draw, [](std::size_t) {}}, static_cast<int>(flights.size()));
+  return std::move(flight(static_cast<std::size_t>(frames - 1)).film);
 }
 
 constexpr int timed_frames = 24;

@@ -255,24 +255,50 @@ TEST(Tracer, GivesTheSamePictureWithAnyNumberOfThreads) {
   }
 }
 
+/// A picture put together of its parts.
+Film of_parts(Tracer& tracer, ReadyPicture ready, const Window& window) {
+  Film film(window.width, window.height);
+  tracer.draw(std::move(ready), [&](const DrawnPart& part) {
+    const Window& pixels = part.pixels;
+    for (int y = 0; y < pixels.height; ++y)
+      std::copy_n(part.film.at(pixels.x, pixels.y + y), 3 * pixels.width,
+                  film.at(part.x, part.y + y));
+  });
+  return film;
+}
+
 // Other scenes before other cameras, so that the sets behind them are made meanwhile, too: some
 // with solids, which are drawn for it.
-TEST(Tracer, DrawsAPictureWhileTheNextIsMadeReady) {
+TEST(Tracer, DrawsSeveralFramesOfAFilmAtATime) {
+  const auto view = [](std::size_t number) {
+    const auto seed = static_cast<unsigned>(number);
+    View shown{random_figure(seed), random_view(seed), draft_quality()};
+    if (seed % 3 == 1)
+      shown.scene.standing.spheres = {{.centre = {0.5f, 0.3f, -1.0f}, .radius = 0.3f}};
+    return shown;
+  };
   for (const int threads : {1, 3}) {
-    Tracer tracer({.threads = threads});
-    const auto view = [](unsigned seed) {
-      View shown{random_figure(seed), random_view(seed), draft_quality()};
-      if (seed % 3 == 1)
-        shown.scene.standing.spheres = {{.centre = {0.5f, 0.3f, -1.0f}, .radius = 0.3f}};
-      return shown;
-    };
-    ReadyPicture next = tracer.prepare(view(0));
-    for (unsigned seed = 0; seed < trials; ++seed) {
-      ReadyPicture now = std::move(next);
-      const auto meanwhile = [&] { next = tracer.prepare(view(seed + 1)); };
-      EXPECT_EQ(tracer.draw(std::move(now), {}, {.meanwhile = meanwhile}).film,
-                Tracer().expose(view(seed)).film)
-          << "seed " << seed << ", " << threads << " threads";
+    for (const std::size_t in_flight : {1u, 2u, 4u}) {
+      Tracer tracer({.threads = threads});
+      std::vector<ReadyPicture> ready(in_flight);
+      std::vector<Film> films(trials);
+      std::size_t ended = 0;
+      const auto begin = [&](std::size_t frame) {
+        if (frame == trials) return false;
+        EXPECT_LT(frame - ended, in_flight);
+        ready[frame % in_flight] = tracer.prepare(view(frame));
+        return true;
+      };
+      const auto draw = [&](std::size_t frame) {
+        films[frame] =
+            of_parts(tracer, std::move(ready[frame % in_flight]), window_of(view(frame).camera));
+      };
+      const auto end = [&](std::size_t frame) { EXPECT_EQ(frame, ended++); };
+      tracer.for_frames({begin, draw, end}, static_cast<int>(in_flight));
+      ASSERT_EQ(ended, trials);
+      for (std::size_t frame = 0; frame < trials; ++frame)
+        EXPECT_EQ(films[frame], Tracer().expose(view(frame)).film)
+            << "frame " << frame << ", " << threads << " threads, " << in_flight << " in flight";
     }
   }
 }
@@ -282,52 +308,48 @@ TEST(Tracer, HandsOnEachPartOnceWithItsLight) {
   Camera camera = random_view(1);
   camera.width = 301;
   camera.height = 200;
-  camera.window = Window{7, 16, 281, 171};
-  Film parts(camera.width, camera.height);
-  std::vector<std::atomic<int>> times(parts.channels.size() / 3);
-  const auto keep = [&](const Film& film, const Window& part) {
-    for (int y = part.y; y < part.y + part.height; ++y) {
-      std::copy_n(film.at(part.x, y), 3 * part.width, parts.at(part.x, y));
-      for (int x = part.x; x < part.x + part.width; ++x)
-        ++times[static_cast<std::size_t>(y * camera.width + x)];
-    }
-  };
-  const Film film =
-      tracer.draw(tracer.prepare({random_figure(1), camera, draft_quality()}), {}, {.drawn = keep})
-          .film;
-  EXPECT_EQ(cut_out(parts, *camera.window), film);
-  EXPECT_EQ(std::count(times.begin(), times.end(), 1), 281 * 171);
-  EXPECT_EQ(std::count(times.begin(), times.end(), 0), std::ssize(times) - 281 * 171);
-}
-
-// Where the background does not show, what nobody covers is not drawn.
-TEST(Tracer, ShowsNothingOfTheFilmThatItDrawsOver) {
-  Tracer tracer;
-  Film used(75, 50);
-  for (const Background background :
-       {Background::shown, Background::transparent, Background::shadow}) {
-    View view{random_figure(0), random_view(1), draft_quality()};
-    view.quality.background = background;
-    used.channels.assign(used.channels.size(), 7.0f);
-    const Exposure over = tracer.draw(tracer.prepare(view), used);
-    const Exposure fresh = tracer.expose(view);
-    EXPECT_EQ(over.film, fresh.film);
-    EXPECT_EQ(over.alpha, fresh.alpha);
+  for (const Window& window : {Window{0, 0, 301, 200}, Window{7, 16, 281, 171}}) {
+    camera.window = window;
+    const View view{random_figure(1), camera, draft_quality()};
+    std::vector<std::atomic<int>> times(static_cast<std::size_t>(window.width * window.height));
+    tracer.draw(tracer.prepare(view), [&](const DrawnPart& part) {
+      for (int y = part.y; y < part.y + part.pixels.height; ++y)
+        for (int x = part.x; x < part.x + part.pixels.width; ++x)
+          ++times[static_cast<std::size_t>(y * window.width + x)];
+    });
+    EXPECT_EQ(std::count(times.begin(), times.end(), 1), std::ssize(times));
+    EXPECT_EQ(of_parts(tracer, tracer.prepare(view), window), tracer.expose(view).film);
   }
 }
 
-TEST(Tracer, GivesUpAPictureWhenWhatGoesOnBesideItFails) {
+TEST(Tracer, GivesUpAFilmWhenWorkOnItFails) {
   Tracer tracer({.threads = 2});
-  const auto ready = [&] {
-    return tracer.prepare({random_figure(0), random_view(0), draft_quality()});
+  const auto fail = [](std::size_t frame) {
+    if (frame == 3) throw std::runtime_error("no room");
   };
-  const auto fail = [] { throw std::runtime_error("no room"); };
-  EXPECT_THROW(tracer.draw(ready(), {}, {.meanwhile = fail}), std::runtime_error);
-  EXPECT_THROW(tracer.draw(ready(), {}, {.drawn = [&](const Film&, const Window&) { fail(); }}),
+  const auto nothing = [](std::size_t) {};
+  const auto ten = [](std::size_t frame) { return frame < 10; };
+  const auto fail_to_begin = [&](std::size_t frame) {
+    fail(frame);
+    return true;
+  };
+  EXPECT_THROW(tracer.for_frames({fail_to_begin, nothing, nothing}, 2), std::runtime_error);
+  EXPECT_THROW(tracer.for_frames({ten, fail, nothing}, 2), std::runtime_error);
+  EXPECT_THROW(tracer.for_frames({ten, nothing, fail}, 2), std::runtime_error);
+  const View view{random_figure(0), random_view(0), draft_quality()};
+  EXPECT_THROW(tracer.draw(tracer.prepare(view), [&](const DrawnPart&) { fail(3); }),
                std::runtime_error);
+  EXPECT_EQ(tracer.expose(view).film, Tracer().expose(view).film);
+}
+
+TEST(Tracer, DrawsNothingThatIsNotReadyOrHasNoBackground) {
+  Tracer tracer;
+  const auto ignore = [](const DrawnPart&) {};
   EXPECT_THROW(tracer.draw({}), std::logic_error);
-  EXPECT_EQ(tracer.draw(ready()).film,
-            Tracer().trace(random_figure(0), random_view(0), draft_quality()));
+  EXPECT_THROW(tracer.draw({}, ignore), std::logic_error);
+  View view{random_figure(0), random_view(0), draft_quality()};
+  view.quality.background = Background::transparent;
+  EXPECT_THROW(tracer.draw(tracer.prepare(view), ignore), std::logic_error);
 }
 
 TEST(Tracer, GivesTheSamePictureWithAnyInstructionSet) {
