@@ -23,39 +23,82 @@ struct LaneCovers {
   LaneFloats major;
 };
 
+/// Film points as seen from the optical axis, pixels.
+struct LaneFilm {
+  LaneFloats right;
+  float down;
+};
+
+/// Where the floor is seen, and how little of it has faded.
 MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const CameraFrame& camera,
-                                  const LaneVectors& origins, const LaneVectors& directions,
-                                  LaneSetPixels& pixels, LaneFootprints& prints) {
+                                  const FloorRow& row, const LaneFilm& film,
+                                  LaneSetPixels& pixels) {
   // A step on the film is one at distance 1, or anywhere.
   const float all = camera.parallel ? 0.0f : 1.0f, some = camera.parallel ? 1.0f : 0.0f;
-  const float fx = camera.forward.x(), fy = camera.forward.y(), fz = camera.forward.z();
-  const float rx = camera.step_right.x(), ry = camera.step_right.y(), rz = camera.step_right.z();
-  const float dx = camera.step_down.x(), dy = camera.step_down.y(), dz = camera.step_down.z();
+  const float right = camera.step_right.y(), down = film.down * camera.step_down.y();
+  const float forward = camera.forward.y(), eye = camera.position.y();
   const float px = camera.position.x(), pz = camera.position.z();
   const float lowest = has_ground ? 0.0f : -infinity;  // of what goes up, or misses the floor
   const float start = ground.fade_start, length = ground.fade_end - ground.fade_start;
+  const float row_x = row.x, row_z = row.z, from_x = row.from_x, from_z = row.from_z;
+  const float step_x = row.step_x, step_z = row.step_z, drop = row.drop, height = row.height;
+  const float drop_step = row.drop_step;
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i) {
-    const float tx = directions.x.lane[i], ty = directions.y.lane[i], tz = directions.z.lane[i];
-    const float height = origins.y.lane[i];
-    const bool meets = (height > 0.0f) & (ty < lowest);
-    const float down = meets ? ty : -1.0f;
-    const float distance = meets ? -height / down : 0.0f;
-    const float x = origins.x.lane[i] + distance * tx, z = origins.z.lane[i] + distance * tz;
+    const float u = film.right.lane[i];
+    const float aside = u * right + down;
+    const bool meets = (eye + some * aside > 0.0f) & (forward + all * aside < lowest);
+    const float s = height / (drop + u * drop_step);  // as FloorRow::at
+    const float x = row_x + s * (from_x + u * step_x), z = row_z + s * (from_z + u * step_z);
     const float across = std::sqrt((x - px) * (x - px) + (z - pz) * (z - pz));
     const float on = (across - start) / length;
     const float faded = on < 0.0f ? 0.0f : on > 1.0f ? 1.0f : on;
     const float share = 1.0f - faded * faded * (3.0f - 2.0f * faded);
-    pixels.point.x.lane[i] = x;
+    pixels.point.x.lane[i] = meets ? x : px;
     pixels.point.y.lane[i] = 0.0f;
-    pixels.point.z.lane[i] = z;
+    pixels.point.z.lane[i] = meets ? z : pz;
     pixels.share.lane[i] = meets ? share : 0.0f;
-    // A step on the film moves the point along the floor, by the step less what leaves the floor.
-    const float scale = some + all * (distance * (tx * fx + ty * fy + tz * fz));
+  }
+}
+
+/// A step on the film moves the point along the floor, by the step less what leaves the floor.
+MIEN_FOR_AVX2_TOO LaneFootprints footprints(const CameraFrame& camera, const LaneFilm& film) {
+  const float all = camera.parallel ? 0.0f : 1.0f, some = camera.parallel ? 1.0f : 0.0f;
+  const float fx = camera.forward.x(), fy = camera.forward.y(), fz = camera.forward.z();
+  const float rx = camera.step_right.x(), ry = camera.step_right.y(), rz = camera.step_right.z();
+  const float dx = camera.step_down.x(), dy = camera.step_down.y(), dz = camera.step_down.z();
+  const float v = film.down, eye = camera.position.y();
+  LaneFootprints prints;
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float u = film.right.lane[i];
+    const float tx = fx + all * (u * rx + v * dx), ty = fy + all * (u * ry + v * dy);
+    const float tz = fz + all * (u * rz + v * dz);
+    const float down = ty < 0.0f ? ty : -1.0f;
+    const float scale = some - all * eye / down;
     const float lean_x = tx / down, lean_z = tz / down;
     prints.x.lane[i] = scale * (std::abs(rx - ry * lean_x) + std::abs(dx - dy * lean_x));
     prints.z.lane[i] = scale * (std::abs(rz - ry * lean_z) + std::abs(dz - dy * lean_z));
   }
+  return prints;
+}
+
+/// Sines of the rays' elevations.
+MIEN_FOR_AVX2_TOO LaneFloats elevations(const CameraFrame& camera, const LaneFilm& film) {
+  const float all = camera.parallel ? 0.0f : 1.0f;
+  const float fx = camera.forward.x(), fy = camera.forward.y(), fz = camera.forward.z();
+  const float rx = camera.step_right.x(), ry = camera.step_right.y(), rz = camera.step_right.z();
+  const float dx = camera.step_down.x(), dy = camera.step_down.y(), dz = camera.step_down.z();
+  const float v = film.down;
+  LaneFloats up;
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float u = film.right.lane[i];
+    const float tx = fx + all * (u * rx + v * dx), ty = fy + all * (u * ry + v * dy);
+    const float tz = fz + all * (u * rz + v * dz);
+    up.lane[i] = ty / std::sqrt(tx * tx + ty * ty + tz * tz);
+  }
+  return up;
 }
 
 // As line_cover, without branches.
@@ -90,7 +133,6 @@ MIEN_FOR_AVX2_TOO LaneFloats cover_of_lines(const Ground& ground, const LaneVect
 
 LaneCovers covers_of(const Ground& ground, const LaneVectors& point, const LaneFootprints& print) {
   LaneCovers covers;
-  if (ground.line_spacing <= 0.0f) return covers;
   covers.fine = cover_of_lines(ground, point, print, ground.line_spacing, ground.line_width);
   if (ground.major_every != 0)
     covers.major = cover_of_lines(ground, point, print,
@@ -130,23 +172,24 @@ OpenSet::OpenSet(const Scene& scene, const CameraFrame& camera) : scene_(scene),
   for (const AreaLight& light : scene.lights) lights_.emplace_back(light);
 }
 
-LaneSetPixels OpenSet::pixels(int x, int y) const {
-  LaneFloats film_x, film_y;
-  for (int i = 0; i < static_cast<int>(lanes); ++i) {
-    film_x[i] = static_cast<float>(x + i) + 0.5f;
-    film_y[i] = static_cast<float>(y) + 0.5f;
-  }
-  LaneVectors origins, directions;
-  eye_rays(camera_, film_x, film_y, origins, directions);
+LaneSetPixels OpenSet::pixels(const FloorRow& row, int x, int y) const {
+  LaneFilm film{{}, static_cast<float>(y) + 0.5f - camera_.centre_y};
+  for (int i = 0; i < static_cast<int>(lanes); ++i)
+    film.right[i] = static_cast<float>(x + i) + 0.5f - row.centre;
   LaneSetPixels pixels;
-  LaneFootprints prints;
-  find_floor(scene_.ground, scene_.has_ground, camera_, origins, directions, pixels, prints);
-  bool any = false;
-  for (const float share : pixels.share.lane) any |= share > 0.0f;
+  find_floor(scene_.ground, scene_.has_ground, camera_, row, film, pixels);
+  bool any = false, all = true;
+  for (const float share : pixels.share.lane) {
+    any |= share > 0.0f;
+    all &= share == 1.0f;
+  }
   LaneCovers covers;
   LaneColors light;
+  LaneFloats up;
+  if (!all) up = elevations(camera_, film);
   if (any) {
-    covers = covers_of(scene_.ground, pixels.point, prints);
+    if (scene_.ground.line_spacing > 0.0f)
+      covers = covers_of(scene_.ground, pixels.point, footprints(camera_, film));
     for (std::size_t k = 0; k < lights_.size(); ++k) {
       const LaneFloats share = light_on_floor(lights_[k], pixels.point);
       const Color& radiance = scene_.lights[k].radiance;
@@ -157,7 +200,6 @@ LaneSetPixels OpenSet::pixels(int x, int y) const {
       }
     }
   }
-  const LaneFloats& up = directions.y;
   LaneColors &shown = pixels.radiance, &albedo = pixels.visible_albedo;
   show_channel(scene_, 0, up, covers, light.red, pixels.share, shown.red, albedo.red);
   show_channel(scene_, 1, up, covers, light.green, pixels.share, shown.green, albedo.green);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "render/light/floor_row.h"
 #include "render/light/lanes.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"
@@ -29,8 +30,8 @@ class OpenSet {
  public:
   OpenSet(const Scene& scene, const CameraFrame& camera);
 
-  /// Through the middles of the pixels (x, y) … (x + 7, y).
-  LaneSetPixels pixels(int x, int y) const;
+  /// Through the middles of the pixels (x, y) … (x + 7, y), whose row shows that floor.
+  LaneSetPixels pixels(const FloorRow& row, int x, int y) const;
 
  private:
   const Scene& scene_;

@@ -122,42 +122,65 @@ std::string standing_name(const std::vector<float>& key) {
   return name;
 }
 
-StandingSet room_for(int width, int height, StandingSet used) {
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (used.radiance.width == width && used.radiance.height == height) {
-    used.solid.assign(pixels, 0);
-    return used;
-  }
-  StandingSet set;
-  set.radiance = Film(width, height);
-  set.floor_albedo = Film(width, height);
-  set.floor.assign(pixels, 0);
-  set.floor_x.assign(pixels, 0.0f);
-  set.floor_z.assign(pixels, 0.0f);
-  set.solid.assign(pixels, 0);
+StandingSet room_for(int width, int height, const CameraFrame& camera, StandingSet used) {
+  StandingSet set = std::move(used);
+  set.camera = camera;
+  set.solid.clear();
+  if (set.radiance.width == width && set.radiance.height == height) return set;
+  set.radiance = set.albedo = Film(width, height);
+  set.floor.assign(set.radiance.channels.size() / 3, 0);
+  set.even_albedo.assign(static_cast<std::size_t>(height), std::nullopt);
   return set;
 }
 
+namespace {
+
+void put(const LaneColors& colors, int count, float* out) {
+  for (int i = 0; i < count; ++i) {
+    out[3 * i] = colors.red[i];
+    out[3 * i + 1] = colors.green[i];
+    out[3 * i + 2] = colors.blue[i];
+  }
+}
+
+/// Whether all floor of a row has one colour, and which.
+struct EvenAlbedo {
+  bool holds = true;
+  std::optional<Color> colour = std::nullopt;  // of the first that shows
+
+  void add(const LaneSetPixels& pixels, int count) {
+    for (int i = 0; i < count; ++i) {
+      if (!(pixels.share[i] > 0.0f)) continue;
+      const Color found{pixels.visible_albedo.red[i], pixels.visible_albedo.green[i],
+                        pixels.visible_albedo.blue[i]};
+      if (!colour) colour = found;
+      holds = holds && (found == *colour).all();
+    }
+  }
+};
+
+}  // namespace
+
 void expose_open_row(const OpenSet& open, int y, StandingSet& set) {
   const int width = set.radiance.width;
+  const FloorRow row(set.camera, y);
+  EvenAlbedo even;
   for (int first = 0; first < width; first += static_cast<int>(lanes)) {
     const int count = std::min(static_cast<int>(lanes), width - first);
-    const LaneSetPixels pixels = open.pixels(first, y);
-    const auto put = [&](const LaneColors& colors, float* out) {
-      for (int i = 0; i < count; ++i) {
-        out[3 * i] = colors.red[i];
-        out[3 * i + 1] = colors.green[i];
-        out[3 * i + 2] = colors.blue[i];
-      }
-    };
-    put(pixels.radiance, set.radiance.at(first, y));
-    put(pixels.visible_albedo, set.floor_albedo.at(first, y));
+    const LaneSetPixels pixels = open.pixels(row, first, y);
+    put(pixels.radiance, count, set.radiance.at(first, y));
     const std::size_t place = set.place_of(first, y);
     for (int i = 0; i < count; ++i)
       set.floor[place + static_cast<std::size_t>(i)] = pixels.share[i] > 0.0f ? 1 : 0;
-    std::copy_n(pixels.point.x.lane, count, set.floor_x.data() + place);
-    std::copy_n(pixels.point.z.lane, count, set.floor_z.data() + place);
+    if (even.holds) {
+      even.add(pixels, count);
+      if (even.holds) continue;
+      // Until here it was.
+      for (int x = 0; x < first; ++x) std::copy_n(even.colour->data(), 3, set.albedo.at(x, y));
+    }
+    put(pixels.visible_albedo, count, set.albedo.at(first, y));
   }
+  set.even_albedo[static_cast<std::size_t>(y)] = even.holds ? even.colour : std::nullopt;
 }
 
 }  // namespace mien::render

@@ -101,8 +101,9 @@ void Engine::for_frames(const FrameWork& work, int in_flight) {
 
 StandingSet Engine::made_set(const Scene& scene, const Camera& camera, const Quality& quality,
                              const std::string& name, StandingSet room) {
-  StandingSet set = room_for(camera.width, camera.height, std::move(room));
-  const OpenSet open(scene, frame_of(camera));
+  const CameraFrame frame = frame_of(camera);
+  StandingSet set = room_for(camera.width, camera.height, frame, std::move(room));
+  const OpenSet open(scene, frame);
   arena_.execute(
       [&] { tbb::parallel_for(0, camera.height, [&](int y) { expose_open_row(open, y, set); }); });
   if (scene.standing.empty()) return set;
@@ -111,6 +112,7 @@ StandingSet Engine::made_set(const Scene& scene, const Camera& camera, const Qua
   const FilmMask mask(sharp, standing_shapes(scene), 0.5f * quality.filter_width);
   const auto draw = [&] { return light_with_solids(scene, sharp, quality, set); };
   Film light = keep_light_ ? keep_light_(name, draw) : draw();
+  set.solid.resize(set.floor.size());
   for (int y = 0; y < camera.height; ++y)
     for (int x = 0; x < camera.width; ++x)
       set.solid[set.place_of(x, y)] = mask.may_meet(x, y) ? 1 : 0;

@@ -175,12 +175,13 @@ void LayerPainter::take_centre(int x, int y) {
 }
 
 void LayerPainter::draw(int x, int y) {
-  const bool solid = picture_.film_mask.may_meet(x, y) || picture_.set.solid[place(x, y)] != 0;
+  const bool solid = picture_.film_mask.may_meet(x, y) || picture_.set.may_show_solid(x, y);
   take_centre(x, y);
   if (solid) return take_samples(x, y);
   // The floor or backdrop of the whole pixel.
-  std::copy_n(picture_.set.floor_albedo.at(x, y), 3, layers_.albedo.at(x, y));
-  if (picture_.set.floor[place(x, y)] != 0) layers_.normal.at(x, y)[1] = 1.0f;
+  const Color albedo = picture_.set.floor_albedo(x, y);
+  std::copy_n(albedo.data(), 3, layers_.albedo.at(x, y));
+  if (picture_.set.shows_floor(x, y)) layers_.normal.at(x, y)[1] = 1.0f;
 }
 
 }  // namespace

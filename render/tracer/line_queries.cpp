@@ -7,7 +7,6 @@
 
 #include "render/light/floor.h"
 #include "render/tracer/eye_samples.h"
-#include "render/tracer/tile.h"
 
 namespace mien::render {
 namespace {
@@ -17,12 +16,12 @@ namespace {
 constexpr float soft_pixels = 4.0f;
 
 /// The pixel that is so many on from the first of those that share a line; on the film.
-std::pair<int, int> neighbour(const Picture& picture, const FloorPixel& pixel,
-                              const PixelBlock& block, int on) {
-  return {std::min(pixel.x / block.width * block.width + on % block.width,
-                   picture.set.radiance.width - 1),
-          std::min(pixel.y / block.height * block.height + on / block.width,
-                   picture.set.radiance.height - 1)};
+std::pair<int, int> neighbour(const Picture& picture, int x, int y, const PixelBlock& block,
+                              int on) {
+  return {
+      std::min(x / block.width * block.width + on % block.width, picture.set.radiance.width - 1),
+      std::min(y / block.height * block.height + on / block.width,
+               picture.set.radiance.height - 1)};
 }
 
 }  // namespace
@@ -40,46 +39,44 @@ PixelBlock block_of(const SharedLine& shared) {
   return {1 << ((doublings + 1) / 2), 1 << (doublings / 2)};
 }
 
+void FloorBlocks::clear(const PixelBlock& size) {
+  size_ = size;
+  across_ = tile_size / size.width;
+  count_ = across_ * (tile_size / size.height);
+  std::fill_n(blocks_.begin(), count_, Block{0, Color::Zero()});
+}
+
 void LineQueries::ask(FloorPixel& pixel, int sample, int samples) {
   const SharedLine shared = shared_line(tile_, picture_.quality.samples_per_pixel);
-  add({&pixel, shared.pixels > 1 ? 0 : sample / shared.samples, samples});
-}
-
-void LineQueries::ask_all(std::vector<FloorPixel>& pixels) {
-  const int all = picture_.quality.samples_per_pixel;
-  const SharedLine shared = shared_line(tile_, all);
-  if (shared.pixels > 1) return ask_with_neighbours(pixels, shared);
-  for (FloorPixel& pixel : pixels)
-    for (int first = 0; first < all; first += shared.samples)
-      ask(pixel, first, std::min(shared.samples, all - first));
-}
-
-void LineQueries::ask_with_neighbours(std::vector<FloorPixel>& pixels, const SharedLine& shared) {
-  const PixelBlock block = block_of(shared);
-  const int blocks_across = tile_size / block.width;
-  std::array<FloorPixel*, static_cast<std::size_t>(tile_size * tile_size / 2)> firsts;
-  std::fill_n(firsts.begin(), blocks_across * (tile_size / block.height), nullptr);
-  for (FloorPixel& pixel : pixels) {
-    const int row = pixel.y % tile_size / block.height;
-    const int column = pixel.x % tile_size / block.width;
-    FloorPixel*& first = firsts[static_cast<std::size_t>(row * blocks_across + column)];
-    pixel.next = std::exchange(first, &pixel);
+  if (shared.pixels > 1) {
+    pixel.block_samples += samples;
+    return;
   }
-  for (int i = 0; i < blocks_across * (tile_size / block.height); ++i)
-    if (FloorPixel* first = firsts[static_cast<std::size_t>(i)])
-      add({first, 0, picture_.quality.samples_per_pixel});
+  add({pixel.x, pixel.y, pixel.shadow_lights & tile_.lights, sample / shared.samples, samples,
+       &pixel, nullptr});
+}
+
+void LineQueries::ask_all(FloorPixel& pixel) {
+  const int all = picture_.quality.samples_per_pixel;
+  const int shared = shared_line(tile_, all).samples;
+  for (int first = 0; first < all; first += shared)
+    ask(pixel, first, std::min(shared, all - first));
+}
+
+void LineQueries::ask_all(const Tile& tile, FloorBlocks& blocks) {
+  const PixelBlock& size = blocks.size();
+  for (int i = 0; i < blocks.count_; ++i) {
+    auto& [lights, taken] = blocks.blocks_[static_cast<std::size_t>(i)];
+    if ((lights & tile_.lights) == 0) continue;
+    add({tile.x_begin + i % blocks.across_ * size.width,
+         tile.y_begin + i / blocks.across_ * size.height, lights & tile_.lights, 0, 1, nullptr,
+         &taken});
+  }
 }
 
 void LineQueries::add(const Query& query) {
   queries_[static_cast<std::size_t>(count_)] = query;
   if (++count_ == static_cast<int>(lanes)) answer();
-}
-
-std::uint32_t LineQueries::shadow_lights(const Query& query) const {
-  std::uint32_t lights = 0;
-  for (const FloorPixel* pixel = query.pixel; pixel != nullptr; pixel = pixel->next)
-    lights |= pixel->shadow_lights;
-  return lights & tile_.lights;
 }
 
 // The line is that of one of the samples that share it, wherever it lies: whether that shows the
@@ -90,8 +87,7 @@ void LineQueries::aim(const SharedLine& shared) {
   LaneWords seed;
   for (int i = 0; i < count_; ++i) {
     const Query& query = queries_[static_cast<std::size_t>(i)];
-    const FloorPixel& pixel = *query.pixel;
-    const PixelSampler sampler = picture_.sampler.of_neighbour(pixel.x, pixel.y);
+    const PixelSampler sampler = picture_.sampler.of_neighbour(query.x, query.y);
     index_[i] = shared.pixels > 1 ? sampler.index_of_neighbours(shared.pixels)
                                   : sampler.index_of_group(query.group, shared.samples);
     seed[i] = sampler.seed(Dimension::LightLine);
@@ -104,7 +100,7 @@ void LineQueries::aim(const SharedLine& shared) {
     const int first = query.group * shared.samples;
     const int sharing = shared.pixels > 1 ? shared.samples : std::min(shared.samples, all - first);
     const int chosen = first + static_cast<int>(choice.u[i] * static_cast<float>(sharing));
-    const auto [column, row] = neighbour(picture_, *query.pixel, block, chosen / all);
+    const auto [column, row] = neighbour(picture_, query.x, query.y, block, chosen / all);
     const PixelSampler sampler = picture_.sampler.of_neighbour(column, row);
     place[i] = sampler.index(chosen % all);
     seed[i] = sampler.seed(Dimension::FilmPosition);
@@ -126,22 +122,23 @@ void LineQueries::aim(const SharedLine& shared) {
   }
 }
 
-// Each query adds once to its pixels, in the order of asking, whatever waited beside it: so a
+// Each query adds once to its pixel, in the order of asking, whatever waited beside it: so a
 // pixel's light is always added up in the same order.
 void LineQueries::answer() {
   if (count_ == 0) return;
   aim(shared_line(tile_, picture_.quality.samples_per_pixel));
   taken_.fill(Color::Zero());
   std::uint32_t shaded = 0;
-  for (int i = 0; i < count_; ++i) shaded |= shadow_lights(queries_[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < count_; ++i) shaded |= queries_[static_cast<std::size_t>(i)].lights;
   for (; shaded != 0; shaded &= shaded - 1) take_hidden(std::countr_zero(shaded));
   for (int i = 0; i < count_; ++i) {
     const auto lane = static_cast<std::size_t>(i);
     const Query& query = queries_[lane];
     if (!meets_floor_[lane]) continue;
-    const Color taken = static_cast<float>(query.samples) * taken_[lane];
-    for (FloorPixel* pixel = query.pixel; pixel != nullptr; pixel = pixel->next)
-      pixel->known_taken -= taken * pixel->floor_albedo;
+    if (query.pixel != nullptr)
+      take_light(*query.pixel, query.samples, taken_[lane]);
+    else
+      *query.block = taken_[lane];
   }
   count_ = 0;
 }
@@ -162,7 +159,7 @@ void LineQueries::take_hidden(int light) {
   }
   for (int i = 0; i < count_; ++i) {
     const auto lane = static_cast<std::size_t>(i);
-    if (((shadow_lights(queries_[lane]) >> light) & 1u) != 0)
+    if (((queries_[lane].lights >> light) & 1u) != 0)
       taken_[lane] += light_of_all(lines, i, hidden_[lane]) * picture_.scene.lights[k].radiance;
   }
 }

@@ -27,8 +27,13 @@ struct FloorPixel {
   Color floor_albedo = Color::Zero();
   Color known_taken = Color::Zero();  ///< what the figure takes away from the set as it is known,
                                       ///< summed over the samples
-  FloorPixel* next = nullptr;         ///< of those that share a line
+  int block_samples = 0;              ///< that lack what the line of its block finds
 };
+
+/// Takes from so many samples of a pixel what is hidden from each of them, irradiance over π.
+inline void take_light(FloorPixel& pixel, int samples, const Color& hidden) {
+  pixel.known_taken -= (static_cast<float>(samples) * hidden) * pixel.floor_albedo;
+}
 
 /// A pixel while its samples are drawn.
 struct Pixel : FloorPixel {
@@ -76,6 +81,8 @@ struct Samples {
   std::array<Sample, lanes> lane;
   int count = 0;
 
+  /// Room for one more, as nothing has been said of it.
+  Sample& next() { return lane[static_cast<std::size_t>(count++)] = {}; }
   void push(const Sample& sample) { lane[static_cast<std::size_t>(count++)] = sample; }
   const Sample& operator[](int i) const { return lane[static_cast<std::size_t>(i)]; }
 };

@@ -94,15 +94,26 @@ struct CellLight {
   Octet along_both[3];
 };
 
-/// Shows the pixels first … end − 1, whose floor lies in one cell, less the sky that is hidden
-/// there: writes their channels from `out` on.
-MIEN_FOR_AVX2_TOO void show_cell(const StandingSet& set, const FloorSky::Cell& cell,
-                                 std::size_t first, std::size_t end, float* out) {
+/// Some pixels of a row of the set whose floor lies in one cell.
+struct CellPixels {
+  const FloorRow& row;
+  int column;  // of the first
+  std::size_t count;
+  const float* radiance;  // of the first pixel on
+  const float* albedo;    // likewise; null: the floor is of one colour
+  Color even_albedo;
+};
+
+/// Shows them less the sky that is hidden there.
+template <bool even>
+[[gnu::always_inline]] inline void show_lit(const CellPixels& pixels, const FloorSky::Cell& cell,
+                                            float* out) {
   const float x = cell.x, z = cell.z, inverse_side = cell.inverse_side;
-  const float *floor_x = set.floor_x.data() + first, *floor_z = set.floor_z.data() + first;
-  const float* radiance = set.radiance.channels.data() + 3 * first;
-  const float* albedo = set.floor_albedo.channels.data() + 3 * first;
+  const FloorRow& row = pixels.row;
+  const float* radiance = pixels.radiance;
+  const float* albedo = pixels.albedo;
   CellLight light;
+  Octet of_colour[3];
   for (int part = 0; part < 3; ++part) {
     for (int i = 0; i < 8; ++i) {
       const int c = (8 * part + i) % 3;
@@ -110,47 +121,63 @@ MIEN_FOR_AVX2_TOO void show_cell(const StandingSet& set, const FloorSky::Cell& c
       light.along_x[part][i] = cell.along_x[c];
       light.along_z[part][i] = cell.along_z[c];
       light.along_both[part][i] = cell.along_both[c];
+      of_colour[part][i] = pixels.even_albedo[c];
     }
   }
-  const std::size_t count = end - first;
   std::size_t i = 0;
-  for (; i + 8 <= count; i += 8) {
-    Octet px, pz;
-    std::memcpy(&px, floor_x + i, sizeof px);
-    std::memcpy(&pz, floor_z + i, sizeof pz);
+  for (; i + 8 <= pixels.count; i += 8) {
+    // As FloorRow::at.
+    Octet u;
+    for (int k = 0; k < 8; ++k)
+      u[k] = static_cast<float>(pixels.column + static_cast<int>(i) + k) + 0.5f - row.centre;
+    const Octet s = row.height / (row.drop + u * row.drop_step);
+    const Octet px = row.x + s * (row.from_x + u * row.step_x);
+    const Octet pz = row.z + s * (row.from_z + u * row.step_z);
     const Octet along = (px - x) * inverse_side, across = (pz - z) * inverse_side;
     for (int part = 0; part < 3; ++part) {
-      const Octet u = __builtin_shuffle(along, thrice[part]);
-      const Octet v = __builtin_shuffle(across, thrice[part]);
+      const Octet right = __builtin_shuffle(along, thrice[part]);
+      const Octet far = __builtin_shuffle(across, thrice[part]);
       const std::size_t place = 3 * i + 8 * static_cast<std::size_t>(part);
-      Octet lit, of_light;
+      Octet lit, of_light = of_colour[part];
       std::memcpy(&lit, radiance + place, sizeof lit);
-      std::memcpy(&of_light, albedo + place, sizeof of_light);
-      lit -= of_light * (light.at_corner[part] + u * light.along_x[part] +
-                         v * (light.along_z[part] + u * light.along_both[part]));
+      if constexpr (!even) std::memcpy(&of_light, albedo + place, sizeof of_light);
+      lit -= of_light * (light.at_corner[part] + right * light.along_x[part] +
+                         far * (light.along_z[part] + right * light.along_both[part]));
       std::memcpy(out + place, &lit, sizeof lit);
     }
   }
-  for (; i < count; ++i) {
-    const float u = (floor_x[i] - x) * inverse_side, v = (floor_z[i] - z) * inverse_side;
+  for (; i < pixels.count; ++i) {
+    const FloorPlace place = row.at(pixels.column + static_cast<int>(i));
+    const float u = (place.x - x) * inverse_side, v = (place.z - z) * inverse_side;
     for (int c = 0; c < 3; ++c) {
-      const std::size_t place = 3 * i + static_cast<std::size_t>(c);
-      out[place] =
-          radiance[place] - albedo[place] * (cell.at_corner[c] + u * cell.along_x[c] +
-                                             v * (cell.along_z[c] + u * cell.along_both[c]));
+      const std::size_t k = 3 * i + static_cast<std::size_t>(c);
+      out[k] = radiance[k] - (even ? pixels.even_albedo[c] : albedo[k]) *
+                                 (cell.at_corner[c] + u * cell.along_x[c] +
+                                  v * (cell.along_z[c] + u * cell.along_both[c]));
     }
   }
 }
 
-/// Where the pixels of a row end that lie in the cell of the first. A row shows a straight line of
-/// the floor, and cells are convex, as is the floor: where two pixels lie in a cell so do all
-/// between.
-std::size_t end_of_cell(const StandingSet& set, const FloorSky::Cell& cell, std::size_t first,
-                        std::size_t end) {
-  const auto inside = [&](std::size_t place) {
-    return set.floor[place] != 0 && cell.holds(set.floor_x[place], set.floor_z[place]);
+MIEN_FOR_AVX2_TOO void show_cell(const CellPixels& pixels, const FloorSky::Cell& cell, float* out) {
+  return pixels.albedo == nullptr ? show_lit<true>(pixels, cell, out)
+                                  : show_lit<false>(pixels, cell, out);
+}
+
+/// Where the pixels of a row end that lie in the cell of the first, at column `end` at the latest.
+/// A row shows a straight line of the floor, and cells are convex, as is the floor: where two
+/// pixels lie in a cell so do all between.
+int end_of_cell(const StandingSet& set, const FloorRow& row, const FloorSky::Cell& cell, int first,
+                int y, int end) {
+  const auto inside = [&](int column) {
+    const FloorPlace place = row.at(column);
+    return cell.holds(place.x, place.z) && set.shows_floor(column, y);
   };
-  std::size_t last = first, step = 1;
+  int last = first;
+  if (!row.is_in_order()) {
+    while (last + 1 < end && inside(last + 1)) ++last;
+    return last + 1;
+  }
+  int step = 1;
   while (last + step < end && inside(last + step)) {
     last += step;
     step *= 2;
@@ -235,46 +262,52 @@ void PixelPlanner::show_set(const Tile& band, const Canvas& canvas,
                             std::vector<std::uint8_t>& open) {
   const StandingSet& set = picture_.set;
   for (int y = band.y_begin; y < band.y_end; ++y) {
-    const std::size_t begin = set.place_of(band.x_begin, y);
-    const std::size_t end = begin + static_cast<std::size_t>(band.x_end - band.x_begin);
-    float* const row = canvas.film(band.x_begin, y);
-    for (std::size_t place = begin; place < end;) {
-      const std::size_t first = place;
-      if (set.floor[first] != 0 && !cell_->holds(set.floor_x[first], set.floor_z[first]))
-        cell_ = &picture_.floor_sky.cell_at(set.floor_x[first], set.floor_z[first]);
-      if (set.floor[first] == 0 || (cell_->known && cell_->inverse_side == 0.0f)) {
-        do ++place;
-        while (place < end && set.floor[place] == 0);
-        std::copy_n(set.radiance.channels.data() + 3 * first, 3 * (place - first),
-                    row + 3 * (first - begin));
+    const FloorRow& row = floor_row(y);
+    const std::optional<Color>& even = set.even_albedo[static_cast<std::size_t>(y)];
+    for (int x = band.x_begin; x < band.x_end;) {
+      const int first = x;
+      const bool floor = set.shows_floor(first, y);
+      const FloorPlace place = row.at(first);
+      if (floor && !cell_->holds(place.x, place.z))
+        cell_ = &picture_.floor_sky.cell_at(place.x, place.z);
+      if (!floor || (cell_->known && cell_->inverse_side == 0.0f)) {
+        do ++x;
+        while (x < band.x_end && !set.shows_floor(x, y));
+        std::copy_n(set.radiance.at(first, y), 3 * (x - first), canvas.film(first, y));
       } else if (!cell_->known) {
-        open[(place - begin) / tile_size] = 1;
-        ++place;
+        open[static_cast<std::size_t>((first - band.x_begin) / tile_size)] = 1;
+        ++x;
       } else {
-        place = end_of_cell(set, *cell_, first, end);
-        show_cell(set, *cell_, first, place, row + 3 * (first - begin));
+        x = end_of_cell(set, row, *cell_, first, y, band.x_end);
+        show_cell({row, first, static_cast<std::size_t>(x - first), set.radiance.at(first, y),
+                   even ? nullptr : set.albedo.at(first, y), even ? *even : Color(Color::Zero())},
+                  *cell_, canvas.film(first, y));
       }
     }
   }
 }
 
+const FloorRow& PixelPlanner::floor_row(int y) {
+  if (y != row_number_) {
+    row_ = FloorRow(picture_.set.camera, y);
+    row_number_ = y;
+  }
+  return row_;
+}
+
 SetLight PixelPlanner::set_at(int x, int y) {
   const StandingSet& set = picture_.set;
-  const std::size_t place = set.place_of(x, y);
-  const Color radiance = Eigen::Map<const Color>(set.radiance.channels.data() + 3 * place);
-  if (set.floor[place] == 0) return {radiance, true};
-  const float floor_x = set.floor_x[place], floor_z = set.floor_z[place];
-  if (!cell_->holds(floor_x, floor_z)) cell_ = &picture_.floor_sky.cell_at(floor_x, floor_z);
+  const Color radiance = Eigen::Map<const Color>(set.radiance.at(x, y));
+  if (!set.shows_floor(x, y)) return {radiance, true};
+  const FloorPlace place = floor_row(y).at(x);
+  if (!cell_->holds(place.x, place.z)) cell_ = &picture_.floor_sky.cell_at(place.x, place.z);
   if (!cell_->known || cell_->inverse_side == 0.0f) return {radiance, cell_->known};
-  const Color albedo = Eigen::Map<const Color>(set.floor_albedo.channels.data() + 3 * place);
-  return {radiance - albedo * cell_->hidden(floor_x, floor_z), true};
+  return {radiance - set.floor_albedo(x, y) * cell_->hidden(place.x, place.z), true};
 }
 
 PixelPlan PixelPlanner::plan(int x, int y) {
-  const StandingSet& set = picture_.set;
-  const std::size_t place = set.place_of(x, y);
   const bool somebody = picture_.bounds.radius >= 0.0f;
-  const bool solid = picture_.walls != nullptr && set.solid[place] != 0;
+  const bool solid = picture_.walls != nullptr && picture_.set.may_show_solid(x, y);
   const bool figure = ((figure_rows_ >> (y - first_row_)) & 1u) != 0 &&
                       (picture_.quality.exhaustive || picture_.film_mask.may_meet(x, y));
   PixelPlan plan;
@@ -287,28 +320,22 @@ PixelPlan PixelPlanner::plan(int x, int y) {
   } else if (solid && somebody) {
     plan.kind = PixelKind::wall;
   }
-  if (set.floor[place] != 0 && somebody) plan.shadow_lights = shadow_lights(x, y);
+  if (picture_.set.shows_floor(x, y) && somebody) plan.shadow_lights = shadow_lights(x, y);
   if (plan.kind == PixelKind::untouched && plan.shadow_lights != 0) plan.kind = PixelKind::floor;
   return plan;
 }
 
-int PixelPlanner::end_of_untouched(int x, int y) {
-  if (piecemeal_ || picture_.walls != nullptr || picture_.quality.exhaustive) return x;
+std::optional<PixelPlanner::Alike> PixelPlanner::alike_from(int x, int y) {
+  if (piecemeal_ || picture_.walls != nullptr || picture_.quality.exhaustive) return std::nullopt;
   const bool figure = ((figure_rows_ >> (y - first_row_)) & 1u) != 0;
-  if (!figure && tile_lights_ == 0) return end_;
-  while (x < end_ && x % together == 0) {
-    const int end = std::min(x + together, end_);
-    if (figure && picture_.film_mask.may_meet_row(x, end, y)) break;
-    if (tile_lights_ != 0 && !is_lit(x, end, y)) break;
-    x = end;
-  }
-  return x;
-}
-
-bool PixelPlanner::is_lit(int x, int end, int y) {
-  const std::vector<std::uint8_t>& floor = picture_.set.floor;
-  const std::size_t first = picture_.set.place_of(x, y), last = picture_.set.place_of(end - 1, y);
-  return floor[first] != 0 && floor[last] != 0 && shadow_lights(x, y) == 0;
+  if (!figure && tile_lights_ == 0) return Alike{end_, 0};
+  if (x % together != 0) return std::nullopt;
+  const int end = std::min(x + together, end_);
+  if (figure && picture_.film_mask.may_meet_row(x, end, y)) return std::nullopt;
+  if (tile_lights_ == 0) return Alike{end, 0};
+  const StandingSet& set = picture_.set;
+  if (!set.shows_floor(x, y) || !set.shows_floor(end - 1, y)) return std::nullopt;
+  return Alike{end, picture_.bounds.radius >= 0.0f ? shadow_lights(x, y) : 0};
 }
 
 // Looked up for eight pixels at once where both ends show the floor: a row shows a straight line of
@@ -316,20 +343,20 @@ bool PixelPlanner::is_lit(int x, int end, int y) {
 std::uint32_t PixelPlanner::shadow_lights(int x, int y) {
   if (shaded_everywhere_ || picture_.quality.exhaustive || !floor_reach_) return tile_lights_;
   const StandingSet& set = picture_.set;
-  const std::size_t place = set.place_of(x, y);
-  if (place >= stretch_.first && place < stretch_.end) return stretch_.lights;
+  if (y == stretch_.row && x >= stretch_.first && x <= stretch_.last) return stretch_.lights;
   const int begin = x / together * together;
-  const int end = std::min(begin + together, end_);
-  stretch_ = {set.place_of(begin, y), set.place_of(end, y)};
-  if (set.floor[stretch_.first] == 0 || set.floor[stretch_.end - 1] == 0)
-    stretch_ = {place, place + 1};
-  stretch_.lights = lights_hidden_in(stretch_.first, stretch_.end - 1);
+  stretch_ = {y, begin, std::min(begin + together, end_) - 1, 0};
+  if (!set.shows_floor(stretch_.first, y) || !set.shows_floor(stretch_.last, y))
+    stretch_.first = stretch_.last = x;
+  stretch_.lights = lights_hidden_in(stretch_);
   return stretch_.lights;
 }
 
-std::uint32_t PixelPlanner::lights_hidden_in(std::size_t first, std::size_t last) const {
-  const auto [x_min, x_max] = std::minmax(picture_.set.floor_x[first], picture_.set.floor_x[last]);
-  const auto [z_min, z_max] = std::minmax(picture_.set.floor_z[first], picture_.set.floor_z[last]);
+std::uint32_t PixelPlanner::lights_hidden_in(const Stretch& stretch) {
+  const FloorRow& row = floor_row(stretch.row);
+  const FloorPlace first = row.at(stretch.first), last = row.at(stretch.last);
+  const auto [x_min, x_max] = std::minmax(first.x, last.x);
+  const auto [z_min, z_max] = std::minmax(first.z, last.z);
   const FloorArea area{x_min - floor_reach_->x, x_max + floor_reach_->x, z_min - floor_reach_->z,
                        z_max + floor_reach_->z};
   std::uint32_t hidden = 0;
@@ -339,33 +366,29 @@ std::uint32_t PixelPlanner::lights_hidden_in(std::size_t first, std::size_t last
   return hidden;
 }
 
-FloorPixel PixelPlanner::floor_pixel(int x, int y, const PixelPlan& plan,
-                                     const Color& radiance) const {
-  return {.x = x,
-          .y = y,
-          .shadow_lights = plan.shadow_lights,
-          .radiance = radiance,
-          .floor_albedo = Eigen::Map<const Color>(picture_.set.floor_albedo.at(x, y))};
+void PixelPlanner::set_out(FloorPixel& pixel, int x, int y, const PixelPlan& plan,
+                           const Color& radiance) const {
+  pixel.x = x;
+  pixel.y = y;
+  pixel.shadow_lights = plan.shadow_lights;
+  pixel.radiance = radiance;
+  pixel.floor_albedo = picture_.set.floor_albedo(x, y);
 }
 
 void PixelPlanner::set_out(Pixel& pixel, int x, int y, const PixelPlan& plan,
-                           const SetLight& set_light) const {
+                           const SetLight& set_light) {
   const StandingSet& set = picture_.set;
-  const std::size_t place = set.place_of(x, y);
-  pixel.x = x;
-  pixel.y = y;
+  set_out(static_cast<FloorPixel&>(pixel), x, y, plan, set_light.radiance);
   pixel.kind = plan.kind;
   pixel.sampler = picture_.sampler.of_neighbour(x, y);
-  pixel.radiance = set_light.radiance;
-  pixel.floor_albedo = Eigen::Map<const Color>(set.floor_albedo.at(x, y));
-  pixel.shows_floor = set.floor[place] != 0;
-  pixel.shadow_lights = plan.shadow_lights;
+  pixel.shows_floor = set.shows_floor(x, y);
   const bool open = plan.kind == PixelKind::untouched || plan.kind == PixelKind::floor;
   if (open) pixel.set_samples = picture_.quality.samples_per_pixel;
   if (set_light.complete || plan.kind == PixelKind::piecemeal || picture_.bounds.radius < 0.0f)
     return;
-  const SkyRays sky = sky_rays_of(picture_.bounds, {set.floor_x[place], 0.0f, set.floor_z[place]},
-                                  Vec3::UnitY(), picture_.quality.samples_per_pixel, pixel.sampler);
+  const FloorPlace place = floor_row(y).at(x);
+  const SkyRays sky = sky_rays_of(picture_.bounds, {place.x, 0.0f, place.z}, Vec3::UnitY(),
+                                  picture_.quality.samples_per_pixel, pixel.sampler);
   pixel.floor_sky_rays = sky.rays;
   pixel.floor_sky_samples = sky.samples;
 }

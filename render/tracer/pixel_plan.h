@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/light/floor_row.h"
 #include "render/tracer/line_queries.h"
 #include "render/tracer/picture.h"
 #include "render/tracer/pixel.h"
@@ -52,22 +53,34 @@ class PixelPlanner {
 
   SetLight set_at(int x, int y);
 
-  /// Floor of that radiance, of which only what lines find is not known.
-  FloorPixel floor_pixel(int x, int y, const PixelPlan& plan, const Color& radiance) const;
+  /// Makes a pixel ready that shows floor, of which only what lines find is not known.
+  void set_out(FloorPixel& pixel, int x, int y, const PixelPlan& plan, const Color& radiance) const;
 
   PixelPlan plan(int x, int y);
 
-  /// The end of pixels of the tile's row y, from x on, of which is soon told that they show neither
-  /// figure nor shadow of it from a light; x where nothing is.
-  int end_of_untouched(int x, int y);
+  /// Pixels of the tile's row y, from x on, of which is soon told that they show no figure, and
+  /// which lights all of them may lack; none where nothing is.
+  struct Alike {
+    int end;
+    std::uint32_t lights;  ///< 0, or all of them show the floor
+  };
+  std::optional<Alike> alike_from(int x, int y);
 
   /// Makes a pixel ready to be drawn so; `set` is what set_at told of it last.
-  void set_out(Pixel& pixel, int x, int y, const PixelPlan& plan, const SetLight& set) const;
+  void set_out(Pixel& pixel, int x, int y, const PixelPlan& plan, const SetLight& set);
 
  private:
-  bool is_lit(int x, int end, int y);
+  /// Pixels of a row, and what they may lack.
+  struct Stretch {
+    int row = -1;
+    int first = 0;
+    int last = -1;
+    std::uint32_t lights = 0;
+  };
+
   std::uint32_t shadow_lights(int x, int y);
-  std::uint32_t lights_hidden_in(std::size_t first, std::size_t last) const;
+  std::uint32_t lights_hidden_in(const Stretch& stretch);
+  const FloorRow& floor_row(int y);
   void find_casters(const Tile& tile, const std::optional<FloorArea>& area);
 
   const Picture& picture_;
@@ -81,13 +94,9 @@ class PixelPlanner {
   int first_row_ = 0;                      // of the tile
   bool is_alone_ = false;
 
-  /// Some pixels of a row, from `first` to before `end`, and what they may lack.
-  struct Stretch {
-    std::size_t first = 0;
-    std::size_t end = 0;
-    std::uint32_t lights = 0;
-  };
   Stretch stretch_;  // that was looked at last, in the tile
+  FloorRow row_;     // likewise
+  int row_number_ = -1;
   TileLines lines_;
 };
 

@@ -1,6 +1,8 @@
 #include "render/tracer/tile.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -34,7 +36,7 @@ class TilePainter {
   void draw_band(const Tile& band, const Canvas& canvas);
   void draw_tile(const Tile& tile, bool open, const Canvas& canvas);
   int samples_of(const Pixel& pixel) const;
-  Sample sample_of(Pixel& pixel, int index) const;
+  void set_out(Sample& sample, Pixel& pixel, int index) const;
   void show_floor(Samples& samples);
   void trace(Samples& samples);
   void light_figure();
@@ -45,7 +47,11 @@ class TilePainter {
   void take_samples(Pixel& pixel, int first, int last);
   void push_floor(const Sample& sample, const EyeRay& ray);
   void light_floor();
-  void finish();
+  int pass_alike(const Tile& tile, int x, int y);
+  void shade(const Tile& tile, int first, int end, int y, std::uint32_t lights);
+  void shade_rows(const Tile& tile, const Canvas& canvas);
+  void finish(const Tile& tile);
+  void take_hidden_from(FloorPixel& pixel) const;
   float missing(const Color& left, int x, int y) const;
   void show_set(const Color& set, int x, int y, const Canvas& canvas) const;
   void develop(const Pixel& pixel, const Canvas& canvas) const;
@@ -59,8 +65,12 @@ class TilePainter {
   std::vector<std::uint8_t> open_;  // one a tile of the band
   std::vector<Pixel> pixels_;       // those that are traced; they stay where they are
   std::vector<FloorPixel> floors_;  // those of which lines tell all; likewise
-  Samples floor_;                   // samples that show no solid, not yet aimed
-  Samples traced_;                  // samples that may, not yet aimed
+  bool in_blocks_ = false;          // pixels of the tile share lines
+  FloorBlocks blocks_;              // then: what these find
+  std::array<std::uint32_t, tile_size> shaded_rows_;  // and bit i: pixel i of a row is floor that
+                                                      // is shown, and lacks no more than that
+  Samples floor_;   // samples that show no solid, not yet aimed
+  Samples traced_;  // samples that may, not yet aimed
   RayPacket primaries_;
   SurfaceSamples figure_surfaces_;
   int last_shape_ = -1;  // of them
@@ -95,24 +105,37 @@ void TilePainter::draw_band(const Tile& band, const Canvas& canvas) {
 
 void TilePainter::draw_tile(const Tile& tile, bool open, const Canvas& canvas) {
   const bool alone = planner_.is_alone();
+  const SharedLine shared = shared_line(planner_.lines(), picture_.quality.samples_per_pixel);
+  in_blocks_ = shared.pixels > 1;
+  if (in_blocks_) blocks_.clear(block_of(shared));
+  shaded_rows_.fill(0);
   pixels_.clear();
   pixels_.reserve(tile_size * tile_size);
   floors_.clear();
+  floors_.reserve(tile_size * tile_size);
   for (int y = tile.y_begin; y < tile.y_end; ++y) {
     for (int x = tile.x_begin; x < tile.x_end; ++x) {
-      if (!open) x = planner_.end_of_untouched(x, y);
-      if (x == tile.x_end) break;
+      if (!open) {
+        x = pass_alike(tile, x, y);
+        if (x == tile.x_end) break;
+      }
       const PixelPlan plan = alone ? PixelPlan{} : planner_.plan(x, y);
       if (plan.kind == PixelKind::untouched && !open) continue;
+      const bool by_lines = (plan.shadow_lights & ~planner_.lines().lights) == 0;
+      if (plan.kind == PixelKind::floor && by_lines && in_blocks_ && !open) {
+        shade(tile, x, x + 1, y, plan.shadow_lights);
+        continue;
+      }
       const SetLight set =
           open ? planner_.set_at(x, y) : SetLight{Eigen::Map<const Color>(canvas.film(x, y)), true};
       if (plan.kind == PixelKind::untouched && set.complete) {
         show_set(set.radiance, x, y, canvas);
         continue;
       }
-      if (plan.kind == PixelKind::floor && set.complete &&
-          (plan.shadow_lights & ~planner_.lines().lights) == 0) {
-        floors_.push_back(planner_.floor_pixel(x, y, plan, set.radiance));
+      if (plan.kind == PixelKind::floor && set.complete && by_lines) {
+        FloorPixel& pixel = floors_.emplace_back();
+        planner_.set_out(pixel, x, y, plan, set.radiance);
+        lines_.ask_all(pixel);
         continue;
       }
       Pixel& pixel = pixels_.emplace_back();
@@ -127,10 +150,54 @@ void TilePainter::draw_tile(const Tile& tile, bool open, const Canvas& canvas) {
         take_samples(pixel, first, std::min(first + static_cast<int>(lanes), needed));
     }
   }
-  lines_.ask_all(floors_);
-  finish();
+  finish(tile);
   for (const Pixel& pixel : pixels_) develop(pixel, canvas);
   for (const FloorPixel& pixel : floors_) develop(pixel, canvas);
+  if (in_blocks_) shade_rows(tile, canvas);
+}
+
+// Over pixels of which is soon told what they show; where the next one begins.
+int TilePainter::pass_alike(const Tile& tile, int x, int y) {
+  while (x < tile.x_end) {
+    const auto alike = planner_.alike_from(x, y);
+    if (!alike) return x;
+    if (alike->lights != 0) {
+      if (!in_blocks_ || (alike->lights & ~planner_.lines().lights) != 0) return x;
+      shade(tile, x, alike->end, y, alike->lights);
+    }
+    x = alike->end;
+  }
+  return x;
+}
+
+// Floor that is shown already, and lacks what the lines of its blocks find.
+void TilePainter::shade(const Tile& tile, int first, int end, int y, std::uint32_t lights) {
+  shaded_rows_[static_cast<std::size_t>(y - tile.y_begin)] |= ((1u << (end - first)) - 1u)
+                                                              << (first - tile.x_begin);
+  const int width = blocks_.size().width;
+  for (int x = first; x < end; x = x / width * width + width) blocks_.add(x, y, lights);
+}
+
+// The same bits as `develop` gives.
+void TilePainter::shade_rows(const Tile& tile, const Canvas& canvas) {
+  const auto samples = static_cast<float>(picture_.quality.samples_per_pixel);
+  const float share = 1.0f / samples, all = share * samples;
+  const int width = blocks_.size().width;
+  for (int y = tile.y_begin; y < tile.y_end; ++y) {
+    std::uint32_t row = shaded_rows_[static_cast<std::size_t>(y - tile.y_begin)];
+    while (row != 0) {
+      const int first = tile.x_begin + std::countr_zero(row);
+      const Color& hidden = blocks_.taken(first, y);
+      for (int x = first; x < first / width * width + width; ++x) {
+        const std::uint32_t bit = 1u << (x - tile.x_begin);
+        if ((row & bit) == 0) continue;
+        row &= ~bit;
+        const Color taken = Color::Zero() - (samples * hidden) * picture_.set.floor_albedo(x, y);
+        Eigen::Map<Color> light(canvas.film(x, y));
+        light = all * light + (Color::Zero() + share * taken);
+      }
+    }
+  }
 }
 
 int TilePainter::samples_of(const Pixel& pixel) const {
@@ -138,13 +205,13 @@ int TilePainter::samples_of(const Pixel& pixel) const {
                                             : picture_.quality.samples_per_pixel;
 }
 
-Sample TilePainter::sample_of(Pixel& pixel, int index) const {
-  Sample sample{&pixel, index};
+void TilePainter::set_out(Sample& sample, Pixel& pixel, int index) const {
+  sample.pixel = &pixel;
+  sample.index = index;
   if (picture_.closing_solids != nullptr || picture_.closing_camera)
     sample.time = picture_.quality.shutter * pixel.sampler.point(Dimension::Time, index).u;
   if (!picture_.figure.shapes().all_present)
     sample.present = present_figures(pixel.sampler, picture_.opacities, index);
-  return sample;
 }
 
 void TilePainter::show_floor(Samples& samples) {
@@ -163,7 +230,7 @@ void TilePainter::take_samples(Pixel& pixel, int first, int last) {
   // So do those of a pair.
   const int needed = in_pairs_ && !open && pixel.x % 2 == 0 ? 2 * (last - first) : last - first;
   if (waiting.count + needed > static_cast<int>(lanes)) open ? show_floor(floor_) : trace(traced_);
-  for (int i = first; i < last; ++i) waiting.push(sample_of(pixel, i));
+  for (int i = first; i < last; ++i) set_out(waiting.next(), pixel, i);
 }
 
 void TilePainter::push_floor(const Sample& sample, const EyeRay& ray) {
@@ -269,13 +336,28 @@ Surface TilePainter::surface(int lane, const Hits& hits, bool of_figure, float t
                     hits.shape[lane], point, direction, time);
 }
 
-// All that waits for a full packet.
-void TilePainter::finish() {
+// All that waits for a full packet. Which pixels lack what a line finds that neighbours share is
+// known when all is traced.
+void TilePainter::finish(const Tile& tile) {
   show_floor(floor_);
   trace(traced_);
   light_figure();
   queries_.trace();
+  if (in_blocks_) {
+    for (const Pixel& pixel : pixels_)
+      if (pixel.block_samples > 0) blocks_.add(pixel.x, pixel.y, pixel.shadow_lights);
+    for (const FloorPixel& pixel : floors_) blocks_.add(pixel.x, pixel.y, pixel.shadow_lights);
+    lines_.ask_all(tile, blocks_);
+  }
   lines_.answer();
+  if (!in_blocks_) return;
+  for (Pixel& pixel : pixels_)
+    if (pixel.block_samples > 0) take_hidden_from(pixel);
+  for (FloorPixel& pixel : floors_) take_hidden_from(pixel);
+}
+
+void TilePainter::take_hidden_from(FloorPixel& pixel) const {
+  take_light(pixel, pixel.block_samples, blocks_.taken(pixel.x, pixel.y));
 }
 
 // A pixel without figure or shadow.

@@ -13,7 +13,7 @@
 namespace mien::render {
 namespace {
 
-StandingSet dark_set() { return room_for(4, 2); }
+StandingSet dark_set() { return room_for(4, 2, frame_of({.width = 4, .height = 2})); }
 
 TEST(StandingSets, MakeASetOnceForAllThatDrawWithItAtATime) {
   StandingSets sets;

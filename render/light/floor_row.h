@@ -1,0 +1,69 @@
+#pragma once
+
+#include "render/math/vector.h"
+#include "render/scene/camera.h"
+
+namespace mien::render {
+
+/// A point of the floor, metres.
+struct FloorPlace {
+  float x;
+  float z;
+};
+
+/// The floor through the middles of a row of pixels, where they show it: a straight line. With u
+/// pixels right of the optical axis it is seen s = height / (drop + u·drop_step) times what it is
+/// at distance 1 from the camera.
+struct FloorRow {
+  float x = 0.0f;  ///< below the camera, or wherever a parallel camera's are counted from
+  float z = 0.0f;
+  float from_x = 0.0f;  ///< from there, at distance 1 and u = 0
+  float from_z = 0.0f;
+  float step_x = 0.0f;  ///< a pixel further right
+  float step_z = 0.0f;
+  float height = 1.0f;
+  float drop = 1.0f;
+  float drop_step = 0.0f;
+  float centre = 0.0f;  ///< film x of the optical axis
+
+  FloorRow() = default;
+  FloorRow(const CameraFrame& camera, int y) : centre(camera.centre_x) {
+    const Vec3 down = (static_cast<float>(y) + 0.5f - camera.centre_y) * camera.step_down;
+    const Vec3& right = camera.step_right;
+    if (!camera.parallel) {
+      const Vec3 towards = camera.forward + down;
+      x = camera.position.x();
+      z = camera.position.z();
+      from_x = towards.x();
+      from_z = towards.z();
+      step_x = right.x();
+      step_z = right.z();
+      height = camera.position.y();
+      drop = -towards.y();
+      drop_step = -right.y();
+      return;
+    }
+    // All its rays lean alike; one that looks up or along the floor does not show it.
+    const Vec3& forward = camera.forward;
+    const float lean_x = forward.y() < 0.0f ? forward.x() / forward.y() : 0.0f;
+    const float lean_z = forward.y() < 0.0f ? forward.z() / forward.y() : 0.0f;
+    const Vec3 from = camera.position + down;
+    from_x = from.x() - from.y() * lean_x;
+    from_z = from.z() - from.y() * lean_z;
+    step_x = right.x() - right.y() * lean_x;
+    step_z = right.z() - right.y() * lean_z;
+  }
+
+  /// Of the pixel in that column; of no meaning where it does not show the floor.
+  FloorPlace at(int column) const {
+    const float u = static_cast<float>(column) + 0.5f - centre;
+    const float s = height / (drop + u * drop_step);
+    return {x + s * (from_x + u * step_x), z + s * (from_z + u * step_z)};
+  }
+
+  /// Whether pixels follow each other on the floor in the order of their columns, in x as well as
+  /// in z, whatever rounding does. Where the horizon is aslant it may exchange two.
+  bool is_in_order() const { return drop_step == 0.0f; }
+};
+
+}  // namespace mien::render
