@@ -125,13 +125,11 @@ std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes) {
 }
 
 FilmMask::FilmMask(const Camera& camera, const Shapes& shapes, float filter_half_width)
-    : width_(camera.width),
-      touched_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)),
-      rows_(static_cast<std::size_t>(camera.height), Stretch{camera.width, 0}) {
+    : words_across_((camera.width + bits - 1) / bits),
+      words_(static_cast<std::size_t>(words_across_) * static_cast<std::size_t>(camera.height)) {
   if (camera.aperture_radius > 0.0f && !shapes.empty()) {
     // What is out of focus may show anywhere.
-    std::fill(touched_.begin(), touched_.end(), std::uint8_t{1});
-    std::fill(rows_.begin(), rows_.end(), Stretch{0, camera.width});
+    for (int y = 0; y < camera.height; ++y) touch(0, camera.width, y);
     return;
   }
   const CameraFrame frame = frame_of(camera);
@@ -151,22 +149,31 @@ FilmMask::FilmMask(const Camera& camera, const Shapes& shapes, float filter_half
     const int x_end = all ? camera.width : past(box.x.high, camera.width);
     const int y_begin = all ? 0 : first(box.y.low, camera.height);
     const int y_end = all ? camera.height : past(box.y.high, camera.height);
-    for (int y = y_begin; y < y_end && x_begin < x_end; ++y) {
-      std::fill_n(touched_.begin() + std::ptrdiff_t{y} * camera.width + x_begin, x_end - x_begin,
-                  std::uint8_t{1});
-      Stretch& row = rows_[static_cast<std::size_t>(y)];
-      row = {std::min(row.begin, x_begin), std::max(row.end, x_end)};
-    }
+    for (int y = y_begin; y < y_end; ++y) touch(x_begin, x_end, y);
   });
 }
 
+namespace {
+
+/// Bits x_begin … x_end − 1 of the word whose bit 0 is at x = first.
+std::uint64_t bits_between(int x_begin, int x_end, int first) {
+  const int low = std::max(x_begin - first, 0), high = std::min(x_end - first, 64);
+  if (low >= high) return 0;
+  return (~std::uint64_t{0} >> (64 - (high - low))) << low;
+}
+
+}  // namespace
+
+void FilmMask::touch(int x_begin, int x_end, int y) {
+  const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(words_across_);
+  for (int k = x_begin / bits; k * bits < x_end; ++k)
+    words_[row + static_cast<std::size_t>(k)] |= bits_between(x_begin, x_end, k * bits);
+}
+
 bool FilmMask::may_meet_row(int x_begin, int x_end, int y) const {
-  const Stretch& touched = rows_[static_cast<std::size_t>(y)];
-  x_begin = std::max(x_begin, touched.begin);
-  x_end = std::min(x_end, touched.end);
-  if (x_begin >= x_end) return false;
-  const auto row = touched_.begin() + std::ptrdiff_t{y} * width_;
-  return std::find(row + x_begin, row + x_end, std::uint8_t{1}) != row + x_end;
+  for (int k = x_begin / bits; k * bits < x_end; ++k)
+    if ((word(k, y) & bits_between(x_begin, x_end, k * bits)) != 0) return true;
+  return false;
 }
 
 }  // namespace mien::render

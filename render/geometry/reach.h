@@ -31,23 +31,22 @@ class FilmMask {
  public:
   FilmMask(const Camera& camera, const Shapes& shapes, float filter_half_width);
 
-  bool may_meet(int x, int y) const {
-    return touched_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                    static_cast<std::size_t>(x)] != 0;
-  }
+  bool may_meet(int x, int y) const { return ((word(x / bits, y) >> (x % bits)) & 1u) != 0; }
 
   /// Any of the pixels [x_begin, x_end) of a row.
   bool may_meet_row(int x_begin, int x_end, int y) const;
 
  private:
-  struct Stretch {
-    int begin;
-    int end;
-  };
+  static constexpr int bits = 64;  // of a word
 
-  int width_;
-  std::vector<std::uint8_t> touched_;
-  std::vector<Stretch> rows_;  // where the touched pixels of each lie
+  std::uint64_t word(int column, int y) const {
+    return words_[static_cast<std::size_t>(y) * static_cast<std::size_t>(words_across_) +
+                  static_cast<std::size_t>(column)];
+  }
+  void touch(int x_begin, int x_end, int y);
+
+  int words_across_;
+  std::vector<std::uint64_t> words_;  // bit i of word k of a row: pixel 64 k + i
 };
 
 }  // namespace mien::render

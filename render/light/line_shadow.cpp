@@ -269,10 +269,11 @@ LightLines lines_across(const AreaLight& light, const LaneVectors& points, const
   return lines;
 }
 
-LineParts hidden_by(const RoundCone& solid, const LaneVectors& points, const LightLines& lines) {
-  LineParts parts;
+std::optional<LineParts> hidden_by(const RoundCone& solid, const LaneVectors& points,
+                                   const LightLines& lines) {
   LaneWords met;
-  if (!find_met(solid, points, lines, met)) return parts;
+  if (!find_met(solid, points, lines, met)) return std::nullopt;
+  LineParts parts;
   find_outline(solid, points, lines, met, parts);
   const float lowest = std::min(solid.a.y() - solid.radius_a, solid.b().y() - solid.radius_b);
   if (solid.side_squared > 0.0f && (lines.along.y() != 0.0f || lowest <= 0.0f))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,7 +49,9 @@ struct LineParts {
 ///
 /// Seen from a point the solid is convex: its outline are two circles' arcs and the two tangent
 /// planes that both spheres share, so the hidden part lies between the extreme crossings of these.
-LineParts hidden_by(const RoundCone& solid, const LaneVectors& points, const LightLines& lines);
+/// Nothing when it hides nothing of any line, which is soon told of most.
+std::optional<LineParts> hidden_by(const RoundCone& solid, const LaneVectors& points,
+                                   const LightLines& lines);
 
 /// Irradiance over π that a part of a lane's line gives a floor that faces up, if the whole light
 /// (of radiance 1) were as that line is: E[light_of({0, 1})] over `v` is that of the light.

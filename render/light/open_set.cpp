@@ -1,5 +1,6 @@
 #include "render/light/open_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -28,6 +29,23 @@ struct LaneFilm {
   LaneFloats right;
   float down;
 };
+
+/// Where the floor is seen that all pixels show, and of which nothing has faded.
+MIEN_FOR_AVX2_TOO void find_near_floor(const FloorRow& row, const LaneFilm& film,
+                                       LaneSetPixels& pixels) {
+  const float row_x = row.x, row_z = row.z, from_x = row.from_x, from_z = row.from_z;
+  const float step_x = row.step_x, step_z = row.step_z, drop = row.drop, height = row.height;
+  const float drop_step = row.drop_step;
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float u = film.right.lane[i];
+    const float s = height / (drop + u * drop_step);  // as FloorRow::at
+    pixels.point.x.lane[i] = row_x + s * (from_x + u * step_x);
+    pixels.point.y.lane[i] = 0.0f;
+    pixels.point.z.lane[i] = row_z + s * (from_z + u * step_z);
+    pixels.share.lane[i] = 1.0f;
+  }
+}
 
 /// Where the floor is seen, and how little of it has faded.
 MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const CameraFrame& camera,
@@ -166,44 +184,137 @@ MIEN_FOR_AVX2_TOO void show_channel(const Scene& scene, int channel, const LaneF
   }
 }
 
+MIEN_FOR_AVX2_TOO void add_light(const LaneFloats& share, const Color& radiance,
+                                 LaneColors& light) {
+  const float red = radiance[0], green = radiance[1], blue = radiance[2];
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i) {
+    light.red.lane[i] += share.lane[i] * red;
+    light.green.lane[i] += share.lane[i] * green;
+    light.blue.lane[i] += share.lane[i] * blue;
+  }
+}
+
+constexpr int node_distance = static_cast<int>(lanes);
+constexpr float smooth_share = 0.05f;  // of a light's height, between nodes
+
+/// Lagrange's polynomials of third degree at 0, ⅛ … ⅞ of the way from the second of four nodes to
+/// the third.
+struct Cubic {
+  LaneFloats weight[4];
+
+  constexpr Cubic() {
+    for (unsigned i = 0; i < lanes; ++i) {
+      const float t = static_cast<float>(i) / static_cast<float>(lanes);
+      weight[0].lane[i] = -t * (t - 1.0f) * (t - 2.0f) / 6.0f;
+      weight[1].lane[i] = (t + 1.0f) * (t - 1.0f) * (t - 2.0f) / 2.0f;
+      weight[2].lane[i] = -(t + 1.0f) * t * (t - 2.0f) / 2.0f;
+      weight[3].lane[i] = (t + 1.0f) * t * (t - 1.0f) / 6.0f;
+    }
+  }
+};
+constexpr Cubic cubic;
+
+MIEN_FOR_AVX2_TOO LaneFloats interpolated(const float* nodes) {
+  LaneFloats light;
+  const float a = nodes[0], b = nodes[1], c = nodes[2], d = nodes[3];
+#pragma omp simd
+  for (unsigned i = 0; i < lanes; ++i)
+    light.lane[i] = a * cubic.weight[0].lane[i] + b * cubic.weight[1].lane[i] +
+                    c * cubic.weight[2].lane[i] + d * cubic.weight[3].lane[i];
+  return light;
+}
+
+/// What a light gives every eighth pixel of a row, from pixel −8 to some beyond its end.
+std::vector<float> nodes_of(const FloorLight& light, const FloorRow& row, int width) {
+  std::vector<float> nodes;
+  while (static_cast<int>(nodes.size()) < width / node_distance + 4) {
+    LaneVectors points;
+    for (int i = 0; i < static_cast<int>(lanes); ++i) {
+      const int number = static_cast<int>(nodes.size()) + i;
+      const FloorPlace place = row.at((number - 1) * node_distance);
+      points.set(i, {place.x, 0.0f, place.z});
+    }
+    const LaneFloats found = light_on_floor(light, points);
+    nodes.insert(nodes.end(), found.lane, found.lane + lanes);
+  }
+  return nodes;
+}
+
+/// Of what of a light is above the floor.
+float lowest_height(const FloorLight& light) {
+  float lowest = infinity;
+  for (int i = 0; i < light.count(); ++i) lowest = std::min(lowest, light.corner(i).y());
+  return lowest;
+}
+
 }  // namespace
 
 OpenSet::OpenSet(const Scene& scene, const CameraFrame& camera) : scene_(scene), camera_(camera) {
-  for (const AreaLight& light : scene.lights) lights_.emplace_back(light);
+  for (const AreaLight& light : scene.lights) {
+    lights_.emplace_back(light);
+    heights_.push_back(lowest_height(lights_.back()));
+  }
 }
 
-LaneSetPixels OpenSet::pixels(const FloorRow& row, int x, int y) const {
-  LaneFilm film{{}, static_cast<float>(y) + 0.5f - camera_.centre_y};
-  for (int i = 0; i < static_cast<int>(lanes); ++i)
-    film.right[i] = static_cast<float>(x + i) + 0.5f - row.centre;
-  LaneSetPixels pixels;
-  find_floor(scene_.ground, scene_.has_ground, camera_, row, film, pixels);
-  bool any = false, all = true;
-  for (const float share : pixels.share.lane) {
-    any |= share > 0.0f;
-    all &= share == 1.0f;
+// Distances along a straight line are greatest at its ends.
+OpenRow::OpenRow(const OpenSet& set, int y, int width)
+    : set_(set),
+      row_(set.camera_, y),
+      down_(static_cast<float>(y) + 0.5f - set.camera_.centre_y),
+      is_unfaded_(set.scene_.has_ground && !set.camera_.parallel && row_.is_in_order() &&
+                  row_.drop > 0.0f && row_.height > 0.0f),
+      nodes_(set.lights_.size()) {
+  if (!is_unfaded_) return;
+  const auto distance = [&](int column) {
+    const FloorPlace place = row_.at(column);
+    return std::hypot(place.x - row_.x, place.z - row_.z);
+  };
+  // More than rounding can be.
+  is_unfaded_ = 1.0001f * std::max(distance(0), distance(width + node_distance)) <=
+                set.scene_.ground.fade_start;
+  const float step = row_.height / row_.drop * std::hypot(row_.step_x, row_.step_z);
+  for (std::size_t k = 0; k < nodes_.size(); ++k)
+    if (static_cast<float>(node_distance) * step <= smooth_share * set.heights_[k])
+      nodes_[k] = nodes_of(set.lights_[k], row_, width);
+}
+
+// Where a light ends to shine it does not end smoothly.
+LaneFloats OpenRow::light_at(std::size_t light, int x, const LaneVectors& points) const {
+  if (!nodes_[light].empty()) {
+    const float* nodes = &nodes_[light][static_cast<std::size_t>(x / node_distance)];
+    if (nodes[0] > 0.0f && nodes[1] > 0.0f && nodes[2] > 0.0f && nodes[3] > 0.0f)
+      return interpolated(nodes);
   }
+  return light_on_floor(set_.lights_[light], points);
+}
+
+LaneSetPixels OpenRow::pixels(int x) const {
+  const Scene& scene = set_.scene_;
+  LaneFilm film{{}, down_};
+  for (int i = 0; i < static_cast<int>(lanes); ++i)
+    film.right[i] = static_cast<float>(x + i) + 0.5f - row_.centre;
+  LaneSetPixels pixels;
+  bool any = is_unfaded_;
+  LaneFloats up;
+  if (is_unfaded_) {
+    find_near_floor(row_, film, pixels);
+  } else {
+    find_floor(scene.ground, scene.has_ground, set_.camera_, row_, film, pixels);
+    up = elevations(set_.camera_, film);
+    for (const float share : pixels.share.lane) any |= share > 0.0f;
+  }
+  const bool lined = scene.ground.line_spacing > 0.0f;
+  pixels.plain = is_unfaded_ && !lined;
   LaneCovers covers;
   LaneColors light;
-  LaneFloats up;
-  if (!all) up = elevations(camera_, film);
-  if (any) {
-    if (scene_.ground.line_spacing > 0.0f)
-      covers = covers_of(scene_.ground, pixels.point, footprints(camera_, film));
-    for (std::size_t k = 0; k < lights_.size(); ++k) {
-      const LaneFloats share = light_on_floor(lights_[k], pixels.point);
-      const Color& radiance = scene_.lights[k].radiance;
-      for (int i = 0; i < static_cast<int>(lanes); ++i) {
-        light.red[i] += share[i] * radiance[0];
-        light.green[i] += share[i] * radiance[1];
-        light.blue[i] += share[i] * radiance[2];
-      }
-    }
-  }
+  if (any && lined) covers = covers_of(scene.ground, pixels.point, footprints(set_.camera_, film));
+  for (std::size_t k = 0; any && k < nodes_.size(); ++k)
+    add_light(light_at(k, x, pixels.point), scene.lights[k].radiance, light);
   LaneColors &shown = pixels.radiance, &albedo = pixels.visible_albedo;
-  show_channel(scene_, 0, up, covers, light.red, pixels.share, shown.red, albedo.red);
-  show_channel(scene_, 1, up, covers, light.green, pixels.share, shown.green, albedo.green);
-  show_channel(scene_, 2, up, covers, light.blue, pixels.share, shown.blue, albedo.blue);
+  show_channel(scene, 0, up, covers, light.red, pixels.share, shown.red, albedo.red);
+  show_channel(scene, 1, up, covers, light.green, pixels.share, shown.green, albedo.green);
+  show_channel(scene, 2, up, covers, light.blue, pixels.share, shown.blue, albedo.blue);
   return pixels;
 }
 

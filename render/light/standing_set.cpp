@@ -149,6 +149,7 @@ struct EvenAlbedo {
   std::optional<Color> colour = std::nullopt;  // of the first that shows
 
   void add(const LaneSetPixels& pixels, int count) {
+    if (pixels.plain) count = 1;  // as all are
     for (int i = 0; i < count; ++i) {
       if (!(pixels.share[i] > 0.0f)) continue;
       const Color found{pixels.visible_albedo.red[i], pixels.visible_albedo.green[i],
@@ -163,11 +164,11 @@ struct EvenAlbedo {
 
 void expose_open_row(const OpenSet& open, int y, StandingSet& set) {
   const int width = set.radiance.width;
-  const FloorRow row(set.camera, y);
+  const OpenRow row(open, y, width);
   EvenAlbedo even;
   for (int first = 0; first < width; first += static_cast<int>(lanes)) {
     const int count = std::min(static_cast<int>(lanes), width - first);
-    const LaneSetPixels pixels = open.pixels(row, first, y);
+    const LaneSetPixels pixels = row.pixels(first);
     put(pixels.radiance, count, set.radiance.at(first, y));
     const std::size_t place = set.place_of(first, y);
     for (int i = 0; i < count; ++i)

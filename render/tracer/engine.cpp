@@ -27,6 +27,15 @@ std::uint32_t lights_for_lines(const std::vector<AreaLight>& lights, const Shape
   return found;
 }
 
+std::vector<std::vector<int>> casters_of(const std::vector<AreaLight>& lights,
+                                         const std::vector<RoundCone>& cones) {
+  std::vector<std::vector<int>> casters(lights.size());
+  for (std::size_t k = 0; k < lights.size(); ++k)
+    for (std::size_t cone = 0; cone < cones.size(); ++cone)
+      if (!is_behind(lights[k], cones[cone])) casters[k].push_back(static_cast<int>(cone));
+  return casters;
+}
+
 }  // namespace
 
 std::shared_ptr<const StandingSet> SetRooms::lend(StandingSet set) {
@@ -144,6 +153,7 @@ Picture Engine::prepare(const Scene& scene, const Camera& camera, const Quality&
   const std::uint32_t line_lights = lights_for_lines(scene.lights, shapes, walls != nullptr);
   std::vector<ShadowMask> shadow_masks;
   for (const AreaLight& light : scene.lights) shadow_masks.emplace_back(light, above_floor);
+  std::vector<std::vector<int>> casters = casters_of(scene.lights, shapes.cones);
   const BoundingSphere bounds = bounding_sphere(shapes);
   FilmMask film_mask(camera, shapes, 0.5f * quality.filter_width);
   // Behind standing solids the sky changes too fast for interpolation.
@@ -166,6 +176,7 @@ Picture Engine::prepare(const Scene& scene, const Camera& camera, const Quality&
           .film_mask = std::move(film_mask),
           .shadow_masks = std::move(shadow_masks),
           .line_lights = line_lights,
+          .casters = std::move(casters),
           .floor_sky = std::move(floor_sky),
           .opacities = opacities_of(scene)};
 }

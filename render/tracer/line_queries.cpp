@@ -93,6 +93,7 @@ void LineQueries::aim(const SharedLine& shared) {
     seed[i] = sampler.seed(Dimension::LightLine);
   }
   const LanePoints choice = sample_points(index_, seed);
+  across_ = choice.v;
   LaneFloats x, y;
   LaneWords place;
   for (int i = 0; i < count_; ++i) {
@@ -145,17 +146,22 @@ void LineQueries::answer() {
 
 void LineQueries::take_hidden(int light) {
   const auto k = static_cast<std::size_t>(light);
-  LaneWords seed;
-  std::fill_n(seed.lane, count_, picture_.sampler.seed(Dimension::FirstLight, light));
-  const LightLines lines =
-      lines_across(picture_.scene.lights[k], points_, sample_points(index_, seed).u);
+  // Where on the first light the line lies was chosen together with the sample that has it.
+  LaneFloats across = across_;
+  if (light > 0) {
+    LaneWords seed;
+    std::fill_n(seed.lane, count_, picture_.sampler.seed(Dimension::FirstLight, light));
+    across = sample_points(index_, seed).u;
+  }
+  const LightLines lines = lines_across(picture_.scene.lights[k], points_, across);
   for (std::vector<LinePart>& hidden : hidden_) hidden.clear();
   for (const int caster : tile_.casters[k]) {
     const RoundCone& cone = picture_.figure.shapes().cones[static_cast<std::size_t>(caster)];
-    const LineParts parts = hidden_by(cone, points_, lines);
+    const auto parts = hidden_by(cone, points_, lines);
+    if (!parts) continue;
     for (int i = 0; i < count_; ++i)
-      if (parts.first[i] < parts.last[i])
-        hidden_[static_cast<std::size_t>(i)].push_back({parts.first[i], parts.last[i]});
+      if (parts->first[i] < parts->last[i])
+        hidden_[static_cast<std::size_t>(i)].push_back({parts->first[i], parts->last[i]});
   }
   for (int i = 0; i < count_; ++i) {
     const auto lane = static_cast<std::size_t>(i);

@@ -112,6 +112,7 @@ class LineQueries {
   int count_ = 0;
   LaneVectors points_;  // of the floor
   LaneWords index_;     // of random numbers
+  LaneFloats across_;   // where on the first light, in [0, 1)
   std::array<bool, lanes> meets_floor_{};
   std::array<Color, lanes> taken_;  // a sample
   std::array<std::vector<LinePart>, lanes> hidden_;

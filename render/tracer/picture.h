@@ -34,9 +34,10 @@ struct Picture {
   FilmMask film_mask;                    ///< where primary rays may meet the figure
   std::vector<ShadowMask> shadow_masks;  ///< where it may hide each light from the floor
   std::uint32_t line_lights;  ///< bit i: what it hides of light i from the floor is found by lines
-  FloorSky floor_sky;         ///< what it hides of the sky from the floor
-  std::vector<float> opacities;         ///< of the figures
-  const Shapes* next_shapes = nullptr;  ///< the figure's in the next picture, for motion
+  std::vector<std::vector<int>> casters;  ///< of each light, the round cones that are not behind it
+  FloorSky floor_sky;                     ///< what it hides of the sky from the floor
+  std::vector<float> opacities;           ///< of the figures
+  const Shapes* next_shapes = nullptr;    ///< the figure's in the next picture, for motion
 
   /// Every sample is drawn by itself, set and all: nothing about the set is the same for all rays
   /// of a pixel.

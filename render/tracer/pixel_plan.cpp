@@ -249,12 +249,7 @@ void PixelPlanner::find_casters(const Tile& tile, const std::optional<FloorArea>
       lines_.half_shadow =
           std::min(lines_.half_shadow, half_shadow(picture_.scene.lights[i], height) / step);
     }
-    if (area && !picture_.quality.exhaustive) continue;
-    casters.clear();
-    const std::vector<RoundCone>& cones = picture_.figure.shapes().cones;
-    for (std::size_t cone = 0; cone < cones.size(); ++cone)
-      if (!is_behind(picture_.scene.lights[i], cones[cone]))
-        casters.push_back(static_cast<int>(cone));
+    if (!area || picture_.quality.exhaustive) casters = picture_.casters[i];
   }
 }
 

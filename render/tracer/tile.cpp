@@ -69,8 +69,8 @@ class TilePainter {
   FloorBlocks blocks_;              // then: what these find
   std::array<std::uint32_t, tile_size> shaded_rows_;  // and bit i: pixel i of a row is floor that
                                                       // is shown, and lacks no more than that
-  Samples floor_;   // samples that show no solid, not yet aimed
-  Samples traced_;  // samples that may, not yet aimed
+  Samples floor_;                                     // samples that show no solid, not yet aimed
+  Samples traced_;                                    // samples that may, not yet aimed
   RayPacket primaries_;
   SurfaceSamples figure_surfaces_;
   int last_shape_ = -1;  // of them

@@ -1,7 +1,8 @@
 // The scene that mien and its peers draw (walking_scene.h), for comparison with them.
 //
 //   peer_scene write SCENE.json            for the peers
-//   peer_scene measure FRAMES REFERENCE    draws it with both cores at several numbers of samples,
+//   peer_scene measure FRAMES REFERENCE [SAMPLES…]
+//                                          draws it with both cores at several numbers of samples,
 //                                          and prints JSON: seconds a frame and the RMS error of
 //                                          linear RGB of the last of FRAMES against REFERENCE
 //                                          samples, for a camera that stands and one that goes
@@ -26,6 +27,7 @@
 #include <iostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -122,7 +124,8 @@ render::Film draw_frames(render::Tracer& tracer, const motion::Clip& clip, bool 
 
 constexpr int timed_frames = 24;
 
-json measure(const motion::Clip& clip, bool moving, int frames, int reference_samples) {
+json measure(const motion::Clip& clip, bool moving, int frames, int reference_samples,
+             const std::vector<int>& counts) {
   render::Tracer tracer;
   // Against plain sampling: every ray of its own, nothing interpolated.
   render::Quality thorough = quality_of(reference_samples);
@@ -132,7 +135,7 @@ json measure(const motion::Clip& clip, bool moving, int frames, int reference_sa
   const render::Scene shown = scene_of(joints_at(clip, last));
   const render::Film reference = tracer.trace(shown, camera_at(last, moving), thorough);
   json rows;
-  for (const int samples : {1, 2, 4, 8, 16, 32, 64}) {
+  for (const int samples : counts) {
     render::Tracer fresh;
     const render::Film film = draw_frames(fresh, clip, moving, frames, quality_of(samples));
     const auto start = std::chrono::steady_clock::now();
@@ -178,11 +181,14 @@ int main(int argc, char** argv) {
     write_scene(clip, argv[2]);
     return 0;
   }
-  if (what == "measure" && argc == 4) {
+  if (what == "measure" && argc >= 4) {
     const int frames = std::atoi(argv[2]), reference = std::atoi(argv[3]);
     if (frames < 1 || frames > frames_in_all || reference < 1) return 2;
-    std::cout << json{{"standing", measure(clip, false, frames, reference)},
-                      {"moving", measure(clip, true, frames, reference)}}
+    std::vector<int> counts;
+    for (int i = 4; i < argc; ++i) counts.push_back(std::max(std::atoi(argv[i]), 1));
+    if (counts.empty()) counts = {1, 2, 4, 8, 16, 32, 64};
+    std::cout << json{{"standing", measure(clip, false, frames, reference, counts)},
+                      {"moving", measure(clip, true, frames, reference, counts)}}
               << '\n';
     return 0;
   }
@@ -198,7 +204,7 @@ int main(int argc, char** argv) {
     write_picture(clip, frame, samples, argv[4]);
     return 0;
   }
-  std::cerr << "peer_scene write SCENE.json | peer_scene measure FRAMES REFERENCE | "
+  std::cerr << "peer_scene write SCENE.json | peer_scene measure FRAMES REFERENCE [SAMPLES…] | "
                "peer_scene draw FRAMES SAMPLES standing|moving | "
                "peer_scene picture FRAME SAMPLES FILE\n";
   return 2;

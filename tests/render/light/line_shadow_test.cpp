@@ -72,7 +72,7 @@ TEST_F(LineShadow, HidesWhatRaysToTheLineFindHidden) {
       v[i] = uniform(0, 1);
     }
     const LightLines lines = lines_across(light, points, v);
-    const LineParts parts = hidden_by(solid, points, lines);
+    const LineParts parts = hidden_by(solid, points, lines).value_or(LineParts{});
     for (int i = 0; i < static_cast<int>(lanes); ++i) {
       for (int k = 0; k < rays; ++k) {
         const float t = (static_cast<float>(k) + 0.5f) / rays;

@@ -38,9 +38,9 @@ int compared(const Scene& scene, const Camera& camera) {
   const OpenSet open(scene, frame);
   int floor = 0;
   for (int y = 0; y < camera.height; ++y) {
-    const FloorRow row(frame, y);
+    const OpenRow row(open, y, camera.width);
     for (int x = 0; x < camera.width; ++x) {
-      const LaneSetPixels found = open.pixels(row, x / 8 * 8, y);
+      const LaneSetPixels found = row.pixels(x / 8 * 8);
       const int i = x % 8;
       const SetPixel expected = set_pixel(
           scene, frame, frame.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
