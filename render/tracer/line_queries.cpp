@@ -15,6 +15,13 @@ namespace {
 /// do from twice that, and more of them from four times.
 constexpr float soft_pixels = 4.0f;
 
+/// Of pictures of one sample, whose edges are far noisier than that: so many pixels share a line.
+int pixels_of_one_sample(float half_shadow) {
+  if (half_shadow < 0.25f * soft_pixels) return 2;
+  if (half_shadow < soft_pixels) return 4;
+  return half_shadow < 4.0f * soft_pixels ? 8 : 16;
+}
+
 /// The pixel that is so many on from the first of those that share a line; on the film.
 std::pair<int, int> neighbour(const Picture& picture, int x, int y, const PixelBlock& block,
                               int on) {
@@ -27,10 +34,13 @@ std::pair<int, int> neighbour(const Picture& picture, int x, int y, const PixelB
 }  // namespace
 
 SharedLine shared_line(const TileLines& tile, int samples_per_pixel) {
+  if (samples_per_pixel == 1) {
+    const int pixels = pixels_of_one_sample(tile.half_shadow);
+    return {pixels, pixels};
+  }
   if (tile.half_shadow < soft_pixels) return {1, 1};
   if (samples_per_pixel > 2 || tile.half_shadow < 2.0f * soft_pixels) return {4, 1};
-  const bool widest = tile.half_shadow >= 4.0f * soft_pixels;
-  const int samples = !widest ? 4 : samples_per_pixel == 1 ? 16 : 8;
+  const int samples = tile.half_shadow < 4.0f * soft_pixels ? 4 : 8;
   return {samples, samples / samples_per_pixel};
 }
 
