@@ -32,11 +32,19 @@ render::VideoFormat FilmRecorder::format_of(render::VideoKind kind) const {
 }
 
 void FilmRecorder::open(const std::filesystem::path& file, render::VideoKind kind) {
-  writers_.emplace(kind, render::VideoWriter(file, format_of(kind)));
+  files_.emplace(kind, file);
+}
+
+// When a first frame is there: while it is encoded, others are drawn.
+void FilmRecorder::begin_files() {
+  for (const auto& [kind, file] : files_)
+    writers_.emplace(kind, render::VideoWriter(file, format_of(kind)));
+  files_.clear();
 }
 
 void FilmRecorder::take(const render::Image8& picture) {
   const Stopwatch::Running encoding(settings_.drawing);
+  begin_files();
   presenter_.take(picture, [&](const render::Image8& shown) {
     sketch_.add(shown);
     for (auto& [kind, writer] : writers_) writer.write(shown);
@@ -57,7 +65,8 @@ void FilmRecorder::close() {
 
 const render::VideoCheck& FilmRecorder::check(const std::filesystem::path& file,
                                               render::VideoKind kind) {
-  return checks_[kind] = render::check_video(file, format_of(kind), sketch_, &receipts_.at(kind));
+  return checks_[kind] = render::check_video(file, format_of(kind), sketch_, &receipts_.at(kind),
+                                             settings_.threads);
 }
 
 }  // namespace mien::pipeline

@@ -24,10 +24,11 @@ class FilmRecorder {
  public:
   FilmRecorder(const FilmSettings& settings, int film_frames);
 
-  /// Begins a file. To be called before the first `take`. Throws render::Error.
+  /// A file that is to be written, which begins with the first frame. To be called before the first
+  /// `take`.
   void open(const std::filesystem::path& file, render::VideoKind kind);
 
-  /// The film's next frame.
+  /// The film's next frame. Throws render::Error.
   void take(const render::Image8& picture);
 
   /// Completes all files. Throws render::Error, also when frames are missing.
@@ -43,11 +44,13 @@ class FilmRecorder {
 
  private:
   render::VideoFormat format_of(render::VideoKind kind) const;
+  void begin_files();
   int row_step() const;  ///< of the kind that is looked at most closely
 
   const FilmSettings& settings_;
   Presenter presenter_;
   render::FilmSketch sketch_;
+  std::map<render::VideoKind, std::filesystem::path> files_;  // that have not begun
   std::map<render::VideoKind, render::VideoWriter> writers_;
   std::map<render::VideoKind, render::VideoReceipt> receipts_;
   std::map<render::VideoKind, render::VideoCheck> checks_;

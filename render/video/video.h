@@ -116,6 +116,14 @@ VideoSummary probe_timed(const std::filesystem::path& path,
                          const std::function<void(const ShownPicture&)>& on_picture,
                          int row_step = 1);
 
+/// Likewise by so many threads, stretches from key frame to key frame side by side: pictures are
+/// handed on several at a time, and of several errors, also of `on_picture`, that of the earliest
+/// frame is thrown. Of a video each of whose packets is a frame (codes_apart): throws Error where
+/// one is not. Of a WebP as probe_timed.
+VideoSummary probe_side_by_side(const std::filesystem::path& path,
+                                const std::function<void(const ShownPicture&)>& on_picture,
+                                int row_step, int threads);
+
 /// The first picture, decoded from its own bytes and no others. Throws Error when that fails.
 Image8 first_picture_alone(const std::filesystem::path& path);
 

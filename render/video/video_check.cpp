@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "render/error.h"
 
@@ -34,16 +35,13 @@ std::string fixed(double value, int digits) {
   return text.str();
 }
 
-/// Compares decoded frames with the film, one after the other.
+/// Compares decoded frames with the film.
 class Comparison {
  public:
-  Comparison(const std::string& name, const VideoFormat& format, const FilmSketch& written,
-             VideoCheck& check)
-      : name_(name), format_(format), written_(written), check_(check) {
-    check_.worst_psnr_db = std::numeric_limits<double>::infinity();
-  }
+  Comparison(const std::string& name, const VideoFormat& format, const FilmSketch& written)
+      : name_(name), format_(format), written_(written), likenesses_(written.frames.size()) {}
 
-  /// A decoded picture, shown for the frames first … last.
+  /// A decoded picture, shown for the frames first … last; several at a time, of other frames.
   void take(int first, int last, const Image8& picture) {
     if (!has_size(picture))
       throw Error(name_ + ": the size is another one in frame " + std::to_string(first));
@@ -60,7 +58,25 @@ class Comparison {
     return rows.width == format_.width && rows.height == (format_.height + step - 1) / step;
   }
 
-  void require_least() const {
+  /// How like the frames that were shown are.
+  void sum_up(VideoCheck& check) const {
+    check.worst_psnr_db = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < likenesses_.size(); ++i) {
+      if (!likenesses_[i]) continue;
+      const Likeness& like = *likenesses_[i];
+      check.identical = check.identical && like.identical;
+      if (like.psnr_db < check.worst_psnr_db) {
+        check.worst_psnr_db = like.psnr_db;
+        check.worst_psnr_frame = static_cast<int>(i);
+      }
+      if (like.ssim < check.worst_ssim) {
+        check.worst_ssim = like.ssim;
+        check.worst_ssim_frame = static_cast<int>(i);
+      }
+    }
+  }
+
+  void require_least(const VideoCheck& check) const {
     const VideoTraits& traits = traits_of(format_.kind);
     double least_psnr = traits.least_psnr_db;
     double least_ssim = traits.least_ssim;
@@ -71,15 +87,15 @@ class Comparison {
       least_psnr -= (halves_colours ? 6.0 : 0.0) + 10.0 * std::log10(excess);
       least_ssim = 1.0 - (1.0 - least_ssim + (halves_colours ? 0.15 : 0.0)) * excess;
     }
-    if (check_.worst_psnr_db < least_psnr) {
-      throw Error(name_ + ": frame " + std::to_string(check_.worst_psnr_frame) + " has a PSNR of " +
-                  fixed(check_.worst_psnr_db, 1) + " dB against what was drawn, less than " +
+    if (check.worst_psnr_db < least_psnr) {
+      throw Error(name_ + ": frame " + std::to_string(check.worst_psnr_frame) + " has a PSNR of " +
+                  fixed(check.worst_psnr_db, 1) + " dB against what was drawn, less than " +
                   fixed(least_psnr, 0));
     }
-    if (check_.worst_ssim < least_ssim) {
-      throw Error(name_ + ": frame " + std::to_string(check_.worst_ssim_frame) +
-                  " has an SSIM of " + fixed(check_.worst_ssim, 3) +
-                  " against what was drawn, less than " + fixed(least_ssim, 2));
+    if (check.worst_ssim < least_ssim) {
+      throw Error(name_ + ": frame " + std::to_string(check.worst_ssim_frame) + " has an SSIM of " +
+                  fixed(check.worst_ssim, 3) + " against what was drawn, less than " +
+                  fixed(least_ssim, 2));
     }
   }
 
@@ -100,15 +116,7 @@ class Comparison {
       refuse_neighbour(frame, frame - 1, sketch, like);
       refuse_neighbour(frame, frame + 1, sketch, like);
     }
-    check_.identical = check_.identical && like.identical;
-    if (like.psnr_db < check_.worst_psnr_db) {
-      check_.worst_psnr_db = like.psnr_db;
-      check_.worst_psnr_frame = frame;
-    }
-    if (like.ssim < check_.worst_ssim) {
-      check_.worst_ssim = like.ssim;
-      check_.worst_ssim_frame = frame;
-    }
+    likenesses_[static_cast<std::size_t>(frame)] = like;
   }
 
   /// One frame in the place of the next, in a movement so slow that nothing else tells them apart.
@@ -124,7 +132,7 @@ class Comparison {
   const std::string& name_;
   const VideoFormat& format_;
   const FilmSketch& written_;
-  VideoCheck& check_;
+  std::vector<std::optional<Likeness>> likenesses_;  // of the frames that were shown
 };
 
 void require(const std::string& name, const std::string& what, const std::string& found,
@@ -204,36 +212,39 @@ void check_times(const std::string& name, const VideoSummary& video, const Video
 }  // namespace
 
 VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
-                       const FilmSketch& written, const VideoReceipt* receipt) {
+                       const FilmSketch& written, const VideoReceipt* receipt, int threads) {
   if (receipt == nullptr && written.sketcher.row_step() > 1)
     throw std::invalid_argument("check_video: a few rows do not tell frames apart");
   const std::string name = path.string();
+  const int step = written.sketcher.row_step();
   VideoCheck check;
-  Comparison comparison(name, format, written, check);
+  Comparison comparison(name, format, written);
   const double rate = format.rate.per_second();
   const int frames = static_cast<int>(written.frames.size());
   FrameSketch first;
   int shown = 0;  // frames that pictures stood for
-  // While one picture is compared, the next is decoded.
-  Image8 compared;
-  std::future<void> comparing;
-  const auto take = [&](const ShownPicture& shot) {
+  const auto take = [&](const ShownPicture& shot, int from, int last) {
     if (shot.index == 0 && comparison.has_size(shot.picture))
       first = written.sketcher.sketch_of_rows(shot.picture);
-    const int last = format.kind == VideoKind::webp && shot.duration > 0.0
-                         ? static_cast<int>(std::lround((shot.seconds + shot.duration) * rate)) - 1
-                         : shown;
-    if (comparing.valid()) comparing.get();
-    compared = shot.picture;
-    comparing = std::async(std::launch::async, [&comparison, &compared, from = shown, last] {
-      comparison.take(from, last, compared);
-    });
-    shown = last + 1;
+    comparison.take(from, last, shot.picture);
   };
-  check.summary = probe_timed(path, take, written.sketcher.row_step());
-  if (comparing.valid()) comparing.get();
+  if (codes_apart(format.kind)) {
+    const auto take_one = [&](const ShownPicture& shot) { take(shot, shot.index, shot.index); };
+    check.summary = probe_side_by_side(path, take_one, step, threads);
+    shown = check.summary.frames;
+  } else {
+    const auto take_next = [&](const ShownPicture& shot) {
+      const bool lasts = format.kind == VideoKind::webp && shot.duration > 0.0;
+      const int last =
+          lasts ? static_cast<int>(std::lround((shot.seconds + shot.duration) * rate)) - 1 : shown;
+      take(shot, shown, last);
+      shown = last + 1;
+    };
+    check.summary = probe_timed(path, take_next, step);
+  }
   if (format.kind == VideoKind::webp && check.summary.frames == 1 && stands_still(written))
     shown = frames;
+  comparison.sum_up(check);
   check_tags(name, check.summary, format);
   if (shown != frames) {
     throw Error(name + ": has " + std::to_string(shown) + " frames instead of " +
@@ -242,7 +253,7 @@ VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& for
   check.frames = shown;
   if (receipt != nullptr) check_receipt(name, *receipt, written, check.summary);
   check_times(name, check.summary, format, frames);
-  comparison.require_least();
+  comparison.require_least(check);
   if (written.sketcher.sketch(first_picture_alone(path)).hash != first.hash) {
     throw Error(name + ": the first frame does not decode alone");
   }

@@ -39,8 +39,10 @@ struct VideoCheck {
 /// The receipt finds every frame that is lost, doubled, swapped or damaged, however little they
 /// differ; what is left to likeness is whether the encoder did its work, and a sketch need not look
 /// at every row for that. Throws std::invalid_argument for one that does not, without a receipt.
+/// What it finds does not depend on the number of threads.
 VideoCheck check_video(const std::filesystem::path& path, const VideoFormat& format,
-                       const FilmSketch& written, const VideoReceipt* receipt = nullptr);
+                       const FilmSketch& written, const VideoReceipt* receipt = nullptr,
+                       int threads = 2);
 
 /// Between the rows that the check of a draft looks at: of videos whose pictures are coded in
 /// blocks, of four rows at the least, every fourth; of others and of small ones every row.

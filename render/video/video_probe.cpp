@@ -1,9 +1,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <exception>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <span>
+#include <utility>
+#include <vector>
+
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 
 #include "render/parts/loaded_part.h"
 #include "render/video/libav.h"
@@ -27,13 +36,13 @@ Input open_input(const std::string& path) {
   return owner;
 }
 
-CodecContext open_decoder(const AVStream* stream, const std::string& path) {
+CodecContext open_decoder(const AVStream* stream, const std::string& path, int threads) {
   const AVCodec* decoder = avcodec_find_decoder(stream->codecpar->codec_id);
   if (!decoder) throw Error(path + ": no decoder for this video");
   CodecContext codec(avcodec_alloc_context3(decoder));
   checked(avcodec_parameters_to_context(codec.get(), stream->codecpar), path);
   codec->err_recognition = AV_EF_EXPLODE;
-  codec->thread_count = decoder_threads;
+  codec->thread_count = threads;
   checked(avcodec_open2(codec.get(), decoder, nullptr), path + ": opening the decoder");
   return codec;
 }
@@ -169,7 +178,7 @@ struct OpenVideo {
         stream(input->streams[checked(
             av_find_best_stream(input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0),
             name + ": no video")]),
-        codec(open_decoder(stream, name)) {}
+        codec(open_decoder(stream, name, decoder_threads)) {}
 
   VideoSummary facts() const {
     VideoSummary facts;
@@ -196,26 +205,131 @@ struct OpenVideo {
         hash_of_coded(named(avcodec_get_name(how.codec_id)), bytes, has_lengths));
   }
 
+  /// The next packet of the video, or none.
+  Packet read() const {
+    Packet packet(av_packet_alloc());
+    for (;;) {
+      const int code = av_read_frame(input.get(), packet.get());
+      if (code == AVERROR_EOF) return nullptr;
+      checked(code, name + ": reading");
+      if (packet->stream_index == stream->index) return packet;
+      av_packet_unref(packet.get());
+    }
+  }
+
   /// Decodes the file, or no more than `most` packets of it.
   void decode(Decoding& decoding, int most) {
-    const Packet packet(av_packet_alloc());
     const Frame frame(av_frame_alloc());
-    while (most > 0) {
-      const int code = av_read_frame(input.get(), packet.get());
-      if (code == AVERROR_EOF) break;
-      checked(code, name + ": reading");
-      if (packet->stream_index == stream->index) {
-        note_coded(*packet, decoding.summary);
-        checked(avcodec_send_packet(codec.get(), packet.get()), name + ": decoding");
-        receive_all(*codec, *frame, decoding);
-        --most;
-      }
-      av_packet_unref(packet.get());
+    for (; most > 0; --most) {
+      const Packet packet = read();
+      if (packet == nullptr) break;
+      note_coded(*packet, decoding.summary);
+      checked(avcodec_send_packet(codec.get(), packet.get()), name + ": decoding");
+      receive_all(*codec, *frame, decoding);
     }
     checked(avcodec_send_packet(codec.get(), nullptr), name + ": decoding");
     receive_all(*codec, *frame, decoding);
   }
 };
+
+constexpr int shortest_stretch = 12;  // frames
+
+/// Some packets that decode by themselves, and what came of them.
+struct Stretch {
+  int first = 0;  // frame
+  std::vector<Packet> packets;
+  VideoSummary found;  // of its frames alone
+  std::exception_ptr failure;
+};
+
+/// Reads a video in stretches, which are decoded side by side.
+class StretchReader {
+ public:
+  StretchReader(const OpenVideo& video, const std::function<void(const ShownPicture&)>& on_picture,
+                int row_step)
+      : video_(video), on_picture_(on_picture), row_step_(row_step) {}
+
+  /// The next one; without packets at the end. To be called by one thread at a time.
+  Stretch read() {
+    Stretch stretch;
+    stretch.first = read_;
+    if (waiting_ == nullptr && read_ == 0) waiting_ = video_.read();
+    while (waiting_ != nullptr) {
+      const bool is_key = (waiting_->flags & AV_PKT_FLAG_KEY) != 0;
+      if (is_key && std::ssize(stretch.packets) >= shortest_stretch) break;
+      stretch.packets.push_back(std::move(waiting_));
+      waiting_ = video_.read();
+    }
+    read_ += static_cast<int>(stretch.packets.size());
+    return stretch;
+  }
+
+  /// By several threads at a time.
+  void decode(Stretch& stretch) {
+    try {
+      CodecContext codec = take_decoder();
+      stretch.found.frames = stretch.first;
+      Decoding decoding{video_.name, video_.stream, on_picture_, stretch.found, row_step_};
+      const Frame frame(av_frame_alloc());
+      for (const Packet& packet : stretch.packets) {
+        video_.note_coded(*packet, stretch.found);
+        checked(avcodec_send_packet(codec.get(), packet.get()), video_.name + ": decoding");
+        receive_all(*codec, *frame, decoding);
+      }
+      checked(avcodec_send_packet(codec.get(), nullptr), video_.name + ": decoding");
+      receive_all(*codec, *frame, decoding);
+      stretch.found.frames -= stretch.first;
+      require_all(stretch);
+      give_back(std::move(codec));
+    } catch (...) {
+      stretch.failure = std::current_exception();
+    }
+    stretch.packets.clear();
+  }
+
+ private:
+  void require_all(const Stretch& stretch) const {
+    if (stretch.found.frames == std::ssize(stretch.packets)) return;
+    throw Error(video_.name + ": " + std::to_string(stretch.found.frames) + " of " +
+                std::to_string(stretch.packets.size()) + " frames decode from frame " +
+                std::to_string(stretch.first) + " on");
+  }
+
+  CodecContext take_decoder() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!decoders_.empty()) {
+        CodecContext codec = std::move(decoders_.back());
+        decoders_.pop_back();
+        return codec;
+      }
+    }
+    return open_decoder(video_.stream, video_.name, 1);
+  }
+
+  void give_back(CodecContext codec) {
+    avcodec_flush_buffers(codec.get());
+    const std::lock_guard lock(mutex_);
+    decoders_.push_back(std::move(codec));
+  }
+
+  const OpenVideo& video_;
+  const std::function<void(const ShownPicture&)>& on_picture_;
+  int row_step_;
+  int read_ = 0;  // packets, but for the one that waits
+  Packet waiting_;
+  std::mutex mutex_;
+  std::vector<CodecContext> decoders_;  // that nobody uses
+};
+
+void append(VideoSummary& summary, const VideoSummary& next) {
+  if (next.frames == 0) return;
+  if (summary.frames == 0) summary.starts_with_key_frame = next.starts_with_key_frame;
+  summary.frames += next.frames;
+  summary.times.insert(summary.times.end(), next.times.begin(), next.times.end());
+  summary.coded.insert(summary.coded.end(), next.coded.begin(), next.coded.end());
+  summary.duration_seconds = next.duration_seconds;
+}
 
 bool are_steady(const VideoSummary& video) {
   for (std::size_t i = 0; i < video.times.size(); ++i) {
@@ -235,6 +349,39 @@ VideoSummary probe_timed(const std::filesystem::path& path,
   Decoding decoding{video.name, video.stream, on_picture, summary, row_step};
   video.decode(decoding, std::numeric_limits<int>::max());
   if (summary.codec == "apng") take_exact_times(video.name, summary);
+  summary.steady_timestamps = are_steady(summary);
+  return summary;
+}
+
+VideoSummary probe_side_by_side(const std::filesystem::path& path,
+                                const std::function<void(const ShownPicture&)>& on_picture,
+                                int row_step, int threads) {
+  if (is_webp(path)) return probe_webp(path, on_picture);
+  const OpenVideo video(path);
+  VideoSummary summary = video.facts();
+  StretchReader reader(video, on_picture, row_step);
+  const auto read = [&](tbb::flow_control& control) {
+    auto stretch = std::make_shared<Stretch>(reader.read());
+    if (stretch->packets.empty()) control.stop();
+    return stretch;
+  };
+  const auto decode = [&](std::shared_ptr<Stretch> stretch) {
+    reader.decode(*stretch);
+    return stretch;
+  };
+  const auto take = [&](const std::shared_ptr<Stretch>& stretch) {
+    if (stretch->failure) std::rethrow_exception(stretch->failure);
+    append(summary, stretch->found);
+  };
+  using Handed = std::shared_ptr<Stretch>;
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_pipeline(
+        static_cast<std::size_t>(threads),
+        tbb::make_filter<void, Handed>(tbb::filter_mode::serial_in_order, read) &
+            tbb::make_filter<Handed, Handed>(tbb::filter_mode::parallel, decode) &
+            tbb::make_filter<Handed, void>(tbb::filter_mode::serial_in_order, take));
+  });
   summary.steady_timestamps = are_steady(summary);
   return summary;
 }
