@@ -12,7 +12,6 @@ Quality draft_quality() {
   quality.floor_sky_noise = 0.032f;
   quality.floor_sky_tolerance = 0.032f;
   quality.floor_sky_cell = 0.06f;
-  quality.floor_sky_smooth = true;
   return quality;
 }
 
@@ -24,6 +23,7 @@ Quality final_quality() {
   quality.standing_samples = 256;
   quality.floor_sky_noise = 0.001f;
   quality.floor_sky_tolerance = 0.002f;
+  quality.floor_sky_smooth = false;
   return quality;
 }
 

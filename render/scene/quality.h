@@ -29,11 +29,11 @@ struct Quality {
   /// each pixel looks for itself.
   float floor_sky_noise = 0.004f;
   float floor_sky_tolerance = 0.008f;
-  float floor_sky_cell = 0.015f;  ///< metres
+  float floor_sky_cell = 0.03f;  ///< metres
 
   /// Interpolate there all the same: smooth where it would be grainy, and less dark in the very
   /// corner between floor and foot. Not where the tolerance is 0.
-  bool floor_sky_smooth = false;
+  bool floor_sky_smooth = true;
 
   float filter_width = 2.0f;  ///< whole width of the Blackman–Harris filter, pixels
   Background background = Background::shown;

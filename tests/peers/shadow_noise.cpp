@@ -1,20 +1,23 @@
-// What the soft shadow on the floor costs and how noisy it is: of the stick figure that the peers
-// draw too, under their light alone, walking before a camera that stands, in a window about its
-// shadow; once with shadow rays (a triangle hidden in a joint asks for them) and once with lines of
-// the light.
+// What the soft shadows on the floor cost and how noisy they are: of the stick figure that the
+// peers draw too, walking before a camera that stands, in a window about its feet and its shadow.
 //
-//   shadow_noise FRAMES REFERENCE [FILE.png]
+//   shadow_noise FRAMES REFERENCE [light|sky [FILE.png]]
+//
+// light: under their light alone, with shadow rays (a triangle hidden in a joint asks for them) and
+// with lines of the light. sky: under their sky alone, looked at from each pixel near the feet, and
+// from points between which it is interpolated.
 //
 // For each number of samples: processor seconds a frame, the RMS error of linear RGB against
 // REFERENCE samples where neither picture shows the figure, and the flicker, the RMS by which that
 // error changes from one frame to the next. FILE shows a part of the last frame of standard
-// quality 4 times as large, rays to the left, lines to the right.
+// quality 4 times as large, both ways side by side.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <string>
 #include <vector>
 
 #include "render/image/image_io.h"
@@ -28,17 +31,29 @@ using namespace mien;
 using render::Film;
 
 constexpr render::Window shadow{420, 400, 320, 220};
-constexpr render::Window shown{0, 120, 100, 90};  // of that
+
+/// What is measured.
+struct Subject {
+  bool sky;              ///< or the light
+  const char* ways[2];   ///< of finding what the figure hides of it
+  render::Window shown;  ///< a part of `shadow`
+};
+constexpr Subject light{false, {"rays", "lines"}, {0, 120, 100, 90}};
+constexpr Subject sky{true, {"pixels", "points"}, {160, 128, 100, 90}};
 
 struct Sequence {
   std::vector<Film> frames;
   double seconds = 0.0;  ///< a frame
 };
 
-render::Scene scene_at(const peers::Walk& walk, int frame, bool by_rays) {
+render::Scene scene_at(const Subject& subject, int way, const peers::Walk& walk, int frame) {
   render::Scene scene = peers::scene_of(peers::joints_at(walk, frame));
+  if (subject.sky) {
+    scene.lights.clear();
+    return scene;
+  }
   scene.sky.zenith = scene.sky.horizon = scene.sky.below = render::Color::Zero();
-  if (!by_rays) return scene;
+  if (way != 0) return scene;
   const render::Vec3 inside = scene.solids.spheres.front().centre;
   const float size = 0.2f * peers::joint_radius;
   render::Mesh mesh;
@@ -50,15 +65,17 @@ render::Scene scene_at(const peers::Walk& walk, int frame, bool by_rays) {
   return scene;
 }
 
-Sequence drawn(const peers::Walk& walk, int frames, const render::Quality& quality, bool by_rays) {
+Sequence drawn(const Subject& subject, int way, const peers::Walk& walk, int frames,
+               render::Quality quality) {
   render::Tracer tracer({.threads = 1});
   render::Camera camera = peers::camera_at(0, false);
   camera.window = shadow;
+  if (subject.sky) quality.floor_sky_smooth = way != 0;
   Sequence sequence;
-  tracer.trace(scene_at(walk, 0, by_rays), camera, quality);  // the set is there
+  tracer.trace(scene_at(subject, way, walk, 0), camera, quality);  // the set is there
   const std::clock_t start = std::clock();
   for (int f = 0; f < frames; ++f)
-    sequence.frames.push_back(tracer.trace(scene_at(walk, f, by_rays), camera, quality));
+    sequence.frames.push_back(tracer.trace(scene_at(subject, way, walk, f), camera, quality));
   sequence.seconds = double(std::clock() - start) / CLOCKS_PER_SEC / frames;
   return sequence;
 }
@@ -105,7 +122,7 @@ Noise noise_of(const std::vector<Film>& frames, const std::vector<Film>& referen
   return {std::sqrt(squares / count), std::sqrt(changes / std::max(pairs, 1.0)), sum / count};
 }
 
-render::Image8 enlarged(const Film& left, const Film& right) {
+render::Image8 enlarged(const Film& left, const Film& right, const render::Window& shown) {
   constexpr int times = 4, gap = 8;
   const render::Image8 pictures[] = {render::to_srgb8(cut_out(left, shown)),
                                      render::to_srgb8(cut_out(right, shown))};
@@ -123,30 +140,36 @@ render::Image8 enlarged(const Film& left, const Film& right) {
 int main(int argc, char** argv) {
   const int frames = argc > 2 ? std::atoi(argv[1]) : 0;
   const int samples = argc > 2 ? std::atoi(argv[2]) : 0;
-  if (frames < 1 || frames > peers::frames_in_all || samples < 1) {
-    std::fprintf(stderr, "shadow_noise FRAMES REFERENCE [FILE.png]\n");
+  const std::string what = argc > 3 ? argv[3] : "light";
+  if (frames < 1 || frames > peers::frames_in_all || samples < 1 ||
+      (what != "light" && what != "sky")) {
+    std::fprintf(stderr, "shadow_noise FRAMES REFERENCE [light|sky [FILE.png]]\n");
     return 2;
   }
+  const Subject& subject = what == "sky" ? sky : light;
   const peers::Walk walk = peers::walk();
   render::Quality thorough = render::final_quality();
   thorough.samples_per_pixel = samples;
   thorough.floor_sky_noise = render::standard_quality().floor_sky_noise;
-  thorough.floor_sky_tolerance = render::standard_quality().floor_sky_tolerance;
+  // Of the sky nothing is interpolated.
+  thorough.floor_sky_tolerance =
+      subject.sky ? 0.0f : render::standard_quality().floor_sky_tolerance;
   thorough.seed = 77;
-  const std::vector<Film> reference = drawn(walk, frames, thorough, false).frames;
+  const std::vector<Film> reference = drawn(subject, 1, walk, frames, thorough).frames;
   std::printf("samples  of       s/frame      error    flicker       bias\n");
   for (const int count : {1, 4, 16, 64}) {
     render::Quality quality = render::standard_quality();
     quality.samples_per_pixel = count;
-    const Sequence rays = drawn(walk, frames, quality, true);
-    const Sequence lines = drawn(walk, frames, quality, false);
-    for (const auto& [name, sequence] : {std::pair{"rays", &rays}, std::pair{"lines", &lines}}) {
-      const Noise noise = noise_of(sequence->frames, reference);
-      std::printf("%7d  %-6s %9.4f  %9.5f  %9.5f  %9.6f\n", count, name, sequence->seconds,
-                  noise.error, noise.flicker, noise.bias);
+    std::vector<Film> last;
+    for (const int way : {0, 1}) {
+      const Sequence sequence = drawn(subject, way, walk, frames, quality);
+      const Noise noise = noise_of(sequence.frames, reference);
+      std::printf("%7d  %-6s %9.4f  %9.5f  %9.5f  %9.6f\n", count, subject.ways[way],
+                  sequence.seconds, noise.error, noise.flicker, noise.bias);
+      last.push_back(sequence.frames.back());
     }
-    if (argc > 3 && count == 16)
-      render::write_png(argv[3], enlarged(rays.frames.back(), lines.frames.back()));
+    if (argc > 4 && count == 16)
+      render::write_png(argv[4], enlarged(last[0], last[1], subject.shown));
   }
   return 0;
 }
