@@ -23,7 +23,7 @@ Quality final_quality() {
   quality.standing_samples = 256;
   quality.floor_sky_noise = 0.001f;
   quality.floor_sky_tolerance = 0.002f;
-  quality.floor_sky_smooth = false;
+  quality.floor_sky_cell = 0.015f;
   return quality;
 }
 

@@ -1,6 +1,9 @@
 #include "render/light/open_set.h"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -90,6 +93,40 @@ TEST(OpenSet, ShowsTheBackdropAloneWithoutGroundAndFromBelow) {
   const Camera above{
       .position = {0.0f, 1.5f, 2.0f}, .target = Vec3::Zero(), .width = 24, .height = 16};
   EXPECT_EQ(compared(scene, above), 0);
+}
+
+// Near a camera that stands upright, where lights are interpolated: also of a light that shines
+// aside and ends on this floor, and of one too low for that.
+TEST(OpenSet, InterpolatesLightsAlongRows) {
+  Scene scene = lined_floor(false);
+  scene.ground.line_spacing = 0.0f;
+  scene.sky.horizon = scene.sky.zenith = Color::Zero();
+  const std::vector<AreaLight> lights = {
+      softbox({2.0f, 3.0f, 1.0f}, Vec3::UnitY(), 1.5f, 0.8f, Color::Constant(6.0f)),
+      softbox({0.3f, 2.5f, 0.5f}, {3.0f, 2.5f, 0.5f}, 1.0f, 0.5f, Color::Constant(8.0f)),
+      softbox({0.2f, 0.15f, 0.0f}, {0.2f, 0.0f, 0.0f}, 0.2f, 0.2f, Color::Constant(9.0f))};
+  const Camera camera{
+      .position = {0.2f, 1.6f, 3.0f}, .target = {0.0f, 0.3f, 0.0f}, .width = 301, .height = 120};
+  const CameraFrame frame = frame_of(camera);
+  for (const AreaLight& light : lights) {
+    scene.lights = {light};
+    const OpenSet open(scene, frame);
+    float largest = 0.0f, brightest = 0.0f;
+    for (int y = 0; y < camera.height; ++y) {
+      const OpenRow row(open, y, camera.width);
+      for (int x = 0; x < camera.width; x += 8) {
+        const LaneSetPixels found = row.pixels(x);
+        for (int i = 0; i < 8 && x + i < camera.width; ++i) {
+          if (!found.plain) continue;
+          const float expected = unshadowed_floor(scene, found.point.at(i)).x();
+          largest = std::max(largest, std::abs(found.radiance.red[i] - expected));
+          brightest = std::max(brightest, expected);
+        }
+      }
+    }
+    EXPECT_GT(brightest, 0.01f);
+    EXPECT_LT(largest, 2e-5f * brightest);
+  }
 }
 
 }  // namespace

@@ -172,6 +172,10 @@ TEST(FloorSky, IsSmoothBesideFeetAndNotFarFromWhatItIs) {
   EXPECT_GT(video.grain, 0.1);
   EXPECT_LT(video.worst, 0.02);
   EXPECT_NEAR(video.off, 0.0, 0.005);
+  const BesideAFoot print = beside_a_foot(final_quality());
+  EXPECT_LT(print.smooth, 0.5 * print.grain);
+  EXPECT_LT(print.worst, 0.007);
+  EXPECT_NEAR(print.off, 0.0, 0.0015);
 }
 
 TEST(FloorLight, IsNoneWhereTheFigureHidesTheLight) {
