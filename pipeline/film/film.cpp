@@ -131,11 +131,10 @@ class FramesInFlight {
     over_ = over_ || now.given_up;
     if (over_) return false;
     if (settings_.drew && !now.frame.is_stored) {
-      const double since = std::max(now.began, ended_);
-      ended_ = steady_seconds();
-      settings_.drew(ended_ - since);
+      settings_.drew(steady_seconds() - std::max(now.began, ended_));
     }
     over_ = !taker_.push(std::move(now.frame));
+    if (settings_.drew) ended_ = steady_seconds();  // to wait for the taker is not to draw
     return !over_;
   }
 
@@ -146,7 +145,7 @@ class FramesInFlight {
   const std::stop_token& stop_;
   std::vector<Flight> in_flight_;
   std::atomic<bool> over_ = false;
-  double ended_ = 0.0;  // when the last frame was drawn
+  double ended_ = 0.0;  // when the last frame was taken
   std::size_t taken_ = 0;
 };
 
@@ -198,7 +197,7 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
     return stored_frame(store, frame, settings.output, shot.tone);
   };
   const bool all = FramesInFlight(drawer, taker, frames, settings, stop).run(stored, progress);
-  taker.finish();  // frames that are drawn are kept, also of a film that is given up
+  taker.finish();  // frames that were taken are kept, also of a film that is given up
   if (stop.stop_requested() && !all) throw Interrupted{};
 }
 

@@ -27,7 +27,8 @@ struct FilmSettings {
   int eyes = 1;                  ///< pictures side by side in each frame: 2 of a stereo pair
   bool loops = false;            ///< animated pictures repeat for ever
 
-  /// Told how long the drawing of each frame took, in seconds.
+  /// Told for each frame that was drawn the seconds since the one before was handed on, or since
+  /// its own beginning: together, how long drawing took.
   std::function<void(double)> drew = {};
 
   /// What sets that stand share with other films, and what is found again of them (kept_light.h).
@@ -54,8 +55,10 @@ render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int f
 /// Takes the frames, in order, as a display shows them.
 using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 
-/// Draws frames and hands them on. While one is traced, earlier ones are written, read back and
-/// taken by the sink in a second thread; at most one waits in between, however long the shot.
+/// Draws frames, some at a time (FrameDrawer::in_flight), and hands them on. Meanwhile earlier ones
+/// are written, read back and taken by the sink in a thread of its own; at most one waits in
+/// between, however long the shot. Of a film that is given up, frames are lost that are in flight
+/// then.
 ///
 /// With `store`, frames that it has are not drawn again, and each new one is kept there unless the
 /// output's frames are none (those that it has are then PNG); the sink gets what was stored, so a

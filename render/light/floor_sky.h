@@ -16,9 +16,9 @@ namespace mien::render {
 /// How much light of the sky a figure hides from the floor: known, from many rays each, at the
 /// corners of square cells, and in between by bilinear interpolation. Cells are so small that
 /// interpolation is off by no more than `Quality::floor_sky_tolerance` of the sky's light; where
-/// that would take cells smaller than `Quality::floor_sky_cell`, as under the feet, nothing is
-/// known here and each pixel needs rays of its own. Further than 32 m from the figure nothing is
-/// hidden.
+/// that would take cells smaller than `Quality::floor_sky_cell`, as under the feet, it may be off
+/// by more with `Quality::floor_sky_smooth`; without, nothing is known here and each pixel needs
+/// rays of its own. Further than 32 m from the figure nothing is hidden.
 ///
 /// Corners lie at the same places of the floor for every picture, and so do their rays' directions.
 class FloorSky {

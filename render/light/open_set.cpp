@@ -57,7 +57,7 @@ MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const C
   const float forward = camera.forward.y(), eye = camera.position.y();
   const float px = camera.position.x(), pz = camera.position.z();
   const float lowest = has_ground ? 0.0f : -infinity;  // of what goes up, or misses the floor
-  const float start = ground.fade_start, length = ground.fade_end - ground.fade_start;
+  const float start = ground.fade_start, end = ground.fade_end, length = end - start;
   const float row_x = row.x, row_z = row.z, from_x = row.from_x, from_z = row.from_z;
   const float step_x = row.step_x, step_z = row.step_z, drop = row.drop, height = row.height;
   const float drop_step = row.drop_step;
@@ -69,13 +69,15 @@ MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const C
     const float s = height / (drop + u * drop_step);  // as FloorRow::at
     const float x = row_x + s * (from_x + u * step_x), z = row_z + s * (from_z + u * step_z);
     const float across = std::sqrt((x - px) * (x - px) + (z - pz) * (z - pz));
+    // Where rounding puts the horizon elsewhere for s than for `meets`, x and z are no numbers.
+    const bool seen = meets & (across < end);
     const float on = (across - start) / length;
     const float faded = on < 0.0f ? 0.0f : on > 1.0f ? 1.0f : on;
     const float share = 1.0f - faded * faded * (3.0f - 2.0f * faded);
-    pixels.point.x.lane[i] = meets ? x : px;
+    pixels.point.x.lane[i] = seen ? x : px;
     pixels.point.y.lane[i] = 0.0f;
-    pixels.point.z.lane[i] = meets ? z : pz;
-    pixels.share.lane[i] = meets ? share : 0.0f;
+    pixels.point.z.lane[i] = seen ? z : pz;
+    pixels.share.lane[i] = seen ? share : 0.0f;
   }
 }
 

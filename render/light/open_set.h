@@ -16,7 +16,8 @@ struct LaneColors {
   LaneFloats blue;
 };
 
-/// What set_pixel (floor.h) tells of one ray, up to rounding, of eight.
+/// What set_pixel (floor.h) tells of one ray, up to rounding and what is interpolated (OpenRow), of
+/// eight.
 struct LaneSetPixels {
   LaneColors radiance;
   LaneColors visible_albedo;
@@ -39,7 +40,8 @@ class OpenSet {
   std::vector<float> heights_;  // of the lights' lowest points above the floor, metres
 };
 
-/// A row of it, eight pixels at a time. Along a row lights change smoothly: where eight pixels are
+/// A row of it, eight pixels at a time. Along a row lights change smoothly: before a perspective
+/// camera that stands upright, in rows of which nothing has faded, and where eight pixels are
 /// less than a twentieth of a light's height apart on the floor, its light is interpolated between
 /// every eighth by polynomials of third degree, which errs by less than 0.00002 of it (as the
 /// fourth derivative of what a point of light there gives tells; lights of some size less).

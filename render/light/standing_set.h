@@ -22,7 +22,7 @@ struct StandingSet {
   CameraFrame camera;               ///< tells where the floor is seen (FloorRow)
 
   /// The floor's albedo, times how little of it has faded. Of a row whose floor is of one colour
-  /// that alone is known, which spares the memory.
+  /// that alone is known, which is sooner read.
   std::vector<std::optional<Color>> even_albedo;  ///< one a row
   Film albedo;                                    ///< of the other rows
 
@@ -50,8 +50,8 @@ std::vector<float> standing_key(const Scene& scene, const Camera& camera, const 
 /// 2⁻¹²⁸.
 std::string standing_name(const std::vector<float>& key);
 
-/// The floor and backdrop of a row, in closed form at the centres of the pixels: all of a set
-/// without solids.
+/// The floor and backdrop of a row at the centres of the pixels (OpenRow): all of a set without
+/// solids.
 void expose_open_row(const OpenSet& open, int y, StandingSet& set);
 
 /// Room for the set of a picture of that size, none of it solid: that of another, or new. Before

@@ -79,7 +79,8 @@ enum class Dimension : std::uint32_t {
   CornerSky,
   Lens,
   Time,                   ///< the first number alone
-  LightLine,              ///< which of some floor points asks lines of the lights
+  LightLine,              ///< which of some floor points asks lines of the lights, and where on the
+                          ///< first light its line lies
   FirstLight,             ///< one a light
   FirstFigure = 1u << 16  ///< one a figure, the first number alone: whether it is there
 };

@@ -1,5 +1,6 @@
 #include "render/tracer/engine.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -10,6 +11,9 @@
 namespace mien::render {
 
 namespace {
+
+/// Of what is worked out once, metres: closer points than of pictures (floor_sky_cell).
+constexpr float closest_points = 0.015f;
 
 std::vector<float> opacities_of(const Scene& scene) {
   std::vector<float> opacities;
@@ -64,7 +68,7 @@ Engine::Engine(const TracerOptions& options)
 
 void Engine::look_at_sky(Picture& picture) {
   if (picture.piecemeal()) return;
-  arena_.execute([&] {
+  run_alone([&] {
     tbb::parallel_for(std::size_t{0}, picture.floor_sky.corner_count(), [&](std::size_t corner) {
       picture.floor_sky.look(corner, picture.figure, picture.opacities);
     });
@@ -92,7 +96,7 @@ SetBehind Engine::set_behind(const Scene& scene, const Camera& camera, const Qua
 void Engine::for_frames(const FrameWork& work, int in_flight) {
   std::size_t next = 0;
   const auto begin = [&](tbb::flow_control& control) {
-    // Whoever begins a frame is not to draw another one meanwhile: all would wait for that.
+    // Embree's threads, too, are not to draw another frame while this one begins (run_alone).
     const bool more = tbb::this_task_arena::isolate([&] { return work.begin(next); });
     if (!more) control.stop();
     return more ? next++ : next;
@@ -113,7 +117,7 @@ StandingSet Engine::made_set(const Scene& scene, const Camera& camera, const Qua
   const CameraFrame frame = frame_of(camera);
   StandingSet set = room_for(camera.width, camera.height, frame, std::move(room));
   const OpenSet open(scene, frame);
-  arena_.execute(
+  run_alone(
       [&] { tbb::parallel_for(0, camera.height, [&](int y) { expose_open_row(open, y, set); }); });
   if (scene.standing.empty()) return set;
   Camera sharp = camera;
@@ -135,13 +139,17 @@ Film Engine::light_with_solids(const Scene& scene, const Camera& camera, const Q
   Quality thorough = quality;
   thorough.samples_per_pixel = quality.standing_samples;
   thorough.lit_in_pairs = thorough.floor_sky_smooth = false;
+  thorough.floor_sky_cell = std::min(quality.floor_sky_cell, closest_points);
   thorough.background = Background::shown;
   Exposure exposure{Film(camera.width, camera.height), {}};
   Picture picture =
       prepare(scene, camera, thorough, open, nullptr, standing_shapes(scene), scene.standing);
   look_at_sky(picture);
-  for_all_parts(camera.width, camera.height, {0, 0, camera.width, camera.height},
-                [&](const Tile& part) { draw(picture, part, {exposure}); });
+  run_alone([&] {
+    loop_over_parts(camera.width, camera.height, {0, 0, camera.width, camera.height},
+                    [&](const Tile& part) { draw(picture, part, {exposure}); });
+  });
+  if (stop_.stop_requested()) throw Stopped{};
   return std::move(exposure.film);
 }
 

@@ -59,23 +59,11 @@ class Engine {
   /// Finds what the picture's figures hide of the sky from the floor.
   void look_at_sky(Picture& picture);
 
-  /// Calls work for parts of a film, whole tiles each, that together hold the window. Throws
-  /// Stopped when a stop was requested.
+  /// Calls work for parts of a film, whole tiles each, that together hold the window. Who waits for
+  /// others to end helps with other frames. Throws Stopped when a stop was requested.
   template <class Work>
   void for_all_parts(int width, int height, const Window& window, const Work& work) {
-    const auto last = [](int first, int pixels) {
-      return (first + pixels + tile_size - 1) / tile_size;
-    };
-    const tbb::blocked_range2d<int> all(window.y / tile_size, last(window.y, window.height), 1,
-                                        window.x / tile_size, last(window.x, window.width), 8);
-    arena_.execute([&] {
-      tbb::parallel_for(all, [&](const tbb::blocked_range2d<int>& part) {
-        if (stop_.stop_requested()) return;
-        const auto &columns = part.cols(), &rows = part.rows();
-        work(Tile{columns.begin() * tile_size, std::min(columns.end() * tile_size, width),
-                  rows.begin() * tile_size, std::min(rows.end() * tile_size, height)});
-      });
-    });
+    arena_.execute([&] { loop_over_parts(width, height, window, work); });
     if (stop_.stop_requested()) throw Stopped{};
   }
 
@@ -94,6 +82,29 @@ class Engine {
   /// `room`: a set that is no longer wanted, whose memory serves again, or an empty one.
   StandingSet made_set(const Scene& scene, const Camera& camera, const Quality& quality,
                        const std::string& name, StandingSet room);
+  /// Runs a loop with the tracer's threads; who waits for others to end helps with nothing else:
+  /// what is made ready would else wait for whole frames. In the arena's own context: where a frame
+  /// fails, the loops of its context end early, and a set would be lent that is half made.
+  template <class Loop>
+  void run_alone(const Loop& loop) {
+    arena_.execute([&] { tbb::this_task_arena::isolate(loop); });
+  }
+
+  template <class Work>
+  void loop_over_parts(int width, int height, const Window& window, const Work& work) {
+    const auto last = [](int first, int pixels) {
+      return (first + pixels + tile_size - 1) / tile_size;
+    };
+    const tbb::blocked_range2d<int> all(window.y / tile_size, last(window.y, window.height), 1,
+                                        window.x / tile_size, last(window.x, window.width), 8);
+    tbb::parallel_for(all, [&](const tbb::blocked_range2d<int>& part) {
+      if (stop_.stop_requested()) return;
+      const auto &columns = part.cols(), &rows = part.rows();
+      work(Tile{columns.begin() * tile_size, std::min(columns.end() * tile_size, width),
+                rows.begin() * tile_size, std::min(rows.end() * tile_size, height)});
+    });
+  }
+
   Film light_with_solids(const Scene& scene, const Camera& camera, const Quality& quality,
                          const StandingSet& open);
 

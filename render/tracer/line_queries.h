@@ -25,8 +25,8 @@ struct SharedLine {
 };
 
 /// Where half shadows are wide they change so little within a pixel that four samples share the
-/// line of one; where they are twice as wide, also four samples of two pixels, and where four times,
-/// eight of 2 × 2. Where pixels have one sample, 2 to 4 × 4 of them share one.
+/// line of one; where they are twice as wide, also four samples of two pixels, and where four
+/// times, eight of 2 × 2. Where pixels have one sample, 2 to 4 × 4 of them share one.
 SharedLine shared_line(const TileLines& tile, int samples_per_pixel);
 
 /// Pixels that share a line are side by side, and begin at multiples of these: of a power of two,

@@ -59,10 +59,10 @@ class PixelPlanner {
   PixelPlan plan(int x, int y);
 
   /// Pixels of the tile's row y, from x on, of which is soon told that they show no figure, and
-  /// which lights all of them may lack; none where nothing is.
+  /// which lights they may lack; none where nothing is.
   struct Alike {
     int end;
-    std::uint32_t lights;  ///< 0, or all of them show the floor
+    std::uint32_t lights;  ///< that some may lack; 0, or all of them show the floor
   };
   std::optional<Alike> alike_from(int x, int y);
 

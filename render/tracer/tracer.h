@@ -91,9 +91,9 @@ struct FrameWork {
 /// shadows, filtered by a Blackman–Harris filter.
 ///
 /// A picture depends on the scene, camera and quality alone: not on threads, on what was traced
-/// before, nor on the machine. Several pictures at a time may be drawn by a Tracer, and one made
-/// ready meanwhile; several Tracers may work side by side. Whatever draws throws Stopped when it
-/// was asked to stop.
+/// before, nor on the machine. Several pictures that are ready may be drawn by a Tracer at a time,
+/// and one made ready meanwhile, as `trace`, `expose` and `layers` do themselves; several Tracers
+/// may work side by side. Whatever draws throws Stopped when it was asked to stop.
 class Tracer {
  public:
   /// Throws Error when the machine cannot run Embree with that instruction set.

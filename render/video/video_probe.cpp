@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -249,17 +250,25 @@ class StretchReader {
                 int row_step)
       : video_(video), on_picture_(on_picture), row_step_(row_step) {}
 
-  /// The next one; without packets at the end. To be called by one thread at a time.
-  Stretch read() {
+  /// The next one, or none at the end. To be called by one thread at a time. What cannot be read
+  /// fails in its place.
+  std::optional<Stretch> read() {
+    if (ended_) return std::nullopt;
     Stretch stretch;
     stretch.first = read_;
-    if (waiting_ == nullptr && read_ == 0) waiting_ = video_.read();
-    while (waiting_ != nullptr) {
-      const bool is_key = (waiting_->flags & AV_PKT_FLAG_KEY) != 0;
-      if (is_key && std::ssize(stretch.packets) >= shortest_stretch) break;
-      stretch.packets.push_back(std::move(waiting_));
-      waiting_ = video_.read();
+    try {
+      if (read_ == 0) waiting_ = video_.read();
+      while (waiting_ != nullptr) {
+        const bool is_key = (waiting_->flags & AV_PKT_FLAG_KEY) != 0;
+        if (is_key && std::ssize(stretch.packets) >= shortest_stretch) break;
+        stretch.packets.push_back(std::move(waiting_));
+        waiting_ = video_.read();
+      }
+    } catch (...) {
+      stretch.failure = std::current_exception();
+      waiting_ = nullptr;
     }
+    ended_ = waiting_ == nullptr;
     read_ += static_cast<int>(stretch.packets.size());
     return stretch;
   }
@@ -282,7 +291,7 @@ class StretchReader {
       require_all(stretch);
       give_back(std::move(codec));
     } catch (...) {
-      stretch.failure = std::current_exception();
+      stretch.failure = std::current_exception();  // before what could not be read, if that failed
     }
     stretch.packets.clear();
   }
@@ -316,7 +325,8 @@ class StretchReader {
   const OpenVideo& video_;
   const std::function<void(const ShownPicture&)>& on_picture_;
   int row_step_;
-  int read_ = 0;  // packets, but for the one that waits
+  int read_ = 0;        // packets, but for the one that waits
+  bool ended_ = false;  // there is nothing more to read
   Packet waiting_;
   std::mutex mutex_;
   std::vector<CodecContext> decoders_;  // that nobody uses
@@ -360,10 +370,10 @@ VideoSummary probe_side_by_side(const std::filesystem::path& path,
   const OpenVideo video(path);
   VideoSummary summary = video.facts();
   StretchReader reader(video, on_picture, row_step);
-  const auto read = [&](tbb::flow_control& control) {
-    auto stretch = std::make_shared<Stretch>(reader.read());
-    if (stretch->packets.empty()) control.stop();
-    return stretch;
+  const auto read = [&](tbb::flow_control& control) -> std::shared_ptr<Stretch> {
+    if (auto stretch = reader.read()) return std::make_shared<Stretch>(std::move(*stretch));
+    control.stop();
+    return nullptr;
   };
   const auto decode = [&](std::shared_ptr<Stretch> stretch) {
     reader.decode(*stretch);
@@ -377,7 +387,7 @@ VideoSummary probe_side_by_side(const std::filesystem::path& path,
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_pipeline(
-        static_cast<std::size_t>(threads),
+        static_cast<std::size_t>(arena.max_concurrency()),
         tbb::make_filter<void, Handed>(tbb::filter_mode::serial_in_order, read) &
             tbb::make_filter<Handed, Handed>(tbb::filter_mode::parallel, decode) &
             tbb::make_filter<Handed, void>(tbb::filter_mode::serial_in_order, take));
