@@ -82,6 +82,7 @@ class Engine {
   /// `room`: a set that is no longer wanted, whose memory serves again, or an empty one.
   StandingSet made_set(const Scene& scene, const Camera& camera, const Quality& quality,
                        const std::string& name, StandingSet room);
+
   /// Runs a loop with the tracer's threads; who waits for others to end helps with nothing else:
   /// what is made ready would else wait for whole frames. In the arena's own context: where a frame
   /// fails, the loops of its context end early, and a set would be lent that is half made.

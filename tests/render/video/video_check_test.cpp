@@ -151,6 +151,34 @@ TEST_P(VideoCheckTest, RefusesAnotherRateOrSize) {
             std::string::npos);
 }
 
+// Films of several stretches from key frame to key frame, of which two are broken, or the end is
+// missing; and one that is whole.
+TEST_P(VideoCheckTest, SaysTheSameWithAnyNumberOfThreads) {
+  const std::vector<Image8> frames = smooth_frames(wide, high, 150);
+  test::write_video(path, frames, {30, 1}, GetParam());
+  const std::vector<char> whole = test::bytes_of(path);
+  const FilmSketch film = sketch_of(frames);
+  const auto said_by = [&](int threads) {
+    return refusal_of([&] { check_video(path, format_of(GetParam()), film, nullptr, threads); });
+  };
+  EXPECT_NO_THROW(check_video(path, format_of(GetParam()), film, nullptr, 3));
+  std::vector<char> broken = whole;
+  for (const double share : {0.4, 0.8}) {
+    const auto at =
+        broken.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(broken.size()));
+    std::transform(at, at + 64, at, [](char c) { return static_cast<char>(~c); });
+  }
+  test::replace_bytes(path, broken);
+  const std::string of_broken = said_by(1);
+  EXPECT_NE(of_broken, "");
+  for (const int threads : {2, 3, 4}) EXPECT_EQ(said_by(threads), of_broken);
+  test::replace_bytes(path, whole);
+  test::cut_short(path, 0.7);
+  const std::string of_cut = said_by(1);
+  EXPECT_NE(of_cut, "");
+  for (const int threads : {2, 3, 4}) EXPECT_EQ(said_by(threads), of_cut);
+}
+
 TEST_P(VideoCheckTest, RefusesAFileWithABrokenByteOrAnotherPicture) {
   const std::vector<Image8> frames = smooth_frames(wide, high, 20);
   test::write_video(path, frames, {30, 1}, GetParam());
