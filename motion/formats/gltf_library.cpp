@@ -11,7 +11,9 @@
 #include "motion/error.h"
 #include "motion/formats/gltf_library.h"
 #include "motion/formats/gltf_meshopt.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/json_depth.h"
 
 namespace mien::motion {
 
@@ -70,24 +72,37 @@ bool is_read(const std::string& section) {
   return std::find(sections.begin(), sections.end(), section) != sections.end();
 }
 
+/// Takes out what is not read, below the sections: extras of any value, and extensions too.
+void drop_unread(Json& value, bool keeps_extensions) {
+  if (value.is_object()) {
+    value.erase("extras");
+    if (!keeps_extensions) value.erase("extensions");
+  }
+  if (!value.is_structured()) return;
+  for (Json& inner : value) drop_unread(inner, keeps_extensions);
+}
+
+/// Buffers and their views may be packed, as an extension of theirs tells.
+void drop_unread_sections(Json& json) {
+  for (auto section = json.begin(); section != json.end();) {
+    if (!is_read(section.key())) {
+      section = json.erase(section);
+      continue;
+    }
+    drop_unread(*section, section.key() == "buffers" || section.key() == "bufferViews");
+    ++section;
+  }
+}
+
 Json parse_json(std::string_view text, const std::string& name) {
-  bool may_be_packed = false;
-  const auto wanted = [&](int depth, Json::parse_event_t event, Json& value) {
-    // The library walks through values recursively.
-    if (depth > 64) {
-      throw Error({name}, "lists nested more than 64 deep", "this is no glTF figure");
-    }
-    if (event != Json::parse_event_t::key) return true;
-    const std::string& key = value.get_ref<const std::string&>();
-    if (depth == 1) {
-      may_be_packed = key == "buffers" || key == "bufferViews";
-      return is_read(key);
-    }
-    return key != "extras" && (key != "extensions" || may_be_packed);
-  };
+  // The library walks through values recursively.
+  constexpr size_t deepest = 64;
+  if (is_nested_deeper(text, deepest))
+    throw Error({name}, "lists nested more than 64 deep", "this is no glTF figure");
   try {
-    Json json = Json::parse(text.begin(), text.end(), wanted);
+    Json json = Json::parse(text.begin(), text.end());
     if (!json.is_object()) throw Error({name}, "is no glTF file", get_it_again);
+    drop_unread_sections(json);
     return json;
   } catch (const Json::parse_error& error) {
     throw Error(place_of_byte(text, error.byte, name), "this is not the JSON of a glTF file",
@@ -154,11 +169,14 @@ GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
     const std::string text = json.dump();
     understood = tinygltf::TinyGLTF().LoadASCIIFromString(
         &file.model, &fault, &warning, text.data(), static_cast<unsigned int>(text.size()), "");
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     fault = error.what();
   }
   if (!understood) {
-    refuse(file, "is faulty: " + fault.substr(0, fault.find('\n')), get_it_again);
+    refuse(file, "is faulty: " + excerpt(fault.substr(0, fault.find('\n')), 2 * most_quoted),
+           get_it_again);
   }
   file.model.buffers = std::move(buffers);
   return file;

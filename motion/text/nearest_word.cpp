@@ -5,11 +5,15 @@
 #include <limits>
 #include <vector>
 
+#include "motion/text/excerpt.h"
+
 namespace mien::motion {
 
 namespace {
 
-constexpr size_t most_listed = 12;
+/// Nobody mistypes a longer name; comparing two takes as many steps as the product of their
+/// lengths.
+constexpr size_t longest_word = 200;
 
 std::string lowered(std::string_view word) {
   std::string result(word);
@@ -58,6 +62,7 @@ int edit_distance(std::string_view from, std::string_view to) {
 
 std::optional<std::string> nearest_word(std::string_view word,
                                         std::span<const std::string> candidates) {
+  if (word.size() > longest_word) return std::nullopt;
   const std::string meant = lowered(word);
   const std::string exchanged = with_halves_exchanged(meant);
   int nearest = std::max(1, static_cast<int>(word.size()) / 3) + 1;
@@ -77,10 +82,11 @@ std::optional<std::string> nearest_word(std::string_view word,
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
-  if (const auto near = nearest_word(word, candidates)) return "did you mean \"" + *near + "\"?";
+  if (const auto near = nearest_word(word, candidates))
+    return "did you mean " + in_quotes(*near) + "?";
   std::string list;
   for (const std::string& candidate : candidates.first(std::min(most_listed, candidates.size()))) {
-    list += (list.empty() ? "use one of \"" : ", \"") + candidate + "\"";
+    list += (list.empty() ? "use one of " : ", ") + in_quotes(candidate);
   }
   if (candidates.size() <= most_listed) return list;
   return list + ", … (" + std::to_string(candidates.size()) + " in all)";

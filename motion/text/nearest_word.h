@@ -16,7 +16,7 @@ int edit_distance(std::string_view from, std::string_view to);
 ///
 /// Near is at most one edit for each three letters (at least one), case aside. The halves of a
 /// hyphenated word may also have been exchanged: "happy-sad" is near "sad-happy". The first of
-/// equally near candidates is taken.
+/// equally near candidates is taken. Nothing is near a word of more than 200 bytes.
 std::optional<std::string> nearest_word(std::string_view word,
                                         std::span<const std::string> candidates);
 

@@ -71,17 +71,6 @@ void fail(const TextCursor& cursor, size_t index, std::string_view wrong, std::s
   throw Error(place_at(cursor, index), wrong, remedy);
 }
 
-std::string in_quotes(std::string_view word) {
-  constexpr size_t longest = 40;
-  std::string shown = "\"";
-  size_t length = std::min(word.size(), longest);
-  while (length > 0 && length < word.size() && is_continuation(word[length])) --length;
-  for (const char c : word.substr(0, length)) {
-    shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
-  }
-  return shown + (length < word.size() ? "…\"" : "\"");
-}
-
 bool same_word(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](char x, char y) { return lower(x) == lower(y); });

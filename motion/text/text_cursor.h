@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 
 namespace mien::motion {
 
@@ -23,9 +24,6 @@ Place place_at(const TextCursor& cursor, size_t index);
 
 [[noreturn]] void fail(const TextCursor& cursor, size_t index, std::string_view wrong,
                        std::string_view remedy);
-
-/// A word as an error message shows it: in quotes, cut when long, unprintable bytes as '?'.
-std::string in_quotes(std::string_view word);
 
 /// Equal but for the case of ASCII letters.
 bool same_word(std::string_view a, std::string_view b);

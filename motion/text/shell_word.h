@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace mien::motion {
+
+/// A text as one word of a command that a message proposes, for a POSIX shell: as it is where it
+/// may stand so, else in single quotes. One with control characters is written as $'…', which sh
+/// (POSIX 2024), bash and zsh read, so that it can be shown and copied.
+std::string shell_word(std::string_view text);
+
+/// The same of a path: one that begins with '-' would be taken for an option, and gets "./" before
+/// it.
+std::string shell_path(std::string_view path);
+
+}  // namespace mien::motion
