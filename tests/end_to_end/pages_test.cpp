@@ -52,6 +52,7 @@ const std::vector<NotRun> not_run = {
     {"ctest --preset", "needs another build"},
     {"mkdir corpus", "needs a build by clang"},
     {"build/release/tests/bench/", "needs a build with benchmarks"},
+    {"tests/fresh/", "takes half an hour, root's rights and a network"},
     {"tests/bench/", "takes minutes, and a machine that does nothing else"},
     {"tests/peers/", "needs a build with benchmarks, and Blender or matplotlib"},
     {"./mien study predict --examples manifests/real-walks.yaml",
