@@ -143,7 +143,7 @@ class QuestionnairePage : public testing::Test {
         const auto& row = rows[at];
         EXPECT_EQ(row.at("participant"), participant);
         EXPECT_EQ(row.at("trial"), std::to_string(number));
-        EXPECT_EQ(row.at("item"), trial.at("items")[i].at("item"));
+        EXPECT_EQ(row.at("item"), trial.at("items")[i].at("item").get<std::string>());
         EXPECT_EQ(row.at("is_practice"), trial.at("practice").get<bool>() ? "1" : "0");
         EXPECT_EQ(row.at("is_warmup"), trial.at("warm_up").get<bool>() ? "1" : "0");
         if (is_check) {
