@@ -131,6 +131,9 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
   const std::vector<fs::path> files = example_files(folder);
   for (const fs::path& file : files) {
     recordings.push_back(read_motion(file));
+    for (const std::string& note : recordings.back().notes) {
+      loaded.warnings.push_back(file.filename().string() + ": " + note);
+    }
     loaded.file_stems.push_back(file.stem().string());
   }
   const std::vector<std::string> names = names_of(folder, loaded.file_stems);

@@ -1,12 +1,14 @@
 #include "motion/formats/acclaim.h"
 
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 #include <vector>
 
 #include "motion/formats/acclaim_skeleton.h"
 #include "motion/formats/recording_limits.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/file_kind.h"
 #include "motion/text/text_cursor.h"
 
 namespace mien::motion {
@@ -167,6 +169,16 @@ class AmcReader {
   size_t frame_place_ = 0;
 };
 
+/// Subject and, in some collections, the motion's own name: "02" and "02_01" for 02_01.amc.
+std::array<std::string, 2> skeleton_names(const std::filesystem::path& amc) {
+  const std::string stem = amc.stem().string();
+  return {stem.substr(0, stem.rfind('_')), stem};
+}
+
+bool has_name_for(const std::filesystem::path& asf, const std::filesystem::path& amc) {
+  return std::ranges::count(skeleton_names(amc), asf.stem().string()) > 0;
+}
+
 std::vector<std::filesystem::path> asf_files_beside(const std::filesystem::path& amc) {
   const std::filesystem::path folder = amc.has_parent_path() ? amc.parent_path() : ".";
   std::vector<std::filesystem::path> files;
@@ -181,10 +193,10 @@ std::vector<std::filesystem::path> asf_files_beside(const std::filesystem::path&
 }  // namespace
 
 std::filesystem::path find_asf(const std::filesystem::path& amc) {
-  const std::string stem = amc.stem().string();
-  const std::string subject = stem.substr(0, stem.rfind('_'));
+  const std::array<std::string, 2> names = skeleton_names(amc);
+  const std::string& subject = names.front();
   const std::vector<std::filesystem::path> files = asf_files_beside(amc);
-  for (const std::string& wanted : {subject, stem}) {
+  for (const std::string& wanted : names) {
     for (const std::filesystem::path& file : files) {
       if (file.stem().string() == wanted) return file;
     }
@@ -213,9 +225,18 @@ Recording parse_amc(const NamedText& amc, const NamedText& asf,
 
 Recording read_amc(const std::filesystem::path& path, const AcclaimOptions& options) {
   const std::string amc = read_contents(path);
+  require_kind(amc, path.string(), FileKind::acclaim);
   const std::filesystem::path skeleton = options.skeleton ? *options.skeleton : find_asf(path);
   const std::string asf = read_contents(skeleton);
-  return parse_amc({amc, path.string()}, {asf, skeleton.string()}, options.frames_per_second);
+  require_kind(asf, skeleton.string(), FileKind::acclaim);
+  Recording recording =
+      parse_amc({amc, path.string()}, {asf, skeleton.string()}, options.frames_per_second);
+  if (!options.skeleton && !has_name_for(skeleton, path)) {
+    recording.notes.push_back("The skeleton is that of " + skeleton.filename().string() +
+                              ", which has another name than the motion; it is the only one "
+                              "beside it.");
+  }
+  return recording;
 }
 
 }  // namespace mien::motion

@@ -3,6 +3,7 @@
 
 #include "motion/formats/bvh.h"
 #include "motion/formats/bvh_rotation.h"
+#include "motion/formats/bvh_text.h"
 #include "motion/formats/frame_rate.h"
 
 namespace mien::motion {
@@ -61,8 +62,9 @@ Recording as_read_from_bvh(const Recording& recording) {
     joint.offset = as_written(joint.offset, bvh_position_decimals);
     if (joint.tip) *joint.tip = as_written(*joint.tip, bvh_position_decimals);
   }
-  read.frames_per_second =
-      snapped_frame_rate(1.0 / as_written(1.0 / recording.frames_per_second, bvh_time_decimals));
+  const double period = 1.0 / recording.frames_per_second;
+  read.frames_per_second = frame_rate_of_period(as_written(period, bvh_time_decimals),
+                                                bvh_number(period, bvh_time_decimals));
   std::vector<Vec3> angles(recording.skeleton.joints.size(), Vec3::Zero());
   for (const Pose& pose : recording.poses) {
     Pose& now = read.poses.emplace_back();

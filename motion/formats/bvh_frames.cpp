@@ -101,8 +101,9 @@ double take_bvh_frame_rate(TextCursor& cursor) {
          "give the seconds between two frames, not how many there are in a second: " +
              frame_time_of(seconds));
   }
+  const size_t end = cursor.at;
   expect_line_end(cursor);
-  return snapped_frame_rate(1.0 / seconds);
+  return frame_rate_of_period(seconds, cursor.text.substr(place, end - place));
 }
 
 Pose bvh_pose_before_channels(const BvhHierarchy& hierarchy) {

@@ -201,11 +201,11 @@ class HierarchyReader {
       fail(cursor_, count_place, std::to_string(count) + " channels on one joint",
            "a joint has at most 6");
     }
-    std::array<bool, 3> moved = {};
-    for (long i = 0; i < count; ++i) take_channel(joint.joint, moved);
+    std::array<bool, 6> named = {};
+    for (long i = 0; i < count; ++i) take_channel(joint.joint, named);
   }
 
-  void take_channel(int joint, std::array<bool, 3>& moved) {
+  void take_channel(int joint, std::array<bool, 6>& named) {
     skip_space(cursor_);
     const size_t place = cursor_.at;
     const std::string_view word = take_word(cursor_);
@@ -216,7 +216,8 @@ class HierarchyReader {
            "channels are Xposition Yposition Zposition Xrotation Yrotation Zrotation, as many as "
            "CHANNELS counts");
     }
-    if (!channel->rotation && std::exchange(moved[static_cast<size_t>(channel->axis)], true)) {
+    const size_t which = static_cast<size_t>(channel->axis) + (channel->rotation ? 3 : 0);
+    if (std::exchange(named[which], true)) {
       fail(cursor_, place, in_quotes(word) + " stands twice in one joint", "remove one");
     }
     channel->joint = joint;

@@ -4,6 +4,7 @@
 #include "motion/formats/bvh_frames.h"
 #include "motion/formats/recording_limits.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/file_kind.h"
 
 namespace mien::motion {
 
@@ -57,7 +58,9 @@ Recording parse_bvh(std::string_view text, const std::string& file_name) {
 }
 
 Recording read_bvh(const std::filesystem::path& path) {
-  return parse_bvh(read_contents(path), path.string());
+  const std::string text = read_contents(path);
+  require_kind(text, path.string(), FileKind::bvh);
+  return parse_bvh(text, path.string());
 }
 
 }  // namespace mien::motion

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,12 +9,15 @@
 
 namespace mien::motion {
 
-/// Reads the figure and the first animation of a glTF 2.0 file, text (.gltf, with its .bin files)
-/// or binary (.glb). Units and axes are glTF's: metres, +Y up.
+/// Reads the figure and one animation of a glTF 2.0 file, text (.gltf, with its .bin files) or
+/// binary (.glb): the one that `take` names, else the first that moves anything. `takes` of the
+/// recording lists them; one without a name is called "take 3" by its place, a second "Walk"
+/// "Walk 2". Units and axes are glTF's: metres, +Y up.
 ///
-/// - The skeleton is the first skin's joints and the nodes between them, parents first, children in
-///   the order of the file; without a skin, the nodes that the animation moves. A node without a
-///   name is called "joint_0", "joint_1", … by its place in the skeleton. A still, childless node
+/// - The skeleton is the joints of the skins and the nodes between them, parents first, children in
+///   the order of the file; without a skin, all nodes of the tree that the animation moves
+///   (gltf_figure.h). Of two figures the larger one, which `notes` tell. A node without a name is
+///   called "joint_0", "joint_1", … by its place in the skeleton. A still, childless node
 ///   without a mesh that is the only child of a last joint is the tip of its bone.
 /// - World positions are exact whatever scales and matrices there are: nodes above the root become
 ///   part of the root's pose, scales part of the offsets. Every pose gets `offsets` only when a
@@ -21,17 +25,19 @@ namespace mien::motion {
 /// - Samplers: STEP, LINEAR, CUBICSPLINE; floats or integers; sparse accessors; buffer
 ///   views compressed by meshopt.
 /// - Frames run from the first key to the last, at the rate of the keys when those of the longest
-///   track are evenly spaced at 10 to 1000 a second, else at 30. Without an animation there is one
-///   frame, the pose of the nodes.
+///   track are evenly spaced at 10 a second or more (slower for recordings, gltf_track.h), else at
+///   30. Without an animation there is one frame, the pose of the nodes.
 ///
 /// Throws mien::Error naming the file, for JSON faults with line and column, for everything that is
-/// no such figure: among others indices and buffers out of bounds, a node with two parents, numbers
-/// that are not finite, more than an hour of motion.
-Recording read_gltf(const std::filesystem::path& path);
+/// no such figure: among others a take that is not there, indices and buffers out of bounds, a node
+/// with two parents, numbers that are not finite, more than an hour of motion.
+Recording read_gltf(const std::filesystem::path& path,
+                    const std::optional<std::string>& take = std::nullopt);
 
 /// As `read_gltf`, of a file in memory; `file_name` serves error messages and the recording's name.
 /// A file that keeps its buffers in other files is refused.
-Recording parse_gltf(std::string_view bytes, const std::string& file_name);
+Recording parse_gltf(std::string_view bytes, const std::string& file_name,
+                     const std::optional<std::string>& take = std::nullopt);
 
 /// The recording as a binary glTF file: a node for each joint and, named "…_end", for each tip; one
 /// animation with a rotation for every joint and a translation for the root and for joints whose

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
 #include "motion/formats/gltf_library.h"
 #include "motion/formats/gltf_meshopt.h"
+#include "motion/formats/gltf_track.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/json_depth.h"
@@ -82,14 +85,24 @@ void drop_unread(Json& value, bool keeps_extensions) {
   for (Json& inner : value) drop_unread(inner, keeps_extensions);
 }
 
-/// Buffers and their views may be packed, as an extension of theirs tells.
+/// Buffers and their views may be packed, as an extension of theirs tells; animations may state
+/// their frame rate in `extras`.
 void drop_unread_sections(Json& json) {
   for (auto section = json.begin(); section != json.end();) {
     if (!is_read(section.key())) {
       section = json.erase(section);
       continue;
     }
+    std::vector<std::pair<Json*, Json>> rates;
+    if (section.key() == "animations" && section->is_array()) {
+      for (Json& animation : *section) {
+        const Json extras = animation.is_object() ? animation.value("extras", Json()) : Json();
+        const Json rate = extras.is_object() ? extras.value(gltf_rate_key, Json()) : Json();
+        if (rate.is_number()) rates.emplace_back(&animation, rate);
+      }
+    }
     drop_unread(*section, section.key() == "buffers" || section.key() == "bufferViews");
+    for (auto& [animation, rate] : rates) (*animation)["extras"] = {{gltf_rate_key, rate}};
     ++section;
   }
 }

@@ -1,12 +1,17 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "motion/formats/gltf.h"
+#include "motion/formats/gltf_figure.h"
 #include "motion/formats/gltf_library.h"
 #include "motion/formats/gltf_nodes.h"
 #include "motion/formats/gltf_track.h"
 #include "motion/formats/recording_limits.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/file_kind.h"
 
 namespace mien::motion {
 
@@ -30,51 +35,8 @@ Vec3 seen_from(const NodeInWorld& node, const Vec3& point) {
   return node.rotation.conjugate() * (point - node.position);
 }
 
-/// Which nodes make the figure.
-struct Figure {
-  std::vector<int> above;    ///< the root's ancestors, topmost first
-  std::vector<int> joints;   ///< depth first
-  std::vector<int> parents;  ///< of each joint, as the skeleton counts; −1 for the root
-};
-
-std::vector<int> wanted_nodes(const GltfFile& file, const std::vector<GltfTrack>& tracks) {
-  std::vector<int> wanted;
-  if (!file.model.skins.empty()) wanted = file.model.skins.front().joints;
-  for (const int joint : wanted) {
-    if (joint < 0 || static_cast<size_t>(joint) >= file.model.nodes.size()) {
-      refuse(file, "the skin has a joint that does not exist", "export the file again");
-    }
-  }
-  if (wanted.empty()) {
-    for (const GltfTrack& track : tracks) wanted.push_back(track.node);
-  }
-  if (wanted.empty()) {
-    refuse(file, "there is neither a skin nor an animation", "export the armature with its motion");
-  }
-  std::sort(wanted.begin(), wanted.end());
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  return wanted;
-}
-
-Figure figure_of(const GltfFile& file, const GltfNodes& nodes, const std::vector<int>& wanted) {
-  Figure figure;
-  const int root = common_root(file, nodes, wanted);
-  figure.joints = nodes_between(nodes, root, wanted);
-  for (int node = nodes.parents[static_cast<size_t>(root)]; node >= 0;
-       node = nodes.parents[static_cast<size_t>(node)]) {
-    figure.above.push_back(node);
-  }
-  std::reverse(figure.above.begin(), figure.above.end());
-  std::vector<int> joint_of_node(nodes.parents.size(), -1);
-  for (const int node : figure.joints) {
-    const int parent = nodes.parents[static_cast<size_t>(node)];
-    figure.parents.push_back(parent < 0 ? -1 : joint_of_node[static_cast<size_t>(parent)]);
-    joint_of_node[static_cast<size_t>(node)] = static_cast<int>(figure.parents.size()) - 1;
-  }
-  return figure;
-}
-
-std::vector<NodeInWorld> in_world(const Figure& figure, const std::vector<NodeTransform>& nodes) {
+std::vector<NodeInWorld> in_world(const GltfFigure& figure,
+                                  const std::vector<NodeTransform>& nodes) {
   NodeInWorld top;
   for (const int node : figure.above) top = child_of(top, nodes[static_cast<size_t>(node)]);
   std::vector<NodeInWorld> joints;
@@ -92,7 +54,8 @@ void require_usable(const GltfFile& file, const Vec3& position) {
   }
 }
 
-Pose pose_of(const GltfFile& file, const Figure& figure, const std::vector<NodeTransform>& nodes) {
+Pose pose_of(const GltfFile& file, const GltfFigure& figure,
+             const std::vector<NodeTransform>& nodes) {
   const std::vector<NodeInWorld> joints = in_world(figure, nodes);
   Pose pose;
   pose.root_position = joints.front().position;
@@ -107,24 +70,7 @@ Pose pose_of(const GltfFile& file, const Figure& figure, const std::vector<NodeT
   return pose;
 }
 
-std::vector<bool> moved_nodes(const GltfNodes& nodes, const std::vector<GltfTrack>& tracks) {
-  std::vector<bool> moved(nodes.parents.size(), false);
-  for (const GltfTrack& track : tracks) moved[static_cast<size_t>(track.node)] = true;
-  return moved;
-}
-
-/// The node at the end of a last joint's bone, or −1.
-int tip_node(const GltfFile& file, const GltfNodes& nodes, const std::vector<bool>& moved,
-             int joint) {
-  const std::vector<int>& children = nodes.children[static_cast<size_t>(joint)];
-  if (children.size() != 1) return -1;
-  const auto child = static_cast<size_t>(children.front());
-  const tinygltf::Node& node = file.model.nodes[child];
-  const bool is_empty = nodes.children[child].empty() && node.mesh < 0 && node.camera < 0;
-  return is_empty && !moved[child] ? children.front() : -1;
-}
-
-Skeleton skeleton_of(const GltfFile& file, const GltfNodes& nodes, const Figure& figure,
+Skeleton skeleton_of(const GltfFile& file, const GltfNodes& nodes, const GltfFigure& figure,
                      const std::vector<GltfTrack>& tracks) {
   const std::vector<NodeInWorld> at_rest = in_world(figure, nodes.at_rest);
   const Pose rest = pose_of(file, figure, nodes.at_rest);
@@ -150,7 +96,7 @@ Skeleton skeleton_of(const GltfFile& file, const GltfNodes& nodes, const Figure&
   return skeleton;
 }
 
-std::vector<Pose> sampled(const GltfFile& file, const GltfNodes& nodes, const Figure& figure,
+std::vector<Pose> sampled(const GltfFile& file, const GltfNodes& nodes, const GltfFigure& figure,
                           const std::vector<GltfTrack>& tracks, const TrackTiming& timing) {
   if (!(timing.last - timing.first <= 3600.0)) {
     refuse(file, "the animation is longer than an hour", "cut the motion into shorter files");
@@ -195,7 +141,8 @@ void settle_offsets(Recording& recording) {
   }
 }
 
-void keep_tracks_of(const Figure& figure, const GltfNodes& nodes, std::vector<GltfTrack>& tracks) {
+void keep_tracks_of(const GltfFigure& figure, const GltfNodes& nodes,
+                    std::vector<GltfTrack>& tracks) {
   std::vector<bool> counts(nodes.parents.size(), false);
   for (const int node : figure.joints) counts[static_cast<size_t>(node)] = true;
   for (const int node : figure.above) counts[static_cast<size_t>(node)] = true;
@@ -203,21 +150,49 @@ void keep_tracks_of(const Figure& figure, const GltfNodes& nodes, std::vector<Gl
                 [&](const GltfTrack& track) { return !counts[static_cast<size_t>(track.node)]; });
 }
 
-Recording recording_of(const GltfFile& file) {
+/// The animation of that name, without one the first that moves anything; none when none does.
+std::optional<GltfTake> chosen_take(const GltfFile& file, const std::vector<GltfTake>& takes,
+                                    const std::optional<std::string>& wanted) {
+  if (!wanted) return takes.empty() ? std::nullopt : std::optional(takes.front());
+  std::vector<std::string> names;
+  for (const GltfTake& take : takes) names.push_back(take.name);
+  const auto found = std::ranges::find(takes, *wanted, &GltfTake::name);
+  if (found != takes.end()) return *found;
+  if (names.empty()) {
+    refuse(file, "there is no animation, and so no take " + in_quotes(*wanted),
+           "leave the take out for the pose of the nodes");
+  }
+  refuse(file, "there is no take " + in_quotes(*wanted),
+         "it holds " + listed(names) + ": choose one of these");
+}
+
+void note_choice(Recording& recording, bool was_asked_for) {
+  if (was_asked_for || recording.takes.size() < 2) return;
+  recording.notes.push_back("The file holds " + std::to_string(recording.takes.size()) +
+                            " motions (" + listed(recording.takes) + "); " +
+                            in_quotes(recording.take) + " is taken, for no take was chosen.");
+}
+
+Recording recording_of(const GltfFile& file, const std::optional<std::string>& wanted) {
   const GltfNodes nodes = take_nodes(file);
-  std::vector<GltfTrack> tracks = take_tracks(file);
-  const std::vector<int> wanted = wanted_nodes(file, tracks);
-  const Figure figure = figure_of(file, nodes, wanted);
-  require_reasonable_size({file.name}, figure.joints.size(), 1);
+  const std::vector<GltfTake> takes = gltf_takes(file);
+  const std::optional<GltfTake> take = chosen_take(file, takes, wanted);
+  std::vector<GltfTrack> tracks;
+  if (take) tracks = take_tracks(file, take->animation);
   Recording recording;
   recording.name = std::filesystem::path(file.name).stem().string();
   recording.format = "gltf";
+  for (const GltfTake& one : takes) recording.takes.push_back(one.name);
+  if (take) recording.take = take->name;
+  note_choice(recording, wanted.has_value());
+  const GltfFigure figure = gltf_figure(file, nodes, tracks, recording.notes);
+  require_reasonable_size({file.name}, figure.joints.size(), 1);
   recording.skeleton = skeleton_of(file, nodes, figure, tracks);
   keep_tracks_of(figure, nodes, tracks);
   if (tracks.empty()) {
     recording.poses = {pose_of(file, figure, nodes.at_rest)};
   } else {
-    const TrackTiming timing = timing_of(tracks);
+    const TrackTiming timing = timing_of(tracks, stated_frame_rate(file, take->animation));
     recording.frames_per_second = timing.frames_per_second;
     recording.poses = sampled(file, nodes, figure, tracks, timing);
   }
@@ -227,13 +202,16 @@ Recording recording_of(const GltfFile& file) {
 
 }  // namespace
 
-Recording parse_gltf(std::string_view bytes, const std::string& file_name) {
-  return recording_of(parse_gltf_file(bytes, file_name, std::nullopt));
+Recording parse_gltf(std::string_view bytes, const std::string& file_name,
+                     const std::optional<std::string>& take) {
+  return recording_of(parse_gltf_file(bytes, file_name, std::nullopt), take);
 }
 
-Recording read_gltf(const std::filesystem::path& path) {
+Recording read_gltf(const std::filesystem::path& path, const std::optional<std::string>& take) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  return recording_of(parse_gltf_file(read_contents(path), path.string(), folder));
+  const std::string bytes = read_contents(path);
+  require_kind(bytes, path.string(), FileKind::gltf);
+  return recording_of(parse_gltf_file(bytes, path.string(), folder), take);
 }
 
 }  // namespace mien::motion

@@ -130,6 +130,20 @@ Eigen::Vector4d spline(const GltfTrack& track, size_t key, double t, double seco
   return vanishes ? part(t < 0.5 ? key : key + 1, 1) : value;
 }
 
+/// Of the frame times that BVH knows too.
+constexpr double slowest_frame_rate = 0.49;
+constexpr double fastest_frame_rate = 1e5;
+
+/// Whether the keys are frames of a recording.
+bool is_sampled(const std::vector<GltfTrack>& tracks) {
+  constexpr size_t fewest_keys = 8;
+  return tracks.front().times.size() >= fewest_keys &&
+         std::ranges::all_of(tracks, [&](const GltfTrack& track) {
+           return track.interpolation != Interpolation::cubic_spline &&
+                  track.times == tracks.front().times;
+         });
+}
+
 bool evenly_spaced(const std::vector<double>& times, double step) {
   for (size_t i = 0; i < times.size(); ++i) {
     const double expected = times.front() + step * static_cast<double>(i);
@@ -141,12 +155,36 @@ bool evenly_spaced(const std::vector<double>& times, double step) {
 
 }  // namespace
 
-std::vector<GltfTrack> take_tracks(const GltfFile& file) {
-  for (const tinygltf::Animation& animation : file.model.animations) {
-    std::vector<GltfTrack> tracks = take_tracks_of(file, animation);
-    if (!tracks.empty()) return tracks;
+std::vector<GltfTake> gltf_takes(const GltfFile& file) {
+  std::vector<GltfTake> takes;
+  std::set<std::string> names;
+  for (size_t a = 0; a < file.model.animations.size(); ++a) {
+    const tinygltf::Animation& animation = file.model.animations[a];
+    const bool moves = std::ranges::any_of(animation.channels, [](const auto& channel) {
+      return part_of(channel.target_path) && channel.target_node >= 0;
+    });
+    if (!moves) continue;
+    const std::string own =
+        animation.name.empty() ? "take " + std::to_string(a + 1) : animation.name;
+    std::string name = own;
+    for (int number = 2; !names.insert(name).second; ++number) {
+      name = own + " " + std::to_string(number);
+    }
+    takes.push_back({static_cast<int>(a), name});
   }
-  return {};
+  return takes;
+}
+
+std::vector<GltfTrack> take_tracks(const GltfFile& file, int animation) {
+  return take_tracks_of(file, file.model.animations[static_cast<size_t>(animation)]);
+}
+
+double stated_frame_rate(const GltfFile& file, int animation) {
+  const tinygltf::Value& extras = file.model.animations[static_cast<size_t>(animation)].extras;
+  if (!extras.IsObject() || !extras.Has(gltf_rate_key)) return 0.0;
+  const tinygltf::Value& rate = extras.Get(gltf_rate_key);
+  const double stated = rate.IsNumber() ? rate.GetNumberAsDouble() : 0.0;
+  return stated >= slowest_frame_rate && stated <= fastest_frame_rate ? stated : 0.0;
 }
 
 void apply(const GltfTrack& track, double seconds, NodeTransform& transform) {
@@ -172,8 +210,9 @@ void apply(const GltfTrack& track, double seconds, NodeTransform& transform) {
   put(track, from + t * (vector_of(value_at(track, key + 1), width) - from), transform);
 }
 
-TrackTiming timing_of(const std::vector<GltfTrack>& tracks) {
-  TrackTiming timing{tracks.front().times.front(), tracks.front().times.back(), 30.0, {}};
+TrackTiming timing_of(const std::vector<GltfTrack>& tracks, double stated) {
+  TrackTiming timing{
+      tracks.front().times.front(), tracks.front().times.back(), stated > 0.0 ? stated : 30.0, {}};
   const std::vector<double>* longest = &tracks.front().times;
   for (const GltfTrack& track : tracks) {
     timing.first = std::min(timing.first, track.times.front());
@@ -184,8 +223,11 @@ TrackTiming timing_of(const std::vector<GltfTrack>& tracks) {
   const double step =
       (longest->back() - longest->front()) / static_cast<double>(longest->size() - 1);
   const double rate = 1.0 / step;
-  if (!(rate > 9.99 && rate < 1001.0 && evenly_spaced(*longest, step))) return timing;
-  timing.frames_per_second = snapped_frame_rate(rate);
+  const bool is_stated = std::abs(rate - stated) < 1e-3 * rate;
+  if (!(rate >= slowest_frame_rate && rate <= fastest_frame_rate && evenly_spaced(*longest, step)))
+    return timing;
+  if (rate < 9.99 && !is_stated && !is_sampled(tracks)) return timing;
+  timing.frames_per_second = is_stated ? stated : snapped_frame_rate(rate);
   const bool spans_all =
       longest->front() - timing.first < 0.1 * step && timing.last - longest->back() < 0.1 * step;
   if (spans_all) timing.keys = *longest;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "motion/formats/gltf_library.h"
@@ -22,11 +23,27 @@ struct GltfTrack {
   std::vector<double> numbers;
 };
 
-/// The tracks of the first animation that moves any node; none when there is no such animation.
+/// Where the writer of GLB states, in the `extras` of an animation, a rate that its keys do not
+/// tell: below 10 frames a second.
+inline constexpr const char* gltf_rate_key = "framesPerSecond";
+
+/// An animation of a file that moves any node.
+struct GltfTake {
+  int animation = 0;
+  std::string name;  ///< as the file says; "take 3" for the third animation without a name; the
+                     ///< second of one name is called "Walk 2"
+};
+
+std::vector<GltfTake> gltf_takes(const GltfFile& file);
+
+/// The tracks of an animation of the file.
 /// Throws mien::Error: key times that do not increase or are negative, more or fewer values than
 /// keys, two tracks for one part, rotations of length zero, and whatever `accessor_numbers`
 /// refuses.
-std::vector<GltfTrack> take_tracks(const GltfFile& file);
+std::vector<GltfTrack> take_tracks(const GltfFile& file, int animation);
+
+/// The rate that a file written by mien says for the animation; 0 when none.
+double stated_frame_rate(const GltfFile& file, int animation);
 
 /// Puts the track's value at a time into the transform; before the first key and after the last one
 /// it is theirs. Appendix C of the glTF 2.0 specification.
@@ -41,8 +58,10 @@ struct TrackTiming {
 };
 
 /// At least one track. The rate is that of the track with most keys when they are evenly spaced at
-/// 10 to 1000 a second, else 30.
-TrackTiming timing_of(const std::vector<GltfTrack>& tracks);
+/// 10 a second or more; slower ones too, when all tracks have the same eight keys or more, none of
+/// them a spline, as recordings do: poses that somebody set by hand lie far apart as well, and what
+/// lies between them is theirs. Else it is `stated`, or 30.
+TrackTiming timing_of(const std::vector<GltfTrack>& tracks, double stated = 0.0);
 
 /// Number of frames from the first key to the last.
 size_t frame_count(const TrackTiming& timing);

@@ -7,6 +7,7 @@
 #include "motion/formats/glb_buffer.h"
 #include "motion/formats/gltf.h"
 #include "motion/formats/gltf_stick_mesh.h"
+#include "motion/formats/gltf_track.h"
 #include "motion/math/rotation.h"
 #include "motion/text/file_contents.h"
 
@@ -93,7 +94,11 @@ Json animation_of(const Recording& recording, GlbBuffer& binary) {
     }
     add_track(j, "rotation", add(binary, rotation_keys(recording, j), GlbElement::vec4));
   }
-  return {{"name", recording.name}, {"channels", channels}, {"samplers", samplers}};
+  Json animation = {{"name", recording.name}, {"channels", channels}, {"samplers", samplers}};
+  if (recording.frames_per_second < 10.0) {
+    animation["extras"] = {{gltf_rate_key, recording.frames_per_second}};
+  }
+  return animation;
 }
 
 Json mesh_of(const Skeleton& skeleton, GlbBuffer& binary) {

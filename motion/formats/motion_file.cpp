@@ -26,11 +26,20 @@ bool is_motion_file(const std::filesystem::path& path) {
   return extension == ".bvh" || extension == ".amc" || extension == ".gltf" || extension == ".glb";
 }
 
-Recording read_motion(const std::filesystem::path& path) {
+bool may_hold_takes(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
+  return extension == ".gltf" || extension == ".glb";
+}
+
+Recording read_motion(const std::filesystem::path& path, const std::optional<std::string>& take) {
+  const std::string extension = extension_of(path);
+  if (take && is_motion_file(path) && !may_hold_takes(path)) {
+    throw Error({path.string(), 0, 0}, "holds one motion, so that no take can be chosen",
+                "leave the take out; glTF files (.gltf, .glb) may hold several");
+  }
   if (extension == ".bvh") return read_bvh(path);
   if (extension == ".amc") return read_amc(path);
-  if (extension == ".gltf" || extension == ".glb") return read_gltf(path);
+  if (extension == ".gltf" || extension == ".glb") return read_gltf(path, take);
   throw Error({path.string(), 0, 0}, "is no motion file that can be read",
               "BVH (.bvh), Acclaim (.amc) and glTF (.gltf, .glb) can");
 }

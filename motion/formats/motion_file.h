@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "motion/skeleton/recording.h"
 
@@ -11,7 +13,12 @@ bool is_motion_file(const std::filesystem::path& path);
 
 /// Reads a motion by its file's extension: .bvh, .amc (with its .asf), .gltf, .glb. Throws
 /// mien::Error: no such file, another extension, or what the reader of the format finds wrong.
-Recording read_motion(const std::filesystem::path& path);
+/// `take` chooses a motion of a file that holds several (glTF); other formats refuse it.
+Recording read_motion(const std::filesystem::path& path,
+                      const std::optional<std::string>& take = std::nullopt);
+
+/// Whether a file of this extension may hold several motions to choose a take from.
+bool may_hold_takes(const std::filesystem::path& path);
 
 /// Writes a motion by its file's extension: .bvh, .glb. Throws mien::Error.
 void write_motion(const Recording& recording, const std::filesystem::path& path);

@@ -7,6 +7,8 @@
 #include <limits>
 #include <sstream>
 
+#include "motion/skeleton/body.h"
+
 namespace mien::motion {
 
 namespace {
@@ -98,6 +100,9 @@ std::string rounded(double value, int decimals) {
 }
 
 std::string spoken(std::string_view joint_name) {
+  bool is_of_body = false;
+  for (int j = 0; j < body_joint_count; ++j) is_of_body |= name_of(BodyJoint(j)) == joint_name;
+  if (!is_of_body) return std::string(joint_name);
   std::string words;
   for (const char letter : joint_name) {
     const bool is_capital = std::isupper(static_cast<unsigned char>(letter)) != 0;

@@ -45,7 +45,8 @@ Levels raised(const Levels& levels, std::span<const double> of_original);
 /// "12.3", with so many decimals.
 std::string rounded(double value, int decimals);
 
-/// A joint's name in a sentence: "left knee".
+/// A joint's name in a sentence: that of the canonical body in words, "left knee"; any other as the
+/// file has it, "DEF_BN_Leg_L_02".
 std::string spoken(std::string_view joint_name);
 
 }  // namespace mien::motion

@@ -55,6 +55,8 @@ MotionSummary summarise(const Recording& recording) {
   MotionSummary summary;
   summary.frames = recording.frame_count();
   summary.frames_per_second = recording.frames_per_second;
+  summary.takes = recording.takes;
+  summary.take = recording.take;
   summary.duration_seconds = (summary.frames - 1) / recording.frames_per_second;
   for (const Joint& joint : recording.skeleton.joints) summary.joint_names.push_back(joint.name);
   const RigSketch rig = sketch(recording);
@@ -63,7 +65,7 @@ MotionSummary summarise(const Recording& recording) {
   summary.unit_m = rig.metres_per_unit;
   if (!rig.human) {
     summary.rig = "unknown";
-    summary.warnings.push_back(rig.why_not);
+    summary.warnings = rig.warnings;
     return summary;
   }
   const Clip clip = to_body(recording, *rig.human);

@@ -22,6 +22,8 @@ struct MotionSummary {
   double frames_per_second = 0.0;
   double duration_seconds = 0.0;
   std::vector<std::string> joint_names;  ///< of the file
+  std::vector<std::string> takes;        ///< motions that the file names; empty where it names none
+  std::string take;                      ///< the one of them that this is
   bool is_human = false;                 ///< whether the figure was recognised
   std::string rig;                       ///< rig family, "unknown" when not human
   double confidence = 0.0;

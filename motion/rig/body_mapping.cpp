@@ -6,6 +6,7 @@
 
 #include "motion/error.h"
 #include "motion/math/rotation.h"
+#include "motion/rig/bone_tree.h"
 #include "motion/rig/calibration.h"
 #include "motion/rig/proportions.h"
 #include "motion/rig/rig_motion.h"
@@ -19,6 +20,8 @@ namespace mien::motion {
 
 namespace {
 
+constexpr std::string_view rig_by_topology = "by topology";
+
 std::string axis_name(const Vec3& axis) {
   int largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
@@ -31,21 +34,37 @@ struct Found {
   std::vector<std::string> warnings;
 };
 
-/// By names, else by topology; empty when neither gives a human.
+/// Bones that only help the figure's own, such as Rigify's, lie on these.
+void tell_other_figure(const Skeleton& rig, const JointTransforms& world, const KeyJoints& keys,
+                       std::vector<std::string>& warnings) {
+  const int other = other_figure_in(rig, keys);
+  if (other < 0) return;
+  const Vec3& arm = world.positions[keys.left.upper_arm];
+  const double length = (world.positions[keys.left.forearm] - arm).norm();
+  if ((world.positions[other] - arm).norm() < 0.1 * length) return;
+  warnings.push_back("The file holds another figure (" + rig.joints[other].name +
+                     " …); the one of " + rig.joints[keys.left.upper_arm].name + " is taken.");
+}
+
+/// By names, with the shape for what they leave open; else by topology; empty when neither gives a
+/// human.
 std::optional<Found> find_joints(const Recording& recording,
                                  const std::vector<JointTransforms>& world) {
   const Skeleton& rig = recording.skeleton;
-  if (const auto keys = key_joints_by_name(rig)) {
+  if (const auto keys = key_joints_by_name(bone_tree(rig, world))) {
     Found found{rig_family(rig), groups_of(rig, *keys, 1.0, "name"), {}};
     if (forward_votes(recording, world, *keys) < -1.0) {
       found.warnings.push_back(
           "Toes, knees and elbows point backwards by the joint names: left and right may be "
           "exchanged in the file.");
     }
+    tell_other_figure(rig, world.front(), *keys, found.warnings);
     return found;
   }
   if (const auto guess = key_joints_by_topology(recording, world)) {
-    Found found{"by topology", groups_of(rig, guess->keys, guess->confidence, "topology"), {}};
+    Found found{std::string(rig_by_topology),
+                groups_of(rig, guess->keys, guess->confidence, "topology"),
+                {}};
     if (guess->confidence < 0.6) {
       found.warnings.push_back("Left and right are hard to tell apart in this rig.");
     }
@@ -77,10 +96,14 @@ LimbDirections limb_directions(const RigMotion& motion) {
   return {mean.trunk / frames, mean.arms / frames};
 }
 
+bool goes_on_all_fours(const RigMotion& motion) {
+  const LimbDirections limbs = limb_directions(motion);
+  return limbs.trunk >= -0.5 && limbs.arms >= 0.5;
+}
+
 /// A dog has a human's joints, but not a human's ways.
 void warn_of_all_fours(BodyMapping& mapping, const RigMotion& motion) {
-  const LimbDirections limbs = limb_directions(motion);
-  if (limbs.trunk < -0.5 || limbs.arms < 0.5) return;
+  if (!goes_on_all_fours(motion)) return;
   mapping.confidence *= 0.5;
   mapping.warnings.push_back(
       "The figure goes on all fours: unless it is a human who crawls, it is an animal, and what is "
@@ -112,6 +135,37 @@ Error not_human(const Recording& recording) {
                    "shank, two arms of at least upper arm and forearm)",
                "name the joints in a common way (LeftUpLeg, LeftLeg, LeftFoot, LeftArm, …) or draw "
                "it as a stick figure");
+}
+
+Error on_all_fours(const Recording& recording) {
+  return Error(
+      Place{recording.name},
+      "its " + std::to_string(recording.skeleton.size()) +
+          " joints are not recognised as a human figure: by their shape it goes on all "
+          "fours",
+      "name the joints in a common way (LeftUpLeg, LeftLeg, LeftFoot, LeftArm, …) if it is "
+      "a human who crawls, or draw it as a stick figure");
+}
+
+/// The up axis: what the format promises, else by the figure. Says where they differ, or where the
+/// figure hardly tells.
+UpAxis up_of(const Recording& recording, const std::vector<JointTransforms>& world,
+             BodyMapping& mapping) {
+  UpAxis up = up_axis(world, mapping.joints);
+  if (recording.format != "gltf") {
+    if (up.clearness < 0.7) {
+      mapping.warnings.push_back("The figure is seldom upright: " + axis_name(up.axis) +
+                                 " as the up axis is a guess.");
+    }
+    return up;
+  }
+  if (axis_name(up.axis) != "+Y" && up.clearness > 0.7) {
+    mapping.warnings.push_back("The figure's head is towards " + axis_name(up.axis) +
+                               " of its feet, but +Y is up in glTF: it is shown lying or upside "
+                               "down.");
+  }
+  up.axis = Vec3::UnitY();
+  return up;
 }
 
 void check_frames(const Recording& recording) {
@@ -213,18 +267,17 @@ BodyMapping recognise(std::span<const Recording> recordings) {
   BodyMapping mapping;
   mapping.rig = found->rig;
   mapping.joints = found->joints;
-  mapping.warnings = found->warnings;
-  const UpAxis up = up_axis(world, mapping.joints);
+  mapping.warnings = first.notes;
+  mapping.warnings.insert(mapping.warnings.end(), found->warnings.begin(), found->warnings.end());
+  const UpAxis up = up_of(first, world, mapping);
   mapping.up = axis_name(up.axis);
   mapping.to_y_up = turn_to_y_up(up.axis);
-  if (up.clearness < 0.7) {
-    mapping.warnings.push_back("The figure is seldom upright: " + mapping.up +
-                               " as the up axis is a guess.");
-  }
   std::vector<RigMotion> motions;
   for (const Recording& recording : recordings) {
     motions.push_back(rig_motion(recording, mapping.joints, mapping.to_y_up));
   }
+  const bool is_nameless = mapping.rig == rig_by_topology;
+  if (is_nameless && goes_on_all_fours(motions.front())) throw on_all_fours(first);
   const Calibration calibration = calibrate(motions);
   mapping.calibration = calibration.to_body;
   mapping.body = calibration.body;
@@ -272,19 +325,21 @@ RigSketch sketch(const Recording& recording) {
     result.to_y_up = result.human->to_y_up;
     result.up = result.human->up;
     result.metres_per_unit = result.human->metres_per_unit;
+    result.warnings = result.human->warnings;
   } catch (const Error& error) {
     result.why_not = error.what();
+    result.warnings = recording.notes;
+    result.warnings.push_back(result.why_not);
+    result.warnings.push_back(
+        "It is shown as it is: unscaled, a unit of the file for a metre, and +Y up.");
   }
   double lowest = 0.0;
-  double largest = 0.0;
   const std::vector<JointTransforms> world = world_frames(recording);
   for (size_t t = 0; t < world.size(); ++t) {
     Eigen::AlignedBox3d box;
     for (const Vec3& position : world[t].positions) box.extend(result.to_y_up * position);
     lowest = t == 0 ? box.min().y() : std::min(lowest, box.min().y());
-    largest = std::max(largest, box.sizes().maxCoeff());
   }
-  if (!result.human && largest > 0.0) result.metres_per_unit = 1.7 / largest;
   result.floor = lowest * result.metres_per_unit;
   return result;
 }

@@ -62,11 +62,12 @@ Clip to_body(const Recording& recording);
 /// What can be said of any recording, human or not, so that it can still be drawn as a stick
 /// figure.
 struct RigSketch {
-  std::optional<BodyMapping> human;  ///< empty when it was not recognised
-  std::string why_not;               ///< then: the reason, a plain sentence
+  std::optional<BodyMapping> human;   ///< empty when it was not recognised
+  std::string why_not;                ///< then: the reason, a plain sentence
+  std::vector<std::string> warnings;  ///< the human's, or why it is none; notes of the reader
   Quat to_y_up = Quat::Identity();
   std::string up = "+Y";
-  double metres_per_unit = 1.0;  ///< without a human: makes the figure about 1.7 m tall or long
+  double metres_per_unit = 1.0;  ///< without a human 1: nothing tells the unit
   double floor = 0.0;            ///< height of the lowest point, metres, after the turn to +Y
 };
 

@@ -1,6 +1,7 @@
 #include "motion/rig/mapped_joint.h"
 
 #include <algorithm>
+#include <set>
 #include <span>
 
 namespace mien::motion {
@@ -9,6 +10,7 @@ namespace {
 
 constexpr double between_factor = 0.9;  // a joint that follows from its neighbours is less certain
 constexpr double tip_factor = 0.8;
+constexpr double shape_factor = 0.8;  // of a named rig: known by what lies round it
 
 /// Fills in groups of one rig; only carries what every step needs.
 struct Grouping {
@@ -41,6 +43,11 @@ void group_trunk(Grouping& grouping, const KeyJoints& keys) {
     grouping.put(Spine, joints.first(middle), back.front(), between_factor);
     grouping.put(Chest, joints.subspan(middle), back[middle], 1.0);
   }
+  if (keys.head < 0) {
+    const std::vector<int> neck = path_down(grouping.rig, keys.chest, keys.neck);
+    if (!neck.empty()) grouping.put(Neck, neck, neck.front(), between_factor);
+    return;
+  }
   const std::vector<int> neck = path_down(grouping.rig, keys.chest, keys.head);
   if (neck.empty()) return;
   grouping.put(Head, neck.back());
@@ -66,9 +73,9 @@ void group_arm(Grouping& grouping, int chest, const KeyLimbs& keys, BodyJoint cl
   }
 }
 
-void group_leg(Grouping& grouping, int pelvis, const KeyLimbs& keys, BodyJoint hip) {
+void group_leg(Grouping& grouping, int parting, const KeyLimbs& keys, BodyJoint hip) {
   // Joints between pelvis and thigh are struts that hardly turn: the hip sits at the thigh.
-  grouping.put(hip, path_down(grouping.rig, pelvis, keys.thigh), keys.thigh, 1.0);
+  grouping.put(hip, path_down(grouping.rig, parting, keys.thigh), keys.thigh, 1.0);
   const auto knee = BodyJoint(hip + 1);
   const auto ankle = BodyJoint(hip + 2);
   const auto toe = BodyJoint(hip + 3);
@@ -86,6 +93,17 @@ void group_leg(Grouping& grouping, int pelvis, const KeyLimbs& keys, BodyJoint h
 }
 
 }  // namespace
+
+bool are_disjoint(const MappedJoints& joints) {
+  std::set<int> taken;
+  for (const MappedJoint& joint : joints) {
+    if (joint.at_tip) continue;
+    for (const int one : joint.group) {
+      if (!taken.insert(one).second) return false;
+    }
+  }
+  return true;
+}
 
 std::vector<int> path_down(const Skeleton& rig, int ancestor, int descendant) {
   std::vector<int> path;
@@ -111,8 +129,16 @@ MappedJoints groups_of(const Skeleton& rig, const KeyJoints& keys, double confid
   group_trunk(grouping, keys);
   group_arm(grouping, keys.chest, keys.left, LeftClavicle);
   group_arm(grouping, keys.chest, keys.right, RightClavicle);
-  group_leg(grouping, keys.pelvis, keys.left, LeftHip);
-  group_leg(grouping, keys.pelvis, keys.right, RightHip);
+  // In some rigs the legs hang on a joint of the spine.
+  const int parting = common_ancestor(rig, keys.left.thigh, keys.right.thigh);
+  group_leg(grouping, parting, keys.left, LeftHip);
+  group_leg(grouping, parting, keys.right, RightHip);
+  for (MappedJoint& joint : joints) {
+    if (joint.at_tip || std::ranges::find(keys.by_shape, joint.position) == keys.by_shape.end())
+      continue;
+    joint.confidence *= shape_factor;
+    joint.found_by = "topology";
+  }
   return joints;
 }
 

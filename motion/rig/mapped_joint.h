@@ -38,16 +38,22 @@ struct KeyJoints {
   int pelvis = -1;
   int chest = -1;  ///< where the arms branch off
   int head = -1;
+  int neck = -1;  ///< of a rig without a head: the neck's last joint
   KeyLimbs left;
   KeyLimbs right;
+  std::vector<int> by_shape;  ///< those of a named rig that its shape told, not a name
 };
 
 /// The groups of a rig: spine joints between pelvis and chest are shared out to Spine and Chest
 /// (the lower half, rounded up, is Spine), those between chest and head are the neck, those between
 /// chest and upper arm the clavicle. A missing wrist or toe sits at the tip of the bone before it
-/// when the rig gives one.
+/// when the rig gives one. What stands for a joint in `by_shape` is found by "topology" and less
+/// sure.
 MappedJoints groups_of(const Skeleton& rig, const KeyJoints& keys, double confidence,
                        const std::string& found_by);
+
+/// Whether no joint of the rig stands for two joints of the body.
+bool are_disjoint(const MappedJoints& joints);
 
 /// Joints from `ancestor` (left out) down to `descendant` (included). Empty when it is no ancestor.
 std::vector<int> path_down(const Skeleton& rig, int ancestor, int descendant);

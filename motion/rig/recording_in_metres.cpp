@@ -6,8 +6,7 @@ namespace mien::motion {
 
 Recording in_metres(Recording recording) {
   const RigSketch rig = sketch(recording);
-  // Of what is no human the size is a guess, but glTF is in metres by its standard.
-  if (!rig.human && recording.format == "gltf") return recording;
+  if (!rig.human) return recording;  // nothing tells its unit and axes
   const double unit = rig.metres_per_unit;
   for (Joint& joint : recording.skeleton.joints) {
     joint.offset *= unit;

@@ -2,94 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <span>
 #include <vector>
+
+#include "motion/rig/named_gaps.h"
 
 namespace mien::motion {
 
 namespace {
 
 using Side = JointWord::Side;
-using Words = std::span<const std::string_view>;
-
-constexpr std::string_view pelvis_words[] = {"hips", "hip", "pelvis", "root", "reference"};
-constexpr std::string_view head_words[] = {"head"};
-constexpr std::string_view upper_arm_words[] = {"upperarm", "uparm", "arm", "humerus"};
-constexpr std::string_view shoulder_words[] = {"shoulder"};
-constexpr std::string_view forearm_words[] = {"forearm", "lowerarm", "loarm",
-                                              "lowarm",  "radius",   "elbow"};
-constexpr std::string_view wrist_words[] = {"wrist", "hand", "palm"};
-constexpr std::string_view thigh_words[] = {"upleg", "upperleg", "thigh", "femur"};
-constexpr std::string_view hip_words[] = {"hip"};
-constexpr std::string_view shank_words[] = {"leg",  "lowerleg", "loleg", "lowleg",
-                                            "shin", "calf",     "tibia", "knee"};
-constexpr std::string_view ankle_words[] = {"ankle"};
-constexpr std::string_view foot_words[] = {"foot"};
-constexpr std::string_view toe_words[] = {"toe", "toes", "toebase", "ball"};
-constexpr std::string_view clavicle_words[] = {"clavicle", "collar"};
-
-/// Parts of a name that say nothing about the joint.
-constexpr std::string_view padding[] = {"bip",  "j",   "c",    "jnt",   "joint", "bone", "def",
-                                        "bind", "org", "jbip", "biped", "skel",  "char"};
-
-bool contains(Words words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-bool is_body_word(std::string_view word) {
-  for (Words words : {Words(pelvis_words), Words(head_words), Words(upper_arm_words),
-                      Words(shoulder_words), Words(forearm_words), Words(wrist_words),
-                      Words(thigh_words), Words(hip_words), Words(shank_words), Words(ankle_words),
-                      Words(foot_words), Words(toe_words), Words(clavicle_words)}) {
-    if (contains(words, word)) return true;
-  }
-  return word == "hipjoint";
-}
-
-bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
-bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-/// Splits at everything that is no letter, at "aB" and before the last capital of "ABc".
-std::vector<std::string> tokens_of(std::string_view name) {
-  std::vector<std::string> tokens;
-  bool open = false;
-  for (size_t i = 0; i < name.size(); ++i) {
-    const char c = name[i];
-    if (!is_letter(c)) {
-      open = false;
-      continue;
-    }
-    const bool after_lower = i > 0 && is_lower(name[i - 1]);
-    const bool before_lower = i + 1 < name.size() && is_lower(name[i + 1]);
-    const bool after_upper = i > 0 && is_upper(name[i - 1]);
-    if (!open || (is_upper(c) && (after_lower || (after_upper && before_lower)))) {
-      tokens.emplace_back();
-    }
-    open = true;
-    tokens.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return tokens;
-}
-
-Side side_of(std::string_view token) {
-  if (token == "left" || token == "l" || token == "lft") return Side::left;
-  if (token == "right" || token == "r" || token == "rgt" || token == "rt") return Side::right;
-  return Side::middle;
-}
-
-/// "lfemur", "rightfoot": the side is stuck to the word.
-void unstick_side(JointWord& joint) {
-  for (std::string_view prefix : {"left", "right", "l", "r"}) {
-    if (!joint.word.starts_with(prefix)) continue;
-    const std::string rest = joint.word.substr(prefix.size());
-    if (!is_body_word(rest)) continue;
-    joint.side = prefix.front() == 'l' ? Side::left : Side::right;
-    joint.word = rest;
-    return;
-  }
-}
+using namespace joint_words;
 
 /// The joints of a rig with what their names say.
 struct NamedRig {
@@ -99,11 +22,21 @@ struct NamedRig {
   /// First joint of that side with one of the words; −1 when there is none.
   int find(Side side, Words wanted) const {
     for (int j = 0; j < rig.size(); ++j) {
-      if (words[j].side == side && contains(wanted, words[j].word)) return j;
+      if (words[j].side == side && is_among(wanted, words[j].word)) return j;
     }
     return -1;
   }
+
+  bool has(Side side, const std::string& word) const {
+    return find(side, std::array<std::string_view, 1>{word}) >= 0;
+  }
 };
+
+NamedRig named_rig(const Skeleton& rig) {
+  NamedRig named{rig, {}};
+  for (const Joint& joint : rig.joints) named.words.push_back(joint_word(joint.name));
+  return named;
+}
 
 int first_found(std::initializer_list<int> joints) {
   for (int joint : joints) {
@@ -117,9 +50,9 @@ bool is_below(const Skeleton& rig, int ancestor, int descendant) {
          common_ancestor(rig, ancestor, descendant) == ancestor;
 }
 
-/// The joint only when it lies below `above`.
+/// The joint only when it lies below `above`; where nothing is known above, as it is.
 int if_below(const Skeleton& rig, int above, int joint) {
-  return is_below(rig, above, joint) ? joint : -1;
+  return above < 0 || is_below(rig, above, joint) ? joint : -1;
 }
 
 KeyLimbs limbs_of(const NamedRig& named, Side side) {
@@ -127,13 +60,38 @@ KeyLimbs limbs_of(const NamedRig& named, Side side) {
   limbs.upper_arm =
       first_found({named.find(side, upper_arm_words), named.find(side, shoulder_words)});
   limbs.forearm = named.find(side, forearm_words);
-  limbs.wrist = if_below(named.rig, limbs.forearm, named.find(side, wrist_words));
+  limbs.wrist = named.find(side, wrist_words);
   limbs.thigh = first_found({named.find(side, thigh_words), named.find(side, hip_words)});
   limbs.shank = named.find(side, shank_words);
   limbs.ankle = first_found({named.find(side, ankle_words), named.find(side, foot_words)});
   limbs.toe = first_found({named.find(side, toe_words), named.find(side, foot_words)});
-  limbs.toe = if_below(named.rig, limbs.ankle, limbs.toe);
   return limbs;
+}
+
+/// A word means the same on both sides. Where one side has lost the name of a joint, the word of
+/// the next one would be taken for it: "LeftShoulder" for the upper arm of a rig whose other side
+/// has RightShoulder and RightArm.
+void settle_meanings(const NamedRig& named, KeyLimbs& left, KeyLimbs& right) {
+  for (int KeyLimbs::*const slot :
+       {&KeyLimbs::upper_arm, &KeyLimbs::forearm, &KeyLimbs::wrist, &KeyLimbs::thigh,
+        &KeyLimbs::shank, &KeyLimbs::ankle, &KeyLimbs::toe}) {
+    if (left.*slot < 0 || right.*slot < 0) continue;
+    const std::string& left_word = named.words[left.*slot].word;
+    const std::string& right_word = named.words[right.*slot].word;
+    if (left_word == right_word) continue;
+    if (named.has(Side::right, left_word)) {
+      left.*slot = -1;
+    } else if (named.has(Side::left, right_word)) {
+      right.*slot = -1;
+    }
+  }
+}
+
+/// Leaves out what hangs elsewhere, such as a foot that a robot steers by itself.
+void keep_ends_below(const Skeleton& rig, KeyLimbs& limbs) {
+  limbs.wrist = if_below(rig, first_found({limbs.forearm, limbs.upper_arm}), limbs.wrist);
+  limbs.ankle = if_below(rig, first_found({limbs.shank, limbs.thigh}), limbs.ankle);
+  limbs.toe = if_below(rig, first_found({limbs.ankle, limbs.shank, limbs.thigh}), limbs.toe);
 }
 
 bool is_complete(const Skeleton& rig, const KeyLimbs& limbs) {
@@ -142,53 +100,69 @@ bool is_complete(const Skeleton& rig, const KeyLimbs& limbs) {
                           : is_below(rig, limbs.shank, limbs.ankle));
 }
 
-/// A joint called pelvis from which both legs hang, the lowest such; else where the legs part.
-int pelvis_of(const NamedRig& named, int left_thigh, int right_thigh) {
-  const int parting = common_ancestor(named.rig, left_thigh, right_thigh);
-  for (int j = parting; j >= 0; j = named.rig.joints[j].parent) {
+/// A joint called pelvis from which both legs hang, the lowest such; else where the legs and the
+/// trunk part, but never a joint called spine.
+int pelvis_of(const NamedRig& named, const KeyJoints& keys) {
+  const Skeleton& rig = named.rig;
+  const int parting = common_ancestor(rig, keys.left.thigh, keys.right.thigh);
+  for (int j = parting; j >= 0; j = rig.joints[j].parent) {
     const bool called_so = named.words[j].side == Side::middle &&
                            (named.words[j].word == "hips" || named.words[j].word == "hip" ||
                             named.words[j].word == "pelvis");
     if (called_so) return j;
   }
-  return parting;
+  const int trunk = common_ancestor(rig, parting, keys.chest);
+  const bool is_spine = named.words[trunk].word.starts_with("spine");
+  return is_spine && rig.joints[trunk].parent >= 0 ? rig.joints[trunk].parent : trunk;
 }
 
 }  // namespace
 
-JointWord joint_word(std::string_view name) {
-  if (const size_t colon = name.rfind(':'); colon != std::string_view::npos) {
-    name.remove_prefix(colon + 1);
-  }
-  if (name.starts_with("mixamorig")) name.remove_prefix(9);
-  JointWord joint;
-  std::string padded;
-  for (const std::string& token : tokens_of(name)) {
-    padded += token;
-    if (const Side side = side_of(token); side != Side::middle && joint.side == Side::middle) {
-      joint.side = side;
-    } else if (!contains(padding, token)) {
-      joint.word += token;
-    }
-  }
-  if (joint.word.empty()) joint.word = padded;
-  if (joint.side == Side::middle) unstick_side(joint);
-  return joint;
-}
-
-std::optional<KeyJoints> key_joints_by_name(const Skeleton& rig) {
-  NamedRig named{rig, {}};
-  for (const Joint& joint : rig.joints) named.words.push_back(joint_word(joint.name));
+std::optional<KeyJoints> key_joints_by_name(const BoneTree& tree) {
+  const Skeleton& rig = tree.rig;
+  const NamedRig named = named_rig(rig);
   KeyJoints keys;
   keys.left = limbs_of(named, Side::left);
   keys.right = limbs_of(named, Side::right);
+  settle_meanings(named, keys.left, keys.right);
+  keep_ends_below(rig, keys.left);
+  keep_ends_below(rig, keys.right);
+  fill_limbs_by_shape(tree, keys);
   if (!is_complete(rig, keys.left) || !is_complete(rig, keys.right)) return std::nullopt;
-  keys.pelvis = pelvis_of(named, keys.left.thigh, keys.right.thigh);
   keys.chest = common_ancestor(rig, keys.left.upper_arm, keys.right.upper_arm);
-  keys.head = if_below(rig, keys.chest, named.find(Side::middle, head_words));
+  keys.pelvis = pelvis_of(named, keys);
   const bool is_upright = keys.chest == keys.pelvis || is_below(rig, keys.pelvis, keys.chest);
   if (!is_upright) return std::nullopt;
+  const int head = named.find(Side::middle, head_words);
+  if (is_below(rig, keys.chest, head)) {
+    keys.head = head;
+  } else {
+    find_head_by_shape(tree, keys);
+  }
+  if (!are_disjoint(groups_of(rig, keys, 1.0, "name"))) return std::nullopt;
   return keys;
+}
+
+std::optional<KeyJoints> key_joints_by_name(const Skeleton& rig) {
+  return key_joints_by_name(bone_tree(rig, {}));
+}
+
+int other_figure_in(const Skeleton& rig, const KeyJoints& keys) {
+  const NamedRig named = named_rig(rig);
+  int other = -1;
+  for (const KeyLimbs& limbs : {keys.left, keys.right}) {
+    for (const int own : {limbs.upper_arm, limbs.forearm, limbs.thigh, limbs.shank}) {
+      const JointWord& word = named.words[own];
+      int twin = -1;
+      for (int j = 0; j < rig.size() && twin < 0; ++j) {
+        const bool is_same = named.words[j].side == word.side && named.words[j].word == word.word;
+        if (is_same && j != own && !is_below(rig, keys.pelvis, j)) twin = j;
+      }
+      if (twin < 0 || word.side == Side::middle) return -1;
+      if (other < 0) other = twin;
+    }
+  }
+  return other;
 }
 
 std::string rig_family(const Skeleton& rig) {

@@ -4,67 +4,12 @@
 #include <cmath>
 
 #include "motion/math/rotation.h"
+#include "motion/rig/bone_tree.h"
+#include "motion/rig/joint_word.h"
 
 namespace mien::motion {
 
 namespace {
-
-/// The tree with its mean bone lengths. A joint's bone leads to it from its parent.
-struct BoneTree {
-  const Skeleton& rig;
-  std::vector<std::vector<int>> children;
-  std::vector<double> bone;   ///< length of the bone that leads to the joint
-  std::vector<double> reach;  ///< length of the longest way from the joint to an end
-  double size = 0.0;          ///< longest way from a fork to an end
-
-  double tip_length(int joint) const {
-    return rig.joints[joint].tip ? rig.joints[joint].tip->norm() : 0.0;
-  }
-};
-
-BoneTree bone_tree(const Skeleton& rig, const std::vector<JointTransforms>& world) {
-  BoneTree tree{rig, children_of(rig), {}, {}, 0.0};
-  tree.bone.assign(rig.joints.size(), 0.0);
-  tree.reach.assign(rig.joints.size(), 0.0);
-  const size_t stride = std::max<size_t>(1, world.size() / 32);
-  for (int j = 1; j < rig.size(); ++j) {
-    int count = 0;
-    for (size_t t = 0; t < world.size(); t += stride, ++count) {
-      const auto& positions = world[t].positions;
-      tree.bone[j] += (positions[j] - positions[rig.joints[j].parent]).norm();
-    }
-    tree.bone[j] /= std::max(1, count);
-  }
-  for (int j = rig.size() - 1; j >= 0; --j) {
-    tree.reach[j] = std::max(tree.reach[j], tree.tip_length(j));
-    const int parent = rig.joints[j].parent;
-    if (parent >= 0)
-      tree.reach[parent] = std::max(tree.reach[parent], tree.bone[j] + tree.reach[j]);
-  }
-  // From forks only: a rig may hang on a root that stays behind while the body walks away.
-  for (int j = 0; j < rig.size(); ++j) {
-    if (tree.children[j].size() > 1) tree.size = std::max(tree.size, tree.reach[j]);
-  }
-  return tree;
-}
-
-/// The joint and then always the child with the longest way to go.
-std::vector<int> longest_chain(const BoneTree& tree, int joint) {
-  std::vector<int> chain;
-  while (joint >= 0) {
-    chain.push_back(joint);
-    int next = -1;
-    double farthest = -1.0;
-    for (int child : tree.children[joint]) {
-      if (tree.bone[child] + tree.reach[child] > farthest) {
-        farthest = tree.bone[child] + tree.reach[child];
-        next = child;
-      }
-    }
-    joint = next;
-  }
-  return chain;
-}
 
 /// Two chains of one fork with the same bones.
 struct Pair {
@@ -228,19 +173,60 @@ std::optional<KeyJoints> keys_of(const Recording& recording, const BoneTree& tre
   return keys;
 }
 
-/// The two longest pairs at different forks, as (legs, arms).
-std::optional<std::pair<Pair, Pair>> legs_and_arms(const Recording& recording,
-                                                   const BoneTree& tree) {
-  const std::vector<Pair> pairs = limb_pairs(tree);
-  for (size_t i = 1; i < pairs.size(); ++i) {
-    const int meeting = common_ancestor(tree.rig, pairs[0].fork, pairs[i].fork);
-    if (pairs[0].fork == pairs[i].fork) continue;
-    if (meeting != pairs[0].fork && meeting != pairs[i].fork) continue;
-    const Pair& upper = meeting == pairs[0].fork ? pairs[0] : pairs[i];
-    const Pair& lower = meeting == pairs[0].fork ? pairs[i] : pairs[0];
-    // Usually the root is the pelvis and the neck leaves where the deeper fork is.
-    const bool neck_is_deep = !head_chain(recording, tree, lower, upper.fork).empty();
-    return neck_is_deep ? std::pair(upper, lower) : std::pair(lower, upper);
+/// Two pairs at different forks, one above the other, as (legs, arms).
+std::optional<std::pair<Pair, Pair>> legs_and_arms(const Recording& recording, const BoneTree& tree,
+                                                   const Pair& one, const Pair& other) {
+  if (one.fork == other.fork) return std::nullopt;
+  const int meeting = common_ancestor(tree.rig, one.fork, other.fork);
+  if (meeting != one.fork && meeting != other.fork) return std::nullopt;
+  const Pair& upper = meeting == one.fork ? one : other;
+  const Pair& lower = meeting == one.fork ? other : one;
+  // Usually the root is the pelvis and the neck leaves where the deeper fork is.
+  const bool neck_is_deep = !head_chain(recording, tree, lower, upper.fork).empty();
+  return neck_is_deep ? std::pair(upper, lower) : std::pair(lower, upper);
+}
+
+/// Whether a name says that its joint belongs elsewhere.
+bool is_contradicted(const Skeleton& rig, int joint, BodyPart part) {
+  if (joint < 0) return false;
+  const BodyPart named = body_part_of(joint_word(rig.joints[joint].name));
+  return named != BodyPart::other && named != part;
+}
+
+bool names_contradict(const Skeleton& rig, const KeyJoints& keys) {
+  for (const KeyLimbs& limbs : {keys.left, keys.right}) {
+    for (const int joint : {limbs.upper_arm, limbs.forearm, limbs.wrist}) {
+      if (is_contradicted(rig, joint, BodyPart::arm)) return true;
+    }
+    for (const int joint : {limbs.thigh, limbs.shank, limbs.ankle, limbs.toe}) {
+      if (is_contradicted(rig, joint, BodyPart::leg)) return true;
+    }
+  }
+  return is_contradicted(rig, keys.head, BodyPart::head) ||
+         is_contradicted(rig, keys.pelvis, BodyPart::other) ||
+         is_contradicted(rig, keys.chest, BodyPart::other);
+}
+
+/// Whether these joints can be those of a human. The body hangs from the pelvis: a rig rooted at
+/// the chest cannot be followed.
+bool are_usable(const Skeleton& rig, const KeyJoints& keys) {
+  return !path_down(rig, keys.pelvis, keys.chest).empty() && !names_contradict(rig, keys) &&
+         are_disjoint(groups_of(rig, keys, 1.0, "topology"));
+}
+
+/// The key joints by the longest two pairs of limbs that can be legs and arms.
+std::optional<KeyJoints> likeliest_keys(const Recording& recording, const BoneTree& tree,
+                                        const JointTransforms& world) {
+  constexpr size_t most_tried = 16;
+  std::vector<Pair> pairs = limb_pairs(tree);
+  if (pairs.size() > most_tried) pairs.resize(most_tried);
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    for (size_t k = i + 1; k < pairs.size(); ++k) {
+      const auto limbs = legs_and_arms(recording, tree, pairs[i], pairs[k]);
+      if (!limbs) continue;
+      std::optional<KeyJoints> keys = keys_of(recording, tree, world, limbs->first, limbs->second);
+      if (keys && are_usable(tree.rig, *keys)) return keys;
+    }
   }
   return std::nullopt;
 }
@@ -272,14 +258,8 @@ std::optional<TopologyGuess> key_joints_by_topology(const Recording& recording,
                                                     const std::vector<JointTransforms>& world) {
   if (world.empty()) return std::nullopt;
   const BoneTree tree = bone_tree(recording.skeleton, world);
-  const auto pairs = legs_and_arms(recording, tree);
-  if (!pairs) return std::nullopt;
-  std::optional<KeyJoints> keys =
-      keys_of(recording, tree, world.front(), pairs->first, pairs->second);
-  // The body hangs from the pelvis: a rig rooted at the chest cannot be followed.
-  if (!keys || path_down(recording.skeleton, keys->pelvis, keys->chest).empty()) {
-    return std::nullopt;
-  }
+  std::optional<KeyJoints> keys = likeliest_keys(recording, tree, world.front());
+  if (!keys) return std::nullopt;
   sort_arms(world, *keys);
   const double votes = forward_votes(recording, world, *keys);
   if (votes < 0) std::swap(keys->left, keys->right);

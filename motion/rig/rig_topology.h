@@ -12,7 +12,9 @@ struct TopologyGuess {
   double confidence = 0.0;  ///< 0–1: how clearly anatomy tells left from right
 };
 
-/// The key joints of a human rig from the shape of its tree and from how it moves, names unread.
+/// The key joints of a human rig from the shape of its tree and from how it moves. Names are not
+/// needed, but a joint whose name says that it belongs elsewhere (a leg called LowerArm.R) is none,
+/// and no joint stands for two of the body.
 ///
 /// Legs and arms are the two pairs of mirror-like chains; the pair whose fork also carries a single
 /// chain away from the other fork (the neck) is the arms. Thigh and shank, upper arm and forearm

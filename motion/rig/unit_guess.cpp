@@ -1,21 +1,43 @@
 #include "motion/rig/unit_guess.h"
 
 #include <cstdio>
+#include <optional>
 
 namespace mien::motion {
 
-UnitGuess guess_unit(double height, const std::string& format) {
-  const bool is_metric = format == "gltf" || format == "glb";
-  if (is_metric && height > 0.5 && height < 3.0) return {};
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::optional<double> known_unit(double height) {
   for (const double metres : {1.0, 0.01, 0.001, 0.0254, 0.0254 / 0.45, 0.1, 0.3048}) {
     const double tall = height * metres;
-    if (tall >= 1.2 && tall <= 2.2) return {metres, ""};
+    if (tall >= 1.2 && tall <= 2.2) return metres;
   }
-  char tall[32];
-  std::snprintf(tall, sizeof tall, "%.4g", height);
-  return {1.7 / height, "The figure stands " + std::string(tall) +
-                            " units tall, which fits no known unit of length; it is scaled to "
-                            "1.70 m."};
+  return std::nullopt;
+}
+
+}  // namespace
+
+UnitGuess guess_unit(double height, const std::string& format) {
+  constexpr double doll = 0.1;
+  constexpr double giant = 20.0;
+  const bool is_metric = format == "gltf" || format == "bind pose";
+  if (is_metric && height > doll && height < giant) return {};
+  const std::optional<double> known = known_unit(height);
+  if (!known) {
+    return {1.7 / height, "The figure stands " + number(height) +
+                              " units tall, which fits no known unit of length; it is scaled to "
+                              "1.70 m."};
+  }
+  if (!is_metric) return {*known, ""};
+  return {*known, "The figure stands " + number(height) +
+                      " m tall by the unit of glTF, as no human does; a unit is taken for " +
+                      number(*known) + " m."};
 }
 
 }  // namespace mien::motion

@@ -17,6 +17,9 @@ struct Recording {
   Skeleton skeleton;
   double frames_per_second = 30.0;
   std::vector<Pose> poses;
+  std::vector<std::string> takes;  ///< motions that the file holds, where it names them (glTF)
+  std::string take;                ///< the one of them that this is
+  std::vector<std::string> notes;  ///< what the reader chose or left out; plain sentences
 
   int frame_count() const { return static_cast<int>(poses.size()); }
 };

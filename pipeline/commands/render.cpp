@@ -18,6 +18,7 @@
 #include "motion/skeleton/straighten.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/render_options.h"
+#include "pipeline/commands/take_option.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film.h"
 #include "pipeline/film/film_dots.h"
@@ -58,13 +59,10 @@ std::string name_among(std::set<std::string>& names, const std::string& wanted) 
 }
 
 /// What a file shows; says what is doubtful about its rig.
-motion::Clip clip_in(const std::string& file, const Console& console) {
-  const motion::Recording recording = motion::read_motion(file);
-  const motion::RigSketch rig = motion::sketch(recording);
-  if (rig.human) {
-    for (const std::string& warning : rig.human->warnings)
-      console.err << "warning: " << file << ": " << warning << '\n';
-  }
+motion::Clip clip_in(const std::string& file, const std::string& take, const Console& console) {
+  const motion::Recording recording = read_take(file, take);
+  for (const std::string& warning : motion::sketch(recording).warnings)
+    console.err << "warning: " << file << ": " << warning << '\n';
   return clip_of(recording);
 }
 
@@ -78,7 +76,8 @@ std::vector<scenes::Performance> performances_of(const RenderOptions& options, c
   std::set<std::string> names;
   std::vector<scenes::Performance> performances;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
-    motion::Clip clip = motion::resampled(clip_in(options.files[i], console), output.fps);
+    motion::Clip clip =
+        motion::resampled(clip_in(options.files[i], options.take, console), output.fps);
     if (output.in_place) clip = motion::kept_in_place(clip);
     performances.push_back({.name = name_among(names, fs::path(options.files[i]).stem().string()),
                             .clip = std::move(clip),
@@ -197,6 +196,7 @@ void add_file_options(CLI::App* command, const std::shared_ptr<RenderOptions>& o
           "created (blue), reference (red)")
       ->required()
       ->expected(1, 3);
+  add_take_option(*command, options->take);
   command->add_option("--layout", options->layout, "Of several motions")
       ->check(CLI::IsMember({"superimposed", "side-by-side"}))
       ->capture_default_str();

@@ -17,6 +17,7 @@ namespace mien::pipeline {
 /// What the command line of `mien render` says.
 struct RenderOptions {
   std::vector<std::string> files;
+  std::string take;  ///< of files with several; empty: their first
   std::string out;
   OutputFlags output;
   LookOptions look;

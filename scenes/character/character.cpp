@@ -4,11 +4,13 @@
 #include <stdexcept>
 
 #include "motion/error.h"
+#include "motion/rig/joint_word.h"
 #include "motion/rig/proportions.h"
 #include "motion/rig/retarget.h"
 #include "motion/rig/rig_motion.h"
 #include "motion/skeleton/sole.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/file_kind.h"
 #include "scenes/character/character_file.h"
 #include "scenes/character/leaf_twist.h"
 
@@ -26,7 +28,7 @@ constexpr double assumed_extent = 1.7;  // metres: of the joints, while the figu
 motion::Recording bind_recording(const BoundRig& rig, const std::string& name) {
   motion::Recording recording;
   recording.name = name;
-  recording.format = "gltf";
+  recording.format = "bind pose";  // in which glTF promises neither metres nor an up axis
   recording.skeleton = rig.skeleton;
   motion::Pose pose;
   pose.root_position = rig.skeleton.joints.front().offset;
@@ -51,9 +53,35 @@ void transform(Character& character, const Quat& turn, double scale) {
   }
 }
 
-motion::BodyMapping recognised(const motion::Recording& recording, const std::string& name) {
+/// Whether the toes point backwards by which hip is called left.
+bool toes_point_backwards(const motion::Recording& recording, const motion::BodyMapping& mapping) {
+  const motion::RigMotion rig = motion::rig_motion(recording, mapping.joints, mapping.to_y_up);
+  const auto at = [&](BodyJoint joint) { return rig.point(rig.frames.front(), joint); };
+  if (!rig.has(motion::LeftToe) || !rig.has(motion::RightToe)) return false;
+  const Vec3 forward = (at(motion::LeftHip) - at(motion::RightHip)).cross(Vec3::UnitY());
+  const Vec3 toes =
+      at(motion::LeftToe) - at(motion::LeftAnkle) + at(motion::RightToe) - at(motion::RightAnkle);
+  return toes.dot(forward) < 0.0;
+}
+
+/// The joints with the sides of their names exchanged.
+motion::Recording with_other_sides(motion::Recording recording) {
+  using Side = motion::JointWord::Side;
+  for (motion::Joint& joint : recording.skeleton.joints) {
+    const motion::JointWord word = motion::joint_word(joint.name);
+    if (word.side == Side::middle) continue;
+    joint.name = (word.side == Side::left ? "Right_" : "Left_") + word.word;
+  }
+  return recording;
+}
+
+/// In the mirror image of a figure the joints called left are those of its right side.
+motion::BodyMapping recognised(const motion::Recording& recording, bool is_mirrored,
+                               const std::string& name) {
   try {
-    return motion::recognise(recording);
+    motion::BodyMapping mapping = motion::recognise(recording);
+    if (!is_mirrored || !toes_point_backwards(recording, mapping)) return mapping;
+    return motion::recognise(with_other_sides(recording));
   } catch (const Error&) {
     throw Error({name},
                 "its " + std::to_string(recording.skeleton.size()) +
@@ -141,7 +169,7 @@ Character character_of(const CharacterFile& file) {
   motion::Recording recording = bind_recording(rig, file.gltf.name);
   for (motion::Joint& joint : recording.skeleton.joints) joint.offset *= assumed_extent / extent;
   recording.poses.front().root_position *= assumed_extent / extent;
-  const motion::BodyMapping mapping = recognised(recording, file.gltf.name);
+  const motion::BodyMapping mapping = recognised(recording, rig.is_mirrored, file.gltf.name);
   character.warnings.insert(character.warnings.end(), mapping.warnings.begin(),
                             mapping.warnings.end());
   character.joints = mapping.joints;
@@ -156,7 +184,9 @@ Character character_of(const CharacterFile& file) {
 
 CharacterFile read_file(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  return parse_character_file(motion::read_contents(path), path.string(), folder);
+  const std::string bytes = motion::read_contents(path);
+  motion::require_kind(bytes, path.string(), motion::FileKind::gltf);
+  return parse_character_file(bytes, path.string(), folder);
 }
 
 }  // namespace

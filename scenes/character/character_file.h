@@ -43,6 +43,7 @@ struct BoundRig {
   std::vector<int> joint_of_node;     ///< −1 for nodes that are no joints
   motion::Skeleton skeleton;          ///< bind pose, frames parallel to the file's world
   std::vector<Eigen::Affine3d> bind;  ///< world transform of each joint
+  bool is_mirrored = false;           ///< the file shows the mirror image of what was modelled
 
   /// For each skin and each of its joints: mesh space → world in the bind pose.
   std::vector<std::vector<Eigen::Affine3d>> skin_to_world;

@@ -1,8 +1,15 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 #include "motion/formats/gltf_accessor.h"
+#include "motion/math/rotation.h"
 #include "scenes/character/character_file.h"
 
 namespace mien::scenes {
@@ -86,22 +93,71 @@ std::vector<Eigen::Affine3d> inverse_binds(const CharacterFile& file, int skin) 
   return inverses;
 }
 
-/// Works out the bind pose, skin after skin.
+/// A linear part as a rotation, or a mirror image, of no scale.
+struct Attitude {
+  Eigen::Matrix3d turn;
+  bool is_square = false;  ///< it goes along the axes, and exactly so whatever the file rounds
+};
+
+Attitude attitude_of(const Eigen::Matrix3d& linear) {
+  const Eigen::Matrix3d turn = linear / std::cbrt(std::abs(linear.determinant()));
+  const Eigen::Matrix3d whole = turn.array().round();
+  const bool is_square = (turn - whole).cwiseAbs().maxCoeff() < 1e-3;
+  return {is_square ? whole : turn, is_square};
+}
+
+/// Works out the bind pose, skin after skin. It is the same however the file poses its nodes: of
+/// these only the attitude of the whole is taken, and what holds skins together that share no
+/// joint.
 struct Binder {
   const CharacterFile& file;
   std::vector<Eigen::Affine3d> rest;
   std::map<int, Eigen::Affine3d> bind;  ///< by node
   std::vector<std::vector<Eigen::Affine3d>> skin_to_world;
+  std::optional<Eigen::Affine3d> settling;  ///< world of the file → that of the bind pose
 
-  /// What places the mesh space of a skin in the world: a joint that another skin has bound, else
-  /// the first joint as the file poses it.
-  Eigen::Affine3d placing(int skin, const std::vector<Eigen::Affine3d>& inverses) const {
+  /// Mesh space → the file's world by the joint with which most others agree: all do where the
+  /// nodes stand in the bind pose. Figures are modelled along the axes, so that of a posed one the
+  /// joints go before that say so.
+  Eigen::Affine3d posed_place(int skin, const std::vector<Eigen::Affine3d>& inverses) const {
+    constexpr size_t most_compared = 128;
+    const std::vector<int>& joints = joints_of(file, skin);
+    const size_t count = std::min(most_compared, joints.size());
+    const auto place_by = [&](size_t j) {
+      return Eigen::Affine3d(rest[static_cast<size_t>(joints[j])] * inverses[j]);
+    };
+    Eigen::Affine3d best = place_by(0);
+    std::pair<bool, size_t> most = {false, 0};
+    for (size_t j = 0; j < count && most.second < count; ++j) {
+      const Eigen::Affine3d place = place_by(j);
+      const double tolerance = 1e-3 * place.matrix().cwiseAbs().maxCoeff();
+      size_t agreeing = 0;
+      for (size_t k = 0; k < count; ++k) {
+        const Eigen::Matrix4d apart = place_by(k).matrix() - place.matrix();
+        agreeing += apart.cwiseAbs().maxCoeff() < tolerance ? 1 : 0;
+      }
+      const std::pair<bool, size_t> support = {attitude_of(place.linear()).is_square, agreeing};
+      if (support <= most) continue;
+      most = support;
+      best = place;
+    }
+    return best;
+  }
+
+  /// What places the mesh space of a skin in the bind pose: a joint that another skin has bound,
+  /// else the nodes.
+  Eigen::Affine3d placing(int skin, const std::vector<Eigen::Affine3d>& inverses) {
     const std::vector<int>& joints = joints_of(file, skin);
     for (size_t j = 0; j < joints.size(); ++j) {
       const auto known = bind.find(joints[j]);
       if (known != bind.end()) return known->second * inverses[j];
     }
-    return rest[static_cast<size_t>(joints.front())] * inverses.front();
+    const Eigen::Affine3d posed = posed_place(skin, inverses);
+    if (settling) return *settling * posed;
+    Eigen::Affine3d place = Eigen::Affine3d::Identity();
+    place.linear() = attitude_of(posed.linear()).turn;
+    settling = place * posed.inverse();
+    return place;
   }
 
   void add(int skin) {
@@ -116,7 +172,64 @@ struct Binder {
       to_world.push_back(joint->second * inverses[j]);
     }
   }
+
+  /// The children that a skin binds: where they are on the node, and where in the bind pose.
+  struct Children {
+    std::vector<Vec3> on_node;
+    std::vector<Vec3> bound;
+  };
+
+  Children bound_children(int node) const {
+    Children found;
+    for (const int child : file.nodes.children[static_cast<size_t>(node)]) {
+      const auto known = bind.find(child);
+      if (known == bind.end()) continue;
+      found.on_node.push_back(file.nodes.at_rest[static_cast<size_t>(child)].translation);
+      found.bound.emplace_back(known->second.translation());
+    }
+    return found;
+  }
+
+  /// A root that no skin binds: where its children say, when there are enough of them.
+  Eigen::Affine3d unbound_root(int node) const {
+    const Children children = bound_children(node);
+    const auto count = static_cast<Eigen::Index>(children.bound.size());
+    const Eigen::Affine3d posed =
+        settling.value_or(Eigen::Affine3d::Identity()) * rest[static_cast<size_t>(node)];
+    if (count < 3) return posed;
+    Eigen::Matrix3Xd from(3, count);
+    Eigen::Matrix3Xd to(3, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      from.col(i) = children.on_node[static_cast<size_t>(i)];
+      to.col(i) = children.bound[static_cast<size_t>(i)];
+    }
+    const Eigen::Matrix3Xd spread = from.colwise() - from.rowwise().mean();
+    if (spread.jacobiSvd().rank() < 2) return posed;
+    return Eigen::Affine3d(Eigen::umeyama(from, to, true));
+  }
+
+  /// A joint that no skin binds, on one that has its bind pose: turned so that its first bound
+  /// child is where it is.
+  Eigen::Affine3d unbound_joint(int node, const Eigen::Affine3d& parent) const {
+    const Eigen::Affine3d posed = parent * local_of(file, node);
+    const Children children = bound_children(node);
+    if (children.bound.empty()) return posed;
+    const Vec3 place = posed.translation();
+    const Vec3 wanted = children.bound.front() - place;
+    const Vec3 seen = posed * children.on_node.front() - place;
+    if (!(wanted.norm() > 0.0 && seen.norm() > 0.0)) return posed;
+    return Eigen::Translation3d(place) * motion::turn_between(seen, wanted) *
+           Eigen::Translation3d(-place) * posed;
+  }
 };
+
+/// Whether a skin's mesh is the mirror image of what was modelled.
+bool rig_is_mirrored(const Binder& binder) {
+  for (const auto& to_world : binder.skin_to_world) {
+    if (!to_world.empty()) return to_world.front().linear().determinant() < 0.0;
+  }
+  return false;
+}
 
 std::vector<int> wanted_nodes(const CharacterFile& file, const std::vector<PlacedMesh>& meshes) {
   std::set<int> wanted;
@@ -216,7 +329,7 @@ BoundRig bound_rig(const CharacterFile& file, std::vector<std::string>& warnings
   BoundRig rig;
   rig.meshes = placed_meshes(file);
   if (file.gltf.model.skins.empty()) motion::refuse(file.gltf, "holds no skin", with_armature);
-  Binder binder{file, at_rest(file), {}, {}};
+  Binder binder{file, at_rest(file), {}, {}, std::nullopt};
   binder.skin_to_world.resize(file.gltf.model.skins.size());
   for (const PlacedMesh& mesh : rig.meshes) {
     if (mesh.skin < 0) continue;
@@ -232,16 +345,20 @@ BoundRig bound_rig(const CharacterFile& file, std::vector<std::string>& warnings
     const int node = rig.nodes[j];
     const int parent = file.nodes.parents[static_cast<size_t>(node)];
     const auto bound = binder.bind.find(node);
-    rig.bind.push_back(
-        bound != binder.bind.end() ? bound->second
-        : j == 0                   ? binder.rest[static_cast<size_t>(node)]
-                 : rig.bind[static_cast<size_t>(rig.joint_of_node[static_cast<size_t>(parent)])] *
-                       local_of(file, node));
+    if (bound != binder.bind.end()) {
+      rig.bind.push_back(bound->second);
+    } else if (j == 0) {
+      rig.bind.push_back(binder.unbound_root(node));
+    } else {
+      const int above = rig.joint_of_node[static_cast<size_t>(parent)];
+      rig.bind.push_back(binder.unbound_joint(node, rig.bind[static_cast<size_t>(above)]));
+    }
     rig.joint_of_node[static_cast<size_t>(node)] = static_cast<int>(j);
   }
   hang_meshes(file, binder.rest, rig);
   drop_loose_meshes(rig, warnings);
   rig.skeleton = skeleton_of(file, rig);
+  rig.is_mirrored = rig_is_mirrored(binder);
   rig.skin_to_world = std::move(binder.skin_to_world);
   return rig;
 }

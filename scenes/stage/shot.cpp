@@ -55,6 +55,18 @@ std::vector<Performance> laid_out(std::vector<Performance> performances, Layout 
   return performances;
 }
 
+/// The performances where single precision is fine enough: a thousand metres from the origin a foot
+/// would tremble. What begins nearby stays where it is.
+std::vector<Performance> near_origin(std::vector<Performance> performances) {
+  constexpr double far_m = 100.0;
+  const Vec3 start = on_floor(performances.front().clip.poses.front().root_position);
+  if (start.norm() < far_m) return performances;
+  for (Performance& one : performances) {
+    for (motion::Pose& pose : one.clip.poses) pose.root_position -= start;
+  }
+  return performances;
+}
+
 /// On the floor, of the box around all points.
 Vec3 centre_of(const std::vector<std::vector<Vec3>>& points) {
   Vec3 least = points.front().front();
@@ -172,7 +184,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   Shot shot;
   shot.set = look.set;
   shot.size = look.size;
-  for (const Performance& one : laid_out(performances, look.layout)) {
+  for (const Performance& one : near_origin(laid_out(performances, look.layout))) {
     shot.actors.push_back(cast(one.clip, look.figure, one.role));
     shot.actors.back().name = one.name;
     shot.actors.back().opacity = one.opacity;

@@ -60,8 +60,9 @@ struct Shot {
   int frame_count() const;
 };
 
-/// Stages a clip that does not loop (`repeated` makes one of a loop). Throws Error when a figure or
-/// camera cannot be had.
+/// Stages a clip that does not loop (`repeated` makes one of a loop). One that begins farther than
+/// 100 m from the origin is moved there, where single precision is fine enough. Throws Error when a
+/// figure or camera cannot be had.
 Shot stage(const motion::Clip& clip, const Look& look);
 
 /// Stages several clips together, by `layout` and with the roles that they have. Superimposed ones

@@ -481,7 +481,7 @@ TEST(CommandLine, BlendsComparesConvertsAndTellsAboutMotions) {
   EXPECT_EQ(run_mien({"motion", "info", (scratch.path() / "none.bvh").string()}).code, 2);
 }
 
-TEST(CommandLine, WritesGlbInMetres) {
+TEST(CommandLine, LeavesWhatIsNoHumanUnscaledAndSaysSo) {
   const Scratch scratch;
   const fs::path bvh = scratch.path() / "stick.bvh";
   std::ofstream(bvh) << "HIERARCHY\nROOT low\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition "
@@ -489,11 +489,35 @@ TEST(CommandLine, WritesGlbInMetres) {
                         "CHANNELS 3 Zrotation Xrotation Yrotation\n}\n}\nMOTION\nFrames: 1\n"
                         "Frame Time: 0.1\n0 0 0 0 0 0 0 0 0\n";
   const fs::path glb = scratch.path() / "stick.glb";
-  ASSERT_EQ(run_mien({"motion", "convert", bvh.string(), glb.string()}).code, 0);
+  const Ended written = run_mien({"motion", "convert", bvh.string(), glb.string()});
+  ASSERT_EQ(written.code, 0);
+  EXPECT_NE(written.errors.find("shown as it is: unscaled"), std::string::npos) << written.errors;
   std::ifstream in(glb, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const json document = json::parse(bytes.substr(20, bytes.find("BIN") - 24));
-  EXPECT_NEAR(document["nodes"][1]["translation"][1].get<double>(), 1.7, 1e-6);
+  EXPECT_NEAR(document["nodes"][1]["translation"][1].get<double>(), 170.0, 1e-6);
+}
+
+TEST(CommandLine, TakesTheMotionOfAFileThatIsNamed) {
+  const Scratch scratch;
+  const fs::path glb = scratch.path() / "walk.glb";
+  ASSERT_EQ(run_mien({"motion", "blend", "--examples", "builtin:walks-10", "--weights", "normal=1",
+                      "-o", glb.string()})
+                .code,
+            0);
+  const json named = json::parse(run_mien({"motion", "info", glb.string(), "--json"}).output);
+  ASSERT_EQ(named["takes"].size(), 1u);
+  const std::string take = named["take"].get<std::string>();
+  EXPECT_EQ(run_mien({"motion", "info", glb.string(), "--take", take}).code, 0);
+  const Ended unknown = run_mien({"motion", "info", glb.string(), "--take", "Jump"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.errors.find("there is no take \"Jump\"; it holds " + take), std::string::npos)
+      << unknown.errors;
+  const fs::path bvh = scratch.path() / "walk.bvh";
+  ASSERT_EQ(run_mien({"motion", "convert", glb.string(), bvh.string(), "--take", take}).code, 0);
+  const Ended single = run_mien({"motion", "info", bvh.string(), "--take", take});
+  EXPECT_EQ(single.code, 2);
+  EXPECT_NE(single.errors.find("holds one motion"), std::string::npos) << single.errors;
 }
 
 /// The BVH with a frame of half a second later in its middle.

@@ -10,6 +10,7 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_in_metres.h"
 #include "pipeline/commands/motion/motion.h"
+#include "pipeline/commands/take_option.h"
 
 namespace mien::pipeline {
 
@@ -18,6 +19,7 @@ namespace {
 struct ConvertOptions {
   std::string in;
   std::string out;
+  std::string take;
   bool body = false;
 };
 
@@ -26,11 +28,16 @@ int convert(const ConvertOptions& options, const Console& console) {
   if (std::filesystem::equivalent(options.in, options.out, unknown)) {
     throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
   }
-  motion::Recording recording = motion::read_motion(options.in);
+  motion::Recording recording = read_take(options.in, options.take);
   const bool is_glb = std::filesystem::path(options.out).extension() == ".glb";
   if (options.body) {
     recording = motion::to_recording(motion::to_body(recording));
   } else if (is_glb) {
+    const motion::RigSketch rig = motion::sketch(recording);
+    if (!rig.human) {
+      for (const std::string& warning : rig.warnings)
+        console.err << "warning: " << options.in << ": " << warning << '\n';
+    }
     recording = motion::in_metres(std::move(recording));
   }
   motion::write_motion(recording, options.out);
@@ -50,6 +57,7 @@ void add_motion_convert_command(CLI::App& motion, Command& chosen) {
           "out", options->out,
           "File to write: .bvh, in the unit of what is read, or .glb, in metres and with +Y up")
       ->required();
+  add_take_option(*command, options->take);
   command->add_flag("--body", options->body,
                     "Map it onto the canonical body: 21 joints, metres, +Y up");
   command->footer(

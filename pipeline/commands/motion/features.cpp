@@ -14,6 +14,7 @@
 #include "motion/measures/motion_features.h"
 #include "motion/rig/body_mapping.h"
 #include "pipeline/commands/motion/motion.h"
+#include "pipeline/commands/take_option.h"
 #include "pipeline/documents/csv.h"
 
 namespace mien::pipeline {
@@ -24,6 +25,7 @@ using nlohmann::ordered_json;
 
 struct FeaturesOptions {
   std::vector<std::string> files;
+  std::string take;
   std::string masses = "male";
   std::string sideways = "outward";
   bool json = false;
@@ -46,8 +48,9 @@ motion::FeatureOptions feature_options(const FeaturesOptions& options) {
   return result;
 }
 
-MeasuredFile measured(const std::string& file, const motion::FeatureOptions& options) {
-  const motion::Clip clip = motion::to_body(motion::read_motion(file));
+MeasuredFile measured(const std::string& file, const std::string& take,
+                      const motion::FeatureOptions& options) {
+  const motion::Clip clip = motion::to_body(read_take(file, take));
   motion::PreparedExample prepared = motion::prepare_example(clip);
   const motion::FeatureValues values = motion::measure_features(prepared.example, options);
   return {file, std::filesystem::path(file).stem().string(), std::move(prepared), values};
@@ -150,7 +153,7 @@ void show_table(const std::vector<MeasuredFile>& all, const Console& console) {
 int show_features(const FeaturesOptions& options, const Console& console) {
   std::vector<MeasuredFile> all;
   for (const std::string& file : options.files) {
-    all.push_back(measured(file, feature_options(options)));
+    all.push_back(measured(file, options.take, feature_options(options)));
   }
   if (options.json) {
     show_json(all, console);
@@ -169,6 +172,7 @@ void add_motion_features_command(CLI::App& motion, Command& chosen) {
       "features", "Measure the 51 features of a walk that motions can be made from");
   const auto options = std::make_shared<FeaturesOptions>();
   command->add_option("files", options->files, "Motion files")->required();
+  add_take_option(*command, options->take);
   command
       ->add_option("--masses", options->masses,
                    "Masses of the body's segments: male, female (de Leva 1996), winter (Winter "

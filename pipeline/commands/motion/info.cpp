@@ -9,6 +9,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/measures/motion_summary.h"
 #include "pipeline/commands/motion/motion.h"
+#include "pipeline/commands/take_option.h"
 
 namespace mien::pipeline {
 
@@ -18,6 +19,7 @@ using nlohmann::ordered_json;
 
 struct InfoOptions {
   std::string file;
+  std::string take;
   bool json = false;
 };
 
@@ -60,6 +62,10 @@ ordered_json as_json(const motion::MotionSummary& summary) {
                          {"cycles", cycles}};
   result["steadiest_cycle"] = nullptr;
   if (summary.steadiest >= 0) result["steadiest_cycle"] = summary.steadiest;
+  if (!summary.takes.empty()) {
+    result["takes"] = summary.takes;
+    result["take"] = summary.take;
+  }
   result["mapping"] = mapping;
   result["warnings"] = summary.warnings;
   return result;
@@ -92,6 +98,10 @@ void show_cycles(const motion::MotionSummary& summary, const Console& console) {
 void show_text(const motion::MotionSummary& summary, const Console& console) {
   console.out << fmt::format("frames   {} at {:.4g} frames per second, {:.2f} s\n", summary.frames,
                              summary.frames_per_second, summary.duration_seconds);
+  if (!summary.takes.empty()) {
+    console.out << fmt::format("takes    {} ({} is shown)\n", fmt::join(summary.takes, ", "),
+                               summary.take);
+  }
   console.out << fmt::format("rig      {}, {} joints", summary.rig, summary.joint_names.size());
   if (summary.is_human) {
     console.out << fmt::format(", recognised with {:.0f} % confidence", 100.0 * summary.confidence);
@@ -107,7 +117,7 @@ void show_text(const motion::MotionSummary& summary, const Console& console) {
 }
 
 int show_info(const InfoOptions& options, const Console& console) {
-  const motion::MotionSummary summary = motion::summarise(motion::read_motion(options.file));
+  const motion::MotionSummary summary = motion::summarise(read_take(options.file, options.take));
   if (options.json) {
     console.out << as_json(summary).dump(2, ' ', false, ordered_json::error_handler_t::replace)
                 << '\n';
@@ -124,6 +134,7 @@ void add_motion_info_command(CLI::App& motion, Command& chosen) {
       motion.add_subcommand("info", "Show what is in a motion file and how it was recognised");
   const auto options = std::make_shared<InfoOptions>();
   command->add_option("file", options->file, "Motion file")->required();
+  add_take_option(*command, options->take);
   command->add_flag("--json", options->json, "As JSON");
   command->footer("\nExample:\n  mien motion info walk.bvh --json | jq .speed_m_s");
   command->callback([&chosen, options] {

@@ -14,6 +14,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/rig/recording_clip.h"
 #include "pipeline/commands/motion/motion.h"
+#include "pipeline/commands/take_option.h"
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/report/lint_timeline.h"
@@ -29,6 +30,7 @@ struct LintCommand {
   std::vector<std::string> files;
   std::string original;
   std::string timeline;
+  std::string take;
   double mass_kg = motion::LintOptions().body_mass_kg;
   bool loop = false;
   bool errors_only = false;
@@ -70,7 +72,7 @@ LintedFile linted(const std::string& file, const LintCommand& command,
                   const motion::Clip* original) {
   motion::LintOptions options;
   options.body_mass_kg = command.mass_kg;
-  const motion::Recording recording = motion::read_motion(file);
+  const motion::Recording recording = read_take(file, command.take);
   const motion::Clip read = clip_of(recording);
   const motion::Clip clip = command.loop ? as_loop(read) : read;
   LintedFile result;
@@ -229,6 +231,7 @@ void add_motion_lint_command(CLI::App& motion, Command& chosen) {
       motion.add_subcommand("lint", "Find what no body does: faults of motions, where and how bad");
   const auto options = std::make_shared<LintCommand>();
   command->add_option("files", options->files, "Motion files")->required();
+  add_take_option(*command, options->take);
   command->add_option("--original", options->original,
                       "The motion before it was modified: what it did already counts less, and "
                       "timing is compared");

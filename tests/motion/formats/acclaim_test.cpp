@@ -254,6 +254,20 @@ TEST(Acclaim, RefusesWhatIsWrongInTheSkeletonAtItsPlace) {
   }
 }
 
+TEST(Acclaim, SaysThatASkeletonOfAnotherNameWasTaken) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "mien_foreign_asf_test";
+  std::filesystem::create_directories(folder);
+  write_contents(folder / "02_01.amc", arm_amc);
+  write_contents(folder / "stranger.asf", arm_asf);
+  const Recording foreign = read_amc(folder / "02_01.amc");
+  ASSERT_EQ(foreign.notes.size(), 1u);
+  EXPECT_NE(foreign.notes[0].find("The skeleton is that of stranger.asf"), std::string::npos);
+  std::filesystem::rename(folder / "stranger.asf", folder / "02.asf");
+  EXPECT_TRUE(read_amc(folder / "02_01.amc").notes.empty());
+  std::filesystem::remove_all(folder);
+}
+
 TEST(Acclaim, FindsTheSkeletonOfAMotion) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(testing::TempDir()) / "mien_acclaim_test";

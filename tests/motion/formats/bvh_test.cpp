@@ -204,6 +204,7 @@ TEST(Bvh, RefusesWhatIsWrongAtItsPlace) {
       {replaced(good, "CHANNELS 6", "CHANNELS 99999999999"), "f.bvh:5:12", "not a usable count"},
       {replaced(good, "Xrotation", "Xscale"), "f.bvh:5:54", "found \"Xscale\""},
       {replaced(good, "Yposition", "Xposition"), "f.bvh:5:24", "\"Xposition\" stands twice"},
+      {replaced(good, "Xrotation", "Zrotation"), "f.bvh:5:54", "\"Zrotation\" stands twice"},
       {replaced(good, "    End Site", "    Middle"), "f.bvh:10:5", "unknown word \"Middle\""},
       {replaced(good, "      OFFSET 0 -1 0\n", ""), "f.bvh:12:5", "End Site holds no OFFSET"},
       {replaced(good, "}\nMOTION", "MOTION"), "f.bvh:15:1", "\"Upper Arm\" is not closed"},

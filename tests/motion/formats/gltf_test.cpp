@@ -201,6 +201,137 @@ TEST(Gltf, TakesTheFrameRateFromEvenKeys) {
   }
 }
 
+/// A root with two children, the second with a child of its own; only the first child moves.
+std::string tree_that_moves_one(const std::string& more_nodes = "") {
+  GltfNumbers numbers;
+  const int times = numbers.add({0, 1}, "SCALAR");
+  const int turns = numbers.add({0, 0, 0, 1, 0, 0, half, half}, "VEC4");
+  const std::string nodes =
+      R"("nodes":[{"name":"Hips","translation":[0,1,0],"children":[1,2]},)"
+      R"({"name":"LeftArm","translation":[1,0,0]},)"
+      R"({"name":"Spine","translation":[0,1,0],"children":[3]},)"
+      R"({"name":"Head","translation":[0,1,0],"children":[4]},{"name":"Head_end","translation":[0,0.5,0]})" +
+      more_nodes + "]";
+  return gltf_text(numbers, nodes, gltf_channel(0, 1, "rotation"),
+                   gltf_sampler(times, turns, "LINEAR"));
+}
+
+TEST(Gltf, WithoutASkinHasAllNodesOfTheTreeThatMoves) {
+  const Recording recording = parse_gltf(tree_that_moves_one(), "tree.gltf");
+  ASSERT_EQ(recording.skeleton.size(), 4);
+  EXPECT_EQ(recording.skeleton.joints[0].name, "Hips");
+  EXPECT_EQ(recording.skeleton.joints[3].name, "Head");
+  ASSERT_TRUE(recording.skeleton.joints[3].tip);
+  expect_close(*recording.skeleton.joints[3].tip, {0, 0.5, 0});
+  expect_close(world_positions(recording.skeleton, recording.poses[0])[3], {0, 3, 0});
+  EXPECT_TRUE(recording.notes.empty());
+}
+
+TEST(Gltf, LeavesOutNodesThatNothingMovesElsewhere) {
+  // Another tree, of a camera and a house, stands still.
+  const Recording recording = parse_gltf(
+      tree_that_moves_one(R"(,{"name":"house","children":[6]},{"name":"door"})"), "tree.gltf");
+  EXPECT_EQ(recording.skeleton.size(), 4);
+  EXPECT_TRUE(recording.notes.empty());
+}
+
+TEST(Gltf, TellsOfASecondFigure) {
+  const std::string nodes =
+      R"("nodes":[{"name":"a","children":[1]},{"name":"a1","translation":[0,1,0]},)"
+      R"({"name":"b","children":[3]},{"name":"b1","translation":[0,1,0],"children":[4]},)"
+      R"({"name":"b2","translation":[0,1,0]}],)"
+      R"("skins":[{"joints":[0,1]},{"joints":[2,3]},{"joints":[3,4]}])";
+  GltfNumbers numbers;
+  const int times = numbers.add({0, 1}, "SCALAR");
+  const int turns = numbers.add({0, 0, 0, 1, 0, 0, half, half}, "VEC4");
+  const Recording recording = parse_gltf(gltf_text(numbers, nodes, gltf_channel(0, 3, "rotation"),
+                                                   gltf_sampler(times, turns, "LINEAR")),
+                                         "two.gltf");
+  // The second and third skin share a joint: one figure, and the larger one.
+  ASSERT_EQ(recording.skeleton.size(), 3);
+  EXPECT_EQ(recording.skeleton.joints[0].name, "b");
+  ASSERT_EQ(recording.notes.size(), 1u);
+  EXPECT_EQ(recording.notes[0],
+            "The file holds 2 figures; that of \"b\" is taken, without that of \"a\".");
+}
+
+/// The arm with a second and a third animation, of other lengths; the third has no name.
+std::string arm_with_takes() {
+  const std::string one = gltf_arm();
+  const size_t start = one.find(R"({"channels")");
+  const size_t end = one.find("]}]", start) + 2;
+  const std::string animation = one.substr(start, end - start);
+  const std::string still =
+      replaced(animation, R"("node":1,"path":"rotation")", R"("node":0,"path":"rotation")");
+  return one.substr(0, start) + R"({"name":"Bend",)" + animation.substr(1) + R"(,{"name":"Sway",)" +
+         still.substr(1) + "," + still + one.substr(end);
+}
+
+TEST(Gltf, ListsItsTakesAndTakesTheOneThatIsNamed) {
+  const std::string text = arm_with_takes();
+  const Recording first = parse_gltf(text, "arm.gltf");
+  EXPECT_EQ(first.takes, (std::vector<std::string>{"Bend", "Sway", "take 3"}));
+  EXPECT_EQ(first.take, "Bend");
+  ASSERT_EQ(first.notes.size(), 1u);
+  EXPECT_EQ(first.notes[0],
+            "The file holds 3 motions (Bend, Sway, take 3); \"Bend\" is taken, for "
+            "no take was chosen.");
+  expect_close(tip_at(first, 30, 1), {3, 2, 0});
+  for (const char* name : {"Sway", "take 3"}) {
+    const Recording second = parse_gltf(text, "arm.gltf", name);
+    EXPECT_EQ(second.take, name);
+    EXPECT_TRUE(second.notes.empty());
+    expect_close(tip_at(second, 30, 1), {1, 0, 0});
+  }
+  const std::string said = mien::test::refusal_of([&] { parse_gltf(text, "arm.gltf", "Walk"); });
+  EXPECT_EQ(said,
+            "arm.gltf: there is no take \"Walk\"; it holds Bend, Sway, take 3: choose "
+            "one of these");
+  EXPECT_TRUE(parse_gltf(gltf_arm(), "arm.gltf").notes.empty());
+}
+
+TEST(Gltf, CallsTakesOfOneNameApart) {
+  const Recording recording =
+      parse_gltf(replaced(arm_with_takes(), R"("name":"Sway")", R"("name":"Bend")"), "arm.gltf");
+  EXPECT_EQ(recording.takes, (std::vector<std::string>{"Bend", "Bend 2", "take 3"}));
+}
+
+TEST(GltfRoundTrip, KeepsSlowAndFastFrameRates) {
+  std::mt19937_64 random(5);
+  for (const double rate : {0.5, 1.0, 4.0, 7.5, 9.0, 10.0, 240.0, 1000.0, 2000.0, 5000.0}) {
+    for (const int frames : {2, 3, 20}) {
+      mien::test::RandomRecordingOptions options;
+      options.frames = frames;
+      Recording written = random_recording(random, options);
+      written.frames_per_second = rate;
+      const Recording read = parse_gltf(to_glb(written), "rate.glb");
+      EXPECT_EQ(read.frames_per_second, rate) << frames;
+      EXPECT_EQ(read.frame_count(), frames) << rate;
+    }
+  }
+}
+
+TEST(Gltf, TakesSlowKeysOfARecordingForFrames) {
+  GltfNumbers numbers;
+  std::vector<float> times;
+  std::vector<float> places;
+  for (int f = 0; f < 12; ++f) {
+    times.push_back(static_cast<float>(0.2 * f));
+    places.insert(places.end(), {static_cast<float>(f), 0, 0});
+  }
+  const int input = numbers.add(times, "SCALAR");
+  const int output = numbers.add(places, "VEC3");
+  const auto rate_with = [&](const std::string& kind) {
+    return parse_gltf(gltf_text(numbers, R"("nodes":[{}])", gltf_channel(0, 0, "translation"),
+                                gltf_sampler(input, output, kind)),
+                      "slow.gltf")
+        .frames_per_second;
+  };
+  EXPECT_EQ(rate_with("LINEAR"), 5.0);
+  // Two keys a second apart are poses that somebody set.
+  EXPECT_EQ(parse_gltf(gltf_arm(), "arm.gltf").frames_per_second, 30.0);
+}
+
 TEST(Gltf, GivesTheRestPoseWhenThereIsNoAnimation) {
   const std::string text =
       R"({"asset":{"version":"2.0"},)" + replaced(arm_nodes, "[0,2,0]", "[0,5,0]") + "}";

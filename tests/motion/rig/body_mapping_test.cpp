@@ -234,7 +234,58 @@ TEST(BodyMapping, OfWhatIsNoHumanIsRefused) {
   const RigSketch drawn = sketch(snake);
   EXPECT_FALSE(drawn.human);
   EXPECT_EQ(drawn.why_not, refusal);
-  EXPECT_NEAR(drawn.metres_per_unit * 2.2, 1.7, 1e-9);
+  EXPECT_EQ(drawn.metres_per_unit, 1.0);
+  EXPECT_EQ(drawn.up, "+Y");
+  ASSERT_EQ(drawn.warnings.size(), 2u);
+  EXPECT_NE(drawn.warnings[1].find("shown as it is: unscaled"), std::string::npos);
+}
+
+TEST(BodyMapping, KeepsTheTurnsOfAHeadOfAnotherName) {
+  Recording recording = to_recording(walk());
+  recording.skeleton.joints[Head].name = "Neck1";
+  for (Pose& pose : recording.poses) {
+    pose.rotations[Head] = about(Vec3::UnitY(), 60 * degree);
+  }
+  const Clip clip = to_body(recording);
+  for (const Pose& pose : clip.poses) {
+    EXPECT_NEAR(angle_between(pose.rotations[Head], Quat::Identity()), 60 * degree, 1e-6);
+  }
+}
+
+TEST(BodyMapping, IsTheSameWhenAnyOneJointHasAnotherName) {
+  const Recording recording = on_other_rig(walk(), bones_along_x());
+  const BodyMapping named = recognise(recording);
+  for (int renamed = 0; renamed < body_joint_count; ++renamed) {
+    Recording other = recording;
+    other.skeleton.joints[renamed].name = "Thing";
+    const BodyMapping mapping = recognise(other);
+    for (int j = 0; j < body_joint_count; ++j) {
+      EXPECT_EQ(mapping.joints[j].group, named.joints[j].group)
+          << name_of(BodyJoint(renamed)) << " for " << name_of(BodyJoint(j));
+    }
+    EXPECT_LT(largest_distance(to_body(recording, named), to_body(other, mapping)), 1e-9);
+  }
+}
+
+TEST(BodyMapping, KeepsWhatGltfPromises) {
+  // A figure that lies on its back all the time, and one of the size of a doll.
+  Recording lying = turned(to_recording(walk()), about(Vec3::UnitX(), -pi / 2));
+  EXPECT_EQ(recognise(lying).up, "-Z");
+  lying.format = "gltf";
+  const BodyMapping mapping = recognise(lying);
+  EXPECT_EQ(mapping.up, "+Y");
+  EXPECT_EQ(mapping.metres_per_unit, 1.0);
+  ASSERT_FALSE(mapping.warnings.empty());
+  EXPECT_NE(mapping.warnings[0].find("+Y is up in glTF"), std::string::npos);
+  Recording doll = scaled(to_recording(walk()), 0.15);
+  doll.format = "gltf";
+  EXPECT_EQ(recognise(doll).metres_per_unit, 1.0);
+}
+
+TEST(BodyMapping, TellsWhatTheReaderTold) {
+  Recording recording = to_recording(walk());
+  recording.notes = {"The file holds 2 motions."};
+  EXPECT_EQ(recognise(recording).warnings, recording.notes);
 }
 
 TEST(BodyMapping, RefusesARecordingOfAnotherRig) {
@@ -287,13 +338,18 @@ bool warns_of_all_fours(const BodyMapping& mapping) {
 }
 
 TEST(Recognition, WarnsOfFourLegs) {
-  for (const Recording& animal : {dog(), without_names(dog())}) {
-    const BodyMapping mapping = recognise(animal);
-    EXPECT_TRUE(warns_of_all_fours(mapping));
-    EXPECT_LE(mapping.confidence, 0.5);
-  }
+  const BodyMapping mapping = recognise(dog());
+  EXPECT_TRUE(warns_of_all_fours(mapping));
+  EXPECT_LE(mapping.confidence, 0.5);
   const Recording human = to_recording(synthetic_clip(steady_walk(1.2, 2.0)));
   EXPECT_FALSE(warns_of_all_fours(recognise(human)));
+}
+
+TEST(Recognition, TakesFourLegsWithoutNamesForNoHuman) {
+  const Recording animal = without_names(dog());
+  EXPECT_NE(refusal_of([&] { recognise(animal); }).find("by their shape it goes on all fours"),
+            std::string::npos);
+  EXPECT_EQ(sketch(animal).metres_per_unit, 1.0);
 }
 
 }  // namespace

@@ -116,8 +116,129 @@ TEST(RigNames, OfTheCanonicalBodyGiveItself) {
 
 TEST(RigNames, ThatLackALimbAreRefused) {
   Skeleton rig = rig_of(cmu_like);
-  rig.joints[find_joint(rig, "LeftForeArm")].name = "Thing";
+  for (const char* joint : {"LeftArm", "LeftForeArm", "LeftHand", "LThumb"}) {
+    rig.joints[find_joint(rig, joint)].name = "Thing";
+  }
   EXPECT_FALSE(key_joints_by_name(rig));
+}
+
+std::vector<std::vector<int>> groups_by_name(const Skeleton& rig) {
+  std::vector<std::vector<int>> groups;
+  if (const auto keys = key_joints_by_name(rig)) {
+    for (const MappedJoint& joint : groups_of(rig, *keys, 1.0, "name")) {
+      groups.push_back(joint.group);
+    }
+  }
+  return groups;
+}
+
+TEST(RigNames, AreUnderstoodWhenAnyOneJointIsCalledSomethingElse) {
+  for (const Skeleton& rig : {rig_of(cmu_like), rig_of(xsens_like), rig_of(smpl_like),
+                              rig_of(biped_like), rig_of(acclaim_like), standard_body()}) {
+    const auto expected = groups_by_name(rig);
+    ASSERT_FALSE(expected.empty()) << rig.joints[0].name;
+    for (size_t j = 0; j < rig.joints.size(); ++j) {
+      for (const char* name : {"Thing", "Skull", "HeadTop", "Nose", "Tete", "joint_7", ""}) {
+        Skeleton renamed = rig;
+        renamed.joints[j].name = name;
+        EXPECT_EQ(groups_by_name(renamed), expected) << rig.joints[j].name << " is now " << name;
+      }
+    }
+  }
+}
+
+TEST(RigNames, SayWhichJointsTheShapeTold) {
+  Skeleton rig = rig_of(cmu_like);
+  rig.joints[find_joint(rig, "Head")].name = "Skull";
+  const MappedJoints joints = groups_of(rig, *key_joints_by_name(rig), 1.0, "name");
+  EXPECT_EQ(joints[Head].found_by, "topology");
+  EXPECT_LT(joints[Head].confidence, 1.0);
+  EXPECT_EQ(joints[Neck].found_by, "name");
+}
+
+/// The rig of which the joints from `name` on are gone.
+Skeleton cut_at(const Skeleton& rig, std::string_view name) {
+  const int cut = find_joint(rig, name);
+  Skeleton shorter;
+  std::vector<int> place(rig.joints.size(), -1);
+  for (int j = 0; j < rig.size(); ++j) {
+    const int parent = rig.joints[j].parent;
+    if (j == cut || (parent >= 0 && place[parent] < 0)) continue;
+    place[j] = shorter.size();
+    shorter.joints.push_back(rig.joints[j]);
+    shorter.joints.back().parent = parent < 0 ? -1 : place[parent];
+  }
+  return shorter;
+}
+
+TEST(RigNames, WithoutAHeadHaveTheUpperOfTwoNecksForOne) {
+  const Skeleton cmu = cut_at(rig_of(cmu_like), "Head");
+  const MappedJoints joints = groups_of(cmu, *key_joints_by_name(cmu), 1.0, "name");
+  EXPECT_EQ(cmu.joints[joints[Head].rotation()].name, "Neck1");
+  EXPECT_EQ(cmu.joints[joints[Neck].rotation()].name, "Neck");
+  // A lone neck turns, and the head goes along.
+  const Skeleton xsens = cut_at(rig_of(xsens_like), "Head");
+  const MappedJoints lone = groups_of(xsens, *key_joints_by_name(xsens), 1.0, "name");
+  EXPECT_EQ(xsens.joints[lone[Neck].rotation()].name, "Neck");
+  EXPECT_TRUE(lone[Head].group.empty());
+}
+
+TEST(RigNames, LeaveEyesJawAndCrownToTheHead) {
+  for (const char* carried : {"LeftEye", "HeadTop_End", "Jaw"}) {
+    Skeleton rig = rig_of(cmu_like);
+    const int head = find_joint(rig, "Head");
+    rig.joints[head].name = "Skull";
+    rig.joints.push_back({carried, head, Vec3(0, 0.1, 0), {}});
+    rig.joints.push_back({"RightEye", head, Vec3(0, 0.1, 0), {}});
+    EXPECT_EQ(key_joints_by_name(rig)->head, head) << carried;
+  }
+}
+
+TEST(RigNames, LookPastAFootThatIsSteeredByItself) {
+  // As robots have it: the foot hangs on the root, the shank ends in a bare end.
+  Skeleton rig = rig_of(xsens_like);
+  for (const char* side : {"Left", "Right"}) {
+    const int ankle = find_joint(rig, std::string(side) + "Ankle");
+    rig.joints[ankle].name = std::string(side) + "Knee_end";
+    rig.joints.push_back({std::string(side) + "Ankle", 0, Vec3::Zero(), {}});
+  }
+  const auto keys = key_joints_by_name(rig);
+  ASSERT_TRUE(keys);
+  EXPECT_EQ(rig.joints[keys->left.ankle].name, "LeftKnee_end");
+}
+
+TEST(RigNames, TellOfAnotherFigureBesideTheFirst) {
+  const Skeleton one = rig_of(xsens_like);
+  EXPECT_EQ(other_figure_in(one, *key_joints_by_name(one)), -1);
+  Skeleton two;
+  two.joints.push_back({"Scene", -1, Vec3::Zero(), {}});
+  for (const char* owner : {"A:", "B:"}) {
+    const int first = two.size();
+    for (Joint joint : one.joints) {
+      joint.name = owner + joint.name;
+      joint.parent = joint.parent < 0 ? 0 : joint.parent + first;
+      two.joints.push_back(joint);
+    }
+  }
+  const auto keys = key_joints_by_name(two);
+  ASSERT_TRUE(keys);
+  EXPECT_EQ(two.joints[keys->left.thigh].name, "A:LeftHip");
+  ASSERT_GE(other_figure_in(two, *keys), 0);
+  EXPECT_EQ(two.joints[other_figure_in(two, *keys)].name, "B:LeftShoulder");
+}
+
+TEST(JointWord, TellsWhereAJointBelongs) {
+  const auto part = [](std::string_view name) { return body_part_of(joint_word(name)); };
+  for (const char* name : {"LowerArm.R", "Palm3.L", "Ring1.L", "LeftHandThumb1", "lclavicle"}) {
+    EXPECT_EQ(part(name), BodyPart::arm) << name;
+  }
+  for (const char* name : {"LeftUpLeg", "left_hip", "Foot.L", "RightToeBase"}) {
+    EXPECT_EQ(part(name), BodyPart::leg) << name;
+  }
+  for (const char* name : {"Hips", "Spine1", "Armature", "Tail", "MiddleSpine", ""}) {
+    EXPECT_EQ(part(name), BodyPart::other) << name;
+  }
+  EXPECT_EQ(part("Neck1"), BodyPart::head);
 }
 
 TEST(RigNames, ThatTheTreeContradictsAreRefused) {

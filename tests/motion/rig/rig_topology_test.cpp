@@ -68,6 +68,46 @@ TEST(Topology, IgnoresARootThatStaysBehind) {
   EXPECT_EQ(found->keys.left.ankle, LeftAnkle + 1);
 }
 
+/// Two arms with hands of two fingers on a torso, and nothing else: a fork below two long chains.
+Recording two_arms(bool named) {
+  Recording recording;
+  const auto add = [&](const std::string& name, int parent, const Vec3& offset) {
+    recording.skeleton.joints.push_back({named ? name : "", parent, offset, std::nullopt});
+    return recording.skeleton.size() - 1;
+  };
+  const int root = add("Bone", -1, Vec3::Zero());
+  const int torso = add("Torso", root, {0, 0.5, 0});
+  for (const auto& [side, x] : {std::pair(".L", 1.0), std::pair(".R", -1.0)}) {
+    const int shoulder = add(std::string("Shoulder") + side, torso, {0.6 * x, 0.3, 0});
+    const int upper = add(std::string("UpperArm") + side, shoulder, {0, 0.1, 0});
+    const int lower = add(std::string("LowerArm") + side, upper, {0, -0.6, 0});
+    add(std::string("Thumb") + side, lower, {-0.1 * x, -1.2, 0.2});
+    for (const auto& [finger, z] : {std::pair("Palm1", 0.1), std::pair("Palm3", -0.1)}) {
+      const int palm = add(finger + std::string(side), lower, {0, -1.4, z});
+      const int first = add("Index" + std::string(side), palm, {0, -0.4, 0});
+      add("Index2" + std::string(side), first, {0, -0.2, 0});
+    }
+  }
+  Pose pose;
+  pose.rotations.assign(recording.skeleton.joints.size(), Quat::Identity());
+  recording.poses = {pose, pose};
+  return recording;
+}
+
+TEST(Topology, TakesTwoArmsForNoHuman) {
+  EXPECT_FALSE(guess(two_arms(true)));
+  EXPECT_FALSE(guess(two_arms(false)));
+}
+
+TEST(Topology, HeedsNamesThatSayOtherwise) {
+  Recording walk = without_names(to_recording(synthetic_clip(steady_walk(1.2, 2.0))));
+  ASSERT_TRUE(guess(walk));
+  walk.skeleton.joints[LeftKnee].name = "UpperArm.L";
+  EXPECT_FALSE(guess(walk));
+  walk.skeleton.joints[LeftKnee].name = "Bone.017";
+  EXPECT_TRUE(guess(walk));
+}
+
 TEST(Topology, FindsNoHumanInOtherTrees) {
   Recording chain;
   for (int j = 0; j < 12; ++j) {

@@ -16,8 +16,13 @@ TEST(UnitGuess, KnowsCommonUnits) {
 }
 
 TEST(UnitGuess, TakesGltfForMetres) {
-  EXPECT_DOUBLE_EQ(guess_unit(0.9, "gltf").metres, 1.0);
+  for (const double height : {0.15, 0.9, 1.75, 12.0}) {
+    EXPECT_EQ(guess_unit(height, "gltf").metres, 1.0) << height;
+    EXPECT_EQ(guess_unit(height, "gltf").warning, "") << height;
+  }
+  // Nobody is so tall; it is guessed, and said.
   EXPECT_DOUBLE_EQ(guess_unit(170.0, "gltf").metres, 0.01);
+  EXPECT_NE(guess_unit(170.0, "gltf").warning.find("170 m tall"), std::string::npos);
 }
 
 TEST(UnitGuess, ScalesWhatFitsNothing) {

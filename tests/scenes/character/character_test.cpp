@@ -1,5 +1,6 @@
 #include "scenes/character/character.h"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -7,6 +8,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -83,6 +85,102 @@ TEST(ACharacter, MayBeInOtherUnitsAndAxesWithItsNodesPosedAnyhow) {
   expect_follows(test::skinned_gltf(standard, options), 2e-3);
   options.posed_nodes = false;
   expect_follows(test::skinned_gltf(standard, options), 2e-3);
+}
+
+/// The joints of the skin but for some, whose weights go to the joint above.
+void leave_out_of_skin(SkinnedGltf& file, const std::vector<int>& joints) {
+  nlohmann::json& skin = file.json["skins"][0];
+  const auto& accessor = file.json["accessors"][skin["inverseBindMatrices"].get<size_t>()];
+  const auto& view = file.json["bufferViews"][accessor["bufferView"].get<size_t>()];
+  const auto at = view.value("byteOffset", size_t{0});
+  // The joint's place in the list is taken by the next one that stays, and so are its weights.
+  nlohmann::json kept = nlohmann::json::array();
+  for (size_t j = 0; j < motion::body_joint_count; ++j) {
+    const bool is_out = std::ranges::count(joints, static_cast<int>(j)) > 0;
+    const size_t from = is_out ? (j == 0 ? 1 : j - 1) : j;
+    if (is_out) {
+      std::memcpy(file.buffer.data() + at + 64 * j, file.buffer.data() + at + 64 * from, 64);
+    }
+    kept.push_back(from);
+  }
+  skin["joints"] = kept;
+}
+
+TEST(ACharacter, IsDrawnAlikeHoweverItsNodesArePosed) {
+  // Pelvis and neck are in no skin, and the first joint of the skin is turned.
+  for (const std::vector<int>& unskinned :
+       {std::vector<int>{}, {motion::Neck}, {motion::Pelvis, motion::Neck}}) {
+    SkinnedGltf bound = test::skinned_gltf(standard, {{}, test::mixamo_names()});
+    leave_out_of_skin(bound, unskinned);
+    SkinnedGltf nodding = bound;
+    for (const int joint : {static_cast<int>(motion::Spine), static_cast<int>(motion::Neck),
+                            static_cast<int>(motion::Head), static_cast<int>(motion::LeftHip)}) {
+      const Quat turn = motion::exp(Vec3(10.0 * motion::radians_per_degree, 0.1, 0.0));
+      nodding.json["nodes"][static_cast<size_t>(joint)]["rotation"] = {turn.x(), turn.y(), turn.z(),
+                                                                       turn.w()};
+    }
+    if (!unskinned.empty() && unskinned.front() == motion::Pelvis) {
+      nodding.json["nodes"][0]["translation"] = {0.2, 1.3, -0.5};
+    }
+    const Character one = fitted(parse_character(bound.text(), "one.gltf"), standard);
+    const Character other = fitted(parse_character(nodding.text(), "one.gltf"), standard);
+    std::mt19937_64 random(3);
+    for (int trial = 0; trial < 5; ++trial) {
+      const motion::Pose pose = random_pose(random);
+      const auto expected = posed(one, pose);
+      const auto drawn = posed(other, pose);
+      EXPECT_EQ(drawn[0].positions, expected[0].positions) << unskinned.size();
+      EXPECT_EQ(drawn[0].normals, expected[0].normals) << unskinned.size();
+    }
+  }
+}
+
+/// Mean direction from the ankles to the toes in a pose.
+Vec3 toes_of(const Character& character, const motion::Pose& pose) {
+  const motion::JointTransforms rig = rig_in(character, pose);
+  const auto at = [&](motion::BodyJoint joint) {
+    return rig.positions[static_cast<size_t>(character.joints[joint].position)];
+  };
+  return (at(motion::LeftToe) - at(motion::LeftAnkle) + at(motion::RightToe) -
+          at(motion::RightAnkle))
+      .normalized();
+}
+
+TEST(ACharacter, ThatIsMirroredFacesForward) {
+  // A node of negative scale above the skeleton shows the mirror image of what was modelled.
+  SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
+  nlohmann::json& nodes = file.json["nodes"];
+  nodes.push_back({{"name", "Armature"}, {"scale", {-1.0, 1.0, 1.0}}, {"children", {0}}});
+  const Character character = fitted(parse_character(file.text(), "mirrored.gltf"), standard);
+  motion::Pose pose;
+  pose.root_position = Vec3(0.0, 1.0, 0.0);
+  pose.rotations.assign(motion::body_joint_count, Quat::Identity());
+  EXPECT_GT(toes_of(character, pose).z(), 0.7);
+  // Its left side is the one that goes with the body's left.
+  const motion::JointTransforms rig = rig_in(character, pose);
+  const auto left = static_cast<size_t>(character.joints[motion::LeftWrist].position);
+  EXPECT_GT(rig.positions[left].x(), 0.3);
+  // Triangles are seen from outside: the volume that they enclose is positive.
+  const render::Mesh mesh = posed(character, pose)[0];
+  double volume = 0.0;
+  for (const auto& triangle : mesh.triangles) {
+    const auto corner = [&](size_t k) {
+      return Vec3(mesh.positions[static_cast<size_t>(triangle[k])].cast<double>());
+    };
+    volume += corner(0).dot(corner(1).cross(corner(2)));
+  }
+  const Character plain = fitted(
+      parse_character(test::skinned_gltf(standard, {{}, test::mixamo_names()}).text(), "p.gltf"),
+      standard);
+  double expected = 0.0;
+  const render::Mesh plain_mesh = posed(plain, pose)[0];
+  for (const auto& triangle : plain_mesh.triangles) {
+    const auto corner = [&](size_t k) {
+      return Vec3(plain_mesh.positions[static_cast<size_t>(triangle[k])].cast<double>());
+    };
+    expected += corner(0).dot(corner(1).cross(corner(2)));
+  }
+  EXPECT_NEAR(volume, expected, 1e-6);
 }
 
 TEST(ACharacter, OfVrmIsKnownByItsHumanoidBones) {

@@ -95,6 +95,26 @@ TEST(AnActor, ThatIsACharacterHasItsOwnStature) {
   EXPECT_NEAR(actor.height_m, motion::standing_height(actor.clip.body), 1e-9);
 }
 
+TEST(AShot, FarFromTheOriginIsDrawnAsOneNearby) {
+  const motion::Clip here = standing(motion::standard_body());
+  motion::Clip far = here;
+  for (motion::Pose& pose : far.poses) pose.root_position += motion::Vec3(1000.0, 0.0, -700.0);
+  const Look look{.size = {64, 36}};
+  const Shot near_shot = stage(here, look);
+  const Shot far_shot = stage(far, look);
+  const render::Scene expected = scene_at(near_shot, 1);
+  const render::Scene drawn = scene_at(far_shot, 1);
+  ASSERT_EQ(drawn.solids.spheres.size(), expected.solids.spheres.size());
+  for (size_t i = 0; i < drawn.solids.spheres.size(); ++i) {
+    EXPECT_EQ(drawn.solids.spheres[i].centre, expected.solids.spheres[i].centre);
+  }
+  EXPECT_EQ(camera_at(far_shot, 1).position, camera_at(near_shot, 1).position);
+  // What begins nearby stays where it is, though the origin be out of the picture.
+  motion::Clip aside = here;
+  for (motion::Pose& pose : aside.poses) pose.root_position.x() += 60.0;
+  EXPECT_EQ(stage(aside, look).actors[0].clip.poses[0].root_position.x(), 60.0);
+}
+
 TEST(AnActor, ThatIsATallCharacterIsInThePictureAsAWhole) {
   // A child's legs under an adult's trunk: with the motion's legs it is far taller than its body.
   motion::Skeleton stumpy = motion::standard_body();
