@@ -9,6 +9,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 
 namespace mien::motion {
@@ -45,7 +46,7 @@ std::vector<std::string> names_of(const ExampleFolder& folder,
   for (size_t i = 0; i < stems.size(); ++i) {
     if (const auto name = given.find(stems[i]); name != given.end()) names[i] = name->second;
     if (seen.insert(names[i]).second) continue;
-    throw Error({folder.path.string(), 0, 0}, "two motions are called \"" + names[i] + "\"",
+    throw Error({folder.path.string(), 0, 0}, "two motions are called " + in_quotes(names[i]),
                 "give one another label");
   }
   return names;
@@ -60,14 +61,14 @@ std::vector<std::vector<double>> keytimes_of(const ExampleFolder& folder,
   for (const auto& [stem, times] : folder.keytimes) {
     const auto found = std::find(stems.begin(), stems.end(), stem);
     if (found == stems.end()) {
-      throw Error(place, "there are keytimes of \"" + stem + "\" and no such file",
+      throw Error(place, "there are keytimes of " + in_quotes(stem) + " and no such file",
                   did_you_mean(stem, stems));
     }
     keytimes[static_cast<size_t>(found - stems.begin())] = times;
   }
   for (size_t i = 0; i < stems.size(); ++i) {
     if (!keytimes[i].empty()) continue;
-    throw Error(place, "\"" + stems[i] + "\" has no keytimes and others have",
+    throw Error(place, in_quotes(stems[i]) + " has no keytimes and others have",
                 "give it some, or leave it out with exclude");
   }
   return keytimes;
@@ -83,9 +84,9 @@ void make_blendable(const ExampleFolder& folder, LoadedExamples& loaded) {
   for (size_t i = 0; i < examples.size(); ++i) {
     if (examples[i].keytimes.size() != key_count) {
       throw Error({(folder.path / loaded.file_stems[i]).string(), 0, 0},
-                  "\"" + examples[i].name + "\" has " +
-                      std::to_string(examples[i].keytimes.size()) + " keytimes and \"" +
-                      examples[0].name + "\" has " + std::to_string(key_count),
+                  in_quotes(examples[i].name) + " has " +
+                      std::to_string(examples[i].keytimes.size()) + " keytimes and " +
+                      in_quotes(examples[0].name) + " has " + std::to_string(key_count),
                   "leave it out with exclude, take all motions whole with cycle: whole, or use "
                   "each for itself with blend: false");
     }
@@ -113,7 +114,7 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
   std::sort(files.begin(), files.end());
   if (files.empty()) {
     throw Error({folder.path.string(), 0, 0},
-                "holds no motion file that matches \"" + folder.include + "\"",
+                "holds no motion file that matches " + in_quotes(folder.include),
                 "BVH, AMC and glTF files are taken; mind upper and lower case");
   }
   return files;

@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 
 namespace mien::motion {
 
@@ -139,14 +140,15 @@ std::vector<std::string> labels_by_pattern(std::span<const std::string> stems,
   try {
     expression.assign(pattern);
   } catch (const std::regex_error&) {
-    throw Error("the label pattern \"" + pattern + "\" is no regular expression",
+    throw Error("the label pattern " + in_quotes(pattern) + " is no regular expression",
                 "write one such as \"walk_(.*)_[0-9]+\", its group being the label");
   }
   std::vector<std::string> labels;
   for (const std::string& stem : stems) {
     std::smatch match;
     if (!std::regex_search(stem, match, expression)) {
-      throw Error(Place{stem}, "the label pattern \"" + pattern + "\" does not match this name",
+      throw Error(Place{stem},
+                  "the label pattern " + in_quotes(pattern) + " does not match this name",
                   "widen the pattern or leave the file out by include");
     }
     const auto group = std::find_if(match.begin() + 1, match.end(),

@@ -91,8 +91,8 @@ class AmcReader {
     frame_number_ = number;
     frame_place_ = place;
     const size_t joints = skeleton_.bones.size();
-    if (poses_.size() % 4096 == 0) {
-      require_reasonable_size(place_at(cursor_, place), joints, poses_.size() + 4096);
+    if (!is_reasonable_size(joints, poses_.size() + 1)) {
+      require_reasonable_size(place_at(cursor_, place), joints, poses_.size() + 1);
     }
     poses_.emplace_back();
     poses_.back().root_position = skeleton_.skeleton.joints.front().offset;

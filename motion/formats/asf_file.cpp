@@ -190,7 +190,8 @@ class AsfReader {
     require_complete(bone);
     index_.emplace(bone.name, file_.bones.size());
     file_.bones.push_back(std::move(bone));
-    require_reasonable_size(place_at(cursor_, place), file_.bones.size(), 0);
+    if (!is_reasonable_size(file_.bones.size(), 0))  // the place takes all lines above to find
+      require_reasonable_size(place_at(cursor_, place), file_.bones.size(), 0);
   }
 
   /// Limits, masses and ids do not change the motion and are passed over.

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "motion/formats/recording_limits.h"
+
 namespace mien::motion {
 
 namespace {
@@ -165,6 +167,8 @@ class HierarchyReader {
     Joint joint;
     joint.name = take_name(cursor_, keyword);
     joint.parent = open_.empty() ? -1 : open_.back().joint;
+    if (!is_reasonable_size(joints().size() + 1, 0))
+      require_reasonable_size(place_at(cursor_, place), joints().size() + 1, 0);
     expect_brace(cursor_, "{", std::string(keyword) + " " + in_quotes(joint.name));
     open_.push_back({static_cast<int>(joints().size()), place});
     joints().push_back(std::move(joint));

@@ -133,6 +133,15 @@ void require_readable(const Json& json, const std::string& name) {
   }
 }
 
+/// Each node takes the library half a kilobyte, and no figure has as many.
+void require_few_nodes(const Json& json, const std::string& name) {
+  constexpr size_t most_nodes = 131'072;
+  const auto nodes = json.find("nodes");
+  if (nodes == json.end() || nodes->size() <= most_nodes) return;
+  throw Error({name}, "has more than " + std::to_string(most_nodes) + " nodes",
+              "keep the nodes of one figure");
+}
+
 /// The buffers' bytes, taken out of the JSON.
 std::vector<tinygltf::Buffer> take_buffers(Json& json, std::optional<std::string_view> binary,
                                            const std::string& name,
@@ -172,6 +181,7 @@ GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
   const Container container = take_container(bytes, name);
   Json json = parse_json(container.json, name);
   require_readable(json, name);
+  require_few_nodes(json, name);
   std::vector<tinygltf::Buffer> buffers = take_buffers(json, container.binary, name, folder);
   unpack_meshopt(json, buffers, name);
   GltfFile file{name, {}};
@@ -235,6 +245,11 @@ std::vector<unsigned char> bytes_of_gltf_uri(const std::string& uri, const std::
       uri.find('\0') != std::string::npos) {
     throw Error({name}, "its " + thing + "s are not in the file",
                 "export it as .glb, all in one file");
+  }
+  if (const std::string hindrance = hindrance_of(*folder / path, most_of_recording);
+      !hindrance.empty()) {
+    throw Error({name}, "its " + thing + " " + in_quotes(path.string()) + " " + hindrance,
+                "put it beside the file, or export it as .glb, all in one file");
   }
   const std::string contents = read_contents(*folder / path);
   return {contents.begin(), contents.end()};

@@ -9,6 +9,7 @@
 
 #include "motion/error.h"
 #include "motion/formats/gltf_library.h"
+#include "motion/text/excerpt.h"
 
 namespace mien::motion {
 
@@ -71,7 +72,7 @@ struct Packed {
 void check_sizes(const Packed& packed, const std::string& mode, size_t count, size_t stride) {
   const bool is_vertices = mode == "ATTRIBUTES";
   const bool is_indices = mode == "TRIANGLES" || mode == "INDICES";
-  if (!is_vertices && !is_indices) packed.refuse("mode " + mode + " is not known");
+  if (!is_vertices && !is_indices) packed.refuse("mode " + excerpt(mode) + " is not known");
   const bool fits =
       is_vertices ? stride > 0 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
   if (!fits) packed.refuse("byteStride " + std::to_string(stride) + " is none of its mode");

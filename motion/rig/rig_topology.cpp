@@ -256,7 +256,10 @@ double forward_votes(const Recording& recording, const std::vector<JointTransfor
 
 std::optional<TopologyGuess> key_joints_by_topology(const Recording& recording,
                                                     const std::vector<JointTransforms>& world) {
-  if (world.empty()) return std::nullopt;
+  // Chains are compared with each other, so the work grows with the square of the joints. Rigs with
+  // hands, faces, hair and clothes have a quarter of these.
+  constexpr int most_joints = 4096;
+  if (world.empty() || recording.skeleton.size() > most_joints) return std::nullopt;
   const BoneTree tree = bone_tree(recording.skeleton, world);
   std::optional<KeyJoints> keys = likeliest_keys(recording, tree, world.front());
   if (!keys) return std::nullopt;

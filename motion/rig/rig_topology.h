@@ -20,7 +20,7 @@ struct TopologyGuess {
 /// chain away from the other fork (the neck) is the arms. Thigh and shank, upper arm and forearm
 /// are the two longest bones in a row. Which side is left follows from what can only be forward:
 /// toes, the bend of knees and elbows, and the way the body travels. Empty when there are no two
-/// such pairs.
+/// such pairs, and for more than 4096 joints.
 std::optional<TopologyGuess> key_joints_by_topology(const Recording& recording,
                                                     const std::vector<JointTransforms>& world);
 

@@ -11,4 +11,7 @@ namespace mien::motion {
 /// length.) Text that is no JSON is left to the parser.
 bool is_nested_deeper(std::string_view json, std::size_t most);
 
+/// Deeper than any document of ours is.
+inline constexpr std::size_t deepest_document = 64;
+
 }  // namespace mien::motion

@@ -7,13 +7,15 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
-#include "motion/text/nearest_word.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/documents/formula_mark.h"
 #include "pipeline/documents/utf8.h"
 
 namespace mien::pipeline {
@@ -66,6 +68,12 @@ class CsvScanner {
   }
 
   CsvField field() {
+    CsvField field = written_field();
+    field.text = without_formula_mark(std::move(field.text));
+    return field;
+  }
+
+  CsvField written_field() {
     CsvField field{"", line_, column_};
     if (!at_end() && peek() == '"') {
       quoted(field);
@@ -123,10 +131,11 @@ void refuse_other_separators(const CsvTable& table) {
 }
 
 void refuse_repeated_columns(const CsvTable& table) {
-  for (auto field = table.header.begin(); field != table.header.end(); ++field) {
-    const auto same = [&](const CsvField& other) { return other.text == field->text; };
-    if (std::none_of(table.header.begin(), field, same)) continue;
-    throw Error(place_of(table, *field), "the column \"" + field->text + "\" is there twice",
+  std::unordered_set<std::string_view> met;
+  for (const CsvField& field : table.header) {
+    if (met.insert(field.text).second) continue;
+    throw Error(place_of(table, field),
+                "the column " + motion::in_quotes(field.text) + " is there twice",
                 "rename one of the two");
   }
 }
@@ -205,8 +214,8 @@ int require_column(const CsvTable& table, std::string_view name) {
   std::vector<std::string> names;
   for (const CsvField& field : table.header) names.push_back(field.text);
   throw Error(place_of(table, table.header.front()),
-              "there is no column \"" + std::string(name) + "\"",
-              fmt::format("the columns are {}", fmt::join(names, ", ")));
+              "there is no column " + motion::in_quotes(name),
+              "the columns are " + motion::listed(names));
 }
 
 Place place_of(const CsvTable& table, const CsvField& field) {
@@ -220,7 +229,7 @@ double number_in(const CsvTable& table, const CsvField& field) {
   double value = 0.0;
   const auto [stop, error] = std::from_chars(begin, end, value);
   if (error != std::errc{} || stop != end || !std::isfinite(value)) {
-    throw Error(place_of(table, field), "\"" + field.text + "\" is not a number",
+    throw Error(place_of(table, field), motion::in_quotes(field.text) + " is not a number",
                 "write a finite decimal number");
   }
   return value;
@@ -232,7 +241,7 @@ double number_of(const std::filesystem::path& file, std::string_view column,
   const std::string begin = "\n" + std::string(stimulus) + ",";
   const std::size_t before = text.find(begin);
   if (before == std::string::npos) {
-    throw Error(file.string() + ": no row of \"" + std::string(stimulus) + "\"",
+    throw Error(file.string() + ": no row of " + motion::in_quotes(stimulus),
                 "delete the file and run again");
   }
   const std::string header = text.substr(0, text.find('\n') + 1);
@@ -260,7 +269,8 @@ StimulusNumbers::StimulusNumbers(const std::filesystem::path& file,
 const std::vector<double>& StimulusNumbers::of(const std::string& stimulus) const {
   const auto found = numbers_.find(stimulus);
   if (found != numbers_.end()) return found->second;
-  throw Error(file_ + ": no row of \"" + stimulus + "\"", "delete the file and run again");
+  throw Error(file_ + ": no row of " + motion::in_quotes(stimulus),
+              "delete the file and run again");
 }
 
 std::string shortest(double value) {
@@ -282,7 +292,8 @@ void CsvWriter::row(const std::vector<std::string>& fields) {
   assert(fields.size() == width_);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (i > 0) text_ += ',';
-    text_ += needs_quotes(fields[i]) ? quoted(fields[i]) : fields[i];
+    const std::string field = with_formula_mark(fields[i]);
+    text_ += needs_quotes(field) ? quoted(field) : field;
   }
   // A row of one empty field must not read back as an empty line.
   if (width_ == 1 && fields.front().empty()) text_ += "\"\"";

@@ -20,6 +20,7 @@ struct CsvField {
 
 /// A table with a header, RFC 4180: comma separated, quotes doubled, CRLF or LF, UTF-8 with or
 /// without byte order mark. Every row has as many fields as the header. Empty lines are skipped.
+/// Fields are without the mark of formula_mark.h.
 struct CsvTable {
   std::string file;
   std::vector<CsvField> header;
@@ -69,7 +70,8 @@ std::string shortest(double value);
 /// but roundings is left, and "0" is written.
 std::string shortest_measured(double value);
 
-/// Collects rows and writes them with LF line ends, quoting where necessary.
+/// Collects rows and writes them with LF line ends, quoting where necessary and marking texts that
+/// a spreadsheet would run (formula_mark.h).
 class CsvWriter {
  public:
   explicit CsvWriter(std::vector<std::string> header);

@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "motion/text/excerpt.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -13,14 +15,36 @@ auto reading_order(const Fault& fault) {
                   fault.remedy);
 }
 
+/// More than any sentence of ours has, whatever it lists.
+constexpr std::size_t longest_sentence = 1000;
+
+std::string sentence(std::string_view text) {
+  return motion::excerpt(text, longest_sentence, motion::LineEnds::kept);
+}
+
 std::string wrong_with_path(const Fault& fault) {
-  return fault.path.empty() ? fault.wrong : fault.path + ": " + fault.wrong;
+  const std::string wrong = sentence(fault.wrong);
+  return fault.path.empty() ? wrong : motion::excerpt(fault.path) + ": " + wrong;
+}
+
+Place shown_place(const Place& place) {
+  return {motion::printable(place.file), place.line, place.column};
 }
 
 }  // namespace
 
 std::string to_string(const Fault& fault) {
-  return Error(fault.place, wrong_with_path(fault), fault.remedy).what();
+  return Error(shown_place(fault.place), wrong_with_path(fault), sentence(fault.remedy)).what();
+}
+
+std::string fault_lines(const std::vector<Fault>& faults, std::string_view beginning) {
+  std::string text;
+  for (std::size_t i = 0; i < faults.size() && i < most_told_faults; ++i) {
+    if (i > 0) text += '\n';
+    text.append(beginning).append(to_string(faults[i]));
+  }
+  if (faults.size() <= most_told_faults) return text;
+  return text + "\nand " + std::to_string(faults.size() - most_told_faults) + " more";
 }
 
 std::vector<Fault> in_reading_order(std::vector<Fault> faults) {
@@ -36,11 +60,7 @@ std::vector<Fault> in_reading_order(std::vector<Fault> faults) {
 
 Faults::Faults(std::vector<Fault> faults)
     : Error(faults.front().place, wrong_with_path(faults.front()), faults.front().remedy),
-      faults_(in_reading_order(std::move(faults))) {
-  for (const Fault& fault : faults_) {
-    if (!text_.empty()) text_ += '\n';
-    text_ += to_string(fault);
-  }
-}
+      faults_(in_reading_order(std::move(faults))),
+      text_(fault_lines(faults_)) {}
 
 }  // namespace mien::pipeline

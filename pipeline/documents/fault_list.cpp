@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 
@@ -26,7 +27,10 @@ void FaultList::add_at_key(const std::string& path, std::string wrong, std::stri
 void FaultList::check_word(const std::string& path, const std::string& name,
                            const std::string& what, const std::vector<std::string>& known) {
   if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
-  add(path, "unknown " + what + " \"" + name + "\"", motion::did_you_mean(name, known));
+  // Looking for the nearest of many names takes a while: nobody reads so many remedies.
+  constexpr std::size_t most_remedies = 1000;
+  add(path, "unknown " + what + " " + motion::in_quotes(name),
+      faults_.size() < most_remedies ? motion::did_you_mean(name, known) : "");
 }
 
 void FaultList::check_file(const std::string& path, const std::filesystem::path& file,

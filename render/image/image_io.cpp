@@ -8,6 +8,7 @@
 #include "render/error.h"
 #include "render/image/png_file.h"
 #include "render/image_files/image_files.h"
+#include "render/image_files/picture_limits.h"
 
 namespace mien::render {
 namespace {
@@ -37,6 +38,7 @@ Image<Channel> read_png_of(const std::filesystem::path& path) {
   PngFile file(path);
   if (file.channels() != 3) fail(path, "does not have three channels");
   if (file.bits() != bits_of<Channel>) fail(path, "has another number of bits a channel");
+  require_readable_size(path.string(), file.width(), file.height(), 3);
   Image<Channel> image(file.width(), file.height());
   file.read(image.channels.data());
   return image;
@@ -103,6 +105,7 @@ Film read_exr(const std::filesystem::path& path) {
   const std::unique_ptr<ImageFile> file = opened(path, "openexr");
   const ImageLayout& layout = file->layout();
   if (layout.channels.size() != 3) fail(path, "does not have three channels");
+  require_readable_size(path.string(), layout.width, layout.height, 3);
   Film film(layout.width, layout.height);
   if (!file->read(ChannelKind::single, film.channels.data())) fail(path, file->error());
   return film;
@@ -111,6 +114,7 @@ Film read_exr(const std::filesystem::path& path) {
 ImageSummary check_image(const std::filesystem::path& path) {
   const std::unique_ptr<ImageFile> file = opened(path, nullptr);
   const ImageLayout& layout = file->layout();
+  require_readable_size(path.string(), layout.width, layout.height, layout.channels.size());
   std::vector<float> channels(static_cast<std::size_t>(layout.width) *
                               static_cast<std::size_t>(layout.height) * layout.channels.size());
   if (!file->read(ChannelKind::single, channels.data())) fail(path, file->error());

@@ -9,12 +9,11 @@
 #include "render/error.h"
 #include "render/image/tone.h"
 #include "render/image_files/image_files.h"
+#include "render/image_files/picture_limits.h"
 
 namespace mien::render {
 
 namespace {
-
-constexpr int largest_side = 16384;
 
 [[noreturn]] void fail(const std::string& name, const std::string& wrong) {
   throw Error(name + ": " + wrong);
@@ -57,8 +56,8 @@ Texture read_texture(std::span<const unsigned char> bytes, const std::string& na
   const std::unique_ptr<ImageFile> file = image_files().open(bytes, ending_of(bytes, name), error);
   if (!file) fail(name, error);
   const ImageLayout& layout = file->layout();
-  if (layout.width > largest_side || layout.height > largest_side) fail(name, "is too large");
   const size_t channels = layout.channels.size();
+  require_readable_size(name, layout.width, layout.height, channels);
   std::vector<unsigned char> pixels(static_cast<size_t>(layout.width) *
                                     static_cast<size_t>(layout.height) * channels);
   if (!file->read(ChannelKind::byte, pixels.data())) fail(name, file->error());

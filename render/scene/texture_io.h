@@ -14,7 +14,8 @@ enum class TextureUse { colour, numbers };
 /// colours become linear, an alpha channel is left out, grey becomes three equal channels. Pictures
 /// wider or higher than `largest` pixels are halved until they are not. `name` is for messages.
 ///
-/// Throws Error when the bytes do not decode or the picture is larger than 16384 pixels a side.
+/// Throws Error when the bytes do not decode or the picture is larger than are read
+/// (picture_limits.h).
 Texture read_texture(std::span<const unsigned char> bytes, const std::string& name,
                      TextureUse use = TextureUse::colour, int largest = 1024);
 

@@ -15,6 +15,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include "render/image_files/picture_limits.h"
 #include "render/parts/loaded_part.h"
 #include "render/video/libav.h"
 #include "render/video/video.h"
@@ -27,23 +28,35 @@ namespace {
 
 constexpr int decoder_threads = 2;  // no influence on the pictures
 
+/// Decoders look at the beginning, and take memory for pictures of the size that the file names.
+void find_streams(AVFormatContext& input, const std::string& path) {
+  const std::string most = std::to_string(most_picture_values);
+  std::vector<AVDictionary*> options(input.nb_streams, nullptr);
+  for (AVDictionary*& one : options) av_dict_set(&one, "max_pixels", most.c_str(), 0);
+  const int code = avformat_find_stream_info(&input, options.data());
+  for (AVDictionary*& one : options) av_dict_free(&one);
+  checked(code, path + ": reading");
+}
+
 Input open_input(const std::string& path) {
   av_log_set_level(AV_LOG_QUIET);
   AVFormatContext* input = nullptr;
   checked(avformat_open_input(&input, ("file:" + path).c_str(), nullptr, nullptr),
           path + ": opening");
   Input owner(input);
-  checked(avformat_find_stream_info(input, nullptr), path + ": reading");
+  find_streams(*input, path);
   return owner;
 }
 
 CodecContext open_decoder(const AVStream* stream, const std::string& path, int threads) {
   const AVCodec* decoder = avcodec_find_decoder(stream->codecpar->codec_id);
   if (!decoder) throw Error(path + ": no decoder for this video");
+  require_readable_size(path, stream->codecpar->width, stream->codecpar->height, 3);
   CodecContext codec(avcodec_alloc_context3(decoder));
   checked(avcodec_parameters_to_context(codec.get(), stream->codecpar), path);
   codec->err_recognition = AV_EF_EXPLODE;
   codec->thread_count = threads;
+  codec->max_pixels = static_cast<std::int64_t>(most_picture_values);
   checked(avcodec_open2(codec.get(), decoder, nullptr), path + ": opening the decoder");
   return codec;
 }
@@ -126,6 +139,8 @@ struct Decoding {
   Scaler scaler = nullptr;
 
   void take(const AVFrame& frame) {
+    if (frame.width != stream->codecpar->width || frame.height != stream->codecpar->height)
+      throw Error(path + ": a picture of another size than the first");
     const int index = summary.frames++;
     const double tick = av_q2d(stream->time_base);
     const double seconds = static_cast<double>(frame.best_effort_timestamp) * tick;

@@ -7,6 +7,7 @@
 
 #include "render/error.h"
 #include "render/image_files/image_files.h"
+#include "render/image_files/picture_limits.h"
 
 namespace mien::render {
 
@@ -63,6 +64,7 @@ Image8 picture_of(ImageFile& reader, int index, const std::filesystem::path& pat
   const ImageLayout& layout = reader.layout();
   const std::size_t channels = layout.channels.size();
   if (channels < 3) throw fail();
+  require_readable_size(path.string(), layout.width, layout.height, channels);
   std::vector<std::uint8_t> pixels(channels * static_cast<std::size_t>(layout.width) *
                                    static_cast<std::size_t>(layout.height));
   if (!reader.read(ChannelKind::byte, pixels.data())) throw fail();

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 
 namespace mien::scenes {
 
@@ -35,7 +36,9 @@ int index_in(const CharacterFile& file, const json& object, const char* key, siz
   const auto found = object.find(key);
   if (found == object.end()) return -1;
   if (!found->is_number_unsigned() || found->get<std::uint64_t>() >= count) {
-    motion::refuse(file.gltf, use + ": there is no " + key + " " + found->dump(),
+    motion::refuse(file.gltf,
+                   use + ": there is no " + key + " " +
+                       motion::excerpt(found->dump(-1, ' ', false, json::error_handler_t::replace)),
                    "export or download the file again");
   }
   return found->get<int>();

@@ -376,6 +376,27 @@ TEST(Gltf, ReadsBuffersBesideTheFile) {
   std::filesystem::remove_all(folder);
 }
 
+/// An animation of the first of so many nodes, all roots.
+std::string gltf_of_roots(int count) {
+  GltfNumbers numbers;
+  const int times = numbers.add({0.0f, 1.0f}, "SCALAR");
+  const int places = numbers.add({0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f}, "VEC3");
+  std::string nodes;
+  for (int i = 0; i < count; ++i) nodes += i == 0 ? "{}" : ",{}";
+  return R"({"asset":{"version":"2.0"},"nodes":[)" + nodes + "]," + numbers.json() +
+         R"(,"animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],)"
+         R"("samplers":[{"input":)" +
+         std::to_string(times) + R"(,"output":)" + std::to_string(places) + "}]}]}";
+}
+
+// The square of these numbers would take minutes.
+TEST(Gltf, OfManyNodesIsReadInOneGoAndRefusedWhenNoFigureHasAsMany) {
+  EXPECT_EQ(parse_gltf(gltf_of_roots(130'000), "f.gltf").skeleton.size(), 1);
+  const std::string said =
+      mien::test::refusal_of([] { parse_gltf(gltf_of_roots(2'000'000), "f.gltf"); });
+  EXPECT_EQ(said, "f.gltf: has more than 131072 nodes; keep the nodes of one figure");
+}
+
 TEST(Gltf, RefusesWhatIsWrongNamingTheFile) {
   struct Case {
     std::string text;

@@ -124,5 +124,20 @@ TEST(Topology, FindsNoHumanInOtherTrees) {
   EXPECT_FALSE(guess(chain));
 }
 
+TEST(Topology, ComparesNoChainsOfMoreJointsThanARigHas) {
+  // A root with so many children, or a spine with a child at each joint, would take minutes.
+  for (const bool is_wide : {true, false}) {
+    Recording recording;
+    recording.skeleton.joints.push_back({"root", -1, Vec3::Zero(), std::nullopt});
+    for (int j = 1; j < 60'000; ++j) {
+      const int parent = is_wide ? 0 : (j - 1) / 2 * 2;
+      recording.skeleton.joints.push_back({"j", parent, Vec3::UnitY(), std::nullopt});
+    }
+    recording.poses.resize(1);
+    recording.poses[0].rotations.assign(60'000, Quat::Identity());
+    EXPECT_FALSE(guess(recording));
+  }
+}
+
 }  // namespace
 }  // namespace mien::motion

@@ -40,6 +40,31 @@ TEST(Csv, KnowsWhereEachFieldStartsInCharacters) {
   EXPECT_EQ(std::tuple(table.rows[1][2].line, table.rows[1][2].column), std::tuple(4, 5));
 }
 
+TEST(Csv, TellsAHeaderOfManyColumnsWithoutComparingEachWithEach) {
+  std::string header = "stimulus";
+  for (int column = 0; column < 2'000'000; ++column) header += ",c" + std::to_string(column);
+  EXPECT_EQ(parse_csv(header + "\n", "t.csv").header.size(), 2'000'001u);
+  EXPECT_EQ(refusal(header + ",stimulus\n").find("t.csv:1:"), 0u);
+}
+
+TEST(Csv, QuotesNoMoreOfAFileThanSomebodyReads) {
+  const std::string longest(100'000, 'x');
+  EXPECT_LT(refusal(longest + "," + longest + "\n").size(), 200u);
+  const CsvTable table = parse_csv(longest + ",b\x1b[2J\n" + longest + ",2\n", "t.csv");
+  const auto told = [](auto&& refused) {
+    try {
+      refused();
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_LT(told([&] { number_in(table, table.rows[0][0]); }).size(), 200u);
+  const std::string missing = told([&] { require_column(table, "value"); });
+  EXPECT_LT(missing.size(), 400u);
+  EXPECT_TRUE(missing.ends_with(", b\\x1b[2J")) << missing;
+}
+
 TEST(Csv, TakesALastLineWithoutItsEnd) {
   EXPECT_EQ(parse_csv("a,b\n1,2", "t.csv").rows.at(0).at(1).text, "2");
   EXPECT_EQ(parse_csv("a,b\n1,2\r", "t.csv").rows.at(0).at(1).text, "2");

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <random>
 #include <thread>
@@ -16,6 +17,7 @@
 #include "pipeline/temporary_folder.h"
 #include "render/file_damage.h"
 #include "render/image/channels.h"
+#include "render/image_files/picture_limits.h"
 #include "render/refusal.h"
 
 namespace mien::render {
@@ -48,6 +50,55 @@ class ImageIo : public testing::Test {
   const std::filesystem::path png = temporary.path() / "picture.png";
   const std::filesystem::path exr = temporary.path() / "picture.exr";
 };
+
+std::string big_endian(std::uint32_t value) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 255u);
+  return bytes;
+}
+
+std::string png_chunk(const std::string& kind_and_content) {
+  std::uint32_t sum = ~0u;
+  for (const char one : kind_and_content) {
+    sum ^= static_cast<unsigned char>(one);
+    for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ (0xEDB88320u & (0u - (sum & 1u)));
+  }
+  return big_endian(static_cast<std::uint32_t>(kind_and_content.size() - 4)) + kind_and_content +
+         big_endian(~sum);
+}
+
+/// A file of a few bytes that says to be a picture of that size.
+std::string png_of_size(std::uint32_t width, std::uint32_t height) {
+  using namespace std::string_literals;
+  return "\x89PNG\r\n\x1a\n"s +
+         png_chunk("IHDR" + big_endian(width) + big_endian(height) + "\x08\x02\0\0\0"s) +
+         png_chunk("IDAT\x78\x9c"s) + png_chunk("IEND");
+}
+
+TEST_F(ImageIo, TakesNoMemoryForAPictureThatIsLargerThanAreRead) {
+  const auto write = [&](std::uint32_t width, std::uint32_t height) {
+    std::ofstream(png, std::ios::binary) << png_of_size(width, height);
+  };
+  write(60'000, 60'000);  // 43 GB as it would be worked with
+  for (const std::string& refusal :
+       {refusal_of([&] { read_png8(png); }), refusal_of([&] { check_image(png); }),
+        refusal_of([&] { read_channels(png); })})
+    EXPECT_EQ(refusal, png.string() +
+                           ": has 60000 x 60000 pixels, more than are read: 8192 x 8192, or as "
+                           "many otherwise");
+  write(16, 16);  // whose pixels are missing
+  EXPECT_NE(refusal_of([&] { read_png8(png); }).find("decoding"), std::string::npos);
+}
+
+TEST(PictureLimits, CountValuesWithoutOverflow) {
+  EXPECT_EQ(picture_hindrance(8192, 8192, 4), "");
+  EXPECT_EQ(picture_hindrance(1 << 28, 1, 1), "");
+  EXPECT_NE(picture_hindrance(8192, 8193, 4), "");
+  EXPECT_NE(picture_hindrance(std::int64_t{1} << 32, std::int64_t{1} << 32, 1), "");
+  EXPECT_NE(picture_hindrance(std::int64_t{1} << 62, 4, 4), "");
+  EXPECT_NE(picture_hindrance(0, 8, 3), "");
+  EXPECT_NE(picture_hindrance(-8, 8, 3), "");
+}
 
 TEST_F(ImageIo, KeepsEveryBitOfAPng) {
   write_png(png, noise<std::uint8_t>());
