@@ -8,6 +8,7 @@
 
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/json_depth.h"
 #include "pipeline/documents/files.h"
 
 namespace mien::pipeline {
@@ -41,7 +42,8 @@ std::vector<ArtifactRecord> not_kept_in(const fs::path& folder) {
   const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_table);
   try {
     if (!text.bytes) throw Error({file.string()}, text.hindrance, "put the file back");
-    const auto note = nlohmann::json::parse(*text.bytes);
+    const bool is_deep = motion::is_nested_deeper(*text.bytes, motion::deepest_document);
+    const auto note = nlohmann::json::parse(is_deep ? std::string() : *text.bytes);
     for (const auto& [path, entry] : note.at("not_kept").items())
       records.push_back({path, entry.at("hash"), entry.at("size"), entry.value("frames", 0)});
   } catch (const nlohmann::json::exception&) {

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/json_depth.h"
 
 namespace mien::pipeline {
 
@@ -23,7 +25,8 @@ std::string safe_path(const std::string& path) {
                          std::ranges::find(steps, fs::path("..")) != steps.end() ||
                          path.find('\0') != std::string::npos;
   if (!leads_out) return path;
-  throw std::runtime_error("names \"" + path + "\", which is no place in the study's folder");
+  throw std::runtime_error("names " + motion::in_quotes(path) +
+                           ", which is no place in the study's folder");
 }
 
 ArtifactRecord artifact_of(const std::string& path, const json& entry) {
@@ -33,7 +36,8 @@ ArtifactRecord artifact_of(const std::string& path, const json& entry) {
 void take(const json& record, StudyContents& contents) {
   contents.study = safe_path(record.at("study"));
   if (contents.study == "." || contents.study.find('/') != std::string::npos)
-    throw std::runtime_error("calls the study \"" + contents.study + "\", which is no name");
+    throw std::runtime_error("calls the study " + motion::in_quotes(contents.study) +
+                             ", which is no name");
   contents.program = record.at("mien");
   contents.command = record.value("command", "");
   contents.seed = record.at("seed");
@@ -82,11 +86,15 @@ StudyContents contents_of(const fs::path& study) {
     throw Error({file.string()}, text.hindrance,
                 "mien run writes it when everything of the study is made");
   }
+  const auto refuse = [&] {
+    throw Error({file.string()}, "this is no provenance of a study",
+                "mien run writes it when everything of the study is made");
+  };
+  if (motion::is_nested_deeper(*text.bytes, motion::deepest_document)) refuse();
   try {
     take(json::parse(*text.bytes), contents);
   } catch (const json::exception&) {
-    throw Error({file.string()}, "this is no provenance of a study",
-                "mien run writes it when everything of the study is made");
+    refuse();
   } catch (const std::runtime_error& error) {
     throw Error({file.string()}, error.what(), "do not trust this study");
   }

@@ -1,5 +1,7 @@
 #include "pipeline/archive/zip_archive.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 
@@ -59,17 +61,65 @@ bool leads_out(const std::string& path) {
   return false;
 }
 
-std::string content_of(archive* zip, const std::string& name, std::size_t& total) {
-  std::string content;
-  char part[65536];
-  for (;;) {
-    const la_ssize_t count = archive_read_data(zip, part, sizeof part);
-    if (count < 0) refuse_zip(name, zip);
-    if (count == 0) return content;
-    total += static_cast<std::size_t>(count);
-    if (total > most_zip_bytes)
-      throw Error({name}, "unpacks to more than 4 GiB", "give the archive that mien wrote");
-    content.append(part, static_cast<std::size_t>(count));
+/// What is stored in an archive of that size, and room for one that somebody has compressed. mien
+/// compresses none.
+std::uint64_t most_unpacked(std::size_t archive_bytes) {
+  constexpr std::uint64_t least = std::uint64_t{256} << 20U;
+  constexpr std::uint64_t times = 20;
+  return std::clamp<std::uint64_t>(times * archive_bytes, least, most_zip_bytes);
+}
+
+[[noreturn]] void refuse_size(const std::string& name, std::uint64_t most) {
+  throw Error({name}, "unpacks to more than " + std::to_string(most >> 20U) + " MiB",
+              "give the archive that mien wrote");
+}
+
+/// The files of an archive, one after the other.
+class ZipReader {
+ public:
+  ZipReader(const std::string& bytes, const std::string& name) : name_(name) {
+    archive_read_support_format_zip(zip_.get());
+    archive_read_set_options(zip_.get(), "zip:hdrcharset=UTF-8");
+    if (archive_read_open_memory(zip_.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
+      refuse_zip(name_, zip_.get());
+  }
+
+  /// Null after the last.
+  archive_entry* next() {
+    archive_entry* entry = nullptr;
+    const int code = archive_read_next_header(zip_.get(), &entry);
+    if (code == ARCHIVE_EOF) return nullptr;
+    if (code != ARCHIVE_OK && code != ARCHIVE_WARN) refuse_zip(name_, zip_.get());
+    return entry;
+  }
+
+  /// Of the file that came last. `left`: bytes that all files may still have.
+  std::string content(std::uint64_t& left, std::uint64_t most) {
+    std::string content;
+    char part[65536];
+    for (;;) {
+      const la_ssize_t count = archive_read_data(zip_.get(), part, sizeof part);
+      if (count < 0) refuse_zip(name_, zip_.get());
+      if (count == 0) return content;
+      if (static_cast<std::uint64_t>(count) > left) refuse_size(name_, most);
+      left -= static_cast<std::uint64_t>(count);
+      content.append(part, static_cast<std::size_t>(count));
+    }
+  }
+
+ private:
+  const std::string& name_;
+  ZipHandle zip_{archive_read_new()};
+};
+
+/// By what the archive says of itself, before anything is unpacked.
+void refuse_told_size(const std::string& bytes, const std::string& name, std::uint64_t most) {
+  ZipReader reader(bytes, name);
+  std::uint64_t left = most;
+  while (archive_entry* const entry = reader.next()) {
+    const la_int64_t told = archive_entry_size_is_set(entry) != 0 ? archive_entry_size(entry) : 0;
+    if (told < 0 || static_cast<std::uint64_t>(told) > left) refuse_size(name, most);
+    left -= static_cast<std::uint64_t>(told);
   }
 }
 
@@ -92,24 +142,20 @@ std::string zip_of(const ZipFiles& files) {
 
 ZipFiles unzipped(const std::string& bytes, const std::string& name) {
   const Utf8Names names;
-  const ZipHandle zip(archive_read_new());
-  archive_read_support_format_zip(zip.get());
-  archive_read_set_options(zip.get(), "zip:hdrcharset=UTF-8");
-  if (archive_read_open_memory(zip.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
-    refuse_zip(name, zip.get());
+  const std::uint64_t most = most_unpacked(bytes.size());
+  refuse_told_size(bytes, name, most);
+  ZipReader reader(bytes, name);
   ZipFiles files;
-  std::size_t total = 0;
-  for (archive_entry* entry = nullptr;;) {
-    const int code = archive_read_next_header(zip.get(), &entry);
-    if (code == ARCHIVE_EOF) return files;
-    if (code != ARCHIVE_OK && code != ARCHIVE_WARN) refuse_zip(name, zip.get());
+  std::uint64_t left = most;
+  while (archive_entry* const entry = reader.next()) {
     const char* given = archive_entry_pathname(entry);
     const std::string path = given != nullptr ? given : "";
     if (leads_out(path))
       throw Error({name}, "a path in it leads out of it", "give the archive that mien wrote");
     if (archive_entry_filetype(entry) != AE_IFREG) continue;
-    files[path] = content_of(zip.get(), name, total);
+    files[path] = reader.content(left, most);
   }
+  return files;
 }
 
 ZipFiles read_zip(const std::filesystem::path& file) {

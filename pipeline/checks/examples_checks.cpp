@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/documents/fault_list.h"
 
@@ -29,8 +30,8 @@ void check_keytimes(const Examples& examples, FaultList& list) {
     const auto& [first, moments] = examples.keytimes.front();
     if (times.size() == moments.size()) continue;
     list.add(path,
-             std::to_string(times.size()) + " keytimes where \"" + first + "\" has " +
-                 std::to_string(moments.size()),
+             std::to_string(times.size()) + " keytimes where " + motion::in_quotes(first) +
+                 " has " + std::to_string(moments.size()),
              "give every motion the same moments");
   }
 }

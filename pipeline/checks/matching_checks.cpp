@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/checks/questionnaire_checks.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/ratings/feature_parameters.h"
@@ -50,7 +51,7 @@ class MatchingCheck {
       const std::string path = element_path(matching_path(key), i);
       if (!known.empty()) list_.check_word(path, names[i], what, known);
       if (!taken.insert(names[i]).second)
-        list_.add(path, "\"" + names[i] + "\" stands here twice", "name it once");
+        list_.add(path, motion::in_quotes(names[i]) + " stands here twice", "name it once");
     }
   }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/documents/fault_list.h"
 
@@ -91,7 +92,7 @@ class StepChecker : FaultList {
       check_file(path, pose.file, "the name of an example or a motion file",
                  motion::most_of_recording);
     if (!pose.example.empty() && !was_given("examples")) {
-      add(path, "there are no examples to take \"" + pose.example + "\" from",
+      add(path, "there are no examples to take " + motion::in_quotes(pose.example) + " from",
           "add examples:, or name a motion file");
     }
   }
@@ -106,7 +107,9 @@ class StepChecker : FaultList {
           "correct the recipe; paths are taken from its file's folder");
     }
     if (!pose.example.empty() && !was_given("examples")) {
-      add(path, "its recipe takes a pose of \"" + pose.example + "\", and there are no examples",
+      add(path,
+          "its recipe takes a pose of " + motion::in_quotes(pose.example) +
+              ", and there are no examples",
           "add examples:");
     }
   }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "motion/interpolation/interpolation_options.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault_list.h"
 #include "render/video/video_kind.h"
@@ -56,11 +57,12 @@ void check_unique(const std::string& id, const std::string& path, TakenIds& take
   const TakenId& first = entry->second;
   const std::string at = member_path(path, "id");
   if (first.id == id) {
-    list.add(at, "\"" + id + "\" is already the id of " + first.path, "give each its own");
+    list.add(at, motion::in_quotes(id) + " is already the id of " + first.path,
+             "give each its own");
   } else {
     list.add(at,
-             "\"" + id + "\" differs from \"" + first.id + "\" of " + first.path +
-                 " by case alone, and so would their files",
+             motion::in_quotes(id) + " differs from " + motion::in_quotes(first.id) + " of " +
+                 first.path + " by case alone, and so would their files",
              "give it another id");
   }
 }
@@ -75,7 +77,7 @@ void check_video_names(const Manifest& manifest, FaultList& list) {
       // Ids that differ by case alone have been told.
       if (is_new || without_case(first->second) == without_case(film->id)) continue;
       list.add(member_path(film->path, "id"),
-               "its video " + file + " would be that of \"" + first->second + "\"",
+               "its video " + file + " would be that of " + motion::in_quotes(first->second),
                "give it another id");
     }
   }
@@ -133,7 +135,7 @@ void check_hold(const Stimulus& stimulus, const Names& parameters, const ScaleSe
 void check_motion(const std::string& path, const std::string& name, const NameIndex& motions,
                   FaultList& list) {
   if (name.empty() || motions.known.contains(name)) return;
-  list.add(path, "\"" + name + "\" is neither a stimulus nor an example",
+  list.add(path, motion::in_quotes(name) + " is neither a stimulus nor an example",
            motion::did_you_mean(name, motions.names));
 }
 
@@ -141,7 +143,8 @@ void check_motion(const std::string& path, const std::string& name, const NameIn
 void check_pictured(const std::string& path, const std::string& name, const NameIndex& stimuli,
                     FaultList& list) {
   if (name.empty() || stimuli.known.contains(name)) return;
-  list.add(path, "\"" + name + "\" is no stimulus", motion::did_you_mean(name, stimuli.names));
+  list.add(path, motion::in_quotes(name) + " is no stimulus",
+           motion::did_you_mean(name, stimuli.names));
 }
 
 /// Nothing is rated higher than itself, be it named twice in a row or further on.
@@ -153,9 +156,9 @@ void check_order(const std::string& path, const Names& order, const Names& examp
     const auto first = std::ranges::find(order, order[i]) - order.begin();
     if (static_cast<std::size_t>(first) == i) continue;
     list.add(at,
-             fmt::format("\"{}\" stands in this order already, as number {}, and cannot be rated "
+             fmt::format("{} stands in this order already, as number {}, and cannot be rated "
                          "higher than itself",
-                         order[i], first + 1),
+                         motion::in_quotes(order[i]), first + 1),
              "name each example once");
   }
 }

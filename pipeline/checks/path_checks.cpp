@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 
@@ -152,7 +153,8 @@ void check_graph(const std::string& path, const WalkPath& walk, FaultList& list)
     list.check_file(at, walk.graph[i], "a motion file (.bvh, .amc, .gltf, .glb)",
                     motion::most_of_recording);
     if (motion::is_motion_file(walk.graph[i])) continue;
-    list.add(at, "\"" + walk.graph[i].extension().string() + "\" is no kind of motion file",
+    list.add(at,
+             motion::in_quotes(walk.graph[i].extension().string()) + " is no kind of motion file",
              "use .bvh, .amc, .gltf or .glb");
   }
   const auto refuse = [&](const std::string& at) {

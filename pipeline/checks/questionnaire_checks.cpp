@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/checks/session_checks.h"
@@ -65,7 +66,8 @@ class QuestionnaireCheck {
     for (std::size_t i = 0; i < names.size(); ++i) {
       list_.check_word(element_path(path, i), names[i], what, known);
       if (!taken.insert(names[i]).second)
-        list_.add(element_path(path, i), "\"" + names[i] + "\" stands here twice", "name it once");
+        list_.add(element_path(path, i), motion::in_quotes(names[i]) + " stands here twice",
+                  "name it once");
     }
   }
 
@@ -226,7 +228,8 @@ class QuestionnaireCheck {
       if (others.contains(id))
         list_.add(path, "the table of participants has a column of that name", "name it otherwise");
       if (!id.empty() && !taken.insert(id).second)
-        list_.add(path, "\"" + id + "\" is already the id of a question", "give each its own");
+        list_.add(path, motion::in_quotes(id) + " is already the id of a question",
+                  "give each its own");
     }
   }
 
@@ -235,7 +238,8 @@ class QuestionnaireCheck {
     for (const std::string& id : asked_stimuli(manifest_)) {
       const auto found = std::ranges::find(manifest_.stimuli, id, &Stimulus::id);
       if (found == manifest_.stimuli.end() || found->output.clips.glb) continue;
-      return list_.add(at("view"), "the motion of \"" + id + "\" is not written in 3-D",
+      return list_.add(at("view"),
+                       "the motion of " + motion::in_quotes(id) + " is not written in 3-D",
                        "add output: {clips: [bvh, glb]}");
     }
   }

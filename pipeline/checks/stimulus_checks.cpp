@@ -8,6 +8,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/measures/body_part.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/checks/path_checks.h"
@@ -105,7 +106,8 @@ void check_hold(const Stimulus& stimulus, FaultList& list) {
   const std::string remedy = "leave it to adjectives: or to hold:";
   for (std::size_t i = 0; i < hold.names.size(); ++i) {
     if (is_asked(hold.names[i]))
-      list.add(element_path(path, i), "\"" + hold.names[i] + "\" is asked for already", remedy);
+      list.add(element_path(path, i), motion::in_quotes(hold.names[i]) + " is asked for already",
+               remedy);
   }
   for (const auto& value : hold.values) {
     if (is_asked(value.first))
@@ -157,7 +159,8 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
     list.check_file(file, clip.file, "a motion file (.bvh, .amc, .gltf, .glb)",
                     motion::most_of_recording);
     if (!motion::is_motion_file(clip.file)) {
-      list.add(file, "\"" + clip.file.extension().string() + "\" is no kind of motion file",
+      list.add(file,
+               motion::in_quotes(clip.file.extension().string()) + " is no kind of motion file",
                "use .bvh, .amc, .gltf or .glb");
     }
   }
@@ -174,7 +177,7 @@ void check_factors(const Stimulus& stimulus, FaultList& list) {
   for (const auto& [name, level] : stimulus.factors) {
     if (!name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_part)) continue;
     list.add_at_key(member_path(member_path(stimulus.path, "factors"), name),
-                    "\"" + name + "\" is no name of a column",
+                    motion::in_quotes(name) + " is no name of a column",
                     "begin with a letter, and use letters, digits and _");
   }
 }
@@ -189,7 +192,7 @@ void check_limits(const RegressionLimits& limits, const std::string& path, Fault
   for (const auto& [part, limit] : limits.parts_mm) {
     const std::string place = member_path(member_path(map, "parts_mm"), part);
     if (!list.was_given(place) || std::ranges::find(parts, part) != parts.end()) continue;
-    list.add_at_key(place, "unknown part of the body \"" + part + "\"",
+    list.add_at_key(place, "unknown part of the body " + motion::in_quotes(part),
                     motion::did_you_mean(part, parts));
   }
 }

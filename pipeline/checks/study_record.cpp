@@ -3,12 +3,15 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/file_contents.h"
+#include "motion/text/json_depth.h"
 
 namespace mien::pipeline {
 
 std::optional<StudyRecord> study_record_in(const std::filesystem::path& file) {
   if (file.extension() != ".json") return std::nullopt;
   const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_table);
+  if (reading.bytes && motion::is_nested_deeper(*reading.bytes, motion::deepest_document))
+    return std::nullopt;
   const auto record = nlohmann::json::parse(reading.bytes.value_or(""), nullptr, false);
   const auto text = [&](const char* place) -> std::string {
     const nlohmann::json::json_pointer pointer(place);

@@ -36,6 +36,32 @@ nlohmann::ordered_json as_json(const Fault& fault) {
           {"path", fault.path},       {"wrong", fault.wrong},     {"remedy", fault.remedy}};
 }
 
+/// Faults and warnings as JSON; of very many, how many are left out.
+class JsonFindings {
+ public:
+  void add(const char* kind, const std::vector<Fault>& faults) {
+    constexpr std::size_t most = 1000;
+    nlohmann::ordered_json& list = result_[kind];
+    for (const Fault& fault : faults) {
+      if (list.size() < most) {
+        list.push_back(as_json(fault));
+      } else {
+        ++left_out_;
+      }
+    }
+  }
+
+  std::string text() {
+    if (left_out_ > 0) result_["left_out"] = left_out_;
+    return result_.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  }
+
+ private:
+  nlohmann::ordered_json result_ = {{"faults", nlohmann::ordered_json::array()},
+                                    {"warnings", nlohmann::ordered_json::array()}};
+  std::size_t left_out_ = 0;
+};
+
 /// Motions that are made of a large study: as many as one likes to wait for.
 constexpr std::size_t most_rehearsed = 50;
 
@@ -77,9 +103,9 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
 }
 
 void tell(const Findings& findings, const std::string& file, const Console& console) {
-  for (const Fault& fault : findings.faults) console.err << to_string(fault) << '\n';
-  for (const Fault& warning : findings.warnings)
-    console.err << "warning: " << to_string(warning) << '\n';
+  if (!findings.faults.empty()) console.err << fault_lines(findings.faults) << '\n';
+  if (!findings.warnings.empty())
+    console.err << fault_lines(findings.warnings, "warning: ") << '\n';
   if (findings.faults.empty()) console.out << file << ": no faults\n";
   if (findings.rehearsed < findings.stimuli) {
     console.out << fmt::format("made {} of {} motions, of every kind; --thorough makes all\n",
@@ -89,22 +115,17 @@ void tell(const Findings& findings, const std::string& file, const Console& cons
 }
 
 int check(const CheckOptions& options, const Console& console) {
-  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
-  nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
+  JsonFindings json;
   bool is_good = true;
   for (const std::string& name : options.manifests) {
     const std::string file = given_or_installed(name, console);
     const Findings findings = findings_in(file, options);
-    for (const Fault& fault : findings.faults) faults.push_back(as_json(fault));
-    for (const Fault& warning : findings.warnings) warnings.push_back(as_json(warning));
+    json.add("faults", findings.faults);
+    json.add("warnings", findings.warnings);
     is_good = is_good && findings.faults.empty();
     if (!options.json) tell(findings, file, console);
   }
-  if (options.json) {
-    const nlohmann::ordered_json result = {{"faults", faults}, {"warnings", warnings}};
-    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    console.out << result.dump(2, ' ', false, replace) << '\n';
-  }
+  if (options.json) console.out << json.text() << '\n';
   return is_good ? exit_done : exit_bad_input;
 }
 

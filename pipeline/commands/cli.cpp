@@ -10,8 +10,10 @@
 #include <CLI/CLI.hpp>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/commands/command_line_fault.h"
+#include "pipeline/documents/failure_text.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/task_graph.h"
 
@@ -63,7 +65,8 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
     if (known.empty() || word.starts_with('-')) return "";
     if (std::find(known.begin(), known.end(), word) == known.end()) {
       if (takes_words(*at)) return "";
-      return "unknown command \"" + word + "\"; " + motion::did_you_mean(word, known);
+      return "unknown command " + motion::in_quotes(word) + "; " +
+             motion::did_you_mean(word, known);
     }
     at = at->get_subcommand(word);
   }
@@ -110,7 +113,7 @@ int perform(const Command& command, const Console& console) {
     console.err << error.what() << '\n';
     return exit_bad_input;
   } catch (const std::exception& error) {
-    console.err << "mien: " << error.what() << '\n';
+    console.err << "mien: " << failure_text(error) << '\n';
     return exit_failed;
   }
 }

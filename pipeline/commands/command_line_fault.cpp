@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 
 namespace mien::pipeline {
@@ -137,7 +138,8 @@ std::string told_fault(const CLI::App& command, const std::vector<std::string>& 
       return no_command_fault(command);
   }
   if (fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extras.empty())
-    return fmt::format("\"{}\" is a word too many; {}", extras.front(), help_line(command));
+    return fmt::format("{} is a word too many; {}", motion::in_quotes(extras.front()),
+                       help_line(command));
   for (const std::string& told : {asked_for_fault(command, fault), valueless_fault(command, fault)})
     if (!told.empty()) return told;
   return told_by_parser(command, fault);

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 
 namespace mien::pipeline {
@@ -70,7 +71,7 @@ std::string manifest_meant(const std::string& name, const Console& console) {
   const bool is_word = !fs::path(file).has_parent_path() && !fs::path(file).has_extension();
   std::error_code error;
   if (!is_word || fs::exists(file, error)) return file;
-  throw Error("there is neither a file nor a manifest \"" + name + "\"",
+  throw Error("there is neither a file nor a manifest " + motion::in_quotes(name),
               motion::did_you_mean(name, manifest_names(installed_manifests())));
 }
 

@@ -1,3 +1,5 @@
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 
 #include <unistd.h>
@@ -7,6 +9,8 @@
 #endif
 
 #include "pipeline/commands/cli.h"
+#include "pipeline/documents/failure_text.h"
+#include "pipeline/documents/printable_stream.h"
 #include "pipeline/tasks/interruption.h"
 
 namespace {
@@ -21,12 +25,29 @@ void give_back_pictures() {
 #endif
 }
 
+/// Of a failure that nobody could catch: one line, and no trace of the stack.
+[[noreturn]] void end_at_once() {
+  try {
+    if (const std::exception_ptr failure = std::current_exception())
+      std::rethrow_exception(failure);
+  } catch (const std::exception& failure) {
+    std::cerr << "mien: " << mien::pipeline::failure_text(failure) << '\n';
+  } catch (...) {
+    std::cerr << "mien: it failed, and nothing says why\n";
+  }
+  std::_Exit(mien::pipeline::exit_failed);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  using mien::pipeline::PrintableStream, mien::pipeline::StreamReader;
   give_back_pictures();
+  std::set_terminate(end_at_once);
   const mien::pipeline::SignalWatch signals;
+  PrintableStream out(std::cout,
+                      isatty(STDOUT_FILENO) != 0 ? StreamReader::terminal : StreamReader::program);
+  PrintableStream err(std::cerr, StreamReader::terminal);
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
-  return mien::pipeline::run_command_line(argc, argv,
-                                          {std::cout, std::cerr, is_terminal, signals.token()});
+  return mien::pipeline::run_command_line(argc, argv, {out, err, is_terminal, signals.token()});
 }

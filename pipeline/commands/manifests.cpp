@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
+#include "motion/text/shell_word.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/documents/files.h"
@@ -74,14 +76,14 @@ int show_manifest(const std::string& name, const Console& console) {
   }
   const auto file = file_among(folder, name);
   if (!file) {
-    throw Error("there is no manifest \"" + name + "\"",
+    throw Error("there is no manifest " + motion::in_quotes(name),
                 motion::did_you_mean(name, manifest_names(folder)));
   }
   const std::string text = read_file(*file);
   console.out << with_schema_of(folder, text);
   for (const std::string& other : files_named_in(text, *file)) {
-    console.err << "it names a file that has to lie beside it: mien manifests " << other << " > "
-                << other << '\n';
+    console.err << "it names a file that has to lie beside it: mien manifests "
+                << motion::shell_path(other) << " > " << motion::shell_path(other) << '\n';
   }
   return exit_done;
 }

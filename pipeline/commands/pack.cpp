@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/shell_word.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/verification_text.h"
 #include "pipeline/tasks/progress_bar.h"
@@ -34,8 +35,8 @@ Verification sound(const StudyContents& contents, const Console& console) {
   if (verification.is_sound()) return verification;
   tell(verification, contents, {console.err, console.err, console.err_is_terminal, console.stop});
   throw Error({contents.folder.string()}, "is not what its provenance tells, and is not packed",
-              "mien run " + contents.provenance().string() + " --out " +
-                  fs::absolute(contents.folder).parent_path().string() +
+              "mien run " + motion::shell_path(contents.provenance().string()) + " --out " +
+                  motion::shell_path(fs::absolute(contents.folder).parent_path().string()) +
                   " makes good what is missing or damaged; mien clean is how to leave something "
                   "out");
 }

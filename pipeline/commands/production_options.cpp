@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "motion/text/shell_word.h"
+
 namespace mien::pipeline {
 
 void add_manifest_options(CLI::App& command, ProductionArguments& arguments) {
@@ -51,8 +53,10 @@ void tell_stale(const std::vector<std::string>& stale, const ProductionArguments
   if (stale.empty()) return;
   console.out << "left from earlier runs:\n";
   for (const std::string& path : stale) console.out << "  " << path << '\n';
-  const std::string out = arguments.out == "out" ? "" : " --out " + arguments.out;
-  console.out << "mien clean --stale " << arguments.manifest << out << " removes them\n";
+  const std::string out =
+      arguments.out == "out" ? "" : " --out " + motion::shell_path(arguments.out);
+  console.out << "mien clean --stale " << motion::shell_path(arguments.manifest) << out
+              << " removes them\n";
 }
 
 std::filesystem::path folder_of(const ProductionArguments& arguments, const Manifest& manifest) {

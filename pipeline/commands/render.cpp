@@ -16,6 +16,7 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
 #include "motion/skeleton/straighten.h"
+#include "motion/text/excerpt.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/render_options.h"
 #include "pipeline/commands/take_option.h"
@@ -103,7 +104,7 @@ int still_frame(const scenes::Shot& shot, const RenderOptions& options, double f
   const char* end = moment.data() + moment.size();
   const auto [stop, error] = std::from_chars(moment.data(), end, seconds);
   if (error != std::errc{} || stop != end || !(seconds >= 0.0 && seconds * fps < last + 1.0)) {
-    throw Error(fmt::format("--still: \"{}\" is no moment of the motion", moment),
+    throw Error(fmt::format("--still: {} is no moment of the motion", motion::in_quotes(moment)),
                 fmt::format("write seconds from 0 to {:.2f}, or no number", last / fps));
   }
   return std::min(static_cast<int>(std::lround(seconds * fps)), last);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "pipeline/checks/film_checks.h"
 #include "pipeline/reading/option_document.h"
 #include "render/video/video_kind.h"
@@ -21,7 +22,7 @@ fs::path file_of(const RenderOptions& options) {
     throw Error("--output: only a still has layers", "add --still, or end it in .png");
   }
   if (is_picture(options.out) || render::video_kind_of(options.out)) return options.out;
-  throw Error("--output: \"" + options.out + "\" is neither a video nor a picture",
+  throw Error("--output: " + motion::in_quotes(options.out) + " is neither a video nor a picture",
               "end it in " + video_endings() + " (video) or .png (contact sheet)");
 }
 
@@ -105,7 +106,7 @@ fs::path output_of(const RenderOptions& options) {
     throw Error("--output: only a still has layers", "add --still, or end it in .png");
   }
   if (is_picture(options.out) || render::video_kind_of(options.out)) return options.out;
-  throw Error("--output: \"" + options.out + "\" is neither a video nor a picture",
+  throw Error("--output: " + motion::in_quotes(options.out) + " is neither a video nor a picture",
               "end it in " + video_endings() + " (video) or .png (contact sheet)");
 }
 

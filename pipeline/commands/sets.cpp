@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/look/set_file.h"
@@ -19,7 +20,8 @@ int show_set(const std::string& name, const Console& console) {
   }
   const std::string_view text = builtin_set_text(name);
   if (text.empty()) {
-    throw Error("there is no set \"" + name + "\"", motion::did_you_mean(name, set_names()));
+    throw Error("there is no set " + motion::in_quotes(name),
+                motion::did_you_mean(name, set_names()));
   }
   console.out << text;
   return exit_done;

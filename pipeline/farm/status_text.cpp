@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/shell_word.h"
 #include "pipeline/farm/farm_status.h"
 #include "pipeline/tasks/progress.h"
 
@@ -84,7 +85,8 @@ ordered_json troubles_json(const FarmStatus& status, JobTrouble::Kind kind) {
 std::string status_text(const FarmStatus& status) {
   std::string text = status.folder + ":";
   if (status.is_complete) {
-    text += " all is done, at a glance; mien verify " + status.folder + " reads every byte\n";
+    text += " all is done, at a glance; mien verify " + motion::shell_path(status.folder) +
+            " reads every byte\n";
   } else {
     text += status.is_active() ? "\n" : " nobody works on it\n";
   }

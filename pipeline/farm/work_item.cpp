@@ -3,6 +3,7 @@
 #include <regex>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 
 namespace mien::pipeline {
 
@@ -17,12 +18,12 @@ WorkItem work_item(const std::string& text) {
     if (!parts[2].matched) return {parts[1], 0, 0};
     WorkItem item{parts[1], std::stoi(parts[3]), std::stoi(parts[4])};
     if (item.chunk <= item.chunks) return item;
-    throw Error("\"" + text + "\": of " + parts[4].str() + " parts there is none with the number " +
-                    parts[3].str(),
+    throw Error(motion::in_quotes(text) + ": of " + parts[4].str() +
+                    " parts there is none with the number " + parts[3].str(),
                 "they are " + chunk_item(item.task, 1, item.chunks) + " to " +
                     chunk_item(item.task, item.chunks, item.chunks));
   }
-  throw Error("\"" + text + "\" is no work item",
+  throw Error(motion::in_quotes(text) + " is no work item",
               "write a task of mien plan, like film:walk, or a part of a film's frames, like "
               "film:walk[3/12]");
 }

@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
+#include "motion/text/shell_word.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/farm/work_item.h"
 #include "pipeline/farm/worker_codes.h"
@@ -26,11 +28,13 @@ const Task& task_meant(const TaskGraph& graph, const WorkItem& item) {
   if (!graph.has(item.task)) {
     std::vector<std::string> ids;
     for (const Task& task : graph.tasks) ids.push_back(task.id);
-    throw Error("there is no task \"" + item.task + "\"", motion::did_you_mean(item.task, ids));
+    throw Error("there is no task " + motion::in_quotes(item.task),
+                motion::did_you_mean(item.task, ids));
   }
   const Task& task = graph.task(item.task);
   if (item.chunks > 0 && !task.make_part)
-    throw Error("\"" + item.task + "\" is not made in chunks", "only films are: leave [ ] out");
+    throw Error(motion::in_quotes(item.task) + " is not made in chunks",
+                "only films are: leave [ ] out");
   return task;
 }
 
@@ -114,7 +118,7 @@ void tell_failure(const fs::path& folder, const FailedWork& failed, const std::s
                              {"host", self.host},
                              {"when", fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)))},
                              {"attempts", attempts_before(file) + 1},
-                             {"command", command + " --tasks " + failed.item}};
+                             {"command", command + " --tasks " + motion::shell_word(failed.item)}};
   make_folder(file.parent_path());
   fs::path next = file;
   next += "." + self.name + ".new";

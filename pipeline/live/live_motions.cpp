@@ -8,6 +8,7 @@
 
 #include "motion/error.h"
 #include "motion/live/live_answer.h"
+#include "motion/text/json_depth.h"
 
 namespace mien::pipeline {
 
@@ -72,11 +73,9 @@ motion::LiveSetting setting_in(const json& body) {
 
 /// Nested so deep at the most: nothing that is asked for is deeper.
 json parsed(const std::string& body) {
-  const auto is_shallow = [](int depth, json::parse_event_t, json&) {
-    if (depth > 4) throw BadRequest{"the JSON is nested too deep"};
-    return true;
-  };
-  json given = json::parse(body, is_shallow, false);
+  constexpr std::size_t deepest = 5;
+  if (motion::is_nested_deeper(body, deepest)) throw BadRequest{"the JSON is nested too deep"};
+  json given = json::parse(body, nullptr, false);
   if (!given.is_object()) throw BadRequest{"the body is no JSON object"};
   return given;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault_list.h"
@@ -26,7 +27,7 @@ void read_scene(Look& look, const std::string& path, FaultList& list, std::vecto
   std::error_code unknown;
   if (!look.scene_file.empty() && !std::filesystem::exists(look.scene_file, unknown)) {
     const std::string names = motion::did_you_mean(look.scene, set_names());
-    list.add(path, "\"" + look.scene + "\" is neither a set nor a file", names);
+    list.add(path, motion::in_quotes(look.scene) + " is neither a set nor a file", names);
     return;
   }
   try {

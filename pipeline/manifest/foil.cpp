@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault_list.h"
 #include "pipeline/manifest/manifest.h"
@@ -74,7 +75,8 @@ void check_original(const Stimulus& original, const Stimulus& foil, FaultList& l
   const std::string aspect(name_of(foil.foil->differ));
   for (const ModificationStep& step : original.modify) {
     if (!step.style) continue;
-    list.add(path, "\"" + original.id + "\" is modified by a method that has no such aspects",
+    list.add(path,
+             motion::in_quotes(original.id) + " is modified by a method that has no such aspects",
              "name a stimulus with an emotion, or with changes of its own");
     return;
   }
@@ -83,8 +85,8 @@ void check_original(const Stimulus& original, const Stimulus& foil, FaultList& l
   };
   if (std::ranges::any_of(original.modify, has_aspect)) return;
   list.add(member_path(path, "differ"),
-           "the modifications of \"" + original.id + "\" change nothing of its " + aspect +
-               ", so its foil would be the same motion",
+           "the modifications of " + motion::in_quotes(original.id) + " change nothing of its " +
+               aspect + ", so its foil would be the same motion",
            "name another aspect, or a stimulus that differs in it");
 }
 
@@ -94,13 +96,13 @@ const Stimulus* original_of(const Stimulus& foil, const Manifest& manifest, Faul
   const std::string& of = foil.foil->of;
   const auto named = std::ranges::find(manifest.stimuli, of, &Stimulus::id);
   if (named == manifest.stimuli.end()) {
-    list.add(path, "\"" + of + "\" is no stimulus",
+    list.add(path, motion::in_quotes(of) + " is no stimulus",
              motion::did_you_mean(of, possible_originals(manifest)));
     return nullptr;
   }
   if (!named->foil) return &*named;
-  list.add(path, "\"" + of + "\" is a foil itself",
-           "name the stimulus that it is of, \"" + named->foil->of + "\"");
+  list.add(path, motion::in_quotes(of) + " is a foil itself",
+           "name the stimulus that it is of, " + motion::in_quotes(named->foil->of));
   return nullptr;
 }
 
@@ -116,7 +118,7 @@ std::vector<Fault> resolve_foils(Manifest& manifest) {
     for (const char* key : {"modify", "interpolation", "hold"}) {
       if (list.was_given(member_path(foil.path, key)))
         list.add(member_path(foil.path, key), "a foil takes this from the stimulus that it is of",
-                 "leave it out, or give it to \"" + foil.foil->of + "\"");
+                 "leave it out, or give it to " + motion::in_quotes(foil.foil->of));
     }
     const Stimulus* original = original_of(foil, manifest, list);
     if (original == nullptr) continue;

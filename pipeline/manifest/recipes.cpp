@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
@@ -70,7 +71,7 @@ void resolve_moods(Stimulus& stimulus, const RecipeBook& book, const Manifest& m
       const Recipe* recipe = book.find(name);
       if (recipe == nullptr) {
         faults.push_back({key_place_of(manifest.places, path), path,
-                          "there is no recipe for \"" + name + "\"",
+                          "there is no recipe for " + motion::in_quotes(name),
                           motion::did_you_mean(name, book.names())});
       } else if (recipe->edit.pose) {
         faults.push_back({key_place_of(manifest.places, path), path,
@@ -178,7 +179,7 @@ std::vector<Fault> resolve_modifications(Manifest& manifest) {
       if (recipe == nullptr && !step.emotion.empty()) {
         const std::string path = member_path(step.path, "emotion");
         faults.push_back({place_of(manifest.places, path), path,
-                          "there is no recipe for \"" + step.emotion + "\"",
+                          "there is no recipe for " + motion::in_quotes(step.emotion),
                           motion::did_you_mean(step.emotion, book.names())});
       }
       resolve(step, recipe, manifest.seed, stimulus.id);

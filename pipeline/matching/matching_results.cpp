@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/documents/fault.h"
 
 namespace mien::pipeline {
@@ -46,8 +47,9 @@ class TrialReader {
     check_time(trial, field(time_s_));
     if (!read_.seen.emplace(trial.participant, trial.target, trial.interface).second) {
       add(field(participant_),
-          fmt::format("participant \"{}\" has matched \"{}\" with \"{}\" before", trial.participant,
-                      trial.target, trial.interface),
+          fmt::format("participant {} has matched {} with {} before",
+                      motion::in_quotes(trial.participant), motion::in_quotes(trial.target),
+                      motion::in_quotes(trial.interface)),
           "keep one of the two trials");
     }
     MatchingResults& results = read_.results;
@@ -74,14 +76,14 @@ class TrialReader {
       if (value >= 0.0) return value;
     } catch (const Error&) {
     }
-    add(field, "\"" + field.text + "\" is no number from 0 up",
+    add(field, motion::in_quotes(field.text) + " is no number from 0 up",
         "write a decimal number, or leave the field empty");
     return std::nullopt;
   }
 
   bool success_in(const CsvField& field) {
     if (field.text == "1" || field.text == "0") return field.text == "1";
-    add(field, "\"" + field.text + "\" is neither 1 nor 0",
+    add(field, motion::in_quotes(field.text) + " is neither 1 nor 0",
         "write 1 for a match within the limit and 0 for none");
     return false;
   }
@@ -120,7 +122,8 @@ std::optional<std::string> common_value(const std::vector<CsvTable>& tables,
       if (!common) common = field.text;
       if (field.text == *common) continue;
       throw Error(place_of(table, field),
-                  fmt::format("{} is \"{}\", but \"{}\" before", column, field.text, *common),
+                  fmt::format("{} is {}, but {} before", column, motion::in_quotes(field.text),
+                              motion::in_quotes(*common)),
                   remedy);
     }
   }

@@ -4,7 +4,9 @@
 #include <thread>
 #include <utility>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
+#include "motion/text/shell_word.h"
 #include "pipeline/film/film_dots.h"
 #include "pipeline/film/film_equalized.h"
 #include "pipeline/film/film_tables.h"
@@ -24,7 +26,7 @@ namespace {
 /// "mien run study.yaml --quality draft". One that a provenance.json tells stays as it is.
 std::string command_of(const Manifest& manifest, const std::optional<Quality>& quality) {
   if (!quality && !manifest.command.empty()) return manifest.command;
-  std::string command = "mien run " + manifest.file.filename().string();
+  std::string command = "mien run " + motion::shell_path(manifest.file.filename().string());
   if (quality) command += " --quality " + std::string(name_of(*quality));
   return command;
 }
@@ -49,7 +51,7 @@ void refuse_unknown_ids(const Manifest& manifest, const std::vector<std::string>
   for (const Sheet& sheet : manifest.sheets) add(sheet.id);
   for (const std::string& id : only) {
     if (known.contains(id)) continue;
-    throw Error("--only: there is no stimulus, overlay or sheet \"" + id + "\"",
+    throw Error("--only: there is no stimulus, overlay or sheet " + motion::in_quotes(id),
                 motion::did_you_mean(id, ids));
   }
 }

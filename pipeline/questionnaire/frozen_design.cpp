@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/file_contents.h"
+#include "motion/text/json_depth.h"
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
@@ -135,7 +136,10 @@ ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& pla
 
 ZipFiles read_frozen(const fs::path& bundle) {
   ZipFiles frozen = read_zip(bundle);
-  if (!frozen.contains("design.json") || !frozen.contains(hashes_path))
+  constexpr std::size_t deepest = 16;  // more than a design has
+  const bool is_complete = frozen.contains("design.json") && frozen.contains(hashes_path);
+  if (!is_complete || motion::is_nested_deeper(frozen["design.json"], deepest) ||
+      !ordered_json::accept(frozen["design.json"]))
     throw Error({bundle.string()}, "is no frozen design", "give what --freeze wrote");
   if (frozen[hashes_path] != hashes_text(frozen))
     throw Error({bundle.string()}, "was changed after it was written",

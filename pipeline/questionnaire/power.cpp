@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "motion/math/random_number.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/questionnaire/random_order.h"
@@ -162,7 +163,7 @@ void check(const Manifest& manifest, const PowerQuestion& question) {
   if (question.factor.empty()) return;
   const std::vector<std::string> factors = factors_of(manifest);
   if (std::ranges::find(factors, question.factor) == factors.end())
-    throw Error(fmt::format("the stimuli have no factor \"{}\"", question.factor),
+    throw Error(fmt::format("the stimuli have no factor {}", motion::in_quotes(question.factor)),
                 factors.empty() ? "give them factors: {…}"
                                 : motion::did_you_mean(question.factor, factors));
   std::vector<std::string> levels;

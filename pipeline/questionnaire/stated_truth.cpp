@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/fault.h"
@@ -57,7 +58,8 @@ class TruthReader {
 
   void check_word(const CsvField& field, const char* what, const std::vector<std::string>& known) {
     if (std::ranges::find(known, field.text) != known.end()) return;
-    add(field, fmt::format("the questionnaire asks about no {} \"{}\"", what, field.text),
+    add(field,
+        fmt::format("the questionnaire asks about no {} {}", what, motion::in_quotes(field.text)),
         motion::did_you_mean(field.text, known));
   }
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/documents/fault.h"
 
 namespace mien::pipeline {
@@ -70,7 +71,7 @@ class AnswerRowReader {
       const int index = find_column(table, column.name);
       if (index < 0) {
         faults.push_back({place_of(table, table.header.front()), "",
-                          fmt::format("there is no column \"{}\"", column.name),
+                          fmt::format("there is no column {}", motion::in_quotes(column.name)),
                           "give the file that the questionnaire wrote, with all of its columns"});
       }
       index_.emplace(column.name, index);
@@ -87,7 +88,8 @@ class AnswerRowReader {
     row.session = text("session");
     row.trial = whole("trial").value_or(0);
     if (row.trial < 1 && !text("trial").empty() && is_number("trial"))
-      fault("trial", fmt::format("there is no trial {}", text("trial")), "trials count from 1");
+      fault("trial", fmt::format("there is no trial {}", motion::excerpt(text("trial"))),
+            "trials count from 1");
     if (text("trial").empty()) needed("trial");
     row.block = text("block");
     row.kind = one_of("kind", answer_kinds);
@@ -150,7 +152,7 @@ class AnswerRowReader {
   template <std::size_t count>
   std::string one_of(std::string_view column, const std::array<std::string_view, count>& words) {
     if (std::ranges::find(words, text(column)) == words.end())
-      fault(column, fmt::format("\"{}\" is no {}", text(column), column),
+      fault(column, fmt::format("{} is no {}", motion::in_quotes(text(column)), column),
             fmt::format("there are {}", fmt::join(words, ", ")));
     return text(column);
   }
@@ -168,13 +170,14 @@ class AnswerRowReader {
   std::optional<double> amount(std::string_view column) {
     if (text(column).empty() || text(column) == "NA") return std::nullopt;
     if (!is_number(column)) {
-      fault(column, fmt::format("\"{}\" is not a number", text(column)),
+      fault(column, fmt::format("{} is not a number", motion::in_quotes(text(column))),
             "write a finite decimal number, or leave the field empty");
       return std::nullopt;
     }
     const double value = number_in(table_, field(column));
     if (value >= 0.0) return value;
-    fault(column, fmt::format("{} is below 0", text(column)), "leave the field empty");
+    fault(column, fmt::format("{} is below 0", motion::excerpt(text(column))),
+          "leave the field empty");
     return std::nullopt;
   }
 
@@ -182,7 +185,8 @@ class AnswerRowReader {
     const std::optional<double> value = amount(column);
     if (!value) return std::nullopt;
     if (*value == std::floor(*value) && *value <= 2e9) return static_cast<int>(*value);
-    fault(column, fmt::format("{} is no whole number", text(column)), "write a count");
+    fault(column, fmt::format("{} is no whole number", motion::excerpt(text(column))),
+          "write a count");
     return std::nullopt;
   }
 
@@ -190,7 +194,8 @@ class AnswerRowReader {
     if (text(column).empty()) return std::nullopt;
     if (text(column) == "1") return true;
     if (text(column) != "0")
-      fault(column, fmt::format("\"{}\" is neither 0 nor 1", text(column)), "write 0 or 1");
+      fault(column, fmt::format("{} is neither 0 nor 1", motion::in_quotes(text(column))),
+            "write 0 or 1");
     return false;
   }
 
@@ -199,7 +204,7 @@ class AnswerRowReader {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (!digits.empty() && (error != std::errc{} || end != digits.data() + digits.size()))
-      fault("seed", "\"" + digits + "\" is no seed", "write a whole number from 0 up");
+      fault("seed", motion::in_quotes(digits) + " is no seed", "write a whole number from 0 up");
     return value;
   }
 
@@ -273,12 +278,12 @@ std::vector<Fault> doubled_answers(const std::vector<AnswerRow>& rows) {
     const auto [first, is_new] =
         met.emplace(Key(row.participant, row.session, row.trial, row.stimulus, row.item), &row);
     if (is_new) continue;
-    faults.push_back(
-        {row.place, "",
-         fmt::format("participant \"{}\" answers trial {} on \"{}\" a second time "
-                     "(the first: {})",
-                     row.participant, row.trial, row.item, to_string(first->second->place)),
-         "keep one of them"});
+    faults.push_back({row.place, "",
+                      fmt::format("participant {} answers trial {} on {} a second time "
+                                  "(the first: {})",
+                                  motion::in_quotes(row.participant), row.trial,
+                                  motion::in_quotes(row.item), to_string(first->second->place)),
+                      "keep one of them"});
   }
   return faults;
 }
@@ -311,8 +316,8 @@ std::vector<std::string> tell_people_apart(std::vector<AnswerRow>& rows) {
     if (doubled.contains(row.participant)) row.participant += "/" + row.session;
   std::vector<std::string> told;
   for (const auto& [participant, of] : doubled)
-    told.push_back(fmt::format("participant \"{}\" is {} people: sessions {}", participant,
-                               of.size(), fmt::join(of, ", ")));
+    told.push_back(fmt::format("participant {} is {} people: sessions {}",
+                               motion::in_quotes(participant), of.size(), fmt::join(of, ", ")));
   return told;
 }
 

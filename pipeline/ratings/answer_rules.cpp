@@ -10,16 +10,19 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
+
 namespace mien::pipeline {
 
 namespace {
 
 /// What an answer is about, in words.
 std::string subject_of(const StudyAnswer& answer) {
-  const std::string subject = fmt::format("\"{}\" on \"{}\"", answer.stimulus, answer.scale);
-  return answer.participant.empty()
-             ? subject
-             : fmt::format("participant \"{}\" about {}", answer.participant, subject);
+  const std::string subject =
+      fmt::format("{} on {}", motion::in_quotes(answer.stimulus), motion::in_quotes(answer.scale));
+  return answer.participant.empty() ? subject
+                                    : fmt::format("participant {} about {}",
+                                                  motion::in_quotes(answer.participant), subject);
 }
 
 /// Of a repeated answer: whose it is and what it is about.
@@ -86,7 +89,7 @@ struct Attendance {
 std::string joined(const std::set<std::string>& all, const auto& present) {
   std::vector<std::string> absent;
   for (const std::string& name : all) {
-    if (!present.contains(name)) absent.push_back("\"" + name + "\"");
+    if (!present.contains(name)) absent.push_back(motion::in_quotes(name));
   }
   return fmt::format("{}", fmt::join(absent, ", "));
 }
@@ -95,16 +98,18 @@ void add_absent(const Attendance& attendance, std::vector<StudyWarning>& missing
   const bool complete_design = attendance.complete_design();
   for (const auto& [participant, seen] : attendance.answered) {
     if (complete_design && seen.size() < attendance.stimuli.size()) {
-      missing.push_back({"missing", attendance.first_place.at(participant),
-                         fmt::format("participant \"{}\" did not answer about {}", participant,
-                                     joined(attendance.stimuli, seen))});
+      missing.push_back(
+          {"missing", attendance.first_place.at(participant),
+           fmt::format("participant {} did not answer about {}", motion::in_quotes(participant),
+                       joined(attendance.stimuli, seen))});
     }
     for (const auto& [stimulus, scales] : seen) {
       const std::set<std::string>& asked = attendance.scales_about.at(stimulus);
       if (scales.size() == asked.size()) continue;
       missing.push_back({"missing", attendance.first_place_about.at({participant, stimulus}),
-                         fmt::format("participant \"{}\" did not answer about \"{}\" on {}",
-                                     participant, stimulus, joined(asked, scales))});
+                         fmt::format("participant {} did not answer about {} on {}",
+                                     motion::in_quotes(participant), motion::in_quotes(stimulus),
+                                     joined(asked, scales))});
     }
   }
 }
@@ -177,8 +182,9 @@ void settle_constant(StudyAnswers& study, const ScaleSet& scales, AnswerRules::C
     constant.insert(participant);
     study.warnings.push_back(
         {"constant-participant", spread.place,
-         fmt::format("participant \"{}\" gave the same answer {} times: {}", participant,
-                     spread.count, rule == AnswerRules::Constant::drop ? "left out" : "kept")});
+         fmt::format("participant {} gave the same answer {} times: {}",
+                     motion::in_quotes(participant), spread.count,
+                     rule == AnswerRules::Constant::drop ? "left out" : "kept")});
   }
   if (rule == AnswerRules::Constant::keep) return;
   std::erase_if(study.answers,

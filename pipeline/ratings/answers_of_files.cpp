@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/documents/fault.h"
 
 namespace mien::pipeline {
@@ -26,9 +27,10 @@ class RowsTakenOnce {
   AnswersOfFiles finished() {
     for (const auto& [who, count] : again_)
       result.told.push_back(
-          fmt::format("participant \"{}\", session {}: {} answer{} {} saved more than once and "
+          fmt::format("participant {}, session {}: {} answer{} {} saved more than once and "
                       "counted once",
-                      who.first, who.second.empty() ? "without a name" : who.second, count,
+                      motion::in_quotes(who.first),
+                      who.second.empty() ? "without a name" : motion::excerpt(who.second), count,
                       count == 1 ? "" : "s", count == 1 ? "was" : "were"));
     return std::move(result);
   }

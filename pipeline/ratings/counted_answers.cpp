@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/ratings/answer_row.h"
 #include "pipeline/ratings/attention.h"
 #include "pipeline/ratings/raw_form.h"
@@ -36,8 +37,8 @@ std::set<std::string> told_excluded(const std::vector<AnswerRow>& rows,
   for (const Attention& own : attention_of(rows)) {
     if (!own.is_excluded) continue;
     excluded.insert(own.participant);
-    told.push_back(fmt::format("participant \"{}\" is left out: {} of {} attention checks passed",
-                               own.participant, own.passed, own.checks));
+    told.push_back(fmt::format("participant {} is left out: {} of {} attention checks passed",
+                               motion::in_quotes(own.participant), own.passed, own.checks));
   }
   return excluded;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <glib.h>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/reading/yaml_json.h"
 
@@ -67,7 +68,9 @@ class LexiconReader {
     for (const std::string& called : language.called) {
       const Language* other = find_language(lexicon_, called);
       if (other == nullptr) continue;
-      add_fault(path, fmt::format("\"{}\" is also called \"{}\"", other->name, called),
+      add_fault(path,
+                fmt::format("{} is also called {}", motion::in_quotes(other->name),
+                            motion::in_quotes(called)),
                 "name each language once");
     }
     add_grades(given, "strengthened", Grade::strengthened, language);
@@ -82,7 +85,8 @@ class LexiconReader {
     for (std::size_t i = 0; i < given[member].size(); ++i) {
       const std::string word = folded(given[member][i].get<std::string>());
       if (language.grades.emplace(word, grade).first->second == grade) continue;
-      add_fault(element_path(path, i), fmt::format("\"{}\" has a second meaning", word),
+      add_fault(element_path(path, i),
+                fmt::format("{} has a second meaning", motion::in_quotes(word)),
                 "leave one of them out");
     }
   }
@@ -91,7 +95,7 @@ class LexiconReader {
     const std::string path = member_path("words", scale);
     if (std::find(scales_.begin(), scales_.end(), scale) == scales_.end()) {
       faults_.push_back({key_place_of(places_, path), path,
-                         fmt::format("unknown scale \"{}\"", scale),
+                         fmt::format("unknown scale {}", motion::in_quotes(scale)),
                          motion::did_you_mean(scale, scales_)});
       return;
     }
@@ -109,7 +113,7 @@ class LexiconReader {
                                        [&](const Language& one) { return one.name == name; });
     if (language == lexicon_.languages.end()) {
       faults_.push_back({key_place_of(places_, path), path,
-                         fmt::format("unknown language \"{}\"", name),
+                         fmt::format("unknown language {}", motion::in_quotes(name)),
                          "describe it under languages"});
       return;
     }
@@ -117,7 +121,8 @@ class LexiconReader {
       const std::string word = folded(words[i].get<std::string>());
       const auto [entry, is_new] = language->words.emplace(word, meaning);
       if (language->grades.contains(word) || !(entry->second == meaning)) {
-        add_fault(element_path(path, i), fmt::format("\"{}\" has a second meaning", word),
+        add_fault(element_path(path, i),
+                  fmt::format("{} has a second meaning", motion::in_quotes(word)),
                   "leave one of them out, or the word altogether if readers would dispute it");
       }
     }

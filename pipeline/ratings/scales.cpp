@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/environment.h"
@@ -90,7 +91,7 @@ std::vector<Fault> check(const ScaleSet& set, const Places& places) {
       if (find_scale(set, group.scales[i]) != nullptr) continue;
       const std::string member = element_path(member_path(path, "scales"), i);
       faults.push_back({place_of(places, member), member,
-                        "unknown scale \"" + group.scales[i] + "\"",
+                        "unknown scale " + motion::in_quotes(group.scales[i]),
                         motion::did_you_mean(group.scales[i], ids)});
     }
   }

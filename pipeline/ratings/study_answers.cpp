@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/ratings/answer_row.h"
 #include "pipeline/ratings/counted_answers.h"
 #include "pipeline/ratings/unknown_names.h"
@@ -124,7 +125,8 @@ class RowReader {
     const double value = number_in(table_, field);
     if (value >= scale.least && value <= scale.most) return value;
     throw Error(place_of(table_, field),
-                fmt::format("{} is outside the range of \"{}\"", field.text, scale.id),
+                fmt::format("{} is outside the range of {}", motion::excerpt(field.text),
+                            motion::in_quotes(scale.id)),
                 fmt::format("answers go from {} to {}; state another range in the scales file",
                             scale.least, scale.most));
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 
 namespace mien::pipeline {
@@ -47,7 +48,9 @@ void UnknownNames::report(const CsvTable& table, const std::vector<std::string>&
   const std::size_t named = names_all ? names_.size() : std::min(names_.size(), most_named);
   for (std::size_t i = 0; i < named; ++i) {
     const Met& met = names_[i];
-    tell(met, fmt::format("unknown {} \"{}\" {}", what_, met.field.text, rows_text(met.rows)),
+    tell(met,
+         fmt::format("unknown {} {} {}", what_, motion::in_quotes(met.field.text),
+                     rows_text(met.rows)),
          motion::did_you_mean(met.field.text, known) + " " + way_out(rules, "it"));
   }
   if (named == names_.size()) return;

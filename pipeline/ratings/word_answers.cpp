@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/ratings/phrase.h"
 
 namespace mien::pipeline {
@@ -81,8 +82,8 @@ class WordsReader {
       const std::string& participant = row[columns_.participant].text;
       if (!seen.emplace(participant, stimulus.text).second) {
         throw Error(place_of(table_, stimulus),
-                    fmt::format("a second answer of participant \"{}\" about \"{}\"", participant,
-                                stimulus.text),
+                    fmt::format("a second answer of participant {} about {}",
+                                motion::in_quotes(participant), motion::in_quotes(stimulus.text)),
                     "keep one of them");
       }
       const std::string& called = row[columns_.language].text;

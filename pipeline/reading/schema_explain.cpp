@@ -213,11 +213,13 @@ class Explainer {
     if (!node_.contains("properties") || node_.value("additionalProperties", json()) != false)
       return;
     const std::vector<std::string> known = keys_of(node_["properties"]);
+    constexpr std::size_t most_remedies = 1000;  // nobody reads more, and finding one takes a while
+    const json& properties = node_["properties"];
     for (const auto& [key, member] : value_.items()) {
-      if (node_["properties"].contains(key)) continue;
+      if (properties.contains(key)) continue;
       const std::string path = member_path(path_, key);
-      faults_.push_back(
-          {key_place_of(places_, path), path, "unknown key", motion::did_you_mean(key, known)});
+      faults_.push_back({key_place_of(places_, path), path, "unknown key",
+                         faults_.size() < most_remedies ? motion::did_you_mean(key, known) : ""});
     }
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -66,6 +67,7 @@ class Converter {
   Places take_places() { return std::move(places_); }
 
   json convert(const YamlNode& node, SchemaNode schema, const std::string& path) {
+    if (is_too_long(node, path)) return {};
     places_.values.emplace(path, node.place);
     switch (node.kind) {
       case YamlNode::Kind::scalar:
@@ -81,6 +83,20 @@ class Converter {
   }
 
  private:
+  /// The paths of all values are kept: many values below long names would take more memory than
+  /// the machine has.
+  bool is_too_long(const YamlNode& node, const std::string& path) {
+    constexpr std::size_t most_bytes = std::size_t{256} << 20;
+    const bool was_too_long = path_bytes_ > most_bytes;
+    path_bytes_ += path.size();
+    if (path_bytes_ <= most_bytes) return false;
+    if (!was_too_long) {
+      faults_.push_back({node.place, "", "the paths of the values so far have more than 256 MiB",
+                         "use shorter names, or nest them less"});
+    }
+    return true;
+  }
+
   json sequence(const YamlNode& node, SchemaNode schema, const std::string& path) {
     json array = json::array();
     for (std::size_t i = 0; i < node.children.size(); ++i) {
@@ -117,6 +133,7 @@ class Converter {
   const Environment& environment_;
   std::vector<Fault>& faults_;
   Places places_;
+  std::size_t path_bytes_ = 0;
 };
 
 }  // namespace

@@ -18,9 +18,13 @@ YamlPlaces::YamlPlaces(std::string_view text, const std::string& file) : text_(t
 }
 
 Place YamlPlaces::at(const YAML::Mark& mark) const {
-  const std::string_view before =
-      line(mark.line + 1).substr(0, static_cast<std::size_t>(mark.column));
-  return {file_, mark.line + 1, static_cast<int>(count_characters(before)) + 1};
+  const auto column = static_cast<std::size_t>(mark.column);
+  const bool goes_on = mark.line == last_.line && column >= last_.bytes;
+  if (!goes_on) last_ = {mark.line, 0, 0};
+  const std::string_view before = line(mark.line + 1).substr(0, column);
+  last_.characters += count_characters(before.substr(std::min(last_.bytes, before.size())));
+  last_.bytes = before.size();
+  return {file_, mark.line + 1, static_cast<int>(last_.characters) + 1};
 }
 
 std::string_view YamlPlaces::line(int number) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,7 @@
 namespace mien::pipeline {
 
 /// Turns the YAML parser's marks, whose columns count bytes, into places, whose columns count
-/// characters. Text and file name outlive it.
+/// characters. Text and file name outlive it. For one thread.
 class YamlPlaces {
  public:
   YamlPlaces(std::string_view text, const std::string& file);
@@ -28,6 +29,14 @@ class YamlPlaces {
   std::string_view text_;
   const std::string& file_;
   std::vector<std::string_view> lines_;
+
+  /// Where the last place was: marks come in the order of the text, and a line may be all of it.
+  struct Last {
+    int line = -1;
+    std::size_t bytes = 0;
+    std::size_t characters = 0;
+  };
+  mutable Last last_;
 };
 
 }  // namespace mien::pipeline

@@ -13,6 +13,7 @@
 #include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/documents/utf8.h"
 #include "pipeline/reading/yaml_places.h"
 
@@ -135,14 +136,15 @@ class TreeBuilder : public YAML::EventHandler {
 
   void refuse_too_many(const Place& place) {
     if (value_count_ <= most_values) return;
-    fault(place, "the document unfolds to more than 1,000,000 values", "write fewer aliases");
+    fault(place, "the document unfolds to more than 1,000,000 values",
+          "write fewer anchors and aliases");
     throw Abandoned{};
   }
 
   void refuse_tag(const std::string& tag, const Place& place) {
     if (tag.empty() || tag == "?") return;
     if (tag.starts_with("tag:yaml.org,2002:")) return;
-    fault(place, "the tag " + tag + " has no meaning here", "leave it out");
+    fault(place, "the tag " + motion::excerpt(tag) + " has no meaning here", "leave it out");
   }
 
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -166,7 +168,12 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void add(YamlNode node, YAML::anchor_t anchor) {
-    if (anchor != 0) anchored_[anchor] = node;
+    if (anchor != 0) {
+      // What has a name is kept a second time, and so is all that has one within it.
+      value_count_ += count_values(node);
+      refuse_too_many(node.place);
+      anchored_[anchor] = node;
+    }
     attach(std::move(node));
   }
 
@@ -190,7 +197,8 @@ class TreeBuilder : public YAML::EventHandler {
       fault(key.place, "a key of more than 200 bytes", "shorten it");
     } else if (const auto first = map.lines.find(key.text); first != map.lines.end()) {
       fault(key.place,
-            "\"" + key.text + "\" is already given on line " + std::to_string(first->second),
+            motion::in_quotes(key.text) + " is already given on line " +
+                std::to_string(first->second),
             "keep one of the two");
     } else {
       map.skips_value = false;
@@ -253,7 +261,7 @@ Fault syntax_fault(const YamlPlaces& places, const YAML::ParserException& error)
     return {*tab, "", "a tab in the indentation", "use spaces"};
   }
   const bool expands = places.line(place.line).find("${") != std::string_view::npos;
-  return {place, "", "not valid YAML: " + error.msg,
+  return {place, "", "not valid YAML: " + motion::excerpt(error.msg, 2 * motion::most_quoted),
           expands ? "put \"${…}\" in quotes inside [ ] and { }"
                   : "check quotes, brackets, colons and indentation up to here"};
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "motion/formats/motion_file.h"
+#include "motion/text/excerpt.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_tables.h"
@@ -166,7 +167,8 @@ Baseline approve(Rendition& now, const fs::path& folder, const Approval& approva
   Baseline baseline;
   if (is_baseline(folder)) baseline = read_baseline(folder);
   if (!baseline.study.empty() && baseline.study != manifest.study)
-    throw Error({(folder / "baseline.json").string()}, "is of the study \"" + baseline.study + "\"",
+    throw Error({(folder / "baseline.json").string()},
+                "is of the study " + motion::in_quotes(baseline.study),
                 "name another folder with --baseline");
   baseline.folder = folder;
   baseline.study = manifest.study;

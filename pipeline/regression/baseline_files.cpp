@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/file_contents.h"
+#include "motion/text/json_depth.h"
 #include "motion/text/lfs_pointer.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/documents/files.h"
@@ -186,6 +187,8 @@ auto from_document(const fs::path& file, const Make& make) {
   if (!hindrance.empty()) throw Error({file.string()}, hindrance, remedy);
   const std::string text = read_file(file);
   refuse_text(file, text);
+  if (motion::is_nested_deeper(text, motion::deepest_document))
+    throw Error({file.string()}, "holds something else than a baseline does", remedy);
   try {
     return make(Json::parse(text));
   } catch (const Json::parse_error& error) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/shell_word.h"
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/synthesis/motion_record.h"
 
@@ -56,7 +57,7 @@ StimulusComparison appeared(const std::string& id, const ComparedStudy& study) {
   comparison.reasons.push_back(
       fmt::format("is not in the baseline; when it is as it should be: mien regress approve {} "
                   "--only {} --why \"…\"",
-                  study.now.manifest().file.string(), id));
+                  motion::shell_path(study.now.manifest().file.string()), id));
   show_now(comparison, study);
   return comparison;
 }

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/manifest/asked.h"
@@ -90,7 +91,7 @@ class AnswerSorter {
     const auto found = stimuli_.find(id);
     if (found != stimuli_.end()) return found->second;
     if (told_.insert(id).second)
-      fault(row, fmt::format("the study has no stimulus \"{}\"", id),
+      fault(row, fmt::format("the study has no stimulus {}", motion::in_quotes(id)),
             motion::did_you_mean(id, stimulus_ids_));
     return std::nullopt;
   }
@@ -116,7 +117,7 @@ class AnswerSorter {
     const auto found = scales_.find(row.item);
     if (found != scales_.end()) return found->second;
     if (told_.insert("item " + row.item).second)
-      fault(row, fmt::format("the questionnaire does not ask \"{}\"", row.item),
+      fault(row, fmt::format("the questionnaire does not ask {}", motion::in_quotes(row.item)),
             motion::did_you_mean(row.item, items_));
     return std::nullopt;
   }
@@ -132,7 +133,9 @@ class AnswerSorter {
     const auto value = number_from(row.value);
     const Scale& of = result_.scales[*scale];
     if (!value || *value < of.least || *value > of.most) {
-      fault(row, fmt::format("\"{}\" is no answer on \"{}\"", row.value, of.id),
+      fault(row,
+            fmt::format("{} is no answer on {}", motion::in_quotes(row.value),
+                        motion::in_quotes(of.id)),
             fmt::format("answers go from {} to {}", of.least, of.most));
       return;
     }
@@ -162,7 +165,7 @@ class AnswerSorter {
     const bool is_offered = std::ranges::any_of(
         result_.choices, [&](const auto& choice) { return choice.first == row.value; });
     if (!is_offered) {
-      fault(row, fmt::format("\"{}\" was not to choose from", row.value),
+      fault(row, fmt::format("{} was not to choose from", motion::in_quotes(row.value)),
             "give the manifest that these answers are of");
       return;
     }
@@ -173,7 +176,7 @@ class AnswerSorter {
     const auto against = known_stimulus(row, row.against);
     if (!against || row.value.empty() || row.value == "NA") return;
     if (row.value != row.stimulus && row.value != row.against) {
-      fault(row, fmt::format("\"{}\" is neither of the two", row.value),
+      fault(row, fmt::format("{} is neither of the two", motion::in_quotes(row.value)),
             fmt::format("they are {} and {}", row.stimulus, row.against));
       return;
     }
@@ -197,8 +200,8 @@ void check_designs(const std::vector<AnswerRow>& rows, Gathered& result,
   for (const AnswerRow& row : rows) {
     if (!met.insert(row.design).second) continue;
     faults.push_back({row.place, "",
-                      fmt::format("an answer of the design \"{}\" among those of \"{}\"",
-                                  row.design, result.design),
+                      fmt::format("an answer of the design {} among those of {}",
+                                  motion::in_quotes(row.design), motion::in_quotes(result.design)),
                       "report the answers of each design by themselves"});
   }
 }

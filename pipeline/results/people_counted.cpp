@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
+
 namespace mien::pipeline {
 
 std::string counted(std::size_t count, const std::string& one, const std::string& several) {
@@ -17,9 +19,10 @@ std::string people_sentence(const Gathered& gathered) {
 std::vector<std::string> unfinished_sentences(const Gathered& gathered) {
   std::vector<std::string> sentences;
   for (const Unfinished& one : gathered.unfinished)
-    sentences.push_back(fmt::format(
-        "participant \"{}\" did not finish ({} of {} trials): {}", one.participant, one.trials,
-        one.planned, gathered.without_unfinished ? "left out" : "what was answered counts"));
+    sentences.push_back(
+        fmt::format("participant {} did not finish ({} of {} trials): {}",
+                    motion::in_quotes(one.participant), one.trials, one.planned,
+                    gathered.without_unfinished ? "left out" : "what was answered counts"));
   return sentences;
 }
 

@@ -44,7 +44,9 @@ constexpr std::array<std::pair<const char*, const char*>, 7> guarding_headers = 
     {"Cache-Control", "no-store"},
 }};
 
-HttpResponse refusal_of(int status) {
+HttpResponse refusal_of(int status, bool lacks_host) {
+  if (lacks_host)
+    return http_refusal(status, "host", "the request does not say whom it is for", "send Host");
   switch (status) {
     case 408:
       return http_refusal(status, "slow", "the request took too long", "send it again");
@@ -66,8 +68,8 @@ HttpResponse refusal_of(int status) {
 }
 
 /// As the library would write it, of what it is not to see.
-std::string farewell_text(int status) {
-  HttpResponse response = refusal_of(status);
+std::string farewell_text(int status, bool lacks_host = false) {
+  HttpResponse response = refusal_of(status, lacks_host);
   std::string text = "HTTP/1.1 " + std::to_string(status) + " Refused\r\nConnection: close\r\n";
   if (status == 503) text += "Retry-After: 2\r\n";
   text += std::string(policy_header) + ": " + content_policy(false) + "\r\n";
@@ -236,7 +238,7 @@ class HttpServer::Listener : private httplib::Server {
       if (request.is_over) return;
       if (request.head.refused == 0 && !requests_.allows(address)) request.head.refused = 429;
       if (request.head.refused != 0) {
-        send_now(socket, farewell_text(request.head.refused));
+        send_now(socket, farewell_text(request.head.refused, request.head.lacks_host));
         take_the_rest(socket);
         return;
       }

@@ -109,6 +109,11 @@ RequestHead parse_request_head(std::string_view text, const RequestLimits& limit
   RequestHead head;
   head.refused = read_lines(text, limits, head);
   if (head.refused == 0) head.refused = read_body_headers(limits, head);
+  // RFC 9112 §3.2; without it nobody knows by which name this server was called.
+  if (head.refused == 0 && header_of(head, "host").empty()) {
+    head.refused = 400;
+    head.lacks_host = true;
+  }
   if (header_of(head, "connection") == "close") head.stays = false;
   head.awaits_word = header_of(head, "expect") == "100-continue";
   return head;

@@ -27,12 +27,13 @@ struct RequestHead {
   std::string target;        ///< visible ASCII, from '/'
   bool stays = true;         ///< the client may ask more over the same connection
   bool awaits_word = false;  ///< sends its body only when told to
+  bool lacks_host = false;   ///< and is refused because of that
   std::size_t body_length = 0;
   std::map<std::string, std::string> headers;  ///< names in lower case; of twins, the first
 };
 
-/// Refuses malformed lines, a body whose length is not told plainly once, a compressed or too long
-/// one. `text` ends with the empty line.
+/// Refuses malformed lines, a request that does not say whom it is for (Host), a body whose length
+/// is not told plainly once, a compressed or too long one. `text` ends with the empty line.
 RequestHead parse_request_head(std::string_view text, const RequestLimits& limits);
 
 /// A request as it came.

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/documents/printable_stream.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -15,6 +17,7 @@ namespace {
 constexpr double seconds_between_lines = 10.0;
 constexpr double seconds_between_bars = 0.1;
 constexpr int bar_width = 30;
+constexpr char clear_line[] = "\r\x1b[K";
 
 }  // namespace
 
@@ -53,12 +56,15 @@ void ProgressBar::show(double share, const std::string& name, bool at_once) {
     return;
   }
   const auto filled = static_cast<std::size_t>(std::lround(bar_width * share));
-  out_ << "\r\x1b[K[" << std::string(filled, '#') << std::string(bar_width - filled, '.') << "] "
-       << percent << " %" << left << "  " << name << std::flush;
+  put_control(out_, clear_line);
+  out_ << '[' << std::string(filled, '#') << std::string(bar_width - filled, '.') << "] " << percent
+       << " %" << left << "  " << name << std::flush;
 }
 
 void ProgressBar::clear() {
-  if (terminal_) out_ << "\r\x1b[K" << std::flush;
+  if (!terminal_) return;
+  put_control(out_, clear_line);
+  out_.flush();
 }
 
 }  // namespace mien::pipeline

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "motion/error.h"
+#include "pipeline/documents/failure_text.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/tasks/disk_fault.h"
 #include "pipeline/tasks/task_graph.h"
@@ -52,7 +53,7 @@ constexpr std::chrono::milliseconds between_looks{200};
 
 TaskOutcome failure(const std::exception& error, const std::filesystem::path& folder) {
   TaskOutcome outcome = without_products(TaskState::failed);
-  outcome.error = without_attempts(error.what(), folder);
+  outcome.error = without_attempts(failure_text(error), folder);
   outcome.is_bad_input = dynamic_cast<const Error*>(&error) != nullptr;
   if (outcome.is_bad_input) return outcome;
   const std::string fault = disk_fault(folder, error);

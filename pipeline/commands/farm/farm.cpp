@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "motion/text/shell_word.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
@@ -60,8 +61,8 @@ StudyCall FarmStudy::call(const FarmArguments& arguments) const {
 }
 
 std::string study_words(const FarmArguments& arguments) {
-  std::string words = arguments.manifest;
-  if (arguments.out != "out") words += " --out " + arguments.out;
+  std::string words = motion::shell_path(arguments.manifest);
+  if (arguments.out != "out") words += " --out " + motion::shell_path(arguments.out);
   if (!arguments.quality.empty()) words += " --quality " + arguments.quality;
   return words;
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/farm/farm.h"
+#include "pipeline/documents/printable_stream.h"
 #include "pipeline/farm/farm_status.h"
 #include "pipeline/farm/slurm.h"
 
@@ -56,7 +57,7 @@ int watch_study(const FarmStudy& study, const StatusCommand& command, const Cons
     FarmStatus status = status_of(study, command.study);
     // A film gives up its frames a moment before it is there itself.
     status.frames.done = frames = std::max(frames, status.frames.done);
-    if (redraws) console.out << clear_screen;
+    if (redraws) put_control(console.out, clear_screen);
     show(status, command, console);
     if (status.is_complete) return exit_done;
     if (!status.is_active() && status.without_slurm.empty()) {

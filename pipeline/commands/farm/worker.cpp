@@ -9,11 +9,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "motion/text/shell_word.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
+#include "pipeline/documents/failure_text.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/task_list.h"
 #include "pipeline/farm/work_item.h"
@@ -111,8 +113,9 @@ void tell(const WorkResult& result, const Console& console) {
 
 /// The command that makes an item again, without what changes from job to job.
 std::string command_for(const WorkerArguments& arguments) {
-  std::string command = "mien farm worker " + arguments.production.manifest;
-  if (arguments.production.out != "out") command += " --out " + arguments.production.out;
+  std::string command = "mien farm worker " + motion::shell_path(arguments.production.manifest);
+  if (arguments.production.out != "out")
+    command += " --out " + motion::shell_path(arguments.production.out);
   if (!arguments.production.quality.empty())
     command += " --quality " + arguments.production.quality;
   return command;
@@ -157,7 +160,7 @@ int worker(const WorkerArguments& arguments, const Console& console) {
     console.err << error.what() << '\n';
     return worker_bad_input;
   } catch (const std::exception& error) {  // the folder is not there, or cannot be written to
-    console.err << "mien: " << error.what() << '\n';
+    console.err << "mien: " << failure_text(error) << '\n';
     return worker_transient;
   }
 }

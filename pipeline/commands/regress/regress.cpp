@@ -11,6 +11,7 @@
 #include "motion/math/geometry.h"
 #include "pipeline/commands/regress/regress_study.h"
 #include "pipeline/comparison/compared_media.h"
+#include "pipeline/documents/failure_text.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
@@ -40,7 +41,7 @@ int compared(const Command& comparison, const Console& console) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    console.err << "mien: could not be compared: " << error.what() << '\n';
+    console.err << "mien: could not be compared: " << failure_text(error) << '\n';
     return exit_bad_input;
   }
 }

@@ -9,6 +9,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/installed_manifests.h"
@@ -185,7 +186,7 @@ void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifes
   }
   for (const std::string& id : ids) {
     if (std::ranges::find(known, id) == known.end())
-      throw Error({"--only"}, "the study has no stimulus \"" + id + "\"",
+      throw Error({"--only"}, "the study has no stimulus " + motion::in_quotes(id),
                   motion::did_you_mean(id, known));
   }
 }
@@ -199,8 +200,9 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
   const FoundBaseline found = find_baseline(arguments.baseline, manifest);
   const Baseline baseline = read_baseline(found.folder);
   if (baseline.study != manifest.study)
-    throw Error({found.folder.string()}, "is the baseline of the study \"" + baseline.study + "\"",
-                "name that of \"" + manifest.study + "\" with --baseline");
+    throw Error({found.folder.string()},
+                "is the baseline of the study " + motion::in_quotes(baseline.study),
+                "name that of " + motion::in_quotes(manifest.study) + " with --baseline");
   check_files(baseline);
   const std::vector<std::string>& only = arguments.production.only;
   refuse_unknown(only, manifest, baseline);

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "motion/text/shell_word.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/regression/baseline.h"
 #include "pipeline/tasks/command_run.h"
@@ -116,7 +117,7 @@ FoundBaseline find_baseline(const std::string& given, const Manifest& manifest) 
   if (!given.empty() && !fs::exists(folder)) throw_unknown(given, manifest);
   throw Error({folder.string()}, "holds no baseline",
               "look at the study, and when it is as it should be: mien regress approve " +
-                  manifest.file.string() + " --why \"…\"");
+                  motion::shell_path(manifest.file.string()) + " --why \"…\"");
 }
 
 }  // namespace mien::pipeline

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/archive/zip_archive.h"
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/study.h"
@@ -128,9 +129,8 @@ void tell_results(const Results& results, const FrozenVerdict& frozen, const fs:
   for (const std::string& note : gathered.notes) console.err << note << '\n';
   for (const Attention& own : gathered.attention)
     if (own.is_excluded)
-      console.err << fmt::format(
-          "participant \"{}\" is left out: {} of {} attention checks passed\n", own.participant,
-          own.passed, own.checks);
+      console.err << fmt::format("participant {} is left out: {} of {} attention checks passed\n",
+                                 motion::in_quotes(own.participant), own.passed, own.checks);
   if (gathered.simulated) console.out << "simulated answers\n";
   for (const std::string& sentence : unfinished_sentences(gathered))
     console.err << sentence << '\n';

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/matching_design.h"
@@ -56,7 +57,7 @@ std::string base_url(const ServeOptions& options, int port) {
   if (!options.url.empty()) {
     const bool is_web = options.url.starts_with("http://") || options.url.starts_with("https://");
     if (!is_web || options.url.find_first_of(" \"<>\r\n") != std::string::npos)
-      throw Error({"--url"}, "\"" + options.url + "\" is no address of a web server",
+      throw Error({"--url"}, motion::in_quotes(options.url) + " is no address of a web server",
                   "write it like https://lab.example.org");
     return options.url.substr(0, options.url.find_last_not_of('/') + 1);
   }
@@ -131,7 +132,8 @@ std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest&
   auto store = std::make_unique<SessionStore>(file);
   const std::optional<std::string> name = store->fact("study"), design = store->fact("design");
   if (name && *name != manifest.study)
-    throw Error({file.string()}, fmt::format("holds answers of the study \"{}\"", *name),
+    throw Error({file.string()},
+                fmt::format("holds answers of the study {}", motion::in_quotes(*name)),
                 "name another file with --store");
   if (design && *design != design_hash(manifest, plan_sessions(manifest)))
     throw Error({file.string()},

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/shell_word.h"
 #include "pipeline/documents/table.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/ratings/answer_row.h"
@@ -90,7 +91,7 @@ std::string lab_text(const Manifest& manifest, const std::vector<SessionPlan>& p
       "plans.csv lists every trial of every participant; experiment.json is what the page shows.\n"
       "File names tell nothing of what a video shows; plans.csv and experiment.json do: do not\n"
       "show these two to participants.\n",
-      manifest.file.filename().string());
+      motion::shell_path(manifest.file.filename().string()));
   return text;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/questionnaire/service/record_reader.h"
 
 namespace mien::pipeline {
@@ -26,7 +27,7 @@ constexpr std::array<std::string_view, 3> moments = {"guess", "match", "limit"};
 const nlohmann::json& list_of(RecordReader& reader, const char* name, std::size_t most) {
   const nlohmann::json& list = reader.needed(name);
   if (!list.is_array() || list.size() > most)
-    throw RecordFault(fmt::format("\"{}\" is no list, or too long", name));
+    throw RecordFault(fmt::format("{} is no list, or too long", motion::in_quotes(name)));
   return list;
 }
 

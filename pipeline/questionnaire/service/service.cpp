@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "motion/text/json_depth.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/documents/html.h"
 #include "pipeline/questionnaire/service/lab_page.h"
@@ -65,7 +66,10 @@ HttpResponse with_record(
     const std::function<HttpResponse(const PageRecord&, const std::string&)>& take) {
   if (!is_json(request))
     return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
-  const nlohmann::json text = nlohmann::json::parse(request.body, nullptr, false);
+  constexpr std::size_t deepest = 16;  // more than any record has
+  const nlohmann::json text = motion::is_nested_deeper(request.body, deepest)
+                                  ? nlohmann::json(nlohmann::json::value_t::discarded)
+                                  : nlohmann::json::parse(request.body, nullptr, false);
   if (text.is_discarded())
     return http_refusal(400, "malformed", "this is no JSON", "load the page again");
   try {

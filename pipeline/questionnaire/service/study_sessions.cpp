@@ -7,6 +7,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/questionnaire/service/record_check.h"
 
 namespace mien::pipeline {
@@ -39,9 +40,10 @@ StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, Cloc
   if (!store_.fact(design_fact)) begin();
   const std::string name = study_.experiment.at("study");
   if (store_.fact(study_fact) != name)
-    throw Error({store_.file().string()},
-                fmt::format("holds answers of the study \"{}\"", *store_.fact(study_fact)),
-                "name another file with --store");
+    throw Error(
+        {store_.file().string()},
+        fmt::format("holds answers of the study {}", motion::in_quotes(*store_.fact(study_fact))),
+        "name another file with --store");
   const bool has_same_design = store_.fact(design_fact) == study_.facts.design;
   if (!has_same_design || store_.fact(media_fact) != media_hash(study_))
     throw Error({store_.file().string()},

@@ -120,7 +120,7 @@ TEST_F(Worker, AFailureIsToldInAFileUntilItIsMade) {
   const auto failure = nlohmann::json::parse(read_file(told));
   EXPECT_EQ(failure["item"], "film:png[1/2]");
   EXPECT_EQ(failure["attempts"], 1);
-  EXPECT_EQ(failure["command"], "mien farm --tasks film:png[1/2]");
+  EXPECT_EQ(failure["command"], "mien farm --tasks 'film:png[1/2]'");
   write_file(file, tiny_manifest);
   EXPECT_EQ(make({"film:none", "film:png[1/2]"}).code(), 0);
   EXPECT_FALSE(fs::exists(told));

@@ -117,6 +117,24 @@ TEST(YamlTree, IsNotBlownUpByAliases) {
   EXPECT_NE(faults_in("a: &a [*a]\n").find("inside the value that it names"), std::string::npos);
 }
 
+TEST(YamlTree, IsNotBlownUpByAnchorsWithinAnchors) {
+  // Each of them is kept by its name: 90 times the list.
+  std::string nested;
+  for (int i = 0; i < 90; ++i) nested += "&a" + std::to_string(i) + " [";
+  for (int i = 0; i < 20'000; ++i) nested += "x, ";
+  EXPECT_NE(faults_in("a: " + nested + "x" + std::string(90, ']') + "\n").find("unfolds"),
+            std::string::npos);
+}
+
+TEST(YamlTree, FindsColumnsWithoutBeginningALineAgainForEach) {
+  // The square of these characters would take minutes.
+  std::string line = "a: [é";
+  for (int i = 0; i < 300'000; ++i) line += ", x";
+  std::vector<Fault> faults;
+  const YamlNode root = read_yaml(line + "]\n", "m.yaml", faults);
+  EXPECT_EQ(root.children[0].children.back().place.column, 5 + 3 * 300'000);
+}
+
 TEST(YamlTree, IsNotOverrunByNestingOrSize) {
   EXPECT_NE(faults_in(std::string(100000, '[')).find("nested deeper than 100 levels"),
             std::string::npos);

@@ -40,9 +40,12 @@ TEST(HttpServer, AnswersWhatItIsAsked) {
 TEST(HttpServer, AnswersSeveralRequestsOverOneConnectionEachWithItsOwnBody) {
   const HttpServer server(HttpSettings{}, echo);
   RawClient client(server.port());
-  client.send("POST /one HTTP/1.1\r\nContent-Length: 3\r\n\r\nabcPOST /two HTTP/1.1\r\n");
+  client.send(
+      "POST /one HTTP/1.1\r\nHost: here\r\nContent-Length: 3\r\n\r\nabcPOST /two HTTP/1.1\r\nHost: "
+      "here\r\n");
   EXPECT_EQ(body_in(client.receive_answer()), "POST one abc");
-  client.send("Content-Length: 2\r\n\r\nxyGET /three HTTP/1.1\r\nConnection: close\r\n\r\n");
+  client.send(
+      "Content-Length: 2\r\n\r\nxyGET /three HTTP/1.1\r\nHost: here\r\nConnection: close\r\n\r\n");
   EXPECT_EQ(body_in(client.receive_answer()), "POST two xy");
   EXPECT_EQ(body_in(client.receive()), "GET three ");
 }
@@ -98,26 +101,43 @@ TEST(HttpServer, RefusesWhatIsNoRequest) {
     return status_in(reply_of(server.port(), bytes));
   };
   EXPECT_EQ(status("GET / HTTP/2.0\r\n\r\n"), 400);
-  EXPECT_EQ(status("GET http://elsewhere/ HTTP/1.1\r\n\r\n"), 400);
+  EXPECT_EQ(status("GET http://elsewhere/ HTTP/1.1\r\nHost: here\r\n\r\n"), 400);
   EXPECT_EQ(status("GET /\n\n\r\n\r\n"), 400);
-  EXPECT_EQ(status("GET / HTTP/1.1\r\nA : b\r\n\r\n"), 400);
-  EXPECT_EQ(status("GET / HTTP/1.1\r\nA: b\r\n c\r\n\r\n"), 400);
-  EXPECT_EQ(status(std::string("GET / HTTP/1.1\r\nA: b\0\r\n\r\n", 25)), 400);
-  EXPECT_EQ(status("POST / HTTP/1.1\r\nContent-Length: 1\r\nContent-Length: 2\r\n\r\nab"), 400);
-  EXPECT_EQ(status("POST / HTTP/1.1\r\nContent-Length: +1\r\n\r\na"), 400);
-  EXPECT_EQ(status("POST / HTTP/1.1\r\nContent-Length: 99999999999999999999\r\n\r\n"), 413);
-  EXPECT_EQ(status("POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n5\r\nabcde\r\n0\r\n\r\n"),
+  EXPECT_EQ(status("GET / HTTP/1.1\r\nHost: here\r\nA : b\r\n\r\n"), 400);
+  EXPECT_EQ(status("GET / HTTP/1.1\r\nHost: here\r\nA: b\r\n c\r\n\r\n"), 400);
+  EXPECT_EQ(status(std::string("GET / HTTP/1.1\r\nHost: here\r\nA: b\0\r\n\r\n", 37)), 400);
+  EXPECT_EQ(
+      status("POST / HTTP/1.1\r\nHost: here\r\nContent-Length: 1\r\nContent-Length: 2\r\n\r\nab"),
+      400);
+  EXPECT_EQ(status("POST / HTTP/1.1\r\nHost: here\r\nContent-Length: +1\r\n\r\na"), 400);
+  EXPECT_EQ(status("POST / HTTP/1.1\r\nHost: here\r\nContent-Length: 99999999999999999999\r\n\r\n"),
+            413);
+  EXPECT_EQ(status("POST / HTTP/1.1\r\nHost: here\r\nTransfer-Encoding: "
+                   "chunked\r\n\r\n5\r\nabcde\r\n0\r\n\r\n"),
             411);
-  EXPECT_EQ(status("POST / HTTP/1.1\r\n\r\n"), 411);
+  EXPECT_EQ(status("POST / HTTP/1.1\r\nHost: here\r\n\r\n"), 411);
   EXPECT_EQ(status(post_request("/", "a", "Content-Encoding: gzip\r\n")), 415);
+}
+
+TEST(HttpServer, RefusesARequestThatDoesNotSayWhomItIsFor) {
+  const HttpServer server(quick_settings(), echo);
+  for (const char* request :
+       {"GET /a HTTP/1.1\r\n\r\n", "GET /a HTTP/1.0\r\n\r\n", "GET /a HTTP/1.1\r\nHost:\r\n\r\n",
+        "GET /a HTTP/1.1\r\nHost: one\r\nHost: other\r\n\r\n",
+        "POST /a HTTP/1.1\r\nContent-Length: 1\r\n\r\na"})
+    EXPECT_EQ(status_in(reply_of(server.port(), request)), 400) << request;
+  const std::string answer = reply_of(server.port(), "GET /a HTTP/1.1\r\n\r\n");
+  EXPECT_NE(body_in(answer).find("does not say whom it is for"), std::string::npos) << answer;
+  EXPECT_EQ(status_in(reply_of(server.port(), "GET /a HTTP/1.0\r\nHost: here\r\n\r\n")), 200);
 }
 
 TEST(HttpServer, RefusesTooMuch) {
   const HttpServer server(quick_settings(), echo);
-  std::string flood = "GET / HTTP/1.1\r\n";
+  std::string flood = "GET / HTTP/1.1\r\nHost: here\r\n";
   for (int line = 0; line < 200; ++line) flood += "A" + std::to_string(line) + ": b\r\n";
   EXPECT_EQ(status_in(reply_of(server.port(), flood + "\r\n")), 431);
-  EXPECT_EQ(status_in(reply_of(server.port(), "GET / HTTP/1.1\r\nA: " + std::string(20'000, 'b'))),
+  EXPECT_EQ(status_in(reply_of(server.port(),
+                               "GET / HTTP/1.1\r\nHost: here\r\nA: " + std::string(20'000, 'b'))),
             431);
   EXPECT_EQ(status_in(reply_of(server.port(), get_request("/" + std::string(17'000, 'a')))), 431);
   EXPECT_EQ(status_in(reply_of(server.port(), post_request("/a", std::string(65'537, 'a')))), 413);
@@ -129,7 +149,7 @@ TEST(HttpServer, WaitsForNoSlowClient) {
   RawClient head(server.port());
   RawClient body(server.port());
   head.send("GET / HT");
-  body.send("POST / HTTP/1.1\r\nContent-Length: 50\r\n\r\n");
+  body.send("POST / HTTP/1.1\r\nHost: here\r\nContent-Length: 50\r\n\r\n");
   for (int count = 0; count < 8; ++count) {  // a byte now and then does not help
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     head.send("A");
@@ -146,8 +166,8 @@ TEST(HttpServer, RefusesMoreConnectionsThanItHasRoomForAndRecovers) {
   {
     RawClient first(server.port());
     RawClient second(server.port());
-    first.send("GET /a HTTP/1.1\r\n\r\n");
-    second.send("GET /a HTTP/1.1\r\n\r\n");
+    first.send("GET /a HTTP/1.1\r\nHost: here\r\n\r\n");
+    second.send("GET /a HTTP/1.1\r\nHost: here\r\n\r\n");
     first.receive_answer();
     second.receive_answer();
     EXPECT_EQ(status_in(reply_of(server.port(), get_request("/a"))), 503);
@@ -197,7 +217,7 @@ TEST(HttpServer, SendsTheRangesOfAFileThatAreAskedFor) {
   EXPECT_EQ(status_in(reply_of(server.port(), get_request("/empty"))), 200);
   EXPECT_EQ(status_in(reply_of(server.port(), get_request("/none"))), 404);
   const std::string head =
-      reply_of(server.port(), "HEAD /film HTTP/1.1\r\nConnection: close\r\n\r\n");
+      reply_of(server.port(), "HEAD /film HTTP/1.1\r\nHost: here\r\nConnection: close\r\n\r\n");
   EXPECT_EQ(header_in(head, "Content-Length"), "200000");
   EXPECT_EQ(body_in(head), "");
 }

@@ -80,9 +80,19 @@ export function rows_of(
   });
 }
 
+/** What a spreadsheet would run gets an apostrophe before it (pipeline/documents/formula_mark.h). */
+const marked = (text: string): string => {
+  const bare = text.replace(/^'*/, "").replace(/^ */, "");
+  const number = "[+-]?(inf|nan|(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?)";
+  const is_number = new RegExp(`^${number}(–${number})?$`).test(bare);
+  return /^[=+\-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20]/.test(bare) && !is_number ? `'${text}` : text;
+};
+
 /** Quoted where it must be. */
-const field = (text: string): string =>
-  /[",\r\n]|^ | $/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+const field = (plain: string): string => {
+  const text = marked(plain);
+  return /[",\r\n]|^ | $/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+};
 
 export const csv = (columns: readonly string[], rows: Record<string, string>[]): string =>
   [columns, ...rows.map((row) => columns.map((column) => row[column] ?? ""))]

@@ -149,9 +149,9 @@ TEST_F(Service, WithstandsWhatIsSentToHarmIt) {
       post_request(of(1) + "records/trial-1", good_record(study_, 1, "trial-1").dump()),
       post_request("/s/0/records/consent", script.dump()),
       post_request(own + "records/consent", std::string(100'000, ' ')),
-      "TRACE " + own + " HTTP/1.1\r\nConnection: close\r\n\r\n",
-      "OPTIONS " + own + " HTTP/1.1\r\nConnection: close\r\n\r\n",
-      "DELETE " + own + "records/consent HTTP/1.1\r\nConnection: close\r\n\r\n"};
+      "TRACE " + own + " HTTP/1.1\r\nHost: here\r\nConnection: close\r\n\r\n",
+      "OPTIONS " + own + " HTTP/1.1\r\nHost: here\r\nConnection: close\r\n\r\n",
+      "DELETE " + own + "records/consent HTTP/1.1\r\nHost: here\r\nConnection: close\r\n\r\n"};
   for (const std::string& attack : attacks) {
     const std::string answer = reply_of(server.port(), attack);
     EXPECT_GE(status_in(answer), 400) << attack.substr(0, 80);
