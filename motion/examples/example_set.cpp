@@ -106,6 +106,7 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : entries) {
     const std::string name = entry.path().filename().string();
+    if (name.starts_with('.')) continue;  // hidden: macOS puts "._walk.bvh" beside "walk.bvh"
     if (!entry.is_regular_file() || !is_motion_file(entry.path())) continue;
     if (!matches_glob(folder.include, name)) continue;
     if (!folder.exclude.empty() && matches_glob(folder.exclude, name)) continue;

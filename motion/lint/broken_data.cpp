@@ -66,10 +66,23 @@ std::vector<bool> carries_the_figure(const Skeleton& skeleton) {
   return result;
 }
 
+/// A shorter bone (two joints in one place, but for rounding) has no length of its own: it is held
+/// against this share of the longest.
+constexpr double shortest_bone = 0.01;
+
+double longest_bone(const Skeleton& skeleton) {
+  double longest = 0.0;
+  for (const Joint& joint : skeleton.joints) {
+    if (joint.parent >= 0) longest = std::max(longest, joint.offset.norm());
+  }
+  return longest;
+}
+
 void find_bone_drift(const Clip& clip, const LintOptions& options, Findings& findings) {
   const auto has_offsets = [](const Pose& pose) { return !pose.offsets.empty(); };
   if (std::none_of(clip.poses.begin(), clip.poses.end(), has_offsets)) return;
   const std::vector<bool> is_moved = carries_the_figure(clip.body);
+  const double least = shortest_bone * longest_bone(clip.body);
   for (int j = 1; j < clip.body.size(); ++j) {
     if (is_moved[j]) continue;
     std::vector<double> lengths;
@@ -77,8 +90,8 @@ void find_bone_drift(const Clip& clip, const LintOptions& options, Findings& fin
       lengths.push_back(
           (pose.offsets.empty() ? clip.body.joints[j].offset : pose.offsets[j]).norm());
     }
-    const double usual = percentile(lengths, 50);
-    if (!(usual > 1e-6)) continue;
+    const double usual = std::max(percentile(lengths, 50), least);
+    if (!(usual > 0.0)) continue;
     for (double& length : lengths) length = std::abs(length / usual - 1.0);
     const std::string name = joint_name(clip, j);
     const auto sentence = [&](double worst) {

@@ -63,6 +63,9 @@ std::string told_whole(const WholeBodyChange& whole) {
       return "left and right joints have changed names; the motion is where it was";
     case WholeChange::swapped_turns:
       return "left and right joints have each other's rotations";
+    case WholeChange::scaled:
+      return "all lengths are " + formatted("%.4g", whole.scale) +
+             " times as long, as of another unit; the motion is the same but for that";
     case WholeChange::moved:
     case WholeChange::none:
       break;
@@ -70,9 +73,7 @@ std::string told_whole(const WholeBodyChange& whole) {
   return "";
 }
 
-bool is_of_sides(WholeChange kind) {
-  return kind != WholeChange::none && kind != WholeChange::moved;
-}
+bool is_of_all(WholeChange kind) { return kind != WholeChange::none && kind != WholeChange::moved; }
 
 std::string at_time(double seconds) { return ", at " + in_seconds(seconds); }
 
@@ -201,7 +202,7 @@ std::string largest_change(const MotionDifference& difference) {
   if (timing.reversed || timing.every != 1) return told_order(timing);
   if (timing.shift) return told_shift(*timing.shift);
   if (timing.gap) return told_gap(*timing.gap, difference.frames_per_second());
-  if (is_of_sides(difference.whole.kind)) return told_whole(difference.whole);
+  if (is_of_all(difference.whole.kind)) return told_whole(difference.whole);
   std::string text = is_root_only(difference) ? told_root(difference) : told_parts(difference);
   return text.empty() ? told_rest(difference) : text;
 }

@@ -89,6 +89,29 @@ std::optional<WholeBodyChange> swapped_turns(const PairedMotions& pair, const Sk
   return change;
 }
 
+/// By least squares about the origin; a figure that is a little larger is no other unit.
+std::optional<WholeBodyChange> scaled(const std::vector<Vec3>& before,
+                                      const std::vector<Vec3>& now) {
+  constexpr double least_factor = 1.5;
+  double common = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    common += before[i].dot(now[i]);
+    size += before[i].squaredNorm();
+  }
+  if (!(common > 0.0) || !(size > 0.0)) return std::nullopt;
+  WholeBodyChange change;
+  change.kind = WholeChange::scaled;
+  change.scale = common / size;
+  std::vector<Vec3> there;
+  for (const Vec3& point : before) there.push_back(change.scale * point);
+  change.before = rms_apart(before, now);
+  change.left = rms_apart(there, now);
+  const bool is_other_unit = std::abs(std::log(change.scale)) > std::log(least_factor);
+  return is_other_unit && change.left <= left_of_a_move * change.before ? std::optional(change)
+                                                                        : std::nullopt;
+}
+
+/// Or scaled.
 std::optional<WholeBodyChange> moved(const PairedMotions& pair) {
   std::vector<Vec3> before, now;
   for (int t = 0; t < pair.frames; ++t) {
@@ -98,6 +121,7 @@ std::optional<WholeBodyChange> moved(const PairedMotions& pair) {
     }
   }
   if (before == now || before.size() < 2) return std::nullopt;
+  if (const auto change = scaled(before, now)) return change;
   const WholeBodyChange change = after_level_fit(WholeChange::moved, before, now, false);
   const bool explains = change.before > 1e-6 && change.left <= left_of_a_move * change.before;
   return explains ? std::optional(change) : std::nullopt;
@@ -106,8 +130,8 @@ std::optional<WholeBodyChange> moved(const PairedMotions& pair) {
 }  // namespace
 
 std::string_view name_of(WholeChange change) {
-  static constexpr std::array<std::string_view, 6> names = {
-      "none", "moved", "mirrored", "flipped", "renamed-sides", "swapped-turns"};
+  static constexpr std::array<std::string_view, 7> names = {
+      "none", "moved", "mirrored", "flipped", "renamed-sides", "swapped-turns", "scaled"};
   return names[static_cast<std::size_t>(change)];
 }
 

@@ -13,7 +13,9 @@
 
 #include "motion/error.h"
 #include "motion/text/lfs_pointer.h"
+#include "pipeline/comparison/compared_containers.h"
 #include "pipeline/comparison/frame_alignment.h"
+#include "pipeline/comparison/mirroring.h"
 #include "pipeline/tasks/bounded_queue.h"
 #include "render/image/channels.h"
 #include "render/image/tone.h"
@@ -73,7 +75,9 @@ bool is_numbered_before(const fs::path& first, const fs::path& second) {
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> pictures;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.is_regular_file() && is_picture(entry.path())) pictures.push_back(entry.path());
+    const bool is_hidden = entry.path().filename().string().starts_with('.');  // "._1.png" of macOS
+    if (!is_hidden && entry.is_regular_file() && is_picture(entry.path()))
+      pictures.push_back(entry.path());
   }
   std::ranges::sort(pictures, is_numbered_before);
   return pictures;
@@ -139,6 +143,10 @@ struct Glimpse {
   std::vector<Thumbnail> frames;
   int width = 0;
   int height = 0;
+  std::vector<std::string> names;  ///< of a folder's pictures
+
+  int thumbnail_width() const { return std::min(width, pipeline::thumbnail_width); }
+  int thumbnail_height() const { return std::min(height, pipeline::thumbnail_height); }
 };
 
 Glimpse glimpse_of(const fs::path& media) {
@@ -151,6 +159,10 @@ Glimpse glimpse_of(const fs::path& media) {
   if (glimpse.frames.empty())
     throw Error({media.string()}, "shows no picture",
                 "name a picture, a video or a folder of pictures");
+  if (fs::is_directory(media)) {
+    for (const fs::path& picture : pictures_in(media))
+      glimpse.names.push_back(picture.filename().string());
+  }
   return glimpse;
 }
 
@@ -216,11 +228,13 @@ void keep(std::vector<Worst>& worst, Worst one) {
   if (worst.size() > most_worst) worst.pop_back();
 }
 
-void compare_pairs(ComparedMedia& media, const FrameAlignment& alignment) {
+void compare_pairs(ComparedMedia& media, const FrameAlignment& alignment, const FrameNames& names,
+                   Mirroring mirroring) {
   FrameStream before(media.before), now(media.now);
   std::vector<Worst> worst;
   for (const FrameAlignment::Pair& pair : alignment.pairs) {
     render::Image8 a = before.frame(pair.before), b = now.frame(pair.now);
+    if (mirroring != Mirroring::none) b = mirrored(b, mirroring);
     ++media.frames_compared;
     const render::PictureDifference difference = render::picture_difference(a, b);
     if (difference.differing_pixels == 0) continue;
@@ -232,28 +246,9 @@ void compare_pairs(ComparedMedia& media, const FrameAlignment& alignment) {
   for (const Worst& one : worst) {
     media.worst.push_back(compare_pictures(one.frame, one.before, one.now));
     media.worst.back().perceived_map = {};
+    if (const auto i = static_cast<std::size_t>(one.frame); i < names.before.size())
+      media.worst.back().name = names.before[i];
   }
-}
-
-/// How the files are kept, beside what they show.
-void compare_containers(ComparedMedia& media) {
-  const render::VideoSummary a = render::probe(media.before), b = render::probe(media.now);
-  const auto tell = [&](const char* what, const auto& before, const auto& now) {
-    if (before == now) return;
-    if constexpr (std::is_same_v<decltype(before), const double&>)
-      media.remarks.push_back(fmt::format("{}: {:.6g} → {:.6g}", what, before, now));
-    else
-      media.remarks.push_back(fmt::format("{}: {} → {}", what, before, now));
-  };
-  tell("codec", a.codec, b.codec);
-  tell("pixel format", a.pixel_format, b.pixel_format);
-  tell("frames a second", a.rate.per_second(), b.rate.per_second());
-  tell("duration in seconds", a.duration_seconds, b.duration_seconds);
-  tell("primaries", a.primaries, b.primaries);
-  tell("transfer", a.transfer, b.transfer);
-  tell("matrix", a.matrix, b.matrix);
-  tell("range", a.range, b.range);
-  tell("steady timestamps", a.steady_timestamps, b.steady_timestamps);
 }
 
 }  // namespace
@@ -274,15 +269,28 @@ ComparedMedia compared_media(const fs::path& before, const fs::path& now, double
   ComparedMedia media{.before = before.string(), .now = now.string()};
   media.perceptual_limit = perceptual_limit;
   media.least_psnr_db = std::numeric_limits<double>::infinity();
-  const Glimpse then = glimpse_of(before), today = glimpse_of(now);
+  const Glimpse then = glimpse_of(before);
+  Glimpse today = glimpse_of(now);
   refuse_other_size(then, today, media);
   media.frames_before = static_cast<int>(then.frames.size());
   media.frames_now = static_cast<int>(today.frames.size());
-  const FrameAlignment alignment = align(then.frames, today.frames);
-  media.remarks = alignment.told;
+  const Mirroring mirroring =
+      mirroring_of(then.frames, today.frames, then.thumbnail_width(), then.thumbnail_height());
+  if (mirroring != Mirroring::none) {
+    media.remarks.push_back(
+        fmt::format("{} (all below is of what is turned back)", name_of(mirroring)));
+    for (Thumbnail& frame : today.frames) {
+      render::Image8 picture(today.thumbnail_width(), today.thumbnail_height());
+      picture.channels = std::move(frame);
+      frame = mirrored(picture, mirroring).channels;
+    }
+  }
+  const FrameNames names{then.names, today.names};
+  const FrameAlignment alignment = align(then.frames, today.frames, names);
+  media.remarks.insert(media.remarks.end(), alignment.told.begin(), alignment.told.end());
   if (!fs::is_directory(before) && !fs::is_directory(now) && is_video(before) && is_video(now))
-    compare_containers(media);
-  compare_pairs(media, alignment);
+    compare_containers(render::probe(before), render::probe(now), media.remarks, media.notes);
+  compare_pairs(media, alignment, names, mirroring);
   return media;
 }
 

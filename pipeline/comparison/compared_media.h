@@ -19,7 +19,10 @@ struct ComparedMedia {
   std::string now;
   int frames_before = 0;
   int frames_now = 0;
-  std::vector<std::string> remarks;  ///< of frames that are missing, and of how videos are kept
+  /// What is seen otherwise beside the pixels: frames that are missing or shown at another moment,
+  /// pictures that are mirrored (and are compared after mirroring them back).
+  std::vector<std::string> remarks;
+  std::vector<std::string> notes;  ///< how files are kept otherwise, which nobody sees: the codec
   int frames_compared = 0;
   int frames_differing = 0;
   double least_psnr_db = 0.0;          ///< infinite when nothing differs
@@ -27,7 +30,8 @@ struct ComparedMedia {
   std::vector<FrameComparison> worst;  ///< at most five, by their RMS
   double perceptual_limit = 0.0;
 
-  /// As many frames, at the same times, and none that differs by more than the limit.
+  /// As many frames, at the same times to the unit of time of both files, and none that differs by
+  /// more than the limit.
   bool are_alike() const;
 };
 

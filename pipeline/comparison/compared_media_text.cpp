@@ -24,6 +24,11 @@ std::string compared_told(const ComparedMedia& media) {
                            media.frames_differing);
 }
 
+/// "frame 36 (f37.png)"
+std::string frame_told_with(const FrameComparison& frame) {
+  return fmt::format("frame {}{}", frame.frame, frame.name.empty() ? "" : " (" + frame.name + ")");
+}
+
 }  // namespace
 
 std::string as_text(const ComparedMedia& media) {
@@ -34,6 +39,7 @@ std::string as_text(const ComparedMedia& media) {
                                                      : "differ",
                                  media.before, media.now);
   for (const std::string& remark : media.remarks) text += "  " + remark + "\n";
+  for (const std::string& note : media.notes) text += "  kept otherwise, " + note + "\n";
   text += fmt::format("  {} before, {} now; {}\n", counted_frames(media.frames_before),
                       counted_frames(media.frames_now), compared_told(media));
   if (media.frames_differing == 0) return text;
@@ -42,9 +48,9 @@ std::string as_text(const ComparedMedia& media) {
   for (const FrameComparison& frame : media.worst) {
     const render::Window& window = frame.difference.changed;
     text += fmt::format(
-        "  frame {}: mean ꟻLIP {:.4f} (limit {:g}), SSIM {:.4f}, within {} x {} pixels at {}, {}\n",
-        frame.frame, frame.perceived.mean, media.perceptual_limit, frame.similarity, window.width,
-        window.height, window.x, window.y);
+        "  {}: mean ꟻLIP {:.4f} (limit {:g}), SSIM {:.4f}, within {} x {} pixels at {}, {}\n",
+        frame_told_with(frame), frame.perceived.mean, media.perceptual_limit, frame.similarity,
+        window.width, window.height, window.x, window.y);
   }
   return text;
 }
@@ -53,6 +59,7 @@ nlohmann::ordered_json as_json(const ComparedMedia& media) {
   nlohmann::ordered_json worst = nlohmann::ordered_json::array();
   for (const FrameComparison& frame : media.worst) {
     worst.push_back({{"frame", frame.frame},
+                     {"name", frame.name},
                      {"rms", frame.difference.rms},
                      {"largest", frame.difference.largest},
                      {"flip_mean", frame.perceived.mean},
@@ -67,6 +74,7 @@ nlohmann::ordered_json as_json(const ComparedMedia& media) {
                                  {"frames_compared", media.frames_compared},
                                  {"frames_differing", media.frames_differing},
                                  {"remarks", media.remarks},
+                                 {"notes", media.notes},
                                  {"worst", worst}};
   if (std::isfinite(media.least_psnr_db)) json["least_psnr_db"] = media.least_psnr_db;
   return json;

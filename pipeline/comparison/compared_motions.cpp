@@ -1,5 +1,8 @@
 #include "pipeline/comparison/compared_motions.h"
 
+#include <string>
+
+#include "motion/error.h"
 #include "motion/examples/make_example.h"
 #include "motion/formats/motion_file.h"
 #include "motion/measures/motion_features.h"
@@ -9,6 +12,16 @@ namespace mien::pipeline {
 
 namespace {
 
+/// Where these frames hold no whole cycle (of a take that holds half a one), as it is by itself.
+motion::PreparedExample prepared_alike(const motion::Clip& clip,
+                                       const motion::ExampleOptions& same_frames) {
+  try {
+    return motion::prepare_example(clip, same_frames);
+  } catch (const Error&) {
+    return motion::prepare_example(clip);
+  }
+}
+
 /// As `mien motion features` measures them; both over the same frames where they have as many, so
 /// that a cycle chosen otherwise is not taken for other walking.
 std::vector<motion::FeatureDifference> features_of(const motion::Clip& before,
@@ -17,7 +30,7 @@ std::vector<motion::FeatureDifference> features_of(const motion::Clip& before,
   const motion::PreparedExample was = motion::prepare_example(before);
   motion::ExampleOptions same_frames;
   if (was.cycle && now.frame_count() == before.frame_count()) same_frames.frames = was.frames;
-  const motion::PreparedExample is = motion::prepare_example(now, same_frames);
+  const motion::PreparedExample is = prepared_alike(now, same_frames);
   return motion::feature_differences(motion::measure_features(was.example),
                                      motion::measure_features(is.example));
 }
@@ -29,8 +42,14 @@ ComparedMotions compared_motion_files(const std::string& before, const std::stri
   const motion::ComparedRecordings recordings =
       motion::compared_recordings(motion::read_motion(before), motion::read_motion(now));
   ComparedMotions result{before, now, motion::motion_difference(recordings), tolerance, {}};
-  if (recordings.body_before && recordings.body_now)
-    result.difference.features = features_of(*recordings.body_before, *recordings.body_now);
+  if (recordings.body_before && recordings.body_now) {
+    try {
+      result.difference.features = features_of(*recordings.body_before, *recordings.body_now);
+    } catch (const Error& error) {  // the motions are compared nevertheless
+      result.difference.remarks.push_back(std::string("Motion features are not compared: ") +
+                                          error.what());
+    }
+  }
   result.excesses = motion::excesses(result.difference, tolerance);
   return result;
 }

@@ -13,8 +13,6 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr int thumbnail_width = 32;
-constexpr int thumbnail_height = 18;
 constexpr int least_band = 240;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -116,21 +114,30 @@ class Table {
   std::vector<Step> steps_;
 };
 
+/// " (f37.png)"; empty without names.
+std::string name_told(int frame, const std::vector<std::string>& names) {
+  const auto i = static_cast<std::size_t>(frame);
+  return i < names.size() ? " (" + names[i] + ")" : "";
+}
+
 /// "frame 37 is missing", "frames 3 to 32 are missing": a line for frames in a row.
-void tell_rows(std::vector<std::string>& told, const std::vector<int>& frames, const char* what) {
+void tell_rows(std::vector<std::string>& told, const std::vector<int>& frames, const char* what,
+               const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < frames.size();) {
     std::size_t end = i + 1;
     while (end < frames.size() && frames[end] == frames[end - 1] + 1) ++end;
     const int first = frames[i], last = frames[end - 1];
-    told.push_back(first == last ? fmt::format("frame {} is {}", first, what)
-                                 : fmt::format("frames {} to {} are {}", first, last, what));
+    told.push_back(first == last
+                       ? fmt::format("{} is {}", frame_told(first, names), what)
+                       : fmt::format("frames {}{} to {}{} are {}", first, name_told(first, names),
+                                     last, name_told(last, names), what));
     i = end;
   }
 }
 
 /// "frames 4 and 5 are exchanged" where a frame that is missing was put in beside its place.
 void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
-          const std::vector<Thumbnail>& now, double step) {
+          const std::vector<Thumbnail>& now, const FrameNames& names, double step) {
   std::vector<int> added = alignment.added, missing, fresh;
   for (const int frame : alignment.missing) {
     const auto same = std::ranges::find_if(added, [&](int other) {
@@ -141,25 +148,27 @@ void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
     if (same == added.end()) {
       missing.push_back(frame);
     } else {
-      alignment.told.push_back(fmt::format("frames {} and {} are exchanged", std::min(frame, *same),
-                                           std::max(frame, *same)));
+      const int first = std::min(frame, *same), second = std::max(frame, *same);
+      alignment.told.push_back(fmt::format("frames {}{} and {}{} are exchanged", first,
+                                           name_told(first, names.before), second,
+                                           name_told(second, names.before)));
       added.erase(same);
     }
   }
-  tell_rows(alignment.told, missing, "missing");
+  tell_rows(alignment.told, missing, "missing", names.before);
   for (const int frame : added) {
     const auto i = static_cast<std::size_t>(frame);
     const auto is_as = [&](std::size_t other) {
       return other < now.size() && distance(now[other], now[i]) < 0.25 * step;
     };
     if (i > 0 && is_as(i - 1))
-      alignment.told.push_back(fmt::format("frame {} repeats the one before", frame));
+      alignment.told.push_back(frame_told(frame, names.now) + " repeats the one before");
     else if (is_as(i + 1))
-      alignment.told.push_back(fmt::format("frame {} repeats the one before", frame + 1));
+      alignment.told.push_back(frame_told(frame + 1, names.now) + " repeats the one before");
     else
       fresh.push_back(frame);
   }
-  tell_rows(alignment.told, fresh, "new");
+  tell_rows(alignment.told, fresh, "new", names.now);
 }
 
 }  // namespace
@@ -170,7 +179,12 @@ Thumbnail thumbnail_of(const render::Image8& picture) {
       .channels;
 }
 
-FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now) {
+std::string frame_told(int frame, const std::vector<std::string>& names) {
+  return fmt::format("frame {}{}", frame, name_told(frame, names));
+}
+
+FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
+                     const FrameNames& names) {
   const Table table(before, now);
   FrameAlignment alignment;
   int row = static_cast<int>(before.size()), column = static_cast<int>(now.size());
@@ -193,7 +207,7 @@ FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thu
   std::ranges::reverse(alignment.pairs);
   std::ranges::reverse(alignment.missing);
   std::ranges::reverse(alignment.added);
-  tell(alignment, before, now, usual_step(before));
+  tell(alignment, before, now, names, usual_step(before));
   return alignment;
 }
 

@@ -8,6 +8,10 @@
 
 namespace mien::pipeline {
 
+/// At most, in pixels.
+inline constexpr int thumbnail_width = 32;
+inline constexpr int thumbnail_height = 18;
+
 /// A picture so small that a whole film of them can be held.
 using Thumbnail = std::vector<std::uint8_t>;
 
@@ -25,11 +29,21 @@ struct FrameAlignment {
   std::vector<std::string> told;  ///< "frame 37 is missing", "frames 4 and 5 are exchanged"
 };
 
+/// Names of frames that are files; none where they are of a video.
+struct FrameNames {
+  std::vector<std::string> before;
+  std::vector<std::string> now;
+};
+
+/// "frame 36 (f37.png)"; without names "frame 36".
+std::string frame_told(int frame, const std::vector<std::string>& names);
+
 /// The cheapest way from one to the other by leaving frames out and putting frames in. Both
 /// together cost nine tenths of the usual difference of two frames beside each other, and four
 /// times that of frames which show the same (encoded otherwise, for instance). Frames are not
 /// paired when they stand more than 240 apart, or 16 more than the lengths differ by if that is
 /// more.
-FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now);
+FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
+                     const FrameNames& names = {});
 
 }  // namespace mien::pipeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "pipeline/comparison/body_shares.h"
@@ -18,6 +19,7 @@ struct PictureSize {
 /// A frame before and now.
 struct FrameComparison {
   int frame = 0;          ///< its number before; now the same moment
+  std::string name = {};  ///< of its file before; empty where it is of a video
   bool same = true;       ///< every pixel
   bool same_size = true;  ///< else nothing below is known but the sizes
   PictureSize size_before, size_now;

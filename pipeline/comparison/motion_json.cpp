@@ -38,6 +38,7 @@ ordered_json as_json(const motion::TimingDifference& timing) {
 ordered_json as_json(const motion::WholeBodyChange& whole) {
   if (whole.kind == motion::WholeChange::none) return nullptr;
   return {{"kind", name_of(whole.kind)},
+          {"scale", whole.scale},
           {"turn_rad", whole.turn_radians},
           {"shift_m", {whole.shift.x(), whole.shift.y(), whole.shift.z()}},
           {"before", whole.before},

@@ -7,6 +7,7 @@
 
 #include "motion/measures/difference_sentence.h"
 #include "pipeline/comparison/compared_motions.h"
+#include "pipeline/comparison/told_apart.h"
 
 namespace mien::pipeline {
 
@@ -20,10 +21,11 @@ using motion::MotionDifference;
 
 constexpr std::size_t most_joints_told = 8;
 
-std::string length_told(const motion::MotionLength& length) {
-  return fmt::format("{} {} at {:.4g} a second, {:.2f} s{}", length.frames,
-                     length.frames == 1 ? "frame" : "frames", length.frames_per_second,
-                     length.seconds, length.loops ? ", a loop" : "");
+std::string length_told(const motion::MotionLength& length, const std::string& rate,
+                        const std::string& seconds) {
+  return fmt::format("{} {} at {} a second, {} s{}", length.frames,
+                     length.frames == 1 ? "frame" : "frames", rate, seconds,
+                     length.loops ? ", a loop" : "");
 }
 
 /// The left column, its words, and a mark where it is too much.
@@ -62,8 +64,11 @@ std::string in_centimetres_a_second(double metres_a_second) {
 }
 
 void add_timing(Lines& lines, const MotionDifference& difference) {
-  const std::string before = length_told(difference.timing.before);
-  const std::string now = length_told(difference.timing.now);
+  const motion::MotionLength &was = difference.timing.before, &is = difference.timing.now;
+  const auto rates = told_apart(was.frames_per_second, is.frames_per_second, 4);
+  const auto seconds = told_apart(was.seconds, is.seconds, 4);
+  const std::string before = length_told(was, rates.first, seconds.first);
+  const std::string now = length_told(is, rates.second, seconds.second);
   lines.add({"duration", "frame-rate", "loop"}, "timing",
             before == now ? before + ", the same" : now + "; was " + before);
 }
@@ -181,6 +186,23 @@ void add_causes(Lines& lines, const MotionDifference& difference) {
     lines.add({"joints"}, "joints", fmt::format("new: {}", fmt::join(difference.only_now, ", ")));
 }
 
+/// What differs most; where another frame rate is no difference, beside that.
+std::string headline(const ComparedMotions& motions) {
+  MotionDifference difference = motions.difference;
+  motion::TimingDifference& timing = difference.timing;
+  const double rate = timing.before.frames_per_second;
+  if (!motions.tolerance.any_rate || motion::same_rate(rate, timing.now.frames_per_second))
+    return motion::largest_change(difference);
+  timing.now.frames_per_second = rate;
+  timing.now.frames = timing.before.frames;
+  timing.every = 1;
+  std::string text = motion::largest_change(difference);
+  if (motions.are_alike() || motions.excesses.empty()) return text;
+  std::vector<std::string> measures;
+  for (const motion::Excess& excess : motions.excesses) measures.push_back(excess.measure);
+  return fmt::format("{}; beyond the limits: {}", text, fmt::join(measures, ", "));
+}
+
 std::string verdict(const ComparedMotions& motions) {
   if (motions.difference.identical) return "identical";
   return motions.are_alike() ? "alike" : "differs";
@@ -190,9 +212,14 @@ std::string verdict(const ComparedMotions& motions) {
 
 std::string as_text(const ComparedMotions& motions) {
   const MotionDifference& difference = motions.difference;
-  const std::string head = fmt::format("{}: {} ({})\n", motions.now, verdict(motions),
-                                       motion::largest_change(difference));
+  const std::string head =
+      fmt::format("{}: {} ({})\n", motions.now, verdict(motions), headline(motions));
   if (difference.identical) return head;
+  if (difference.whole.kind == motion::WholeChange::scaled) {  // all else follows from that
+    std::string text = head;
+    for (const std::string& remark : difference.remarks) text += "  " + remark + "\n";
+    return text;
+  }
   Lines lines(motions);
   add_timing(lines, difference);
   lines.add({"position"}, "position",

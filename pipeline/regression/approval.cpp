@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "motion/formats/motion_file.h"
 #include "motion/text/excerpt.h"
@@ -72,10 +73,12 @@ std::string make_edition(const Manifest& manifest, const std::map<std::string, H
   return hash_of_folder(next / "inputs").substr(0, 12);
 }
 
-/// Unless it is there.
+/// Unless it is there as it should be.
 void put_edition(const std::string& name, const fs::path& next, const fs::path& baseline) {
   const fs::path edition = baseline / "editions" / name;
-  if (fs::exists(edition)) return;
+  if (fs::is_directory(edition / "inputs") && hash_of_folder(edition / "inputs").starts_with(name))
+    return;
+  fs::remove_all(edition);
   make_folder(edition);
   fs::rename(next / "inputs", edition / "inputs");
 }
@@ -141,6 +144,25 @@ bool is_wanted(const std::string& id, const Approval& approval) {
   return approval.only.empty() || std::ranges::find(approval.only, id) != approval.only.end();
 }
 
+/// Hashes of what was approved now, and of the rest those that were known. A baseline of mien 0.2
+/// had none: what it holds is taken as it is.
+void put_sums(Baseline& baseline, const std::vector<StimulusFacts>& approved,
+              const std::string& edition) {
+  const std::map<std::string, Hash> known = std::exchange(baseline.sums, {});
+  for (const StimulusFacts& facts : baseline.stimuli) {
+    const std::string path = facts_path(facts.id);
+    const auto old = known.find(path);
+    const bool is_new = std::ranges::find(approved, facts.id, &StimulusFacts::id) != approved.end();
+    baseline.sums[path] =
+        is_new || old == known.end() ? hash_of_file(baseline.folder / path) : old->second;
+    const bool is_known = facts.edition != edition && !known.empty();
+    for (const auto& [file, hash] :
+         is_known ? known : sums_of_edition(baseline.folder, facts.edition)) {
+      if (file.starts_with("editions/" + facts.edition + "/")) baseline.sums[file] = hash;
+    }
+  }
+}
+
 /// Stimuli in the manifest's order; what it has no more goes when that is approved.
 void put_in_order(Baseline& baseline, const Manifest& manifest, const Approval& approval) {
   std::vector<StimulusFacts> ordered;
@@ -192,12 +214,13 @@ Baseline approve(Rendition& now, const fs::path& folder, const Approval& approva
     if (done) done(share);
   }
   put_edition(edition, unfinished.edition(), folder);
-  for (StimulusFacts& facts : approved) {
+  for (const StimulusFacts& facts : approved) {
     exchange(unfinished.stimulus(facts.id), folder / "stimuli" / facts.id);
-    put(baseline, std::move(facts));
+    put(baseline, facts);
   }
   put_in_order(baseline, manifest, approval);
   baseline.approvals.push_back(approval);
+  put_sums(baseline, approved, edition);
   write_baseline(baseline);
   remove_unused(baseline);
   return baseline;

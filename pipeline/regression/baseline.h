@@ -76,7 +76,8 @@ struct Approval {
 
 /// What people approved: a folder that is made to lie in git, or on a shared disk.
 ///
-///     baseline.json                  the study, how many key frames are kept, all approvals
+///     baseline.json                  the study, all approvals, hashes of the files below that no
+///                                    stimulus.json has, and last a hash of this file before it
 ///     editions/<hash>/inputs/        manifests and what they name, as a study keeps its inputs
 ///     stimuli/<id>/stimulus.json     StimulusFacts
 ///     stimuli/<id>/motion.bvh        the clip shown
@@ -88,6 +89,9 @@ struct Baseline {
   std::string study;
   std::vector<Approval> approvals;  ///< the oldest first
   std::vector<StimulusFacts> stimuli;
+  /// Of every stimulus.json and of all files of the editions, by their paths in the folder. Empty
+  /// in a baseline that mien 0.2 wrote.
+  std::map<std::string, Hash> sums = {};
 
   const StimulusFacts* find(const std::string& id) const;
   std::filesystem::path edition_manifest(const std::string& edition) const;
@@ -103,14 +107,22 @@ bool is_baseline(const std::filesystem::path& folder);
 /// Throws Error, with the file that is missing or damaged, and how to mend it.
 Baseline read_baseline(const std::filesystem::path& folder);
 
-/// Whether all that is kept is there as it was approved, to the byte. Throws Faults: what is
-/// missing or damaged, and how to mend it.
+/// Whether all that is kept is there as it was approved, to the byte, and nothing was added to an
+/// edition. Throws Faults: what is missing, damaged or too much, and how to mend it. Of a baseline
+/// without `sums` only motions, pictures and videos can be checked.
 void check_files(const Baseline& baseline);
 
 /// stimulus.json, in the folder of the stimulus.
 void write_facts(const StimulusFacts& facts, const std::filesystem::path& folder);
 
-/// baseline.json alone. It is replaced as a whole or not at all.
+/// Hashes of the files of an edition, by their paths in the baseline's folder.
+std::map<std::string, Hash> sums_of_edition(const std::filesystem::path& folder,
+                                            const std::string& edition);
+
+/// "stimuli/sad-walk/stimulus.json"
+std::string facts_path(const std::string& id);
+
+/// baseline.json alone, with `sums`. It is replaced as a whole or not at all.
 void write_baseline(const Baseline& baseline);
 
 /// Of so many frames those that are kept: evenly spread, the first and the last among them.

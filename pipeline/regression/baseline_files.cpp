@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -182,7 +183,8 @@ std::string library_words(const Json::exception& error) {
 template <class Make>
 auto from_document(const fs::path& file, const Make& make) {
   const std::string remedy =
-      "take it from where the baseline is kept (git checkout), or approve the study again";
+      "take it from where the baseline is kept (git checkout), or remove the folder and approve "
+      "the study again";
   const std::string hindrance = motion::hindrance_of(file, motion::most_of_document);
   if (!hindrance.empty()) throw Error({file.string()}, hindrance, remedy);
   const std::string text = read_file(file);
@@ -190,7 +192,7 @@ auto from_document(const fs::path& file, const Make& make) {
   if (motion::is_nested_deeper(text, motion::deepest_document))
     throw Error({file.string()}, "holds something else than a baseline does", remedy);
   try {
-    return make(Json::parse(text));
+    return make(Json::parse(text), text);
   } catch (const Json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     throw Error({file.string(), static_cast<int>(std::count(text.begin(), end, '\n')) + 1, 0},
@@ -200,6 +202,33 @@ auto from_document(const fs::path& file, const Make& make) {
   } catch (const std::logic_error&) {  // no number where one should be
     throw Error({file.string()}, "holds something else than a baseline does", remedy);
   }
+}
+
+constexpr std::string_view checksum_key = "\"checksum\": \"";
+
+/// The text of baseline.json with the hash of all that stands before it as its last member.
+std::string with_checksum(const Json& json) {
+  std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+  text.erase(text.rfind("\n}"));
+  text += ",\n  ";
+  const Hash hash = hash_of(text);
+  return text + std::string(checksum_key) + hash + "\"\n}\n";
+}
+
+constexpr char keep_remedy[] =
+    "take it from where the baseline is kept (git checkout), or remove the folder and approve the "
+    "study again";
+
+/// Throws Error where the text is not the one that was written. One without checksum may be of mien
+/// 0.2, which had none.
+void refuse_damage(const fs::path& file, const std::string& text, const Json& json) {
+  if (!json.contains("checksum") && !json.contains("sums")) return;
+  const std::size_t end = text.rfind(checksum_key);
+  const bool is_whole =
+      end != std::string::npos &&
+      text.substr(end) == std::string(checksum_key) + hash_of(text.substr(0, end)) + "\"\n}\n";
+  if (!is_whole)
+    throw Error({file.string()}, "is not as it was written: its checksum is another", keep_remedy);
 }
 
 /// What stands for a large file until git LFS fetches it.
@@ -216,22 +245,63 @@ std::string damage_of(const fs::path& file, const Hash& hash) {
   return hash_of_file(file) == hash ? "" : "is not what was approved";
 }
 
-void write_json(const fs::path& file, const Json& json) {
+void write_text(const fs::path& file, const std::string& text) {
   make_folder(file.parent_path());
   fs::path next = file;
   next += ".next";
-  replace_file(file, next, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  replace_file(file, next, text);
+}
+
+/// Files that an edition has beside those that it was approved with: its manifest may name a
+/// folder.
+void add_unknown_files(std::vector<Fault>& faults, const Baseline& baseline,
+                       const std::string& edition) {
+  const fs::path folder = baseline.folder / "editions" / edition;
+  if (!fs::is_directory(folder)) return;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string path = entry.path().lexically_relative(baseline.folder).generic_string();
+    if (!entry.is_directory() && !baseline.sums.contains(path))
+      faults.push_back(
+          {{entry.path().string()}, "was not there when it was approved", "remove it"});
+  }
+}
+
+/// What lies in the folder otherwise than baseline.json says.
+void add_damaged_sums(std::vector<Fault>& faults, const Baseline& baseline) {
+  std::set<std::string> editions;
+  for (const auto& [path, hash] : baseline.sums) {
+    const std::string damage = damage_of(baseline.folder / path, hash);
+    if (!damage.empty())
+      faults.push_back({{(baseline.folder / path).string()}, damage, keep_remedy});
+  }
+  if (baseline.sums.empty()) return;
+  for (const StimulusFacts& facts : baseline.stimuli) editions.insert(facts.edition);
+  for (const std::string& edition : editions) add_unknown_files(faults, baseline, edition);
 }
 
 }  // namespace
 
+std::string facts_path(const std::string& id) { return "stimuli/" + id + "/stimulus.json"; }
+
+std::map<std::string, Hash> sums_of_edition(const fs::path& folder, const std::string& edition) {
+  std::map<std::string, Hash> sums;
+  for (const fs::directory_entry& entry :
+       fs::recursive_directory_iterator(folder / "editions" / edition)) {
+    if (entry.is_regular_file())
+      sums[entry.path().lexically_relative(folder).generic_string()] = hash_of_file(entry.path());
+  }
+  return sums;
+}
+
 Baseline read_baseline(const fs::path& folder) {
   Baseline baseline{.folder = folder, .study = {}, .approvals = {}, .stimuli = {}};
   std::vector<std::string> ids;
-  from_document(folder / "baseline.json", [&](const Json& json) {
+  from_document(folder / "baseline.json", [&](const Json& json, const std::string& text) {
     if (json.at("baseline") != baseline_version)
       throw Error({(folder / "baseline.json").string()}, "was written by a newer mien",
                   "update mien to the one that the study was approved with");
+    refuse_damage(folder / "baseline.json", text, json);
+    baseline.sums = json.value("sums", std::map<std::string, Hash>{});
     baseline.study = json.at("study");
     ids = json.at("stimuli");
     for (const Json& approval : json.at("approvals"))
@@ -239,13 +309,15 @@ Baseline read_baseline(const fs::path& folder) {
     return 0;
   });
   for (const std::string& id : ids)
-    baseline.stimuli.push_back(
-        from_document(folder / "stimuli" / id / "stimulus.json", stimulus_facts_of));
+    baseline.stimuli.push_back(from_document(
+        folder / facts_path(id),
+        [](const Json& json, const std::string&) { return stimulus_facts_of(json); }));
   return baseline;
 }
 
 void check_files(const Baseline& baseline) {
   std::vector<Fault> faults;
+  add_damaged_sums(faults, baseline);
   for (const StimulusFacts& facts : baseline.stimuli) {
     for (const auto& [name, hash] : facts.files) {
       const fs::path file = baseline.folder / "stimuli" / facts.id / name;
@@ -262,7 +334,8 @@ void check_files(const Baseline& baseline) {
 }
 
 void write_facts(const StimulusFacts& facts, const fs::path& folder) {
-  write_json(folder / "stimulus.json", json_of(facts));
+  write_text(folder / "stimulus.json",
+             json_of(facts).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 void write_baseline(const Baseline& baseline) {
@@ -270,10 +343,11 @@ void write_baseline(const Baseline& baseline) {
   for (const StimulusFacts& facts : baseline.stimuli) ids.push_back(facts.id);
   Json approvals = Json::array();
   for (const Approval& approval : baseline.approvals) approvals.push_back(json_of(approval));
-  write_json(baseline.folder / "baseline.json", {{"baseline", baseline_version},
-                                                 {"study", baseline.study},
-                                                 {"approvals", approvals},
-                                                 {"stimuli", ids}});
+  write_text(baseline.folder / "baseline.json", with_checksum({{"baseline", baseline_version},
+                                                               {"study", baseline.study},
+                                                               {"approvals", approvals},
+                                                               {"stimuli", ids},
+                                                               {"sums", baseline.sums}}));
 }
 
 }  // namespace mien::pipeline

@@ -17,7 +17,6 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr char content_words[] = " content";
 constexpr std::string_view drawing_options[] = {"output.quality", "output.shutter"};
 
 /// fps and in_place count as what they change first.
@@ -127,33 +126,42 @@ std::vector<FieldEntry> study_entries(const Manifest& manifest) {
   return entries;
 }
 
-/// The files that a setting's content was made of; none where it is not known.
-OrderedJson files_in(const std::string& value) {
-  OrderedJson json = value.empty() ? OrderedJson() : OrderedJson::parse(value, nullptr, false);
-  return json.is_object() ? json : OrderedJson::object();
+/// What the options of a set's lights, walls, boxes and belt are where its file does not say.
+std::map<std::string, std::string> usual_values() {
+  std::map<std::string, std::string> usual;
+  const auto add = [&](const std::string& path, const auto& prototype) {
+    for (const FieldEntry& entry : entries_of(prototype, {.for_key = true}))
+      usual[path + entry.path] = entry.value.dump();
+  };
+  add("set.lights[].", scenes::KeyLight{});
+  add("set.walls[].", scenes::Wall{});
+  add("set.boxes[].", scenes::Box{});
+  add("set.belt.", scenes::Belt{});
+  return usual;
 }
 
-/// "clip content: walk.bvh is another (0123abcd → 4567cdef)"
-std::string content_text(const SettingChange& change) {
-  constexpr std::size_t most_told = 8;
-  const OrderedJson before = files_in(change.before), now = files_in(change.now);
-  std::vector<std::string> texts;
-  for (const auto& [name, content] : before.items()) {
-    if (!now.contains(name))
-      texts.push_back(name + " is gone");
-    else if (now.at(name) != content)
-      texts.push_back(name + " is another (" + content.get<std::string>() + " → " +
-                      now.at(name).get<std::string>() + ")");
-  }
-  for (const auto& [name, content] : now.items()) {
-    if (!before.contains(name)) texts.push_back(name + " is new");
-  }
-  std::string text;
-  for (std::size_t i = 0; i < std::min(texts.size(), most_told); ++i)
-    text += (i == 0 ? "" : ", ") + texts[i];
-  if (texts.size() > most_told)
-    text += " and " + std::to_string(texts.size() - most_told) + " more files";
-  return change.path + (text.empty() ? " is another" : ": " + text);
+/// "set.lights[" … "]." or "set.belt.": where what an option belongs to stands. Its length; 0 for
+/// other options.
+std::size_t owner_length(const std::string& path) {
+  if (path.starts_with("set.belt.")) return std::string("set.belt.").size();
+  const std::size_t end = path.find("].");
+  return path.starts_with("set.") && end != std::string::npos ? end + 2 : 0;
+}
+
+/// What an option was where nothing is said of it, though something is said of the light or wall
+/// that it belongs to; empty where that is not there at all.
+std::string usual_value(const std::string& path, const std::vector<Setting>& settings) {
+  static const std::map<std::string, std::string> usual = usual_values();
+  const std::size_t length = owner_length(path);
+  const std::string owner = path.substr(0, length);
+  const bool is_there = length != 0 && std::ranges::any_of(settings, [&](const Setting& one) {
+                          return one.path.starts_with(owner);
+                        });
+  if (!is_there) return "";
+  const std::size_t open = owner.find('[');
+  const std::string kind = open == std::string::npos ? owner : owner.substr(0, open) + "[].";
+  const auto found = usual.find(kind + path.substr(length));
+  return found == usual.end() ? "" : found->second;
 }
 
 }  // namespace
@@ -195,23 +203,19 @@ std::vector<SettingChange> changes_between(const std::vector<Setting>& before,
   std::vector<SettingChange> changes;
   for (const Setting& setting : before) {
     const auto same = by_path.find(setting.path);
-    const std::string value = same == by_path.end() ? "" : same->second->value;
+    const std::string value =
+        same == by_path.end() ? usual_value(setting.path, now) : same->second->value;
     if (value != setting.value)
       changes.push_back({setting.path, setting.aspect, setting.value, value});
     if (same != by_path.end()) by_path.erase(same);
   }
   for (const Setting& setting : now) {
-    if (by_path.contains(setting.path))
-      changes.push_back({setting.path, setting.aspect, "", setting.value});
+    if (!by_path.contains(setting.path)) continue;
+    const std::string value = usual_value(setting.path, before);
+    if (value != setting.value)
+      changes.push_back({setting.path, setting.aspect, value, setting.value});
   }
   return changes;
-}
-
-std::string change_text(const SettingChange& change) {
-  if (change.path.ends_with(content_words)) return content_text(change);
-  if (change.before.empty()) return change.path + " " + change.now + " is new";
-  if (change.now.empty()) return change.path + " " + change.before + " is gone";
-  return change.path + " " + change.before + " → " + change.now;
 }
 
 }  // namespace mien::pipeline

@@ -34,6 +34,9 @@ struct Setting {
   friend bool operator==(const Setting&, const Setting&) = default;
 };
 
+/// What ends the path of a setting that says which files are named: "clip content".
+inline constexpr char content_words[] = " content";
+
 /// Everything that a manifest says of what is seen of one of its stimuli, in the manifest's order,
 /// its set option by option, and the files that it names with hashes ("clip content":
 /// {"walk.bvh": "0123456789ab"}). A foil has what its original says.
@@ -50,10 +53,12 @@ struct SettingChange {
   friend bool operator==(const SettingChange&, const SettingChange&) = default;
 };
 
-/// In the order of `before`, then what is new.
+/// In the order of `before`, then what is new. What a set's file does not say of a light, wall, box
+/// or belt that is there is what it is by default.
 std::vector<SettingChange> changes_between(const std::vector<Setting>& before,
                                            const std::vector<Setting>& now);
 
+/// Values as people write them, colours as "#c08040" where they are such.
 /// "adjectives.quickness 0.6 → 0.61", "examples content: sad.bvh is another (01… → 23…)"
 std::string change_text(const SettingChange& change);
 

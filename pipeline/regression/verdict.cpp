@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "motion/math/rotation.h"
 #include "motion/measures/motion_tolerance.h"
+#include "pipeline/comparison/told_apart.h"
 
 namespace mien::pipeline {
 
@@ -50,16 +53,22 @@ std::string place_text(const motion::MotionDifference& motion, const std::string
                      worst.peak.frame / motion.frames_per_second());
 }
 
+std::string both_told(fmt::format_string<std::string, std::string> text,
+                      std::pair<std::string, std::string> both) {
+  return fmt::format(text, std::move(both.first), std::move(both.second));
+}
+
 /// What was and what is, where that says more than how far they are apart.
 std::string excess_text(const motion::MotionDifference& motion, const motion::Excess& excess) {
   const motion::MotionLength& before = motion.timing.before;
   const motion::MotionLength& now = motion.timing.now;
   if (excess.measure == "frame-rate")
-    return fmt::format("frame-rate: {:.4g} → {:.4g} frames a second", before.frames_per_second,
-                       now.frames_per_second);
+    return both_told("frame-rate: {} → {} frames a second",
+                     told_apart(before.frames_per_second, now.frames_per_second, 4));
   if (excess.measure == "duration")
-    return fmt::format("duration: {:.4g} s → {:.4g} s; the limit is {} apart", before.seconds,
-                       now.seconds, measured_text(excess, excess.tolerance));
+    return both_told("duration: {} s → {} s; the limit is ",
+                     told_apart(before.seconds, now.seconds, 4)) +
+           measured_text(excess, excess.tolerance) + " apart";
   return fmt::format("{}: {}{}; the limit is {}", excess.measure,
                      measured_text(excess, excess.measured), place_text(motion, excess.measure),
                      measured_text(excess, excess.tolerance));

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/comparison/told_apart.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -13,8 +15,10 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
   change.same_frames = before.frames == now.frames && before.fps == now.fps;
   if (before.frames != now.frames)
     change.what.push_back(fmt::format("{} frames → {}", before.frames, now.frames));
-  if (before.fps != now.fps)
-    change.what.push_back(fmt::format("{:g} frames/s → {:g}", before.fps, now.fps));
+  if (before.fps != now.fps) {
+    const auto [was, is] = told_apart(before.fps, now.fps);
+    change.what.push_back(fmt::format("{} frames/s → {}", was, is));
+  }
   if (before.identical != now.identical)
     change.what.emplace_back(now.identical ? "shows its frames exactly now"
                                            : "shows its frames no longer exactly");
@@ -23,9 +27,10 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
     const double was = before.identical ? best_psnr_db : before.worst_psnr_db;
     change.psnr_lost_db = was - now.worst_psnr_db;
   }
-  if (!before.identical && !now.identical && before.worst_psnr_db != now.worst_psnr_db)
-    change.what.push_back(
-        fmt::format("worst PSNR {:.2f} dB → {:.2f} dB", before.worst_psnr_db, now.worst_psnr_db));
+  if (!before.identical && !now.identical && before.worst_psnr_db != now.worst_psnr_db) {
+    const auto [was, is] = told_apart(before.worst_psnr_db, now.worst_psnr_db, 4);
+    change.what.push_back(fmt::format("worst PSNR {} dB → {} dB", was, is));
+  }
   if (change.what.empty()) change.what.emplace_back("other bytes");
   return change;
 }

@@ -52,6 +52,13 @@ std::vector<StoredRecord> read_records(Statement& statement) {
   return records;
 }
 
+/// Whether something was written to a file before, and no log lies beside it.
+bool is_without_log(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(file, unknown);
+  return !unknown && size > 0 && !std::filesystem::exists(file.string() + "-wal", unknown);
+}
+
 void insert_session(Database& database, const StoredSession& session) {
   Statement statement(database,
                       "INSERT INTO sessions(number, plan, participant, link, begun_at, came_by) "
@@ -72,12 +79,42 @@ void insert_record(Database& database, const StoredRecord& record) {
 
 }  // namespace
 
-SessionStore::SessionStore(const std::filesystem::path& file) : database_(file) { prepare(); }
+SessionStore::SessionStore(const std::filesystem::path& file)
+    : lacks_log_(is_without_log(file)), database_(file) {
+  prepare();
+  // In the file itself and not in its log alone, so that a copy of the file knows of the log.
+  database_.run("INSERT OR REPLACE INTO facts(name, value) VALUES('open', '1')");
+  database_.run("PRAGMA wal_checkpoint(TRUNCATE)");
+}
+
+SessionStore::~SessionStore() {
+  try {
+    database_.run("DELETE FROM facts WHERE name = 'open'");
+  } catch (const std::exception&) {  // as after a kill: the log stays beside it
+  }
+}
+
+void SessionStore::refuse_lack_of_log(bool is_new) {
+  if (!lacks_log_) return;
+  if (!is_new) {
+    Statement open(database_, "SELECT value FROM facts WHERE name = 'open'");
+    if (!open.with().step()) return;
+  }
+  const std::string log = database_.file().string() + "-wal";
+  throw Error({database_.file().string()},
+              "was copied or restored while it was served, without " + log +
+                  ", which holds the latest answers",
+              "end the server (Ctrl-C), then copy it again; or copy both; an empty file of that "
+              "name goes on with the answers that are left");
+}
 
 void SessionStore::prepare() {
   const std::int64_t mark = database_.pragma("application_id");
   const std::int64_t version = database_.pragma("user_version");
-  if (mark == store_mark && version == store_version) return;
+  if (mark == store_mark && version == store_version) {
+    refuse_lack_of_log(false);
+    return;
+  }
   Statement tables(database_, "SELECT count(*) FROM sqlite_schema");
   tables.with().step();
   const bool is_new = mark == 0 && version == 0 && tables.number(0) == 0;
@@ -89,6 +126,7 @@ void SessionStore::prepare() {
   if (!is_new)
     throw Error({database_.file().string()}, "is a database of something else",
                 "name another file with --store");
+  refuse_lack_of_log(true);
   Transaction transaction(database_);
   database_.run(store_tables);
   transaction.commit();

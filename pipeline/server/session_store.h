@@ -43,8 +43,12 @@ enum class Keeping {
 class SessionStore {
  public:
   /// Opens a file, or makes it. Throws Error when it is something else, was written by a later
-  /// version, or is open in another process.
+  /// version, is open in another process, or is a copy that was made while a server had it and
+  /// that lacks the log beside it (FILE-wal), in which the latest records are.
   explicit SessionStore(const std::filesystem::path& file);
+  ~SessionStore();
+  SessionStore(const SessionStore&) = delete;
+  SessionStore& operator=(const SessionStore&) = delete;
 
   const std::filesystem::path& file() const { return database_.file(); }
 
@@ -68,8 +72,10 @@ class SessionStore {
 
  private:
   void prepare();
+  void refuse_lack_of_log(bool is_new);
 
   std::mutex mutex_;
+  bool lacks_log_ = false;  ///< there was a file, and no log beside it
   Database database_;
 };
 

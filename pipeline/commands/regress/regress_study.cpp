@@ -204,6 +204,11 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
                 "is the baseline of the study " + motion::in_quotes(baseline.study),
                 "name that of " + motion::in_quotes(manifest.study) + " with --baseline");
   check_files(baseline);
+  if (baseline.sums.empty())
+    console.err
+        << "note: " << found.folder.string()
+        << ": this baseline has no checksums, so that damage to it may pass unseen; approve "
+           "again\n";
   const std::vector<std::string>& only = arguments.production.only;
   refuse_unknown(only, manifest, baseline);
   const bool is_any_there = std::ranges::any_of(

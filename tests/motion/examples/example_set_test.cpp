@@ -26,6 +26,15 @@ TEST(ExampleSet, OfNoFolderOrNoMatchIsRefused) {
             std::string::npos);
 }
 
+TEST(ExampleSet, LeavesHiddenFilesOut) {
+  ExampleFolder folder;
+  folder.path = fs::path(testing::TempDir()) / "mien-hidden-files";
+  fs::create_directories(folder.path);
+  for (const char* name : {"walk.bvh", "._walk.bvh", ".walk.bvh"})
+    std::ofstream(folder.path / name) << "HIERARCHY";
+  EXPECT_EQ(example_files(folder), (std::vector<fs::path>{folder.path / "walk.bvh"}));
+}
+
 class RealExamples : public testing::Test {
  protected:
   void SetUp() override {

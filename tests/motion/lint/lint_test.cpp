@@ -1,6 +1,7 @@
 #include "motion/lint/lint.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,30 @@ TEST(Lint, TellsFramesWithinTheClipAndValuesBeyondTheThreshold) {
     EXPECT_GT(finding.measured, finding.threshold) << finding.sentence;
     EXPECT_TRUE(finding.sentence.ends_with(".")) << finding.sentence;
   }
+}
+
+TEST(Lint, TakesRoundingOfTwoJointsInOnePlaceForNoBoneThatGrows) {
+  Recording recording = to_recording(three_cycles(builtin_walks()[0]));
+  const int neck = find_joint(recording.skeleton, "Neck");
+  ASSERT_GT(neck, 0);
+  const auto with_neck = [&](double noise, double last) {
+    recording.skeleton.joints[neck].offset = Vec3::Zero();
+    for (size_t t = 0; t < recording.poses.size(); ++t) {
+      Pose& pose = recording.poses[t];
+      pose.offsets.clear();
+      for (const Joint& joint : recording.skeleton.joints) pose.offsets.push_back(joint.offset);
+      const auto phase = static_cast<double>(t);
+      pose.offsets[neck] = noise * Vec3(std::sin(phase), std::cos(1.7 * phase), 0.0);
+    }
+    recording.poses.back().offsets[neck].y() += last;
+    const auto findings = lint(recording);
+    return std::count_if(findings.begin(), findings.end(),
+                         [](const Finding& one) { return one.check == "bone-length"; });
+  };
+  const double unit =
+      recording.skeleton.joints[find_joint(recording.skeleton, "LeftKnee")].offset.norm();
+  EXPECT_EQ(with_neck(1e-6 * unit, 0.0), 0);
+  EXPECT_GT(with_neck(1e-6 * unit, 0.1 * unit), 0);
 }
 
 TEST(Lint, TellsTheSameTwice) {

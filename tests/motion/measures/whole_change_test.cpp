@@ -68,6 +68,20 @@ TEST(WholeChange, TellsSidesThatHaveEachOthersRotations) {
   EXPECT_EQ(whole(walk, with_swapped_turns(walk)).kind, WholeChange::swapped_turns);
 }
 
+TEST(WholeChange, TellsOtherUnits) {
+  const Clip walk = lopsided_walk();
+  for (const double factor : {0.01, 0.0254, 2.54, 10.0, 100.0}) {
+    Clip now = walk;
+    for (Joint& joint : now.body.joints) joint.offset *= factor;
+    for (Pose& pose : now.poses) pose.root_position *= factor;
+    const WholeBodyChange change = whole(walk, now);
+    EXPECT_EQ(change.kind, WholeChange::scaled) << factor;
+    EXPECT_NEAR(change.scale, factor, 1e-9 * factor);
+    now = with_turn(now, LeftShoulder, Vec3(1, 0, 0), 1.0);
+    EXPECT_NE(whole(walk, now).kind, WholeChange::scaled) << factor;
+  }
+}
+
 TEST(WholeChange, TellsABodyInsideOut) {
   const Clip walk = lopsided_walk();
   Clip now = walk;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/comparison/mirroring.h"
 #include "pipeline/temporary_folder.h"
 #include "render/image/image_io.h"
 #include "render/video/video.h"
@@ -140,6 +141,46 @@ TEST_F(ComparedMediaFiles, DoNotSayThatNothingDiffersWhereFramesAreMissing) {
   const std::string text = as_text(compared_media(in("a.mkv"), in("b.mkv"), 0.0));
   EXPECT_TRUE(contains(text, "frames 12 to 19 are missing")) << text;
   EXPECT_TRUE(contains(text, "the 12 that stand in both are the same")) << text;
+}
+
+TEST_F(ComparedMediaFiles, TellsAFilmThatIsMirrored) {
+  using Turn = Mirroring;
+  for (const Turn turn : {Turn::left_right, Turn::upside_down, Turn::half_turn}) {
+    fs::remove_all(in("then"));
+    fs::remove_all(in("today"));
+    fs::create_directory(in("then"));
+    fs::create_directory(in("today"));
+    for (const int frame : twenty()) {
+      if (turn == Turn::upside_down && frame > 11) break;
+      render::Image8 picture = disc(frame);
+      for (int x = 30; x < 50; ++x) picture.at(x, 10)[0] = 255;  // above is not as below
+      const std::string name = std::to_string(100 + frame) + ".png";
+      render::write_png(in("then") / name, picture);
+      render::write_png(in("today") / name, mirrored(picture, turn));
+    }
+    const ComparedMedia media = compared_media(in("then"), in("today"), 0.0);
+    EXPECT_FALSE(media.are_alike());
+    ASSERT_EQ(media.remarks.size(), 1U) << as_text(media);
+    EXPECT_TRUE(contains(media.remarks[0], std::string(name_of(turn)))) << media.remarks[0];
+    EXPECT_EQ(media.frames_differing, 0) << as_text(media);
+    EXPECT_TRUE(compared_media(in("then"), in("then"), 0.0).are_alike());
+  }
+}
+
+TEST_F(ComparedMediaFiles, TellNamesOfFramesBesideTheirNumbers) {
+  fs::create_directories(in("then"));
+  fs::create_directories(in("today"));
+  for (const int frame : twenty()) {
+    const std::string name = "f" + std::to_string(frame + 1) + ".png";
+    render::Image8 picture = disc(frame);
+    render::write_png(in("then") / name, picture);
+    if (frame == 11) continue;
+    if (frame == 4) picture.at(3, 3)[0] = 255;
+    render::write_png(in("today") / name, picture);
+  }
+  const std::string text = as_text(compared_media(in("then"), in("today"), 0.0));
+  EXPECT_TRUE(contains(text, "frame 4 (f5.png): mean")) << text;
+  EXPECT_TRUE(contains(text, "frame 11 (f12.png) is missing")) << text;
 }
 
 TEST_F(ComparedMediaFiles, NamesThePictureOfAnotherSize) {

@@ -1,6 +1,11 @@
 #include "pipeline/regression/baseline.h"
 
+#include <algorithm>
+#include <random>
+#include <vector>
+
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "pipeline/documents/fault.h"
 #include "pipeline/documents/files.h"
@@ -94,6 +99,71 @@ TEST_F(BaselineFiles, OfPicturesAreChecked) {
   write_file(baseline.motion_file("blend"), "HIERARCHY");
   const auto clip = [&] { approved_clip(baseline, "blend", {}); };
   EXPECT_NE(refusal(clip).find("motion.bvh"), std::string::npos) << refusal(clip);
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+TEST_F(BaselineFiles, OfWhichAByteIsAnotherAreAllRefused) {
+  const auto read = [&] { check_files(read_baseline(folder_)); };
+  ASSERT_EQ(refusal(read), "");
+  std::mt19937 random(34);
+  const auto below = [&](std::size_t count) { return random() % count; };
+  const std::vector<fs::path> files = files_in(folder_);
+  for (std::size_t i = 0; i < 300; ++i) {
+    const fs::path& file = files[i % files.size()];
+    const std::string text = read_file(file);
+    if (text.empty()) continue;
+    std::string damaged = text;
+    switch (below(4)) {
+      case 0:
+        damaged.resize(below(text.size()));
+        break;
+      case 1:
+        damaged.insert(below(text.size()), " ");
+        break;
+      default:
+        damaged[below(text.size())] ^= static_cast<char>(1 << below(7));
+    }
+    if (damaged == text) continue;
+    write_file(file, damaged);
+    EXPECT_NE(refusal(read), "") << file << " after mutation " << i;
+    write_file(file, text);
+  }
+  EXPECT_EQ(refusal(read), "");
+}
+
+TEST_F(BaselineFiles, ThatAreMissingOrWereAddedAreAllTold) {
+  const auto read = [&] { check_files(read_baseline(folder_)); };
+  for (const fs::path& file : files_in(folder_)) {
+    const std::string text = read_file(file);
+    fs::remove(file);
+    EXPECT_NE(refusal(read), "") << file;
+    write_file(file, text);
+  }
+  const fs::path added =
+      folder_ / "editions" / study_.baseline.stimuli.front().edition / "inputs" / "more.bvh";
+  write_file(added, "HIERARCHY");
+  EXPECT_NE(refusal(read).find("more.bvh: was not there when it was approved"), std::string::npos)
+      << refusal(read);
+}
+
+TEST_F(BaselineFiles, OfTheVersionWithoutChecksumsAreRead) {
+  const fs::path file = folder_ / "baseline.json";
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(read_file(file));
+  json.erase("checksum");
+  json.erase("sums");
+  write_file(file, json.dump(2) + "\n");
+  const Baseline old = read_baseline(folder_);
+  EXPECT_TRUE(old.sums.empty());
+  EXPECT_EQ(old.stimuli.size(), study_.baseline.stimuli.size());
+  EXPECT_NO_THROW(check_files(old));
 }
 
 TEST(KeyFrames, AreSpreadFromTheFirstToTheLast) {

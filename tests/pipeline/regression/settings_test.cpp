@@ -65,6 +65,45 @@ TEST(Settings, OfALookAreToldFromTheDefault) {
   EXPECT_TRUE(has("look.figure \"stick\" → \"mannequin\"")) << texts.at(0);
 }
 
+TEST(Settings, OfALightThatMovedAreToldFromWhatItWasByDefault) {
+  const test::TemporaryFolder scratch;
+  const test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  const auto settings = [&] {
+    const auto rendition = test::rendition_of(study, scratch.path() / "store");
+    const Manifest& manifest = rendition->manifest();
+    return settings_of(*find_stimulus(manifest, "tinted"), manifest, rendition->files());
+  };
+  study.change_text("my.set.yaml", "{azimuth: -28, elevation: 52,", "{");
+  const std::vector<Setting> before = settings();
+  study.change_text("my.set.yaml", "  - {", "  - {azimuth: 30, ");
+  study.change_text("my.set.yaml", "#c08040", "#c08041");
+  study.change_text("my.set.yaml", "below: [0.1,", "below: [0.12,");
+  const std::vector<Setting> now = settings();
+  const auto texts = [](const std::vector<SettingChange>& changes) {
+    std::vector<std::string> told;
+    for (const SettingChange& change : changes) told.push_back(change_text(change));
+    std::ranges::sort(told);
+    return told;
+  };
+  EXPECT_EQ(texts(changes_between(before, now)),
+            (std::vector<std::string>{"set.ground.colour \"#c08040\" → \"#c08041\"",
+                                      "set.lights[0].azimuth -28 → 30",
+                                      "set.sky.below [0.1, 0.1, 0.1] → [0.12, 0.1, 0.1]"}));
+  EXPECT_EQ(texts(changes_between(now, before)),
+            (std::vector<std::string>{"set.ground.colour \"#c08041\" → \"#c08040\"",
+                                      "set.lights[0].azimuth 30 → -28",
+                                      "set.sky.below [0.12, 0.1, 0.1] → [0.1, 0.1, 0.1]"}));
+}
+
+TEST(Settings, OfALightThatIsAddedAreNew) {
+  const std::vector<Setting> before = {{"set.lights[0].strength", Aspect::scene, "0.7"}};
+  std::vector<Setting> now = before;
+  now.push_back({"set.lights[1].strength", Aspect::scene, "0.2"});
+  const std::vector<SettingChange> changes = changes_between(before, now);
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(change_text(changes[0]), "set.lights[1].strength 0.2 is new");
+}
+
 TEST(Settings, NameTheFilesThatAreOthers) {
   EXPECT_EQ(change_text({"examples content", Aspect::motion,
                          R"({"calm.bvh":"01","old.bvh":"02","sad.bvh":"03"})",

@@ -119,6 +119,39 @@ TEST(SessionStore, IsOfOneProcessAtATime) {
   }
 }
 
+/// What opening a file throws; "" nothing.
+std::string refusal_of(const std::filesystem::path& file) {
+  try {
+    const SessionStore store(file);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SessionStore, RefusesACopyThatLacksTheLogOfAServerThatRan) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "answers.db";
+  for (const std::string name : {"new.db", "again.db"}) {
+    const fs::path copy = folder.path() / name, log = copy.string() + "-wal";
+    SessionStore store(file);
+    if (store.sessions().empty()) begin_two(store);
+    store.keep(trial(0, name == "new.db" ? 1 : 2));
+    fs::copy_file(file, copy);
+    const std::string said = refusal_of(copy);
+    EXPECT_NE(said.find(log.string()), std::string::npos) << said;
+    EXPECT_NE(said.find("end the server"), std::string::npos) << said;
+    fs::remove(log);
+    fs::copy_file(file, copy, fs::copy_options::overwrite_existing);
+    fs::copy_file(file.string() + "-wal", log);
+    EXPECT_EQ(SessionStore(copy).records().size(), store.records().size());
+    EXPECT_EQ(refusal_of(copy), "");  // it was ended, and needs no log
+  }
+  fs::copy_file(file, folder.path() / "ended.db");
+  EXPECT_EQ(SessionStore(folder.path() / "ended.db").records().size(), 2u);
+}
+
 TEST(SessionStore, RefusesFilesOfAnotherKind) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "notes.txt") << std::string(5000, 'x');
