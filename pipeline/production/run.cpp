@@ -1,6 +1,7 @@
 #include "pipeline/production/run.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "motion/error.h"
 #include "pipeline/documents/files.h"
@@ -9,6 +10,7 @@
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/provenance.h"
 #include "pipeline/production/study_inputs.h"
+#include "pipeline/production/told_warnings.h"
 #include "pipeline/synthesis/motion_record.h"
 
 namespace mien::pipeline {
@@ -30,14 +32,14 @@ void put_provenance(const Production& production, const RunResult& result, Store
 /// too.
 std::vector<std::string> warnings_in(const Production& production, const RunResult& result,
                                      const Store& store) {
-  std::vector<std::string> warnings = told_repetitions(production.manifest());
+  std::vector<std::pair<std::string, std::string>> said;
   for (const Stimulus& stimulus : production.manifest().stimuli) {
     const std::size_t task = production.graph().index_of("motion:" + stimulus.id);
     if (result.outcomes[task].products.empty()) continue;
     const Receipt& record = result.outcomes[task].products.front();
     for (const std::string& warning :
          parse_motion_record(read_file(store.folder() / record.path)).warnings) {
-      warnings.push_back(stimulus.id + ": " + warning);
+      said.emplace_back(stimulus.id, warning);
     }
   }
   const std::vector<Task>& tasks = production.graph().tasks;
@@ -46,9 +48,11 @@ std::vector<std::string> warnings_in(const Production& production, const RunResu
     const std::string film = tasks[task].id.substr(tasks[task].id.find(':') + 1);
     const std::string record = read_file(store.folder() / film_record_path(film));
     for (const std::string& warning : parse_film_record(record).warnings) {
-      warnings.push_back(film + ": " + warning);
+      said.emplace_back(film, warning);
     }
   }
+  std::vector<std::string> warnings = told_repetitions(production.manifest());
+  for (std::string& warning : told_warnings(said)) warnings.push_back(std::move(warning));
   return warnings;
 }
 

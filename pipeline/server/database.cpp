@@ -78,6 +78,10 @@ void Database::run(const char* statements) {
   if (sqlite3_exec(database_, statements, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
 }
 
+void Database::keep_log() {
+  sqlite3_db_config(database_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+}
+
 std::int64_t Database::pragma(const std::string& name) {
   Statement statement(*this, "PRAGMA " + name);
   statement.with().step();

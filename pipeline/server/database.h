@@ -32,6 +32,9 @@ class Database {
   /// A number that the file keeps about itself: "user_version".
   std::int64_t pragma(const std::string& name);
 
+  /// Leaves the log beside the file when this ends, as a kill would.
+  void keep_log();
+
   const std::filesystem::path& file() const { return file_; }
   sqlite3* handle() const { return database_; }
 

@@ -90,7 +90,8 @@ SessionStore::SessionStore(const std::filesystem::path& file)
 SessionStore::~SessionStore() {
   try {
     database_.run("DELETE FROM facts WHERE name = 'open'");
-  } catch (const std::exception&) {  // as after a kill: the log stays beside it
+  } catch (const std::exception&) {  // a full disk: the file still says that it has a log
+    database_.keep_log();
   }
 }
 
