@@ -20,12 +20,12 @@ render::VideoSummary film(double frames_a_second, double unit) {
   return summary;
 }
 
-struct Told {
+struct Differences {
   std::vector<std::string> seen, kept;
 };
 
-Told told(const render::VideoSummary& before, const render::VideoSummary& now) {
-  Told result;
+Differences differences_of(const render::VideoSummary& before, const render::VideoSummary& now) {
+  Differences result;
   compare_containers(before, now, result.seen, result.kept);
   return result;
 }
@@ -34,30 +34,31 @@ constexpr double mp4 = 1.0 / 12800.0, matroska = 1e-3;
 
 TEST(Containers, ThatCountTimeInOtherUnitsShowTheSame) {
   for (const double rate : {12.5, 23.976, 25.0, 29.97, 59.94, 60.0, 120.0}) {
-    EXPECT_TRUE(told(film(rate, mp4), film(rate, matroska)).seen.empty()) << rate;
-    EXPECT_TRUE(told(film(rate, matroska), film(rate, mp4)).seen.empty()) << rate;
+    EXPECT_TRUE(differences_of(film(rate, mp4), film(rate, matroska)).seen.empty()) << rate;
+    EXPECT_TRUE(differences_of(film(rate, matroska), film(rate, mp4)).seen.empty()) << rate;
   }
 }
 
 TEST(Containers, ThatShowAFrameAtAnotherMomentDiffer) {
   render::VideoSummary late = film(25.0, matroska);
   late.times[7] += 0.004;
-  EXPECT_EQ(told(film(25.0, mp4), late).seen,
+  EXPECT_EQ(differences_of(film(25.0, mp4), late).seen,
             (std::vector<std::string>{"frame 7 is shown at, in seconds: 0.28 → 0.284"}));
 }
 
 TEST(Containers, AreToldApartToEnoughDigits) {
   render::VideoSummary longer = film(25.0, 1e-9);
   longer.duration_seconds += 1e-7;
-  EXPECT_EQ(told(film(25.0, 1e-9), longer).seen,
+  EXPECT_EQ(differences_of(film(25.0, 1e-9), longer).seen,
             (std::vector<std::string>{"duration in seconds: 1.6 → 1.6000001"}));
-  EXPECT_EQ(told(film(29.97, mp4), film(30.0, mp4)).seen.front(), "frames a second: 29.97 → 30");
+  EXPECT_EQ(differences_of(film(29.97, mp4), film(30.0, mp4)).seen.front(),
+            "frames a second: 29.97 → 30");
 }
 
 TEST(Containers, OfAnotherCodecAreKeptOtherwiseAndShowTheSame) {
   render::VideoSummary other = film(25.0, mp4);
   other.codec = "ffv1";
-  const Told words = told(film(25.0, mp4), other);
+  const Differences words = differences_of(film(25.0, mp4), other);
   EXPECT_TRUE(words.seen.empty());
   EXPECT_EQ(words.kept, (std::vector<std::string>{"codec: h264 → ffv1"}));
 }
