@@ -20,7 +20,9 @@ std::vector<BestSeen> best_seen(const Gathered& gathered,
           const bool is_here = c.family == ComparisonFamily::best_seen && c.scale == scale &&
                                gathered.stimuli[c.stimulus].setting == setting &&
                                c.within.people >= 2;
-          if (is_here && (best == nullptr || sign * c.within.t.mean > sign * best->within.t.mean))
+          // Of equal ones the first; sums in another order must not decide.
+          if (is_here &&
+              (best == nullptr || sign * (c.within.t.mean - best->within.t.mean) > 1e-12))
             best = &c;
         }
         if (best == nullptr) continue;

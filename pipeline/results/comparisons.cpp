@@ -1,34 +1,29 @@
 #include "pipeline/results/comparisons.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "pipeline/results/summaries.h"
 #include "pipeline/statistics/benjamini_hochberg.h"
 #include "pipeline/statistics/effect_size.h"
+#include "pipeline/statistics/exact_number.h"
 #include "pipeline/statistics/holm.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-/// Sum and number of a person's answers.
-struct PersonSum {
-  double sum = 0.0;
-  int count = 0;
-  double mean() const { return sum / count; }
-};
-using PersonSums = std::map<std::size_t, PersonSum>;
+/// By person.
+using PersonSums = std::map<std::size_t, ExactSum>;
 
 PersonSums sums_of(const std::vector<CountedRating>& ratings) {
   PersonSums sums;
-  for (const CountedRating& rating : ratings) {
-    PersonSum& own = sums[rating.person];
-    own.sum += rating.value;
-    ++own.count;
-  }
+  for (const CountedRating& rating : ratings)
+    sums[rating.person].add(ExactNumber::of(rating.value));
   return sums;
 }
 
@@ -42,15 +37,9 @@ std::vector<double> differences_of(const PersonSums& one, const PersonSums& othe
   std::vector<double> differences;
   for (const auto& [person, own] : one) {
     const auto found = other.find(person);
-    if (found != other.end()) differences.push_back(own.mean() - found->second.mean());
+    if (found != other.end()) differences.push_back((own.mean() - found->second.mean()).value());
   }
   return differences;
-}
-
-double mean_of_values(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
 }
 
 /// Where nothing varies there is a difference, but nothing to hold it against.
@@ -63,8 +52,8 @@ void set_tests(Comparison& result, const std::vector<double>& own,
                const std::vector<double>& against, const std::vector<double>& differences) {
   result.answers = static_cast<int>(own.size());
   result.answers_against = static_cast<int>(against.size());
-  result.mean = mean_of_values(own);
-  result.mean_against = mean_of_values(against);
+  result.mean = exact_mean(own);
+  result.mean_against = exact_mean(against);
   result.welch = welch_t_test(own, against);
   if (all_alike(own) && all_alike(against)) {
     result.welch = without_spread(result.welch);
@@ -95,10 +84,29 @@ class ScaleComparisons {
   }
 
   void add_pair(ComparisonFamily family, std::size_t stimulus, std::size_t against,
-                std::vector<Comparison>& all) const {
+                std::vector<Comparison>& all, const std::string& factor = "") const {
     Comparison comparison = begun(family, stimulus);
     comparison.against = against;
+    comparison.factor = factor;
     add(comparison, ratings_[against], ratings_[against], all);
+  }
+
+  void add_best(std::size_t stimulus, std::vector<Comparison>& all) const {
+    const ReportedStimulus& own = gathered_.stimuli[stimulus];
+    const int end = end_of(gathered_.scales[scale_], own.emotion);
+    if (own.made != "modified" || end == 0) return;
+    std::optional<std::size_t> best;
+    double most = 0.0;
+    for (std::size_t i = 0; i < ratings_.size(); ++i) {
+      const ReportedStimulus& other = gathered_.stimuli[i];
+      if (other.made == "modified" || other.setting != own.setting || ratings_[i].size() < 2)
+        continue;
+      const double towards = end * exact_mean(values_of(ratings_[i]));
+      if (best && towards <= most) continue;
+      best = i;
+      most = towards;
+    }
+    if (best) add_pair(ComparisonFamily::modified_best, stimulus, *best, all);
   }
 
  private:
@@ -157,6 +165,29 @@ void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool 
 
 }  // namespace
 
+std::optional<std::string> differing_factor(const ReportedStimulus& one,
+                                            const ReportedStimulus& other) {
+  constexpr std::array<std::string_view, 2> of_files = {"example", "clip"};
+  const auto levels = [&](const ReportedStimulus& of) {
+    std::map<std::string, std::string> factors(of.factors.begin(), of.factors.end());
+    for (const std::string_view name : of_files) factors.erase(std::string(name));
+    return factors;
+  };
+  const std::map<std::string, std::string> first = levels(one);
+  const std::map<std::string, std::string> second = levels(other);
+  if (!std::ranges::equal(first, second, {}, &std::pair<const std::string, std::string>::first,
+                          &std::pair<const std::string, std::string>::first))
+    return std::nullopt;
+  std::optional<std::string> differing;
+  for (const auto& [factor, level] : first) {
+    if (second.at(factor) == level) continue;
+    if (differing || factor == "made" || factor == "emotion" || factor == "strength")
+      return std::nullopt;
+    differing = factor;
+  }
+  return differing;
+}
+
 std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
                                           const ReportedStimulus& other) {
   if (one.setting != other.setting || one.is_neutral()) return std::nullopt;
@@ -212,9 +243,13 @@ std::vector<Comparison> compare(const Gathered& gathered) {
     const ScaleComparisons comparisons(gathered, scale);
     for (std::size_t one = 0; one < gathered.stimuli.size(); ++one) {
       comparisons.add_best_seen(one, all);
+      comparisons.add_best(one, all);
       for (std::size_t other = 0; other < gathered.stimuli.size(); ++other) {
         const auto family = family_of(gathered.stimuli[one], gathered.stimuli[other]);
         if (family && one != other) comparisons.add_pair(*family, one, other, all);
+        if (one >= other) continue;
+        if (const auto factor = differing_factor(gathered.stimuli[one], gathered.stimuli[other]))
+          comparisons.add_pair(ComparisonFamily::between_levels, one, other, all, *factor);
       }
     }
   }

@@ -20,17 +20,27 @@ enum class ComparisonFamily {
   modified_acted,    ///< a modified motion with the acted one of the same emotion and setting
   modified_neutral,  ///< a modified motion with the neutral one of its setting
   acted_neutral,     ///< an acted motion with it
+  modified_best,   ///< a modified motion with the video of its setting, itself no modified one, in
+                   ///< which the emotion is seen most
+  between_levels,  ///< what differs in the level of one factor alone, not in making: two actors
 };
 
 inline constexpr Words<ComparisonFamily> family_words = {
     {"best-seen", ComparisonFamily::best_seen},
     {"modified-acted", ComparisonFamily::modified_acted},
     {"modified-neutral", ComparisonFamily::modified_neutral},
-    {"acted-neutral", ComparisonFamily::acted_neutral}};
+    {"acted-neutral", ComparisonFamily::acted_neutral},
+    {"modified-best", ComparisonFamily::modified_best},
+    {"between-levels", ComparisonFamily::between_levels}};
 
-/// How two stimuli are compared, if at all.
+/// How two stimuli of one setting are compared, if at all.
 std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
                                           const ReportedStimulus& other);
+
+/// The factor in whose level alone two stimuli of one making, emotion and strength differ; none
+/// where they differ in several, or in what only one of them has.
+std::optional<std::string> differing_factor(const ReportedStimulus& one,
+                                            const ReportedStimulus& other);
 
 /// Tests of paired differences, each a person's.
 struct WithinPersons {
@@ -57,6 +67,7 @@ struct Comparison {
   std::size_t stimulus = 0;
   std::optional<std::size_t> against;  ///< none: the videos of the setting
   std::size_t scale = 0;
+  std::string factor;  ///< of between_levels: the one in which they differ
   /// Which end the emotion of the stimulus is of this scale: +1 high, −1 low, 0 neither.
   int own_end = 0;
 
@@ -85,12 +96,14 @@ struct Comparison {
 std::vector<Comparison> compare(const Gathered& gathered);
 
 /// How far stimuli of one making are seen towards the emotion that was meant, against those of
-/// another making, over all settings: of each person the mean over the stimuli seen of either side,
-/// on the scales of their emotions, turned so that the emotion is positive. Where people see a part
-/// of the stimuli, this is what enough of them have seen both sides of.
+/// another making, over all settings, like with like: of each person the mean over those settings
+/// and emotions of which the person judged both sides, turned so that the emotion is positive. What
+/// somebody saw one side of alone counts in neither.
 struct OverallComparison {
   ComparisonFamily family = ComparisonFamily::modified_acted;
   std::string emotion;  ///< empty: all
+  int matched = 0;      ///< settings and emotions of all people, both sides seen
+  int unmatched = 0;    ///< people who judged both sides, but never of one setting and emotion
   double mean = 0.0;    ///< of the people's means
   double mean_against = 0.0;
   WithinPersons within;

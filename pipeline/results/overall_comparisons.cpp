@@ -1,67 +1,93 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "pipeline/results/comparisons.h"
+#include "pipeline/statistics/exact_number.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-/// What is compared on one scale, and which of its ends is meant.
-struct OrientedPart {
-  std::size_t stimulus = 0;
+/// What is like and like: one setting, one emotion, and the scale on which it lies.
+struct MatchedCell {
+  std::string setting;
+  std::string emotion;
   std::size_t scale = 0;
+
+  auto operator<=>(const MatchedCell&) const = default;
+};
+
+/// Of a cell, the stimuli of both sides, and which end of the scale is meant.
+struct CellSides {
   int end = 0;
+  std::set<std::size_t> one;
+  std::set<std::size_t> against;
+};
+using Cells = std::map<MatchedCell, CellSides>;
 
-  auto operator<=>(const OrientedPart&) const = default;
+struct SideSums {
+  ExactSum one;
+  ExactSum against;
 };
 
-/// Both sides of a comparison; what belongs to several pairs counts once.
-struct OverallSides {
-  std::set<OrientedPart> one;
-  std::set<OrientedPart> against;
-};
-
-using MeansOfPeople = std::map<std::size_t, double>;
-
-MeansOfPeople means_of(const Gathered& gathered, const std::set<OrientedPart>& parts) {
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<int>> ends;
-  for (const OrientedPart& part : parts) ends[{part.stimulus, part.scale}].push_back(part.end);
-  std::map<std::size_t, std::pair<double, int>> sums;
+/// By person, then by cell.
+std::map<std::size_t, std::map<MatchedCell, SideSums>> sums_in(const Gathered& gathered,
+                                                               const Cells& cells) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Cells::const_iterator>> cells_of;
+  for (auto cell = cells.begin(); cell != cells.end(); ++cell) {
+    std::set<std::size_t> stimuli = cell->second.one;
+    stimuli.insert(cell->second.against.begin(), cell->second.against.end());
+    for (const std::size_t stimulus : stimuli)
+      cells_of[{stimulus, cell->first.scale}].push_back(cell);
+  }
+  std::map<std::size_t, std::map<MatchedCell, SideSums>> sums;
   for (const CountedRating& rating : gathered.ratings) {
-    const auto found = ends.find({rating.stimulus, rating.scale});
-    if (found == ends.end()) continue;
+    const auto found = cells_of.find({rating.stimulus, rating.scale});
+    if (found == cells_of.end()) continue;
     const Scale& scale = gathered.scales[rating.scale];
-    const double from_middle = rating.value - 0.5 * (scale.least + scale.most);
-    for (const int end : found->second) {
-      sums[rating.person].first += end * from_middle;
-      ++sums[rating.person].second;
+    const ExactNumber middle = (ExactNumber::of(scale.least) + ExactNumber::of(scale.most)) / 2;
+    const ExactNumber from_middle = ExactNumber::of(rating.value) - middle;
+    for (const auto& cell : found->second) {
+      SideSums& own = sums[rating.person][cell->first];
+      const ExactNumber towards = from_middle * cell->second.end;
+      if (cell->second.one.contains(rating.stimulus)) own.one.add(towards);
+      if (cell->second.against.contains(rating.stimulus)) own.against.add(towards);
     }
   }
-  MeansOfPeople means;
-  for (const auto& [person, sum] : sums) means[person] = sum.first / sum.second;
-  return means;
+  return sums;
 }
 
 OverallComparison overall_of(const Gathered& gathered, ComparisonFamily family,
-                             const std::string& emotion, const OverallSides& sides) {
+                             const std::string& emotion, const Cells& cells) {
   OverallComparison result;
   result.family = family;
   result.emotion = emotion;
-  const MeansOfPeople one = means_of(gathered, sides.one);
-  const MeansOfPeople against = means_of(gathered, sides.against);
-  std::vector<double> differences;
-  for (const auto& [person, mean] : one) {
-    const auto found = against.find(person);
-    if (found == against.end()) continue;
-    differences.push_back(mean - found->second);
-    result.mean += mean;
-    result.mean_against += found->second;
+  std::vector<double> differences, means, means_against;
+  for (const auto& [person, own] : sums_in(gathered, cells)) {
+    ExactSum one, against;
+    bool saw_one = false;
+    bool saw_against = false;
+    for (const auto& [cell, sums] : own) {
+      saw_one = saw_one || sums.one.count > 0;
+      saw_against = saw_against || sums.against.count > 0;
+      if (sums.one.count == 0 || sums.against.count == 0) continue;
+      one.add(sums.one.mean());
+      against.add(sums.against.mean());
+    }
+    if (one.count == 0) {
+      result.unmatched += saw_one && saw_against ? 1 : 0;
+      continue;
+    }
+    result.matched += one.count;
+    means.push_back(one.mean().value());
+    means_against.push_back(against.mean().value());
+    differences.push_back((one.mean() - against.mean()).value());
   }
-  result.mean /= static_cast<double>(differences.size());
-  result.mean_against /= static_cast<double>(differences.size());
+  result.mean = exact_mean(means);
+  result.mean_against = exact_mean(means_against);
   result.within = within_persons(differences);
   return result;
 }
@@ -92,25 +118,27 @@ void correct_overall(std::vector<OverallComparison>& all, ComparisonFamily famil
 
 std::vector<OverallComparison> compare_overall(const Gathered& gathered) {
   // By family and emotion; that of all comes first, its name being empty.
-  std::map<std::pair<ComparisonFamily, std::string>, OverallSides> sides;
+  std::map<std::pair<ComparisonFamily, std::string>, Cells> cells;
   for (std::size_t one = 0; one < gathered.stimuli.size(); ++one) {
     for (std::size_t other = 0; other < gathered.stimuli.size(); ++other) {
       const auto family = family_of(gathered.stimuli[one], gathered.stimuli[other]);
       if (!family || one == other) continue;
       for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
-        const std::string& emotion = gathered.stimuli[one].emotion;
-        const int end = end_of(gathered.scales[scale], emotion);
+        const ReportedStimulus& stimulus = gathered.stimuli[one];
+        const int end = end_of(gathered.scales[scale], stimulus.emotion);
         if (end == 0) continue;
-        for (const std::string& of : {std::string(), emotion}) {
-          sides[{*family, of}].one.insert({one, scale, end});
-          sides[{*family, of}].against.insert({other, scale, end});
+        for (const std::string& of : {std::string(), stimulus.emotion}) {
+          CellSides& sides = cells[{*family, of}][{stimulus.setting, stimulus.emotion, scale}];
+          sides.end = end;
+          sides.one.insert(one);
+          sides.against.insert(other);
         }
       }
     }
   }
   std::vector<OverallComparison> all;
-  for (const auto& [of, both] : sides) {
-    OverallComparison comparison = overall_of(gathered, of.first, of.second, both);
+  for (const auto& [of, own] : cells) {
+    OverallComparison comparison = overall_of(gathered, of.first, of.second, own);
     if (comparison.within.people >= 2) all.push_back(std::move(comparison));
   }
   for (const auto& [word, family] : family_words) correct_overall(all, family, gathered.correction);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pipeline/documents/p_value.h"
 #include "pipeline/results/table_columns.h"
 
 namespace mien::pipeline {
@@ -78,21 +79,21 @@ std::vector<std::string> within_fields(const WithinPersons& w, double paired_adj
           field_of(w.t.high(0.95)),
           field_of(w.t.t),
           field_of(w.t.degrees),
-          field_of(w.t.p),
-          field_of(paired_adjusted),
+          p_of_table(w.t.p),
+          p_of_table(paired_adjusted),
           field_of(w.dz),
           field_of(w.gz),
           field_of(w.wilcoxon.w_plus),
           whole(w.wilcoxon.used),
           whole(w.wilcoxon.zeros),
           whole(w.wilcoxon.tied),
-          field_of(w.wilcoxon.p),
-          field_of(wilcoxon_adjusted),
-          field_of(w.wilcoxon_normal),
-          field_of(w.wilcoxon_normal_corrected),
+          p_of_table(w.wilcoxon.p),
+          p_of_table(wilcoxon_adjusted),
+          p_of_table(w.wilcoxon_normal),
+          p_of_table(w.wilcoxon_normal_corrected),
           field_of(w.pratt.w_plus),
-          field_of(w.pratt.p),
-          field_of(w.wilcoxon_zsplit),
+          p_of_table(w.pratt.p),
+          p_of_table(w.wilcoxon_zsplit),
           field_of(w.location.estimate),
           field_of(w.location.low),
           field_of(w.location.high),
@@ -103,14 +104,14 @@ std::vector<std::string> within_fields(const WithinPersons& w, double paired_adj
 std::vector<std::string> comparison_row(const Gathered& gathered, const Comparison& c) {
   std::vector<std::string> row = {std::string(word_of(family_words, c.family))};
   add(row, about(gathered, c.stimulus));
-  add(row, {c.against ? gathered.stimuli[*c.against].id : "", gathered.scales[c.scale].id,
+  add(row, {c.against ? gathered.stimuli[*c.against].id : "", c.factor, gathered.scales[c.scale].id,
             c.own_end == 0  ? ""
             : c.own_end > 0 ? "high"
                             : "low"});
   add(row, {whole(c.answers), field_of(c.mean), whole(c.answers_against), field_of(c.mean_against),
             field_of(c.welch.mean), field_of(c.welch.low(0.95)), field_of(c.welch.high(0.95)),
-            field_of(c.welch.t), field_of(c.welch.degrees), field_of(c.welch.p),
-            field_of(c.welch_adjusted), field_of(c.d), field_of(c.g)});
+            field_of(c.welch.t), field_of(c.welch.degrees), p_of_table(c.welch.p),
+            p_of_table(c.welch_adjusted), field_of(c.d), field_of(c.g)});
   add(row, {whole(c.within.people)});
   add(row, within_fields(c.within, c.paired_adjusted, c.wilcoxon_adjusted));
   return row;
@@ -122,13 +123,29 @@ void add_comparisons(const Results& results, std::vector<ResultTable>& tables) {
   writer.finish(tables);
   ResultWriter overall(overall_form, results.gathered.simulated);
   for (const OverallComparison& c : results.overall) {
-    std::vector<std::string> row = {std::string(word_of(family_words, c.family)), c.emotion,
-                                    field_of(c.mean), field_of(c.mean_against),
+    std::vector<std::string> row = {std::string(word_of(family_words, c.family)),
+                                    c.emotion,
+                                    whole(c.matched),
+                                    whole(c.unmatched),
+                                    field_of(c.mean),
+                                    field_of(c.mean_against),
                                     whole(c.within.people)};
     add(row, within_fields(c.within, c.paired_adjusted, c.wilcoxon_adjusted));
     overall.row(row);
   }
   overall.finish(tables);
+}
+
+void add_groups(const Results& results, std::vector<ResultTable>& tables) {
+  ResultWriter writer(groups_form, results.gathered.simulated);
+  for (const GroupComparison& c : results.groups)
+    writer.row({c.question, c.one, c.other, results.gathered.stimuli[c.stimulus].id,
+                results.gathered.scales[c.scale].id, whole(c.people_one), field_of(c.mean_one),
+                whole(c.people_other), field_of(c.mean_other), field_of(c.welch.mean),
+                field_of(c.welch.low(0.95)), field_of(c.welch.high(0.95)), field_of(c.welch.t),
+                field_of(c.welch.degrees), p_of_table(c.welch.p), p_of_table(c.adjusted),
+                field_of(c.g)});
+  writer.finish(tables);
 }
 
 void add_confusion_tables(const Results& results, std::vector<ResultTable>& tables) {
@@ -143,8 +160,8 @@ void add_confusion_tables(const Results& results, std::vector<ResultTable>& tabl
       if (row.own < 0) continue;
       recalls.row({by, confusion.of, row.emotion, whole(row.showings), whole(row.judged),
                    field_of(row.total), field_of(row.recall), field_of(row.low), field_of(row.high),
-                   field_of(confusion.chance), whole(row.hits), field_of(row.p),
-                   field_of(row.adjusted)});
+                   field_of(confusion.chance), whole(row.hits), p_of_table(row.p),
+                   p_of_table(row.adjusted)});
     }
   }
   cells.finish(tables);
@@ -157,8 +174,8 @@ void add_correlations(const Results& results, std::vector<ResultTable>& tables) 
   for (const EndCorrelation& pair : results.correlations) {
     const Correlation& c = pair.correlation;
     writer.row({ends[pair.one], ends[pair.other], pair.same_scale ? "1" : "0", whole(c.pairs),
-                field_of(c.r), field_of(c.low), field_of(c.high), field_of(c.p),
-                field_of(pair.adjusted)});
+                field_of(c.r), field_of(c.low), field_of(c.high), p_of_table(c.p),
+                p_of_table(pair.adjusted)});
   }
   writer.finish(tables);
 }
@@ -180,7 +197,7 @@ void add_preferences(const Results& results, std::vector<ResultTable>& tables) {
   for (const PreferenceCount& c : results.preferences)
     writer.row({c.item, results.gathered.stimuli[c.one].id, results.gathered.stimuli[c.other].id,
                 whole(c.trials), whole(c.for_one), field_of(1.0 * c.for_one / c.trials),
-                field_of(c.low), field_of(c.high), field_of(c.p), field_of(c.adjusted)});
+                field_of(c.low), field_of(c.high), p_of_table(c.p), p_of_table(c.adjusted)});
   writer.finish(tables);
 }
 
@@ -235,6 +252,7 @@ std::vector<ResultTable> result_tables(const Results& results) {
   std::vector<ResultTable> tables;
   add_means(results, tables);
   add_comparisons(results, tables);
+  add_groups(results, tables);
   add_confusion_tables(results, tables);
   add_correlations(results, tables);
   add_reliability(results, tables);

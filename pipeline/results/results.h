@@ -9,6 +9,7 @@
 #include "pipeline/results/confusion.h"
 #include "pipeline/results/gathered.h"
 #include "pipeline/results/given_words.h"
+#include "pipeline/results/group_comparisons.h"
 #include "pipeline/results/participants.h"
 #include "pipeline/results/preferences.h"
 #include "pipeline/results/reliability.h"
@@ -30,7 +31,8 @@ struct Results {
   std::vector<ParticipantSummary> participants;
   std::vector<CatchAnswer> catch_answers;  ///< of everybody
   std::vector<CatchSummary> catch_summaries;
-  ParticipantTable demographics;  ///< empty where no table of participants was given
+  std::vector<GroupComparison> groups;  ///< of participants, by what they say of themselves
+  ParticipantTable demographics;        ///< empty where no table of participants was given
 };
 
 inline Results results_of(Gathered gathered, const std::vector<AnswerRow>& rows,
@@ -48,6 +50,7 @@ inline Results results_of(Gathered gathered, const std::vector<AnswerRow>& rows,
   results.participants = participant_summaries(results.gathered, rows);
   results.catch_answers = catch_answers_of(results.gathered, rows);
   results.catch_summaries = catch_summaries_of(results.catch_answers);
+  results.groups = compare_groups(demographics, results.gathered);
   results.demographics = std::move(demographics);
   return results;
 }

@@ -80,15 +80,18 @@ constexpr auto comparison_columns = joined(
     std::array{
         Column{
             "family", "",
-            "best-seen (a video with all videos of its setting), modified-acted, modified-neutral "
-            "or acted-neutral; p values are corrected within a family (but for best-seen: "
-            "comparisons on "
-            "the scale of the emotion that was meant by themselves, and those on other scales)"},
+            "best-seen (a video with all videos of its setting), modified-acted, modified-neutral, "
+            "acted-neutral, modified-best (with the video of the setting, itself not modified, in "
+            "which the emotion is seen most) or between-levels (what differs in one factor alone: "
+            "two actors); p values are corrected within a family (but for best-seen: comparisons "
+            "on the scale of the emotion that was meant by themselves, and those on other "
+            "scales)"},
         stimulus_column,
         made_column,
         emotion_column,
         setting_column,
         Column{"against", "", "the stimulus it is compared with; empty: all of the setting"},
+        Column{"factor", "", "of between-levels: the factor in whose level the two differ"},
         scale_column,
         Column{"own_end", "", "the pole of the scale that is the emotion of the stimulus, if any"},
         Column{"answers", "", "answers about the stimulus"},
@@ -114,13 +117,37 @@ constexpr auto overall_columns = joined(
     std::array{
         Column{"family", "", "modified-acted, modified-neutral or acted-neutral"},
         Column{"emotion", "", "the emotion that was meant; empty: all"},
+        Column{"matched", "",
+               "settings and emotions of all people of which both sides were judged: these alone "
+               "are compared"},
+        Column{"unmatched_people", "",
+               "people who judged both sides, but never of one setting and emotion; left out"},
         Column{
             "mean", "scale points",
             "mean over the people of how far they saw the emotion that was meant, from the middle "
             "of its scale"},
         Column{"mean_against", "scale points", "the same, of what it is compared with"},
-        Column{"people", "", "persons who saw both sides"}},
+        Column{"people", "", "persons who saw both sides of a setting and emotion"}},
     within_columns);
+
+constexpr std::array group_columns = {
+    Column{"question", "", "about the participants; the two answers that most gave are compared"},
+    Column{"one", "", "an answer"},
+    Column{"other", "", "another answer"},
+    stimulus_column,
+    scale_column,
+    Column{"people_one", "", "persons of the first answer who judged the stimulus"},
+    Column{"mean_one", "scale points", "mean of their own means"},
+    Column{"people_other", "", "persons of the other answer"},
+    Column{"mean_other", "scale points", "mean of theirs"},
+    Column{"difference", "scale points", "first less other"},
+    Column{"low", "scale points", "lower end of its 95 % interval (Welch)"},
+    Column{"high", "scale points", "upper end"},
+    Column{"t", "", "Welch's t"},
+    Column{"df", "", "its degrees of freedom"},
+    Column{"p", "", "two-sided p; empty where nothing varies"},
+    adjusted_column,
+    Column{"hedges_g", "", "difference in units of the pooled standard deviation, without bias"}};
 
 constexpr Column by_column = {"by", "", "ratings (points rule) or choices"};
 constexpr Column of_column = {"of", "", "level of the factor made that the rows are of, or all"};
@@ -256,6 +283,8 @@ const TableForm histograms_form = {"results/histograms.csv", "a place on a scale
 const TableForm comparisons_form = {"results/comparisons.csv", "a comparison", comparison_columns};
 const TableForm overall_form = {"results/overall.csv", "a comparison over all settings",
                                 overall_columns};
+const TableForm groups_form = {"results/groups.csv", "a stimulus on a scale, by two groups",
+                               group_columns};
 const TableForm confusion_form = {"results/confusion.csv", "a cell of a confusion matrix",
                                   confusion_columns};
 const TableForm recall_form = {"results/recall.csv", "an emotion that was shown", recall_columns};

@@ -11,6 +11,7 @@ extern const TableForm means_form;
 extern const TableForm histograms_form;
 extern const TableForm comparisons_form;
 extern const TableForm overall_form;
+extern const TableForm groups_form;
 extern const TableForm confusion_form;
 extern const TableForm recall_form;
 extern const TableForm correlations_form;

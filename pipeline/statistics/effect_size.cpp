@@ -5,6 +5,7 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 
+#include "pipeline/statistics/exact_number.h"
 #include "pipeline/statistics/t_test.h"
 
 namespace mien::pipeline {
@@ -21,8 +22,7 @@ struct Deviation {
 
 Deviation deviation_of(const std::vector<double>& values) {
   Deviation result;
-  for (const double value : values) result.mean += value;
-  result.mean /= static_cast<double>(values.size());
+  result.mean = exact_mean(values);
   for (const double value : values) result.squares += (value - result.mean) * (value - result.mean);
   return result;
 }

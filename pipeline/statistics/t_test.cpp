@@ -6,22 +6,18 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
+#include "pipeline/statistics/exact_number.h"
+
 namespace mien::pipeline {
 
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
 /// Exactly 0 where nothing but roundings differ.
 double variance_of(const std::vector<double>& values) {
   if (all_alike(values)) return 0.0;
-  const double mean = mean_of(values);
+  const double mean = exact_mean(values);
   double sum = 0.0;
   for (const double value : values) sum += (value - mean) * (value - mean);
   return sum / static_cast<double>(values.size() - 1);
@@ -57,7 +53,7 @@ TTest paired_t_test(const std::vector<double>& differences) {
     return {differences.empty() ? not_known : differences[0], not_known, 0.0, not_known, not_known};
   }
   const auto n = static_cast<double>(differences.size());
-  return finished({mean_of(differences), std::sqrt(variance_of(differences) / n), n - 1.0});
+  return finished({exact_mean(differences), std::sqrt(variance_of(differences) / n), n - 1.0});
 }
 
 TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b) {
@@ -69,12 +65,12 @@ TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b) {
   const double both = of_a + of_b;
   const double degrees =
       both > 0.0 ? both * both / (of_a * of_a / (n - 1.0) + of_b * of_b / (m - 1.0)) : n + m - 2.0;
-  return finished({mean_of(a) - mean_of(b), std::sqrt(both), degrees});
+  return finished({exact_mean(a) - exact_mean(b), std::sqrt(both), degrees});
 }
 
 double cohens_dz(const std::vector<double>& differences) {
   if (differences.size() < 2) return not_known;
-  return mean_of(differences) / std::sqrt(variance_of(differences));
+  return exact_mean(differences) / std::sqrt(variance_of(differences));
 }
 
 }  // namespace mien::pipeline

@@ -55,7 +55,7 @@ void add_pairs(const Gathered& gathered, const std::string& item,
   }
   const std::string name =
       "pairs-" + item + (number > 0 ? fmt::format("-{}", number + 1) : std::string());
-  figures.push_back({name, "preferences", "",
+  figures.push_back({name, "preferences", "", "",
                      "Shares of choices with Wilson's intervals against chance, one half.",
                      marked(bar_chart_plot(chart), gathered.simulated)});
 }

@@ -1,11 +1,14 @@
 #include "pipeline/results/figures/result_figures.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "pipeline/drawing/bar_chart.h"
+#include "pipeline/results/best_seen.h"
 #include "pipeline/results/figures/difference_figures.h"
 #include "pipeline/results/figures/heat_map.h"
 #include "pipeline/results/figures/pair_figures.h"
@@ -65,31 +68,104 @@ void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
     grid.title = title;
     grid.words = figure.caption;
     ResultFigure part = figure;
-    if (first > 0) part.name += fmt::format("-{}", first / most_columns + 1);
+    if (first > 0) {
+      part.name += fmt::format("-{}", first / most_columns + 1);
+      if (!part.was.empty()) part.was += fmt::format("-{}", first / most_columns + 1);
+    }
     part.plot = draw(grid);
     figures.push_back(std::move(part));
   }
 }
 
+constexpr char spread_caption[] =
+    "How the answers are spread; the line is the mean. On a yellow ground: the scale of the "
+    "emotion that was meant.";
+
+/// The videos in which some end of a scale is seen most, each once.
+std::vector<std::size_t> best_videos(const Results& results) {
+  std::vector<std::size_t> videos;
+  for (const BestSeen& best : best_seen(results.gathered, results.comparisons))
+    if (std::ranges::find(videos, best.comparison.stimulus) == videos.end())
+      videos.push_back(best.comparison.stimulus);
+  return videos;
+}
+
+/// Videos that differ in the level of a factor alone, one below the other.
+void add_histograms_by_level(const Results& results, std::vector<ResultFigure>& figures) {
+  std::vector<std::string> factors;
+  for (const Comparison& c : results.comparisons)
+    if (c.family == ComparisonFamily::between_levels &&
+        std::ranges::find(factors, c.factor) == factors.end())
+      factors.push_back(c.factor);
+  for (const std::string& factor : factors) {
+    std::vector<std::size_t> stimuli;
+    const auto add = [&](std::size_t stimulus) {
+      if (std::ranges::find(stimuli, stimulus) == stimuli.end()) stimuli.push_back(stimulus);
+    };
+    for (const Comparison& c : results.comparisons) {
+      if (c.family != ComparisonFamily::between_levels || c.factor != factor) continue;
+      add(c.stimulus);
+      add(*c.against);
+    }
+    const ResultFigure figure{.name = "histograms-by-" + factor,
+                              .section = "levels",
+                              .thesis = factor == "actor" ? "39" : "",
+                              .caption = spread_caption};
+    add_grids(results, stimuli, figure, "Answers by " + factor, histogram_grid_plot, figures);
+  }
+}
+
+/// The answers of either group of participants.
+void add_histograms_of_groups(const Results& results, std::vector<ResultFigure>& figures) {
+  std::vector<std::size_t> every(results.gathered.stimuli.size());
+  for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
+  for (const ParticipantGroups& groups :
+       participant_groups(results.demographics, results.gathered)) {
+    if (groups.question != "gender") continue;
+    for (const bool first : {true, false}) {
+      const std::vector<std::size_t>& people = first ? groups.people_one : groups.people_other;
+      const std::string& answer = first ? groups.one : groups.other;
+      Results own;
+      own.gathered = results.gathered;
+      std::erase_if(own.gathered.ratings, [&](const CountedRating& rating) {
+        return std::ranges::find(people, rating.person) == people.end();
+      });
+      own.summaries = summaries_of(own.gathered);
+      const ResultFigure figure{
+          .name = first ? "histograms-by-gender" : "histograms-by-gender-other",
+          .section = "groups",
+          .thesis = first ? "42" : "43",
+          .caption = spread_caption};
+      add_grids(own, every, figure, "Answers of the participants who said: " + answer,
+                histogram_grid_plot, figures);
+    }
+  }
+}
+
 void add_rating_figures(const Results& results, std::vector<ResultFigure>& figures) {
+  const ResultFigure best{
+      .name = "histograms-best-seen", .section = "best", .thesis = "32", .caption = spread_caption};
+  add_grids(results, best_videos(results), best, "Answers about the videos seen most",
+            histogram_grid_plot, figures);
   for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
-    ResultFigure figure{name_after_thesis(group.histograms, "histograms-" + group.name),
-                        "histograms",
-                        group.histograms,
-                        "How the answers are spread; the line is the mean. On a yellow ground: "
-                        "the scale of the emotion that was meant.",
-                        {}};
+    const ResultFigure figure{.name = "histograms-" + group.name,
+                              .section = "histograms",
+                              .was = group.was,
+                              .caption = spread_caption};
     add_grids(results, group.stimuli, figure, "Answers about the " + group.words,
               histogram_grid_plot, figures);
   }
+  add_histograms_by_level(results, figures);
+  add_histograms_of_groups(results, figures);
   std::vector<std::size_t> every(results.gathered.stimuli.size());
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
-  ResultFigure means{"figure-40-means",
-                     "means",
-                     "40",
-                     "Mean answers with their 95 % intervals. On a yellow ground: the scale of the "
-                     "emotion that was meant.",
-                     {}};
+  const ResultFigure means{.name = "means",
+                           .section = "means",
+                           .thesis = "40",
+                           .was = "figure-40-means",
+                           .caption =
+                               "Mean answers with their 95 % intervals. On a yellow ground: the "
+                               "scale of the emotion that was meant."};
   add_grids(results, every, means, "Means of all videos", mean_grid_plot, figures);
 }
 
@@ -118,8 +194,10 @@ void add_confusion_figure(const Results& results, const Confusion& confusion,
     map.cells.push_back(std::move(cells));
   }
   const std::string by = confusion.by_points ? "" : "-choices";
-  figures.push_back({name_after_thesis(thesis, "confusion-" + confusion.of + by), "confusion",
-                     thesis, map.words + ".", heat_map_plot(map)});
+  const std::string name = "confusion-" + confusion.of + by;
+  figures.push_back({name, "confusion", thesis,
+                     thesis.empty() ? "" : fmt::format("figure-{}-{}", thesis, name),
+                     map.words + ".", heat_map_plot(map)});
 }
 
 void add_recall_figure(const Results& results, const Confusion& confusion,
@@ -141,7 +219,7 @@ void add_recall_figure(const Results& results, const Confusion& confusion,
                             fmt::format("n = {}", row.judged), created_colours.light});
   if (chart.bars.empty()) return;
   const std::string by = confusion.by_points ? "" : "-choices";
-  figures.push_back({"recall-" + confusion.of + by, "confusion", "",
+  figures.push_back({"recall-" + confusion.of + by, "confusion", "", "",
                      "Per-class recall with Wilson's intervals against chance.",
                      marked(bar_chart_plot(chart), results.gathered.simulated)});
 }
@@ -176,15 +254,26 @@ void add_correlation_figure(const Results& results, std::vector<ResultFigure>& f
     if (std::abs(r) >= 0.995) cell.text = r < 0.0 ? "−1" : "1";
     map.cells[pair.one][pair.other] = map.cells[pair.other][pair.one] = cell;
   }
-  figures.push_back(
-      {"figure-44-correlations", "correlations", "44", map.words + ".", heat_map_plot(map)});
+  figures.push_back({"correlations", "correlations", "44", "figure-44-correlations",
+                     map.words + ".", heat_map_plot(map)});
+}
+
+/// Levels of factors are any text; names of files are letters, digits, '.', '_' and '-', and no two
+/// are the same.
+void name_files(std::vector<ResultFigure>& figures) {
+  std::set<std::string> taken;
+  for (ResultFigure& figure : figures) {
+    for (char& letter : figure.name)
+      if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '.' && letter != '_' &&
+          letter != '-')
+        letter = '-';
+    const std::string name = figure.name;
+    for (int number = 2; !taken.insert(figure.name).second; ++number)
+      figure.name = fmt::format("{}-{}", name, number);
+  }
 }
 
 }  // namespace
-
-std::string name_after_thesis(const std::string& thesis, const std::string& name) {
-  return thesis.empty() ? name : "figure-" + thesis + "-" + name;
-}
 
 Plot marked(Plot plot, bool simulated) {
   if (!simulated) return plot;
@@ -196,10 +285,10 @@ Plot marked(Plot plot, bool simulated) {
 }
 
 std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered) {
-  StimulusGroup acted{"acted", "acted motions", {}, "32", "33", "31"};
-  StimulusGroup modified{"modified", "modified motions", {}, "39", "34", "41"};
-  StimulusGroup neutral{"neutral", "neutral motions", {}, "42", "", ""};
-  StimulusGroup others{"others", "other motions", {}, "43", "", ""};
+  StimulusGroup acted{"acted", "acted motions", {}, "figure-32-histograms-acted"};
+  StimulusGroup modified{"modified", "modified motions", {}, "figure-39-histograms-modified"};
+  StimulusGroup neutral{"neutral", "neutral motions", {}, "figure-42-histograms-neutral"};
+  StimulusGroup others{"others", "other motions", {}, "figure-43-histograms-others"};
   for (std::size_t i = 0; i < gathered.stimuli.size(); ++i) {
     const ReportedStimulus& stimulus = gathered.stimuli[i];
     StimulusGroup& group = stimulus.is_neutral()         ? neutral
@@ -209,7 +298,7 @@ std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered) {
     group.stimuli.push_back(i);
   }
   if (acted.stimuli.empty() && modified.stimuli.empty()) {
-    StimulusGroup all{"all", "videos", {}, "32", "33", "31"};
+    StimulusGroup all{"all", "videos", {}, "figure-32-histograms-all"};
     for (std::size_t i = 0; i < gathered.stimuli.size(); ++i) all.stimuli.push_back(i);
     return {all};
   }
@@ -227,6 +316,7 @@ std::vector<ResultFigure> result_figures(const Results& results) {
   add_correlation_figure(results, figures);
   add_pair_figures(results, figures);
   add_word_figures(results, figures);
+  name_files(figures);
   return figures;
 }
 

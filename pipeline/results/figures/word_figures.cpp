@@ -111,7 +111,7 @@ void add_word_figures(const Results& results, std::vector<ResultFigure>& figures
                                         panels.begin() + static_cast<std::ptrdiff_t>(end));
       const std::string number =
           first > 0 ? fmt::format("-{}", first / most_word_panels + 1) : std::string();
-      figures.push_back({"words-" + item + number, "words", "",
+      figures.push_back({"words-" + item + number, "words", "", "",
                          "The words that most people gave for each video.",
                          words_plot("Words for " + item, part, results.gathered.simulated)});
     }

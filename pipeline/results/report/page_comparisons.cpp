@@ -115,15 +115,16 @@ std::string overall_html(const Results& results, ComparisonFamily family) {
     if (c.family != family) continue;
     HtmlRow row;
     row.text(c.emotion.empty() ? "all" : c.emotion)
+        .number(c.matched)
         .number(decimal(c.mean))
         .number(decimal(c.mean_against));
     rows += within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
                 .html(c.paired_adjusted < results.gathered.alpha);
   }
   return wide_table(
-      {"<emotion", "mean", "mean against", "n", "difference within persons", "95 % interval", "t",
-       "p", "p, corrected", "g<sub>z</sub>", "V", "n ≠ 0, zeros, tied", "p, Wilcoxon",
-       "p, corrected", "Hodges–Lehmann", "95 % interval", "rank-biserial"},
+      {"<emotion", "matched", "mean", "mean against", "n", "difference within persons",
+       "95 % interval", "t", "p", "p, corrected", "g<sub>z</sub>", "V", "n ≠ 0, zeros, tied",
+       "p, Wilcoxon", "p, corrected", "Hodges–Lehmann", "95 % interval", "rank-biserial"},
       rows);
 }
 

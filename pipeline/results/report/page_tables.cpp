@@ -91,6 +91,30 @@ std::string demographics_html(const Results& results) {
   return wide_table({"<question", "<answer", "", "people"}, rows);
 }
 
+std::string groups_html(const Results& results) {
+  const Gathered& gathered = results.gathered;
+  std::string rows;
+  for (const GroupComparison& c : results.groups)
+    rows += HtmlRow()
+                .text(c.question)
+                .text(c.one + " – " + c.other)
+                .text(gathered.stimuli[c.stimulus].id)
+                .text(scale_name(gathered.scales[c.scale]))
+                .number(fmt::format("{} ({})", decimal(c.mean_one), c.people_one))
+                .number(fmt::format("{} ({})", decimal(c.mean_other), c.people_other))
+                .number(decimal(c.welch.mean))
+                .number(interval_text(c.welch.low(0.95), c.welch.high(0.95)))
+                .number(fmt::format("{} ({})", decimal(c.welch.t), decimal(c.welch.degrees, 1)))
+                .number(p_text(c.welch.p))
+                .number(p_text(c.adjusted))
+                .number(decimal(c.g))
+                .html(c.adjusted < gathered.alpha);
+  return wide_table({"<question", "<answers", "<video", "<scale", "mean (n) of the first",
+                     "mean (n) of the other", "difference", "95 % interval", "Welch t (df)", "p",
+                     "p, corrected", "g"},
+                    rows);
+}
+
 std::string recall_html(const Results& results) {
   std::string rows;
   for (const Confusion& confusion : results.confusions) {

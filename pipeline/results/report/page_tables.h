@@ -19,6 +19,7 @@ std::string best_seen_html(const Results& results);
 std::string comparisons_html(const Results& results, ComparisonFamily family,
                              const std::string& made = "");
 std::string overall_html(const Results& results, ComparisonFamily family);
+std::string groups_html(const Results& results);
 std::string recall_html(const Results& results);
 std::string agreement_html(const Results& results);
 std::string preferences_html(const Results& results);

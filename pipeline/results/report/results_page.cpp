@@ -35,10 +35,13 @@ class PageParts {
       if (figure.section != section) continue;
       html += "<figure>\n" + embedded_svg(as_svg(figure.plot), figure.plot.title);
       html += fmt::format(
-          "<figcaption>{}{} Files: {}</figcaption>\n</figure>\n", html_escaped(figure.caption),
+          "<figcaption>{}{} Files: {}{}</figcaption>\n</figure>\n", html_escaped(figure.caption),
           figure.thesis.empty() ? ""
                                 : fmt::format(" After figure {} of the thesis.", figure.thesis),
-          links(figure.name));
+          links(figure.name),
+          figure.was.empty()
+              ? ""
+              : fmt::format(" Before, these files were called {}.", html_escaped(figure.was)));
     }
     return html;
   }
@@ -124,7 +127,7 @@ std::string method_html(const Gathered& gathered) {
       gathered.alpha, name_of(gathered.correction)));
 }
 
-std::string best_html(const Results& results) {
+std::string best_html(const Results& results, const PageParts& parts) {
   const std::string table = best_seen_html(results);
   if (table.empty()) return "";
   std::string html = method_html(results.gathered) +
@@ -135,17 +138,30 @@ std::string best_html(const Results& results) {
                          "of one person are taken as independent. “Paired”: of each person, the "
                          "answer about the video less the mean of the person’s other videos of "
                          "the setting.") +
-                     table;
+                     table + parts.figures("best");
   for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
-    if (group.table.empty()) continue;
     const std::string rows = comparisons_html(results, ComparisonFamily::best_seen,
                                               group.name == "all" ? "" : group.name);
     if (rows.empty()) continue;
     html += fmt::format(
-        "<details><summary>All {} (after figure {} of the thesis)</summary>\n{}</details>\n",
-        html_escaped(group.words), group.table, rows);
+        "<details><summary>All {}{}</summary>\n{}</details>\n", html_escaped(group.words),
+        group.name == "acted" || group.name == "all" ? " (after figure 31 of the thesis)" : "",
+        rows);
   }
   return html;
+}
+
+/// Who judged both sides, but never of the same, is told.
+std::string unmatched_html(const Results& results) {
+  std::vector<std::string> sentences;
+  for (const OverallComparison& c : results.overall)
+    if (c.emotion.empty() && c.unmatched > 0)
+      sentences.push_back(fmt::format(
+          "{}: {} judged both sides, but never of one setting and emotion, and {} left out.",
+          word_of(family_words, c.family),
+          counted(static_cast<std::size_t>(c.unmatched), "person", "people"),
+          c.unmatched == 1 ? "is" : "are"));
+  return html_list("", sentences);
 }
 
 std::string differences_html(const Results& results, const PageParts& parts) {
@@ -160,17 +176,45 @@ std::string differences_html(const Results& results, const PageParts& parts) {
   };
   add(ComparisonFamily::modified_acted, "Modified against acted motions",
       " (after figure 37 of the thesis)");
-  add(ComparisonFamily::modified_neutral, "Modified against neutral motions",
-      " (after figure 38 of the thesis)");
+  add(ComparisonFamily::modified_neutral, "Modified against neutral motions", "");
+  add(ComparisonFamily::modified_best, "Modified motions against the video seen most", "");
   add(ComparisonFamily::acted_neutral, "Acted against neutral motions", "");
   if (html.empty()) return "";
   return paragraph(
              "How far the emotion that was meant is seen, on the scale whose end it is, in points "
-             "from the middle. First of each person the mean over all settings; below, video by "
-             "video within a setting (the levels of all factors but made, emotion and strength), "
-             "where those count who saw both. results/comparisons.csv has the other scales too. "
-             "Where all of few people differ by the same, there is no t test.") +
-         html;
+             "from the middle. First over all settings (the levels of all factors but made, "
+             "emotion and strength), like with like: of each person the mean over the settings "
+             "and emotions of which that person judged both sides. Below, video by video, where "
+             "those count who saw both. The video seen most is the one of the setting, itself not "
+             "modified, whose answers lie farthest towards the emotion: it is found by the same "
+             "answers, which makes it look better than it is. results/comparisons.csv has the "
+             "other scales too. Where all of few people differ by the same, there is no t test.") +
+         unmatched_html(results) + html;
+}
+
+std::string levels_html(const Results& results, const PageParts& parts) {
+  const std::string videos = comparisons_html(results, ComparisonFamily::between_levels);
+  if (videos.empty()) return "";
+  return paragraph(
+             "Videos that differ in the level of one factor alone, such as two actors who show the "
+             "same: within persons, the first less the second.") +
+         parts.figures("levels") +
+         "<details><summary>Video by video (of actors, after figure 38 of the "
+         "thesis)</summary>\n" +
+         videos + "</details>\n";
+}
+
+std::string groups_part(const Results& results, const PageParts& parts) {
+  const std::string table = groups_html(results);
+  if (table.empty()) return "";
+  return paragraph(
+             "How groups of participants differ, by what they say of themselves: Welch’s test of "
+             "the people’s own means, the two answers that most gave. Where gender was asked, the "
+             "answers of either group are drawn. Figures 41 to 43 of the thesis are about gender; "
+             "whether about that of the participants or of who is seen, our text of it does not "
+             "say: the latter is the scale masculine – feminine of all other sections.") +
+         "<details><summary>Every video and scale</summary>\n" + table + "</details>\n" +
+         parts.figures("groups");
 }
 
 std::string confusion_html(const Results& results, const PageParts& parts) {
@@ -248,8 +292,8 @@ std::string files_html(const std::vector<ResultTable>& tables, bool has_scripts)
         "<a href=\"analysis/ordinal.R\">analysis/ordinal.R</a>: mixed models, to be run with "
         "R</li>\n";
   html +=
-      "<li><a href=\"figures.csv\">figures.csv</a>: the figures, and those of the thesis that they "
-      "are like</li>\n</ul>\n";
+      "<li><a href=\"figures.csv\">figures.csv</a>: the figures by what they show, those of the "
+      "thesis that they are like, and what their files were called before</li>\n</ul>\n";
   return html;
 }
 
@@ -261,8 +305,10 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("people", "People", people_html(results));
   parts.section("means", "Means", parts.figures("means"));
   parts.section("histograms", "Answers", parts.figures("histograms"));
-  parts.section("best", "What is seen where", best_html(results));
+  parts.section("best", "What is seen where", best_html(results, parts));
   parts.section("differences", "Modified, acted, neutral", differences_html(results, parts));
+  parts.section("levels", "Actors and other factors", levels_html(results, parts));
+  parts.section("groups", "Groups of participants", groups_part(results, parts));
   parts.section("confusion", "Confusion", confusion_html(results, parts));
   parts.section("correlations", "Scales together", parts.figures("correlations"));
   parts.section("agreement", "Agreement", agreement_part(results));

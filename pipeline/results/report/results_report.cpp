@@ -1,5 +1,7 @@
 #include "pipeline/results/report/results_report.h"
 
+#include <algorithm>
+
 #include "pipeline/documents/files.h"
 #include "pipeline/results/figures/result_figures.h"
 #include "pipeline/results/report/dataset.h"
@@ -20,30 +22,36 @@ void write_below(const fs::path& folder, const std::string& path, const std::str
   write_file(folder / path, bytes);
 }
 
-/// Which of the figures of the thesis is where.
+/// What shows what, and which figure of the thesis it is like.
 std::string figure_list(const std::vector<ResultFigure>& figures, const Results& results) {
-  CsvWriter writer({"thesis_figure", "file", "title", "simulated"});
+  CsvWriter writer({"file", "title", "thesis_figure", "earlier_name", "simulated"});
   const std::string simulated = results.gathered.simulated ? "1" : "0";
   for (const ResultFigure& figure : figures)
-    writer.row({figure.thesis, "figures/" + figure.name, figure.plot.title, simulated});
-  const auto has = [&](ComparisonFamily family, const std::string& made) {
-    for (const Comparison& c : results.comparisons)
-      if (c.family == family && (made.empty() || results.gathered.stimuli[c.stimulus].made == made))
-        return true;
-    return false;
+    writer.row({"figures/" + figure.name, figure.plot.title, figure.thesis, figure.was, simulated});
+  const auto table = [&](const std::string& file, const std::string& title,
+                         const std::string& thesis) {
+    writer.row({"results/" + file, "Table: " + title, thesis, "", simulated});
   };
-  for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
-    const std::string made = group.name == "all" ? "" : group.name;
-    if (!group.table.empty() && has(ComparisonFamily::best_seen, made))
-      writer.row({group.table, "results/comparisons.csv",
-                  "Table: what is seen best in the " + group.words, simulated});
-  }
-  if (has(ComparisonFamily::modified_acted, ""))
-    writer.row(
-        {"37", "results/comparisons.csv", "Table: modified against acted motions", simulated});
-  if (has(ComparisonFamily::modified_neutral, ""))
-    writer.row(
-        {"38", "results/comparisons.csv", "Table: modified against neutral motions", simulated});
+  const auto has = [&](ComparisonFamily family) {
+    return std::ranges::any_of(results.comparisons,
+                               [=](const Comparison& c) { return c.family == family; });
+  };
+  if (has(ComparisonFamily::best_seen))
+    table("comparisons.csv", "what is seen most in which video (best-seen)", "31");
+  if (has(ComparisonFamily::modified_acted))
+    table("comparisons.csv", "modified against acted motions (modified-acted)", "37");
+  const bool has_actors = std::ranges::any_of(results.comparisons, [](const Comparison& c) {
+    return c.family == ComparisonFamily::between_levels && c.factor == "actor";
+  });
+  if (has(ComparisonFamily::between_levels))
+    table("comparisons.csv", "levels of a factor against each other (between-levels)",
+          has_actors ? "38" : "");
+  if (!results.groups.empty())
+    table("groups.csv", "groups of participants against each other",
+          std::ranges::any_of(results.groups,
+                              [](const GroupComparison& c) { return c.question == "gender"; })
+              ? "41"
+              : "");
   return writer.text();
 }
 

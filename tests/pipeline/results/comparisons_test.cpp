@@ -1,14 +1,19 @@
 #include "pipeline/results/comparisons.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "pipeline/results/axis_correlations.h"
 #include "pipeline/results/best_seen.h"
 #include "pipeline/results/confusion.h"
+#include "pipeline/results/group_comparisons.h"
 #include "pipeline/results/preferences.h"
 #include "pipeline/results/reliability.h"
+#include "pipeline/results/result_tables.h"
 #include "pipeline/results/summaries.h"
 #include "pipeline/results/two_emotions.h"
 
@@ -52,7 +57,7 @@ const Comparison* found(const std::vector<Comparison>& all, ComparisonFamily fam
 
 TEST(Comparisons, AreMadeFromTheFactorsOfStimuli) {
   const std::vector<Comparison> all = compare(small_study(answers_of_three));
-  EXPECT_EQ(all.size(), 3u * 2u + 2u + 2u + 2u);
+  EXPECT_EQ(all.size(), 3u * 2u + 2u + 2u + 2u + 1u);
   const Comparison* modified = found(all, ComparisonFamily::modified_acted, 1, 0);
   ASSERT_NE(modified, nullptr);
   EXPECT_EQ(modified->against, 2u);
@@ -134,6 +139,161 @@ TEST(Comparisons, OverSettingsTurnEachEmotionToItsEnd) {
   EXPECT_DOUBLE_EQ(all[0].within.t.mean, (0.0 - 1.0) / 2.0);
   EXPECT_EQ(all[1].emotion, "sad");
   EXPECT_DOUBLE_EQ(all[1].within.t.mean, -1.0);
+}
+
+/// Four videos of one setting on one scale; `values` by person and video.
+Gathered four_videos(const std::vector<std::vector<double>>& values) {
+  Gathered gathered;
+  gathered.scales = {between("sad", "happy")};
+  gathered.stimuli = {{"own", "acted", "sad", "woman", {}},
+                      {"b", "acted", "happy", "woman", {}},
+                      {"c", "acted", "tired", "woman", {}},
+                      {"d", "acted", "weak", "woman", {}}};
+  gathered.correction = TestCorrection::none;
+  for (std::size_t person = 0; person < values.size(); ++person) {
+    gathered.people.push_back("p" + std::to_string(person));
+    for (std::size_t stimulus = 0; stimulus < values[person].size(); ++stimulus)
+      gathered.ratings.push_back({person, stimulus, 0, values[person][stimulus]});
+  }
+  return gathered;
+}
+
+// 1 − 1/3, 0 + 2/3 and −1 + 1/3 have three different sizes as doubles.
+TEST(Comparisons, RankEqualDifferencesOfMeansAsTies) {
+  const Comparison c = *found(compare(four_videos({{1, 0, 0, 1}, {0, -1, 0, -1}, {-1, -1, -1, 1}})),
+                              ComparisonFamily::best_seen, 0, 0);
+  EXPECT_EQ(c.within.wilcoxon.tied, 3);
+  EXPECT_EQ(c.within.wilcoxon.w_plus, 4.0);  // two of three ranks of 2
+  EXPECT_DOUBLE_EQ(c.within.wilcoxon.p, 1.0);
+}
+
+/// V of whole numbers, by the definition: for each positive one, how many are smaller or equal.
+double v_of(const std::vector<int>& differences) {
+  double v = 0.0;
+  for (const int own : differences) {
+    if (own <= 0) continue;
+    v += 0.5;
+    for (const int other : differences)
+      if (other != 0) v += std::abs(other) < own ? 1.0 : std::abs(other) == own ? 0.5 : 0.0;
+  }
+  return v;
+}
+
+TEST(Comparisons, RankMeansOfAnswersAsWholeNumbersDo) {
+  std::mt19937 random(8);
+  std::uniform_int_distribution<int> answers(-2, 2);
+  for (int study = 0; study < 60; ++study) {
+    std::vector<std::vector<double>> values;
+    std::vector<int> thrice;  // three times the difference from the mean of the others
+    for (int person = 0; person < 26; ++person) {
+      const int own = answers(random), b = answers(random), c = answers(random),
+                d = answers(random);
+      // Half of the people on a scale of seven points, at thirds of a point.
+      values.push_back({own / 3.0, b / 3.0, c / 3.0, d / 3.0});
+      thrice.push_back(3 * own - b - c - d);
+    }
+    const Comparison c = *found(compare(four_videos(values)), ComparisonFamily::best_seen, 0, 0);
+    EXPECT_EQ(c.within.wilcoxon.w_plus, v_of(thrice));
+    EXPECT_EQ(c.within.wilcoxon.zeros, std::ranges::count(thrice, 0));
+    int sum = 0;
+    for (const int value : thrice) sum += value;
+    EXPECT_EQ(c.within.t.mean, static_cast<double>(sum) / (9 * 26));
+  }
+}
+
+TEST(Comparisons, OverSettingsCompareLikeWithLikeAlone) {
+  Gathered gathered;
+  gathered.scales = {between("sad", "happy")};
+  gathered.stimuli = {{"w-sad", "modified", "sad", "woman", {}},
+                      {"w-acted-sad", "acted", "sad", "woman", {}},
+                      {"m-sad", "modified", "sad", "man", {}},
+                      {"m-acted-sad", "acted", "sad", "man", {}}};
+  gathered.people = {"p", "q", "r", "s"};
+  // p and q judged both of the woman; r the modified woman and the acted man; s both of both, but
+  // the man's far apart.
+  gathered.ratings = {{0, 0, 0, -1}, {0, 1, 0, -2}, {1, 0, 0, 0},  {1, 1, 0, -1}, {2, 0, 0, -2},
+                      {2, 3, 0, 2},  {3, 0, 0, -1}, {3, 1, 0, -1}, {3, 2, 0, 2},  {3, 3, 0, -2}};
+  const std::vector<OverallComparison> all = compare_overall(gathered);
+  ASSERT_EQ(all.size(), 2u);
+  for (const OverallComparison& c : all) {
+    EXPECT_EQ(c.within.people, 3);
+    EXPECT_EQ(c.unmatched, 1);
+    EXPECT_EQ(c.matched, 4);
+    EXPECT_DOUBLE_EQ(c.within.t.mean, (-1.0 - 1.0 + (0.0 - 4.0) / 2.0) / 3.0);
+    EXPECT_DOUBLE_EQ(c.mean - c.mean_against, c.within.t.mean);
+  }
+}
+
+TEST(Comparisons, HoldModifiedVideosAgainstTheOneSeenMost) {
+  const std::vector<Comparison> all = compare(small_study(answers_of_three));
+  const Comparison* best = found(all, ComparisonFamily::modified_best, 1, 0);
+  ASSERT_NE(best, nullptr);
+  EXPECT_EQ(best->against, 2u);  // −5/3 of the acted one, 1/3 of the neutral one
+  EXPECT_EQ(found(all, ComparisonFamily::modified_best, 1, 1), nullptr);  // not of its emotion
+  EXPECT_EQ(found(all, ComparisonFamily::modified_best, 2, 0), nullptr);  // not modified
+}
+
+TEST(Comparisons, HoldLevelsOfOneFactorAgainstEachOther) {
+  const auto stimulus = [](const std::string& id, const Factors& factors) {
+    ReportedStimulus one;
+    one.id = id;
+    one.factors = factors;
+    return one;
+  };
+  const auto woman = stimulus("w", {{"actor", "woman"}, {"action", "walk"}, {"made", "acted"}});
+  const auto man = stimulus("m", {{"actor", "man"}, {"action", "walk"}, {"made", "acted"}});
+  const auto knock = stimulus("k", {{"actor", "man"}, {"action", "knock"}, {"made", "acted"}});
+  const auto other = stimulus("o", {{"actor", "man"}, {"action", "walk"}, {"made", "modified"}});
+  const auto plain = stimulus("p", {{"actor", "man"}, {"made", "acted"}});
+  EXPECT_EQ(differing_factor(woman, man), "actor");
+  EXPECT_EQ(differing_factor(man, knock), "action");
+  EXPECT_FALSE(differing_factor(woman, knock));  // in two
+  EXPECT_FALSE(differing_factor(woman, other));  // in making
+  EXPECT_FALSE(differing_factor(man, plain));    // one has no action
+  EXPECT_FALSE(differing_factor(man, man));
+}
+
+TEST(Comparisons, WriteSmallProbabilitiesAsTheyAre) {
+  std::vector<std::vector<double>> values;
+  for (int person = 0; person < 60; ++person)
+    values.push_back({person % 3 == 0 ? -1.0 : -2.0, 2, person % 2 == 0 ? 1.0 : 2.0, 2});
+  Results results;
+  results.gathered = four_videos(values);
+  results.comparisons = compare(results.gathered);
+  double least = 1.0;
+  for (const ResultTable& table : result_tables(results)) {
+    const CsvTable csv = parse_csv(table.csv, std::string(table.form->path));
+    for (std::size_t column = 0; column < csv.header.size(); ++column) {
+      const std::string& name = csv.header[column].text;
+      if (name != "p" && !name.starts_with("p_") && name.find("_p") == std::string::npos) continue;
+      for (const auto& row : csv.rows) {
+        EXPECT_NE(row[column].text, "0") << name;
+        if (!row[column].text.empty()) least = std::min(least, number_in(csv, row[column]));
+      }
+    }
+  }
+  EXPECT_LT(least, 1e-13);
+  EXPECT_GT(least, 0.0);
+}
+
+TEST(GroupComparisons, AreWelchsOfThePeoplesOwnMeans) {
+  Gathered gathered = four_videos({{1}, {2}, {0}, {-1}, {2}, {0}});
+  gathered.worded_questions = {"gender"};
+  ParticipantTable people{
+      parse_csv("participant,session,gender,age\np0,s,woman,20\np1,s,woman,20\np2,s,man,20\n"
+                "p3,s,man,20\np4,s,woman,20\np5,s,other,20\n",
+                "participants.csv")};
+  const std::vector<GroupComparison> all = compare_groups(people, gathered);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].one, "woman");
+  EXPECT_EQ(all[0].other, "man");
+  EXPECT_EQ(all[0].people_one, 3);
+  EXPECT_EQ(all[0].people_other, 2);
+  const TTest expected = welch_t_test({1, 2, 2}, {0, -1});
+  EXPECT_DOUBLE_EQ(all[0].welch.t, expected.t);
+  EXPECT_DOUBLE_EQ(all[0].welch.p, expected.p);
+  gathered.worded_questions.clear();
+  EXPECT_TRUE(compare_groups(people, gathered).empty());
 }
 
 TEST(BestSeen, NamesTheVideoFarthestTowardsEachEnd) {

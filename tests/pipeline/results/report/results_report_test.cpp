@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -94,13 +95,15 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "results/catch_summary.csv",
                            "results/demographics.csv",
                            "results/comments.csv",
-                           "figures/figure-32-histograms-acted.pdf",
-                           "figures/figure-33-confusion-acted.svg",
-                           "figures/figure-34-confusion-modified.png",
-                           "figures/figure-35-differences-modified-acted.svg",
-                           "figures/figure-36-differences-modified-neutral.svg",
-                           "figures/figure-40-means.svg",
-                           "figures/figure-44-correlations.svg",
+                           "figures/histograms-acted.pdf",
+                           "figures/histograms-best-seen.pdf",
+                           "figures/confusion-acted.svg",
+                           "figures/confusion-modified.png",
+                           "figures/differences-modified-acted.svg",
+                           "figures/differences-modified-neutral.svg",
+                           "figures/differences-modified-best.svg",
+                           "figures/means.svg",
+                           "figures/correlations.svg",
                            "analysis/lme4.R",
                            "analysis/ordinal.R",
                            "codebook.csv",
@@ -118,11 +121,61 @@ TEST(ResultsReport, TellsWhatWasAnsweredTwice) {
 
 TEST(ResultsReport, NamesTheFiguresOfTheThesisThatItsOwnAreLike) {
   const CsvTable list = parse_csv(usual_report().at("figures.csv"), "figures.csv");
-  std::set<std::string> numbers;
-  for (const auto& row : list.rows) numbers.insert(row[0].text);
-  for (const char* number :
-       {"31", "32", "33", "34", "35", "36", "37", "38", "39", "40", "41", "42", "44"})
-    EXPECT_TRUE(numbers.contains(number)) << number;
+  std::map<std::string, std::string> files;  // by number; of files without one nothing is claimed
+  for (const auto& row : list.rows)
+    if (!row[2].text.empty()) EXPECT_TRUE(files.emplace(row[2].text, row[0].text).second);
+  const std::map<std::string, std::string> expected = {
+      {"31", "results/comparisons.csv"},
+      {"32", "figures/histograms-best-seen"},
+      {"33", "figures/confusion-acted"},
+      {"34", "figures/confusion-modified"},
+      {"35", "figures/differences-modified-neutral"},
+      {"36", "figures/differences-modified-best"},
+      {"37", "results/comparisons.csv"},
+      {"40", "figures/means"},
+      {"44", "figures/correlations"}};
+  EXPECT_EQ(files, expected);  // there is one actor, and nobody was asked for a gender
+}
+
+TEST(ResultsReport, NamesFiguresOfActorsAndGenderWhereThereAreTwo) {
+  Manifest manifest = two_emotion_study(12);
+  const std::size_t stimuli = manifest.stimuli.size();
+  for (std::size_t i = 0; i < stimuli; ++i) {
+    Stimulus man = manifest.stimuli[i];
+    man.id = "man-" + man.id;
+    for (auto& [factor, level] : man.factors)
+      if (factor == "actor") level = "man/../..";  // any text may be a level
+    manifest.stimuli.push_back(man);
+  }
+  Demographic gender;
+  gender.id = "gender";
+  gender.answer.choices = {"woman", "man"};
+  manifest.questionnaire->demographics = {gender};
+  const std::vector<AnswerRow> rows = answers_to(manifest);
+  std::string table = "participant,session,gender\n";
+  for (int i = 1; i <= 12; ++i)
+    table += fmt::format("p{:03},s,{}\n", i, i % 2 == 0 ? "woman" : "man");
+  const auto files = written_report(
+      {results_of(gather(manifest, rows), rows, {parse_csv(table, "participants.csv")}), rows});
+  const CsvTable list = parse_csv(files.at("figures.csv"), "figures.csv");
+  std::map<std::string, std::string> numbered;
+  for (const auto& row : list.rows)
+    if (!row[2].text.empty()) numbered[row[2].text] = row[0].text;
+  EXPECT_EQ(numbered["38"], "results/comparisons.csv");
+  EXPECT_EQ(numbered["39"], "figures/histograms-by-actor");
+  EXPECT_EQ(numbered["41"], "results/groups.csv");
+  EXPECT_EQ(numbered["42"], "figures/histograms-by-gender");
+  EXPECT_EQ(numbered["43"], "figures/histograms-by-gender-other");
+  EXPECT_TRUE(files.contains("results/groups.csv"));
+  EXPECT_TRUE(files.contains("figures/differences-actor-woman-man-..-...svg"));
+}
+
+TEST(ResultsReport, SaysWhatFilesOfFiguresWereCalledBefore) {
+  const auto files = usual_report();
+  EXPECT_NE(files.at("report.html").find("these files were called figure-33-confusion-acted."),
+            std::string::npos);
+  EXPECT_NE(files.at("figures.csv").find("figure-36-differences-modified-neutral"),
+            std::string::npos);
 }
 
 TEST(ResultsReport, MarksWhatIsSimulatedEverywhere) {
