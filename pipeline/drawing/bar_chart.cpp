@@ -23,6 +23,8 @@ constexpr double gap = 30.0;              // between charts
 constexpr double page_title_height = 34.0;
 constexpr double least_width = 380.0;
 constexpr double line_name_width = 78.0;
+constexpr double group_gap = 26.0;
+constexpr double group_name_height = 16.0;
 
 constexpr std::array<Colour, 5> bar_colours = {from_hex(0x0a58a6), from_hex(0xb8420e),
                                                from_hex(0x007a59), from_hex(0x8a3f8f),
@@ -41,9 +43,34 @@ struct Scale {
 
 double line_name_room(const BarChart& chart) { return chart.line ? line_name_width : 0.0; }
 
+bool has_groups(const BarChart& chart) {
+  return std::ranges::any_of(chart.bars, [](const Bar& bar) { return !bar.group.empty(); });
+}
+
+/// Whether a bar is the first of its group.
+bool begins_group(const BarChart& chart, size_t bar) {
+  return bar == 0 || chart.bars[bar].group != chart.bars[bar - 1].group;
+}
+
+/// Gaps between groups up to a bar.
+double gaps_before(const BarChart& chart, size_t bar) {
+  double gaps = 0.0;
+  for (size_t i = 1; i <= bar && i < chart.bars.size(); ++i)
+    if (begins_group(chart, i)) gaps += group_gap;
+  return gaps;
+}
+
+double gaps_of(const BarChart& chart) { return gaps_before(chart, chart.bars.size()); }
+
+size_t place_in_group(const BarChart& chart, size_t bar) {
+  size_t place = 0;
+  for (size_t i = bar; !begins_group(chart, i); --i) ++place;
+  return place;
+}
+
 /// Of axis and bars, without the page's margins.
 double width_of(const BarChart& chart) {
-  return axis_width + chart.slot_width * static_cast<double>(chart.bars.size()) +
+  return axis_width + chart.slot_width * static_cast<double>(chart.bars.size()) + gaps_of(chart) +
          line_name_room(chart);
 }
 
@@ -127,14 +154,40 @@ void draw_whisker(Canvas& canvas, const Bar& bar, const Scale& scale, double x) 
   }
 }
 
+double slot_of(const BarChart& chart, const Scale& scale) {
+  return (scale.plot.width - gaps_of(chart)) / static_cast<double>(chart.bars.size());
+}
+
+/// Of a bar, along the axis.
+double middle_of(const BarChart& chart, const Scale& scale, size_t bar) {
+  return scale.plot.x + slot_of(chart, scale) * (static_cast<double>(bar) + 0.5) +
+         gaps_before(chart, bar);
+}
+
+void draw_group_names(Canvas& canvas, const BarChart& chart, const Scale& scale) {
+  for (size_t first = 0; first < chart.bars.size();) {
+    size_t end = first + 1;
+    while (end < chart.bars.size() && !begins_group(chart, end)) ++end;
+    const double left = middle_of(chart, scale, first);
+    const double right = middle_of(chart, scale, end - 1);
+    const double slot = slot_of(chart, scale);
+    canvas.text(
+        {0.5 * (left + right), scale.plot.bottom() + names_height + 12.0}, chart.bars[first].group,
+        {.size = 9.0, .bold = true, .align = Align::centre, .max_width = right - left + slot});
+    first = end;
+  }
+}
+
 void draw_bar(Canvas& canvas, const BarChart& chart, size_t number, const Scale& scale) {
   const Bar& bar = chart.bars[number];
-  const double slot = scale.plot.width / static_cast<double>(chart.bars.size());
-  const double x = scale.plot.x + slot * (static_cast<double>(number) + 0.5);
+  const double slot = slot_of(chart, scale);
+  const double x = middle_of(chart, scale, number);
   const double top = std::min(scale.y(0.0), scale.y(bar.value));
   const double width = std::min(widest_bar, widest_bar_share * slot);
-  canvas.fill(Box{x - 0.5 * width, top, width, std::abs(scale.y(0.0) - scale.y(bar.value))},
-              bar.colour.value_or(bar_colours[chart.one_colour ? 0 : number % bar_colours.size()]));
+  canvas.fill(
+      Box{x - 0.5 * width, top, width, std::abs(scale.y(0.0) - scale.y(bar.value))},
+      bar.colour.value_or(
+          bar_colours[chart.one_colour ? 0 : place_in_group(chart, number) % bar_colours.size()]));
   draw_whisker(canvas, bar, scale, x);
   // Beyond bar and whisker, away from 0.
   const bool upwards = bar.value >= 0.0;
@@ -157,18 +210,21 @@ void draw_chart(Canvas& canvas, const BarChart& chart, const Box& place) {
   draw_header(canvas, chart, place);
   draw_axis(canvas, chart, scale);
   for (size_t i = 0; i < chart.bars.size(); ++i) draw_bar(canvas, chart, i, scale);
+  if (has_groups(chart)) draw_group_names(canvas, chart, scale);
   draw_marked_value(canvas, chart, scale);
 }
 
-constexpr double chart_height = header_height + plot_height + names_height;
+double height_of(const BarChart& chart) {
+  return header_height + plot_height + names_height + (has_groups(chart) ? group_name_height : 0.0);
+}
 
 }  // namespace
 
 Plot bar_chart_plot(const BarChart& chart) {
   const double width =
       std::max({least_width, 2.0 * margin + width_of(chart), width_of_words(chart)});
-  return {chart.title, width, 2.0 * margin + chart_height, [chart, width](Canvas& canvas) {
-            draw_chart(canvas, chart, {margin, margin, width - 2.0 * margin, chart_height});
+  return {chart.title, width, 2.0 * margin + height_of(chart), [chart, width](Canvas& canvas) {
+            draw_chart(canvas, chart, {margin, margin, width - 2.0 * margin, height_of(chart)});
             if (!chart.simulated) return;
             draw_simulated_mark(canvas, {width - margin, margin + 31.0}, "Simulated sessions");
           }};
@@ -179,6 +235,8 @@ Plot bar_charts_plot(const std::string& title, const std::vector<BarChart>& char
   double width = 2.0 * margin - gap;
   for (const BarChart& chart : charts) width += width_of(chart) + gap;
   width = std::max(least_width, width);
+  double chart_height = 0.0;
+  for (const BarChart& chart : charts) chart_height = std::max(chart_height, height_of(chart));
   const double height = 2.0 * margin + page_title_height + chart_height;
   return {
       title, width, height, [=](Canvas& canvas) {

@@ -17,6 +17,9 @@ struct Bar {
   std::string note;              ///< under the name: "n = 13"
   std::optional<Colour> colour;  ///< else the chart's
   std::string second_note;       ///< under the note
+  /// Bars one after the other with the same group stand together over its name, and have the same
+  /// colours in the same order in each.
+  std::string group;
 };
 
 struct BarChart {

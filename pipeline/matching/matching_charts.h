@@ -5,7 +5,8 @@
 
 namespace mien::pipeline {
 
-// Figures 7 to 11 of the adjective paper.
+// Figures 7 to 11 of the adjective paper: bars of the interfaces, target by target, then over all.
+// Of more than twelve targets over all alone.
 
 /// D of the first guess, mean over participants ± 1 SD, with the threshold.
 BarChart first_guess_chart(const MatchingEvaluation& evaluation, bool simulated);
@@ -13,7 +14,8 @@ BarChart first_guess_chart(const MatchingEvaluation& evaluation, bool simulated)
 BarChart first_guess_success_chart(const MatchingEvaluation& evaluation, bool simulated);
 /// Seconds until the match, mean over participants ± 1 SD.
 BarChart time_chart(const MatchingEvaluation& evaluation, bool simulated);
-/// Seconds saved by the second interface of each pair, with 90 % intervals.
+/// Seconds that the second interface of each pair saves (first less second), with 90 % intervals:
+/// above 0 where the second is faster.
 BarChart time_saved_chart(const MatchingEvaluation& evaluation, bool simulated);
 /// Share of trials without a match.
 BarChart failures_chart(const MatchingEvaluation& evaluation, bool simulated);

@@ -1,7 +1,9 @@
 #include "pipeline/matching/matching_results.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -145,6 +147,13 @@ std::optional<double> told_term(const std::vector<CsvTable>& tables, const std::
   return std::nullopt;
 }
 
+/// What a paper would hold its own interface against comes first, so that differences and times are
+/// what the later one saves.
+int place_of_interface(const std::string& interface) {
+  constexpr std::array<std::string_view, 3> order = {"weights", "features", "adjectives"};
+  return static_cast<int>(std::ranges::find(order, interface) - order.begin());
+}
+
 /// The limit decides what failures count as: another than the sessions had would falsify them.
 double limit_of(const std::vector<CsvTable>& tables, const MatchingTerms& terms, double usual) {
   const std::optional<double> told = told_term(tables, "limit_s");
@@ -174,6 +183,7 @@ MatchingResults matching_results(const std::vector<CsvTable>& tables, const Matc
     }
   }
   if (!read.faults.empty()) throw Faults(read.faults);
+  std::ranges::stable_sort(results.interfaces, {}, place_of_interface);
   return std::move(read.results);
 }
 

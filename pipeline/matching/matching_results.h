@@ -21,9 +21,11 @@ struct MatchingTrial {
 };
 
 struct MatchingResults {
-  std::vector<MatchingTrial> trials;    ///< in the order of the file
-  std::vector<std::string> interfaces;  ///< in the order in which they occur
-  std::vector<std::string> targets;     ///< likewise
+  std::vector<MatchingTrial> trials;  ///< in the order of the file
+  /// weights, features, adjectives, as far as they occur, then others in the order in which they
+  /// do: which is taken from which must not hang on who came first.
+  std::vector<std::string> interfaces;
+  std::vector<std::string> targets;  ///< likewise
   double limit_s = 300.0;
   double threshold_m = 0.06;  ///< D below which motions matched, metres
   bool simulated = false;

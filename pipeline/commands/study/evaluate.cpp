@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/study/study.h"
+#include "pipeline/documents/p_value.h"
 #include "pipeline/matching/matching_tables.h"
 
 namespace mien::pipeline {
@@ -24,23 +26,45 @@ struct EvaluateOptions {
   bool json = false;
 };
 
+std::string target_text(const std::string& target) { return target.empty() ? "all" : target; }
+
+/// Over all first, then target by target.
 void show_text(const MatchingEvaluation& evaluation, const Console& console) {
-  for (const MatchingMean& m : evaluation.means) {
-    if (!m.target.empty()) continue;
-    const std::string spread = m.n > 1 ? fmt::format("SD {:.4g}, ", m.sd) : "";
-    console.out << fmt::format("{:14} {:12} mean {:.4g}, {}n = {}\n", name_of(m.measure),
-                               m.interface, m.mean, spread, m.n);
-  }
-  for (const MatchingShare& s : evaluation.shares) {
-    console.out << fmt::format("{}: {} of {} first guesses matched, {} of {} trials failed\n",
-                               s.interface, s.near_guesses, s.guesses, s.failures, s.trials);
-  }
-  for (const MatchingComparison& c : evaluation.comparisons) {
-    console.out << fmt::format(
-        "{:14} {} − {}: {:.4g}, Wilcoxon p = {:.4f} (Holm {:.4f}), exact {:.4f} (Holm {:.4f})\n",
-        name_of(c.measure), c.first, c.second, c.difference.mean, c.paper.p, c.paper_holm,
-        c.exact.p, c.exact_holm);
-  }
+  const auto show_of = [&](const std::string& target) {
+    if (!evaluation.targets.empty()) console.out << target_text(target) << ":\n";
+    for (const MatchingMean& m : evaluation.means) {
+      if (m.target != target) continue;
+      const std::string spread = m.n > 1 ? fmt::format("SD {:.4g}, ", m.sd) : "";
+      console.out << fmt::format("{:14} {:12} mean {:.4g}, {}n = {}\n", name_of(m.measure),
+                                 m.interface, m.mean, spread, m.n);
+    }
+    for (const MatchingShare& s : evaluation.shares) {
+      if (s.target != target) continue;
+      console.out << fmt::format("{}: {} of {} first guesses matched, {} of {} trials failed\n",
+                                 s.interface, s.near_guesses, s.guesses, s.failures, s.trials);
+    }
+    for (const MatchingComparison& c : evaluation.comparisons) {
+      if (c.target != target) continue;
+      console.out << fmt::format(
+          "{:14} {} − {}: {:.4g}, Wilcoxon p = {} (Holm {}), exact {} (Holm {})\n",
+          name_of(c.measure), c.first, c.second, c.difference.mean, p_for_people(c.paper.p),
+          p_for_people(c.paper_holm), p_for_people(c.exact.p), p_for_people(c.exact_holm));
+    }
+  };
+  show_of("");
+  for (const std::string& target : evaluation.targets) show_of(target);
+}
+
+/// A number, or null where it is not known.
+ordered_json number_json(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json();
+}
+
+/// A number; text where it is too small for one.
+ordered_json p_json(double p) {
+  if (std::isnan(p)) return {};
+  const std::string text = p_of_table(p);
+  return text.starts_with('<') ? ordered_json(text) : ordered_json(p);
 }
 
 ordered_json as_json(const MatchingEvaluation& evaluation, bool simulated, const fs::path& folder) {
@@ -48,25 +72,39 @@ ordered_json as_json(const MatchingEvaluation& evaluation, bool simulated, const
   for (const MatchingMean& m : evaluation.means) {
     means.push_back({{"measure", name_of(m.measure)},
                      {"interface", m.interface},
-                     {"target", m.target.empty() ? "all" : m.target},
+                     {"target", target_text(m.target)},
                      {"n", m.n},
                      {"mean", m.mean},
-                     {"sd", m.sd}});
+                     {"sd", number_json(m.sd)}});
+  }
+  ordered_json shares = ordered_json::array();
+  for (const MatchingShare& s : evaluation.shares) {
+    shares.push_back({{"interface", s.interface},
+                      {"target", target_text(s.target)},
+                      {"guesses", s.guesses},
+                      {"near_guesses", s.near_guesses},
+                      {"trials", s.trials},
+                      {"failures", s.failures}});
   }
   ordered_json comparisons = ordered_json::array();
   for (const MatchingComparison& c : evaluation.comparisons) {
     comparisons.push_back({{"measure", name_of(c.measure)},
                            {"first", c.first},
                            {"second", c.second},
+                           {"target", target_text(c.target)},
+                           {"participants", c.exact.pairs},
                            {"mean_difference", c.difference.mean},
-                           {"p_paper", c.paper.p},
-                           {"p_paper_holm", c.paper_holm},
-                           {"p_exact", c.exact.p},
-                           {"p_exact_holm", c.exact_holm}});
+                           {"low_90", number_json(c.difference.low(0.9))},
+                           {"high_90", number_json(c.difference.high(0.9))},
+                           {"p_paper", p_json(c.paper.p)},
+                           {"p_paper_holm", p_json(c.paper_holm)},
+                           {"p_exact", p_json(c.exact.p)},
+                           {"p_exact_holm", p_json(c.exact_holm)}});
   }
   return {{"folder", folder.string()},
           {"sessions", simulated ? "simulated" : "given"},
           {"means", means},
+          {"shares", shares},
           {"comparisons", comparisons}};
 }
 
@@ -112,7 +150,8 @@ void add_study_evaluate_command(CLI::App& study, Command& chosen) {
   command->add_flag("--json", options->json, "Results as JSON on standard output");
   command->footer(
       "\nWrites means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures "
-      "first_guess_d, first_guess_success, time, time_saved and failures as .pdf, .svg and .png.\n"
+      "first_guess_d, first_guess_success, time, time_saved and failures as .pdf, .svg and .png, "
+      "all target by target and over all targets.\n"
       "\nExample:\n  mien study evaluate sessions.csv -o evaluation"
       "\n  mien study evaluate downloads/*trials_data.csv -o evaluation");
   command->callback([&chosen, options] {

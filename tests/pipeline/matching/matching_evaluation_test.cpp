@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "pipeline/documents/fault.h"
@@ -62,7 +63,10 @@ TEST(MatchingEvaluation, AveragesPeopleAndCountsFailuresAsTheLimit) {
 
 TEST(MatchingEvaluation, CountsGuessesAndFailures) {
   const MatchingEvaluation e = evaluate(sessions());
-  ASSERT_EQ(e.shares.size(), 2u);
+  ASSERT_EQ(e.shares.size(), 6u);  // over all, then of each target
+  EXPECT_EQ(e.shares[0].target, "");
+  EXPECT_EQ(e.shares[2].target, "t1");
+  EXPECT_EQ(e.shares[2].trials + e.shares[4].trials, e.shares[0].trials);
   EXPECT_EQ(e.shares[0].interface, "weights");
   EXPECT_EQ(e.shares[0].guesses, 4);
   EXPECT_EQ(e.shares[0].near_guesses, 0);
@@ -75,8 +79,9 @@ TEST(MatchingEvaluation, CountsGuessesAndFailures) {
 
 TEST(MatchingEvaluation, PairsWhatEachPersonTriedWithBoth) {
   const MatchingEvaluation e = evaluate(sessions());
-  ASSERT_EQ(e.comparisons.size(), 2u);
-  const MatchingComparison& time = e.comparisons[1];
+  ASSERT_EQ(e.comparisons.size(), 6u);  // each measure over all, then of each target
+  const MatchingComparison& time = e.comparisons[3];
+  EXPECT_EQ(time.target, "");
   ASSERT_EQ(time.measure, MatchingMeasure::time_s);
   EXPECT_EQ(time.first, "weights");
   EXPECT_EQ(time.second, "adjectives");
@@ -109,6 +114,93 @@ TEST(MatchingEvaluation, CorrectsForTheComparisonsOfOneMeasure) {
       EXPECT_NEAR(c.exact_holm, 6.0 / 256.0, 1e-12);
     }
   }
+}
+
+/// Of n people whose W+ is w: ranks from the largest down, as far as they go.
+std::vector<int> differences_with(int n, int w) {
+  std::vector<int> differences;
+  for (int rank = n; rank >= 1; --rank) {
+    differences.push_back(rank <= w ? rank : -rank);
+    if (rank <= w) w -= rank;
+  }
+  return differences;
+}
+
+const MatchingComparison& comparison_of(const MatchingEvaluation& evaluation,
+                                        MatchingMeasure measure, const std::string& target,
+                                        const std::string& first, const std::string& second) {
+  for (const MatchingComparison& c : evaluation.comparisons)
+    if (c.measure == measure && c.target == target && c.first == first && c.second == second)
+      return c;
+  throw std::runtime_error("no such comparison");
+}
+
+// With 13 people the paper's p values are those of these W.
+TEST(MatchingEvaluation, HasThePapersTestsOfEachTargetAndOverAll) {
+  const std::vector<std::pair<int, double>> published = {
+      {0, 0.0015}, {9, 0.0107}, {24, 0.1330}, {33, 0.3824}, {42, 0.8068}};
+  std::string rows;
+  for (std::size_t t = 0; t < published.size(); ++t) {
+    const std::vector<int> differences = differences_with(13, published[t].first);
+    for (std::size_t p = 0; p < differences.size(); ++p) {
+      const auto add = [&](const char* interface, double d, double time) {
+        rows += fmt::format("p{},t{},{},{},{},1\n", p, t, interface, d, time);
+      };
+      add("adjectives", 0.05, 100.0);
+      add("weights", 0.05 + 0.001 * differences[p], 100.0 + 0.1 * differences[p]);
+      add("features", 0.05 + 0.002 * differences[p], 120.0);
+    }
+  }
+  const MatchingEvaluation e = evaluate(read(rows));
+  EXPECT_EQ(e.comparisons.size(), 36u);
+  for (std::size_t t = 0; t < published.size(); ++t) {
+    for (const auto measure : {MatchingMeasure::first_guess_d, MatchingMeasure::time_s}) {
+      const MatchingComparison& c =
+          comparison_of(e, measure, fmt::format("t{}", t), "weights", "adjectives");
+      EXPECT_EQ(c.exact.pairs, 13);
+      EXPECT_EQ(c.exact.tied, 0);
+      EXPECT_EQ(c.exact.w_plus, published[t].first);
+      EXPECT_NEAR(c.paper.p, published[t].second, 5e-5);
+    }
+  }
+  const MatchingComparison& all =
+      comparison_of(e, MatchingMeasure::time_s, "", "features", "adjectives");
+  EXPECT_DOUBLE_EQ(all.difference.mean, 20.0);
+  EXPECT_TRUE(std::isnan(all.difference.p));  // everybody saves the same
+}
+
+TEST(MatchingEvaluation, SaysWhatTheLaterInterfaceSavesWhoeverCameFirst) {
+  const std::string fast = "p1,t,adjectives,0.1,100,1\np2,t,adjectives,0.1,110,1\n";
+  const std::string slow = "p1,t,weights,0.1,150,1\np2,t,weights,0.1,180,1\n";
+  for (const std::string& rows : {fast + slow, slow + fast}) {
+    const MatchingEvaluation e = evaluate(read(rows));
+    EXPECT_DOUBLE_EQ(
+        comparison_of(e, MatchingMeasure::time_s, "", "weights", "adjectives").difference.mean,
+        60.0);
+    const BarChart chart = time_saved_chart(e, false);
+    ASSERT_EQ(chart.bars.size(), 1u);  // one target: nothing twice
+    EXPECT_EQ(chart.bars[0].name, "adjectives");
+    EXPECT_GT(chart.bars[0].value, 0.0);
+  }
+}
+
+// 0.3 − 0.1 and 0.5 − 0.3 are 0.2, but not as doubles.
+TEST(MatchingEvaluation, RanksEqualDifferencesOfDecimalsAsTies) {
+  const MatchingEvaluation e =
+      evaluate(read("p1,t,weights,0.3,10,1\np1,t,adjectives,0.1,10,1\np2,t,weights,0.5,10,1\n"
+                    "p2,t,adjectives,0.3,10,1\np3,t,weights,0.1,10,1\np3,t,adjectives,0.3,10,1\n"));
+  const MatchingComparison& c =
+      comparison_of(e, MatchingMeasure::first_guess_d, "", "weights", "adjectives");
+  EXPECT_EQ(c.exact.tied, 3);
+  EXPECT_EQ(c.exact.w_plus, 4.0);
+}
+
+TEST(MatchingEvaluation, DrawsEachTargetThenAll) {
+  const BarChart chart = time_chart(evaluate(sessions()), false);
+  std::vector<std::string> groups;
+  for (const Bar& bar : chart.bars)
+    if (groups.empty() || groups.back() != bar.group) groups.push_back(bar.group);
+  EXPECT_EQ(groups, (std::vector<std::string>{"t1", "t2", "all targets"}));
 }
 
 TEST(MatchingEvaluation, RefusesEveryBadRowWithItsPlace) {
@@ -210,9 +302,9 @@ TEST(MatchingEvaluation, WritesTablesAndFigures) {
     return table.rows.size();
   };
   EXPECT_EQ(rows("means.csv"), 12u);
-  EXPECT_EQ(rows("shares.csv"), 2u);
-  EXPECT_EQ(rows("time_saved.csv"), 1u);
-  EXPECT_EQ(rows("comparisons.csv"), 2u);
+  EXPECT_EQ(rows("shares.csv"), 6u);
+  EXPECT_EQ(rows("time_saved.csv"), 3u);
+  EXPECT_EQ(rows("comparisons.csv"), 6u);
   for (const char* figure :
        {"first_guess_d", "first_guess_success", "time", "time_saved", "failures"}) {
     for (const char* ending : {".pdf", ".svg", ".png"}) {
