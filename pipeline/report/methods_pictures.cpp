@@ -117,8 +117,8 @@ class PicturesWriter {
           "of blends are");
     }
     out_.say(
-        fmt::format("Of {} compared, D is {}; {} below {:g} m, under which two motions count as "
-                    "the same",
+        fmt::format("Of {} compared, D is {}; {} below {:g} m, at which a trial of the matching "
+                    "task ends; whether people see a difference is another question",
                     count_of(static_cast<std::size_t>(distances.count), "pair", "pairs"),
                     with_mean(distances, 4, " m"),
                     matches == 0 ? "none lies" : count_of(matches, "lies", "lie"),

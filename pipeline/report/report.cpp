@@ -90,11 +90,12 @@ std::string report(const Manifest& manifest, Motions& motions, const Methods& me
   std::string body = page_header(manifest, motions) + "<main>\n";
   body += html_list("warnings", warnings_of_all(manifest, motions));
   const std::vector<ReportPart> parts = report_parts(manifest);
+  body += findings_section(manifest, motions);
   if (parts.empty()) {
-    body += stimuli_section("Stimuli", manifest.stimuli, manifest, motions) +
-            overlays_section("Overlays", manifest.overlays, manifest, motions) +
+    body += comparisons_section("Comparisons", comparisons_in(manifest), motions) +
             stills_section(manifest, motions) +
-            comparisons_section("Comparisons", comparisons_in(manifest), motions);
+            stimuli_section("Stimuli", manifest.stimuli, manifest, motions) +
+            overlays_section("Overlays", manifest.overlays, manifest, motions);
   } else {
     body += parts_section(parts, manifest) + stills_section(manifest, motions);
   }

@@ -7,6 +7,7 @@
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/measures/distance.h"
 #include "pipeline/documents/html.h"
+#include "pipeline/film/film_presentation.h"
 #include "pipeline/report/lint_timeline.h"
 #include "pipeline/report/report_parts.h"
 #include "pipeline/report/report_tables.h"
@@ -62,6 +63,18 @@ std::string facts_of(const Stimulus& stimulus, const Synthesis& made) {
          fmt::format(", planted feet move {:.1f} mm at most", 1000.0 * made.planted_drift_m);
 }
 
+std::string folded(const std::string& title, const std::string& html) {
+  return html.empty() ? "" : "<details><summary>" + title + "</summary>\n" + html + "</details>\n";
+}
+
+/// Where a player stands before it plays: at a frame of the film, not at the card, the cross, the
+/// blank or the fade before it. Empty where the film comes first.
+std::string still_of(const Output& output) {
+  const PresentationFrames frames = frames_of(output.presentation, output.fps, 1'000'000);
+  const int first = frames.before() + std::max(0, frames.fade_in - 1);
+  return first == 0 ? "" : fmt::format("#t={:.3f}", (first + 0.5) / output.fps);
+}
+
 /// Kinds that browsers play in a <video>, the best known first.
 constexpr render::VideoKind playable[] = {render::VideoKind::mp4, render::VideoKind::webm,
                                           render::VideoKind::webm_av1};
@@ -84,8 +97,8 @@ std::string video_of(const Stimulus& stimulus) {
   if (plays != std::end(playable)) {
     html = fmt::format(
         "<video controls loop muted playsinline preload=\"metadata\" width=\"{}\" height=\"{}\" "
-        "src=\"{}\"></video>\n",
-        width, height, link(*plays));
+        "src=\"{}{}\"></video>\n",
+        width, height, link(*plays), still_of(stimulus.output));
   } else if (moves != kinds.end()) {
     html = fmt::format("<img loading=\"lazy\" width=\"{}\" height=\"{}\" src=\"{}\" alt=\"{}\">\n",
                        width, height, link(*moves), html_escaped(stimulus.id));
@@ -109,7 +122,7 @@ std::string contact_sheet(const std::string& id) {
 
 }  // namespace
 
-std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
+std::string stimulus_card(const Stimulus& stimulus, Motions& motions, InterfaceLanguage language) {
   const Synthesis& made = motions.of(stimulus.id);
   const std::string id = html_escaped(stimulus.id);
   std::string card =
@@ -126,7 +139,10 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions) {
                         html_escaped(fmt::format("{}", fmt::join(made.notes, "; "))));
   }
   return card + html_list("warnings", made.warnings) + finding_list(made) +
-         parameter_table(stimulus, made, motions) + weight_table(made, motions) + "</article>\n";
+         parameter_table(stimulus, made, motions, language) +
+         (stimulus.weights.empty() ? folded("Weights of the examples", weight_table(made, motions))
+                                   : weight_table(made, motions)) +
+         other_parameters(stimulus, made, motions, language) + "</article>\n";
 }
 
 std::string overlay_card(const Overlay& overlay, const Manifest& manifest, const Motions& motions) {

@@ -10,8 +10,9 @@ namespace mien::pipeline {
 // Cards of report.html, one a film or sheet. Videos and pictures are linked by paths relative to
 // the study's folder.
 
-/// The film of a stimulus, what was made for it and what lint found.
-std::string stimulus_card(const Stimulus& stimulus, Motions& motions);
+/// The film of a stimulus, what lint found, and what was asked for it, in the language; what else
+/// it has is folded.
+std::string stimulus_card(const Stimulus& stimulus, Motions& motions, InterfaceLanguage language);
 
 /// The film of an overlay and which motions are in it.
 std::string overlay_card(const Overlay& overlay, const Manifest& manifest, const Motions& motions);

@@ -31,6 +31,13 @@ std::string alike(const Equalize& equalize) {
              : fmt::format("<p>Made alike in all stimuli: {}.</p>\n", fmt::join(what, ", "));
 }
 
+/// The one that participants are spoken to in.
+InterfaceLanguage language_of(const Manifest& manifest) {
+  if (manifest.questionnaire) return manifest.questionnaire->language;
+  if (manifest.matching) return manifest.matching->language;
+  return InterfaceLanguage::english;
+}
+
 std::string card_grid(const std::string& cards) {
   return "<div class=\"cards\">\n" + cards + "</div>";
 }
@@ -55,7 +62,8 @@ std::string titled_section(const std::string& title, const std::string& content)
 std::string stimuli_section(const std::string& title, std::span<const Stimulus> stimuli,
                             const Manifest& manifest, Motions& motions) {
   std::string films;
-  for (const Stimulus& stimulus : stimuli) films += stimulus_card(stimulus, motions);
+  for (const Stimulus& stimulus : stimuli)
+    films += stimulus_card(stimulus, motions, language_of(manifest));
   const std::string foils = foil_table(stimuli, motions);
   return titled_section(title, alike(manifest.equalize) + card_grid(films)) +
          (foils.empty() ? "" : titled_section("Foils", foils));
@@ -66,6 +74,35 @@ std::string overlays_section(const std::string& title, std::span<const Overlay> 
   std::string films;
   for (const Overlay& overlay : overlays) films += overlay_card(overlay, manifest, motions);
   return films.empty() ? "" : titled_section(title, card_grid(films));
+}
+
+std::string findings_section(const Manifest& manifest, Motions& motions) {
+  std::string rows;
+  std::size_t count = 0;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Synthesis& made = motions.of(stimulus.id);
+    int errors = 0;
+    std::string first = made.warnings.empty() ? "" : made.warnings.front();
+    for (const motion::Finding& finding : made.findings) {
+      if (finding.severity != motion::Severity::error) continue;
+      if (errors++ == 0) first = finding.sentence;
+    }
+    if (made.findings.empty() && made.warnings.empty()) continue;
+    ++count;
+    rows += fmt::format(
+        "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+        link_to(stimulus, manifest), html_escaped(stimulus.id), errors,
+        static_cast<int>(made.findings.size()) - errors + static_cast<int>(made.warnings.size()),
+        html_escaped(first));
+  }
+  if (rows.empty()) return "";
+  constexpr std::size_t most_open = 12;
+  const std::string table = html_table({"stimulus", "errors", "warnings", "first"}, rows);
+  return titled_section(
+      "Findings",
+      count <= most_open
+          ? table
+          : fmt::format("<details><summary>{} stimuli</summary>\n{}</details>\n", count, table));
 }
 
 std::string stills_section(const Manifest& manifest, Motions& motions) {

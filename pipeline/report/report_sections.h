@@ -21,6 +21,10 @@ std::string stimuli_section(const std::string& title, std::span<const Stimulus> 
 std::string overlays_section(const std::string& title, std::span<const Overlay> overlays,
                              const Manifest& manifest, Motions& motions);
 
+/// Which stimuli have findings or warnings, how many, and the first error of each; empty without
+/// any.
+std::string findings_section(const Manifest& manifest, Motions& motions);
+
 /// Pages of stills.
 std::string stills_section(const Manifest& manifest, Motions& motions);
 

@@ -37,6 +37,7 @@ th, td { text-align: left; padding: .2rem .6rem .2rem 0; border-bottom: 1px soli
 thead th { color: var(--quiet); font-size: .85rem; }
 td:not(.bar) { text-align: right; }
 section > table td:first-of-type { text-align: left; }
+section > table td:last-child, section > details > table td:last-child { text-align: left; }
 .wide { overflow-x: auto; }
 .impressions th[scope="col"] { text-align: right; }
 .impressions td { text-align: right; background: color-mix(in srgb, var(--tone) var(--far), transparent); }

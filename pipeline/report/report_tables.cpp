@@ -30,6 +30,15 @@ bool is_listed(const std::string& id, const Synthesis& made) {
   return std::ranges::any_of(made.asked, is_id) || std::ranges::any_of(made.held, is_id);
 }
 
+/// In the language, where there are words of it.
+std::string parameter_name(const std::string& id, const Stimulus& stimulus, Motions& motions,
+                           InterfaceLanguage language) {
+  const ParameterLabel label = label_of(id, stimulus, motions.repertoire());
+  const std::string japanese = japanese_text(label);
+  const bool is_japanese = language == InterfaceLanguage::japanese && !japanese.empty();
+  return html_escaped(is_japanese ? japanese : english_text(label));
+}
+
 /// The row of those that are left out; nothing where they weigh nothing.
 std::string smaller_weights(const std::vector<std::pair<double, std::string>>& weights, int shown) {
   double sum = 0.0;
@@ -54,17 +63,16 @@ std::string difference_text(const CertifiedAspect& aspect) {
 
 }  // namespace
 
-std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions) {
+std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
+                            InterfaceLanguage language) {
   if (made.weights.size() == 0) return "";
   std::string rows;
   const auto add = [&](const std::string& id, const std::string& asked, const std::string& possible,
                        double reached) {
-    const ParameterLabel label = label_of(id, stimulus, motions.repertoire());
-    const std::string name = english_text(label) + " " + japanese_text(label);
     rows += fmt::format(
         "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
         "value=\"{:.3f}\"></meter></td><td>{}</td><td>{:.2f}</td><td>{}</td></tr>\n",
-        html_escaped(name), reached, asked, reached, possible);
+        parameter_name(id, stimulus, motions, language), reached, asked, reached, possible);
   };
   for (std::size_t i = 0; i < made.asked.size(); ++i) {
     const std::string possible = i < made.feasible.size() ? range_cell(made.feasible[i]) : "";
@@ -74,11 +82,30 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
   for (std::size_t i = 0; i < made.held.size(); ++i)
     add(made.held[i].first, fmt::format("held {:.2f}", made.held[i].second), "",
         made.held_reached[i].second);
-  for (const auto& [id, value] : rated_values(made, motions.repertoire())) {
-    if (!is_listed(id, made)) add(id, "", "", value);
-  }
   if (rows.empty()) return rows;
   return html_table({"parameter", "", "asked", "reached", "possible"}, rows);
+}
+
+std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
+                             InterfaceLanguage language) {
+  if (made.weights.size() == 0) return "";
+  std::string rows;
+  int count = 0;
+  for (const auto& [id, value] : rated_values(made, motions.repertoire())) {
+    if (is_listed(id, made)) continue;
+    ++count;
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
+        "value=\"{:.3f}\"></meter></td><td>{:.2f}</td></tr>\n",
+        parameter_name(id, stimulus, motions, language), value, value);
+  }
+  if (rows.empty()) return rows;
+  return fmt::format(
+      "<details><summary>{} {}</summary>\n{}</details>\n", count,
+      made.asked.empty() && made.held.empty()
+          ? (count == 1 ? "scale that nothing was asked of" : "scales that nothing was asked of")
+          : (count == 1 ? "other scale" : "other scales"),
+      html_table({"scale", "", "has"}, rows));
 }
 
 std::string weight_table(const Synthesis& made, Motions& motions) {
@@ -119,9 +146,10 @@ std::string distance_table(std::span<const Sheet* const> sheets, Motions& motion
           html_escaped(beside_verdict(d, wanted, came)));
     }
   }
-  return html_table({"target", "created", "D (m)", "sum (m)", "MPJPE (m)",
-                     "D &lt; 0.06 m (the paper's threshold)", "joint that differs most; durations"},
-                    rows);
+  return html_table(
+      {"target", "created", "D (m)", "sum (m)", "MPJPE (m)",
+       "D &lt; 0.06 m (the matching task's threshold)", "joint that differs most; durations"},
+      rows);
 }
 
 std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motions& motions) {

@@ -11,8 +11,14 @@ namespace mien::pipeline {
 
 // Tables of report.html.
 
-/// What a stimulus asked for and has. Empty when it names no parameters.
-std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions);
+/// What a stimulus asked for and was held at, and what it has of that. Empty when it names no
+/// parameters. Names are in the language.
+std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
+                            InterfaceLanguage language);
+
+/// What it has of all that was rated, folded; empty without ratings.
+std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
+                             InterfaceLanguage language);
 
 /// The examples that have the most weight in a motion. Empty for a file shown as it is.
 std::string weight_table(const Synthesis& made, Motions& motions);

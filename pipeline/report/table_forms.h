@@ -26,10 +26,12 @@ inline constexpr std::array distances_columns = std::to_array<Column>({
      "first, as those of blends are"},
     {"d_sum_m", "m", "the same distances summed, as the formula is printed"},
     {"mpjpe_m", "m", "mean distance of the joints over all frames"},
-    {"threshold_m", "m", "the paper counts two motions as the same when D is below this"},
+    {"threshold_m", "m",
+     "a trial of the adjective paper's matching task ends when D is below this"},
     {"match", "0/1",
-     "1: D is below the adjective paper's threshold, which says nothing of single joints and of "
-     "durations; empty for what a gallery sets side by side"},
+     "1: D is below the threshold of the adjective paper's matching task, which says nothing of "
+     "single joints, of durations and of whether people see a difference; empty for what a gallery "
+     "sets side by side"},
 });
 
 inline constexpr std::array joint_distances_columns = std::to_array<Column>({

@@ -44,6 +44,10 @@ struct Basis {
   }
 };
 
+constexpr char meaning_of_match[] =
+    "match says that D is below the threshold of the adjective paper's matching task, at which a "
+    "trial ends; whether people see a difference, it does not say";
+
 ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
   ordered_json per_joint = ordered_json::object();
   const auto by_joint = distance.by_joint();
@@ -52,6 +56,7 @@ ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
           {"D_sum", distance.sum},
           {"threshold", motion::distance_threshold_m},
           {"match", distance.matches()},
+          {"match_means", meaning_of_match},
           {"mpjpe_m", distance.mpjpe},
           {"per_joint", per_joint},
           {"per_time", distance.by_time()},
@@ -61,9 +66,9 @@ ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
 }
 
 void show_text(const motion::Distance& distance, const Basis& basis, const Console& console) {
-  console.out << fmt::format("D        {:.4f} m, {} the adjective paper's threshold of {:.2f} m\n",
-                             distance.mean, distance.matches() ? "below" : "not below",
-                             motion::distance_threshold_m);
+  console.out << fmt::format(
+      "D        {:.4f} m, {} {:.2f} m, the threshold of the adjective paper's matching task\n",
+      distance.mean, distance.matches() ? "below" : "not below", motion::distance_threshold_m);
   console.out << fmt::format("D_sum    {:.3f} m\nMPJPE    {:.1f} mm\n", distance.sum,
                              1000.0 * distance.mpjpe);
   console.out << fmt::format("over     {} of the target, {} of the other\n", basis.target,
@@ -116,7 +121,9 @@ void add_motion_compare_command(CLI::App& motion, Command& chosen) {
   command->add_flag("--json", options->json, "As JSON");
   command->footer(
       "\nWalks are compared over their steadiest gait cycle, keytime by keytime; motions without "
-      "a cycle over their whole duration. D is the mean distance of 20 joints at 11 times.\n\n"
+      "a cycle over their whole duration. D is the mean distance of 20 joints at 11 times. Its "
+      "threshold of 0.06 m ends a trial of the adjective paper's matching task; it does not say "
+      "that people see no difference.\n\n"
       "Example:\n  mien motion compare captured.bvh made.bvh --json");
   command->callback([&chosen, options] {
     chosen = [options](const Console& console) { return compare(*options, console); };

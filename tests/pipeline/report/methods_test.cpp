@@ -73,7 +73,7 @@ TEST(Methods, TellHoldsFoilsAndAmongWhichFilmsAreAlike) {
             "1 stimulus is a foil: modified as another stimulus is, but for its change of "
             "speed");
   expect_in(methods, "Set by hand: ");
-  EXPECT_EQ(methods.markdown.find("motions count as the same"), std::string::npos);
+  EXPECT_EQ(methods.markdown.find("matching task ends"), std::string::npos);
 }
 
 TEST(Methods, NameSeveralRecipesAsSeveral) {

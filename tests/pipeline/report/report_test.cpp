@@ -144,6 +144,75 @@ TEST(Report, ShowsNoRatingsWhereThereAreNone) {
   EXPECT_EQ(report_of(manifest).find("What people think"), std::string::npos);
 }
 
+/// Asked for an adjective that its examples do not have so much of.
+Manifest adjective_study() {
+  Manifest manifest = study_called("plain");
+  Stimulus& asked = manifest.stimuli[1];
+  asked.weights.clear();
+  asked.adjectives = {{"slow-fast", 1.0}, {"sad-happy", 0.0}};
+  return manifest;
+}
+
+TEST(Report, OpensWithWhatWasFoundAndTheSheets) {
+  const std::string page = report_of(adjective_study());
+  const std::size_t findings = page.find("<h2>Findings</h2>");
+  const std::size_t sheets = page.find("<h2>Comparisons</h2>");
+  const std::size_t films = page.find("<h2>Stimuli</h2>");
+  EXPECT_LT(findings, sheets);
+  EXPECT_LT(sheets, films);
+  EXPECT_LT(films, page.size());
+  EXPECT_NE(page.find("<a href=\"#mix\">mix</a>"), std::string::npos);
+  EXPECT_EQ(unbalanced_tag(page), "");
+}
+
+/// The card of a stimulus, and what of it is not folded away.
+std::string open_part_of(const std::string& page, const std::string& id) {
+  const std::size_t first = page.find("id=\"" + id + "\"");
+  std::string card = page.substr(first, page.find("</article>", first) - first);
+  for (std::size_t at = card.find("<details>"); at != std::string::npos;
+       at = card.find("<details>"))
+    card.erase(at, card.find("</details>", at) - at + 10);
+  return card;
+}
+
+TEST(Report, ShowsWhatWasAskedAndFoldsTheOtherScales) {
+  const std::string page = report_of(adjective_study());
+  const std::string open = open_part_of(page, "mix");
+  EXPECT_NE(open.find("slow – fast"), std::string::npos);
+  EXPECT_NE(open.find("sad – happy"), std::string::npos);
+  EXPECT_EQ(open.find("weak – strong"), std::string::npos);
+  EXPECT_NE(page.find("weak – strong"), std::string::npos);
+  // Of the mixture by weights nothing was asked but these.
+  const std::string weights = open_part_of(page, "target");
+  EXPECT_EQ(weights.find("sad – happy"), std::string::npos);
+  EXPECT_NE(weights.find("proud"), std::string::npos);
+}
+
+TEST(Report, NamesScalesInTheLanguageOfTheStudyAlone) {
+  Manifest manifest = adjective_study();
+  const std::string english = open_part_of(report_of(manifest), "mix");
+  EXPECT_EQ(english.find("遅い"), std::string::npos);
+  manifest.questionnaire.emplace();
+  manifest.questionnaire->language = InterfaceLanguage::japanese;
+  const std::string japanese = open_part_of(report_of(manifest), "mix");
+  EXPECT_NE(japanese.find("遅い – 速い"), std::string::npos);
+  EXPECT_EQ(japanese.find("slow – fast</th>"), std::string::npos);
+}
+
+TEST(Report, StandsAtAFrameOfTheFilmBeforeItPlays) {
+  Manifest manifest = study_called("plain");
+  EXPECT_EQ(report_of(manifest).find("#t="), std::string::npos);
+  for (Stimulus& stimulus : manifest.stimuli) {
+    stimulus.output.fps = 10.0;
+    stimulus.output.presentation.fixation_seconds = 1.0;
+    stimulus.output.presentation.blank_before = 0.5;
+  }
+  // In the middle of frame 15, the film's first.
+  EXPECT_NE(report_of(manifest).find("videos/mix.mp4#t=1.550\""), std::string::npos);
+  for (Stimulus& stimulus : manifest.stimuli) stimulus.output.presentation.fade_in = 0.5;
+  EXPECT_NE(report_of(manifest).find("videos/mix.mp4#t=1.950\""), std::string::npos);
+}
+
 TEST(Report, IsTheSameEachTime) {
   EXPECT_EQ(report_of(study_called("plain")), report_of(study_called("plain")));
 }
