@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "motion/modify/posture.h"
+#include "motion/procedural/acted_walks.h"
 #include "motion/procedural/expressive_walks.h"
 #include "motion/procedural/knock.h"
 #include "motion/procedural/walker.h"
@@ -61,6 +62,14 @@ void add_actor(const std::string& actor, const Skeleton& body, double fps, Maker
   add_pose("strong", {{shoulder_abduction, 18.0}, {chest_flexion, -5.0}});
 }
 
+void add_further_walks(const std::string& actor, const Skeleton& body, double fps, Makers& makers) {
+  const std::vector<NamedStyle> styles = {
+      {"excited", excited_walk()}, {"strong", strong_walk()}, {"weak", weak_walk()}};
+  for (const auto& [emotion, style] : styles)
+    add_maker(
+        actor + "-walk-" + emotion, [=, style = style] { return walk(style, fps, body); }, makers);
+}
+
 constexpr std::string_view actors = "actors";
 
 }  // namespace
@@ -70,6 +79,9 @@ std::vector<ExampleMaker> builtin_example_makers(std::string_view name, double f
   if (name == actors) {
     add_actor("woman", standard_female_body(), frames_per_second, makers);
     add_actor("man", standard_body(1.8), frames_per_second, makers);
+    // After all others, so that those keep their places.
+    add_further_walks("woman", standard_female_body(), frames_per_second, makers);
+    add_further_walks("man", standard_body(1.8), frames_per_second, makers);
     return makers;
   }
   for (const auto& [style_name, style] : builtin_styles(name))

@@ -46,7 +46,7 @@ ExampleSet unmade_examples(std::string_view name);
 /// The set's walks, made by the parametric walker on the standard body; marked as simulated.
 ///
 /// "actors" is not for blending: a woman of 1.65 m and a man of 1.80 m ("woman-walk-sad",
-/// "man-knock-neutral", …), each walking neutrally and in seven acted emotions, knocking on a door
+/// "man-knock-neutral", …), each walking neutrally and in ten acted emotions, knocking on a door
 /// neutrally and in two, and standing in three poses.
 ExampleSet builtin_examples(std::string_view name, double frames_per_second = 30.0);
 

@@ -1,5 +1,6 @@
 #include "motion/procedural/builtin_sets.h"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -62,6 +63,33 @@ TEST(BuiltinSets, AtAnyRateTheSameWalks) {
   const ExampleSet fast = builtin_examples("walks-10", 120.0);
   for (size_t i = 0; i < slow.examples.size(); ++i) {
     EXPECT_LT(distance(slow.examples[i], fast.examples[i]).mean, 0.005) << slow.examples[i].name;
+  }
+}
+
+TEST(BuiltinSets, ActorsKeepTheirPlacesAndGetFurtherWalksBehind) {
+  const std::vector<std::string> names = builtin_example_names("actors");
+  ASSERT_EQ(names.size(), 34U);
+  EXPECT_EQ(names.front(), "woman-walk-neutral");
+  EXPECT_EQ(names[27], "man-stand-strong");  // the last of the 28 that there were
+  EXPECT_EQ(names.back(), "man-walk-weak");
+}
+
+TEST(BuiltinSets, ActorsActExcitedStrongAndWeakWalksApartFromAllOthers) {
+  const ExampleSet set = builtin_examples("actors");
+  const auto of = [&](const std::string& name) -> const Example& {
+    return *std::ranges::find(set.examples, name, &Example::name);
+  };
+  const auto speed = [](const Example& example) {
+    return example.clip.cycle_displacement.z() / example.clip.duration_seconds();
+  };
+  for (const std::string actor : {"woman", "man"}) {
+    const std::string walk = actor + "-walk-";
+    EXPECT_GT(speed(of(walk + "excited")), 1.1 * speed(of(walk + "neutral")));
+    EXPECT_LT(speed(of(walk + "weak")), 0.6 * speed(of(walk + "neutral")));
+    for (const char* own : {"excited", "strong", "weak"})
+      for (const Example& other : set.examples)
+        if (other.name.starts_with(walk) && other.name != walk + own)
+          EXPECT_GT(distance(of(walk + own), other).mean, 0.02) << own << " " << other.name;
   }
 }
 

@@ -61,7 +61,7 @@ TEST(Actors, WalkKnockAndStandWithoutErrorsOnBodiesOfTheirOwn) {
   const ExampleSet set = builtin_examples("actors");
   EXPECT_FALSE(set.blendable);
   EXPECT_TRUE(set.simulated);
-  EXPECT_EQ(set.examples.size(), 28u);
+  EXPECT_EQ(set.examples.size(), 34u);
   const std::vector<std::string> names = builtin_example_names("actors");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Example& example = set.examples[i];
