@@ -44,7 +44,7 @@ std::string to_bvh(const Recording& recording);
 /// offsets of poses.
 Recording as_read_from_bvh(const Recording& recording);
 
-/// Writes `to_bvh`. Throws mien::Error when the file cannot be written.
+/// Writes `to_bvh`. Throws WriteFailure when the file cannot be written.
 void write_bvh(const Recording& recording, const std::filesystem::path& path);
 
 }  // namespace mien::motion

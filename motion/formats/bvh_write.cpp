@@ -7,7 +7,7 @@
 #include "motion/formats/bvh.h"
 #include "motion/formats/bvh_rotation.h"
 #include "motion/formats/bvh_text.h"
-#include "motion/text/file_contents.h"
+#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -163,7 +163,7 @@ std::string to_bvh(const Recording& recording) {
 }
 
 void write_bvh(const Recording& recording, const std::filesystem::path& path) {
-  write_contents(path, to_bvh(recording));
+  write_result(path, to_bvh(recording));
 }
 
 }  // namespace mien::motion

@@ -9,7 +9,7 @@
 #include "motion/formats/gltf_stick_mesh.h"
 #include "motion/formats/gltf_track.h"
 #include "motion/math/rotation.h"
-#include "motion/text/file_contents.h"
+#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -163,7 +163,7 @@ std::string to_glb(const Recording& recording) {
 }
 
 void write_glb(const Recording& recording, const std::filesystem::path& path) {
-  write_contents(path, to_glb(recording));
+  write_result(path, to_glb(recording));
 }
 
 }  // namespace mien::motion

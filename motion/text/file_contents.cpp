@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <fstream>
 #include <system_error>
 
 #include <fcntl.h>
@@ -13,6 +12,7 @@
 
 #include "motion/error.h"
 #include "motion/text/lfs_pointer.h"
+#include "motion/text/result_file.h"
 
 namespace mien::motion {
 
@@ -120,12 +120,10 @@ std::string read_contents(const std::filesystem::path& path) {
 }
 
 void write_contents(const std::filesystem::path& path, std::string_view bytes) {
-  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (!stream) {
-    throw Error({path.string()}, "cannot be written",
-                "check that the folder exists, may be written to and has space");
+  try {
+    write_result(path, bytes);
+  } catch (const WriteFailure& failure) {
+    throw Error(failure.what(), "");
   }
 }
 

@@ -9,6 +9,7 @@
 #endif
 
 #include "pipeline/commands/cli.h"
+#include "pipeline/commands/standard_output.h"
 #include "pipeline/documents/failure_text.h"
 #include "pipeline/documents/printable_stream.h"
 #include "pipeline/tasks/interruption.h"
@@ -44,10 +45,16 @@ int main(int argc, char** argv) {
   using mien::pipeline::PrintableStream, mien::pipeline::StreamReader;
   give_back_pictures();
   std::set_terminate(end_at_once);
+  mien::pipeline::keep_standard_streams_open();
   const mien::pipeline::SignalWatch signals;
-  PrintableStream out(std::cout,
-                      isatty(STDOUT_FILENO) != 0 ? StreamReader::terminal : StreamReader::program);
+  mien::pipeline::StandardOutput output;
   PrintableStream err(std::cerr, StreamReader::terminal);
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
-  return mien::pipeline::run_command_line(argc, argv, {out, err, is_terminal, signals.token()});
+  int code = mien::pipeline::exit_failed;
+  {
+    PrintableStream out(output.stream(), isatty(STDOUT_FILENO) != 0 ? StreamReader::terminal
+                                                                    : StreamReader::program);
+    code = mien::pipeline::run_command_line(argc, argv, {out, err, is_terminal, signals.token()});
+  }  // what it still held is passed on
+  return output.finish(code, err);
 }

@@ -11,6 +11,7 @@
 
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/result_file.h"
 
 namespace mien::pipeline {
 
@@ -20,11 +21,14 @@ namespace {
   throw std::system_error(errno, std::generic_category(), file.string());
 }
 
-[[noreturn]] void throw_unwritable(const std::filesystem::path& file) {
-  const std::error_code code(errno, std::generic_category());
-  throw WriteFailure(file.string() + ": cannot be written (" + code.message() +
-                         "); check that the folder exists, may be written to and has space",
-                     code);
+/// Motion's failure to write is this module's.
+template <class Work>
+void as_own_failure(const Work& work) {
+  try {
+    work();
+  } catch (const mien::WriteFailure& failure) {
+    throw WriteFailure(failure.what(), failure.code());
+  }
 }
 
 /// An open file that closes itself.
@@ -32,9 +36,7 @@ class Descriptor {
  public:
   Descriptor(const std::filesystem::path& file, int flags)
       : number_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (number_ >= 0) return;
-    if ((flags & O_CREAT) != 0) throw_unwritable(file);
-    throw_errno(file);
+    if (number_ < 0) throw_errno(file);
   }
   ~Descriptor() { ::close(number_); }
   Descriptor(const Descriptor&) = delete;
@@ -62,21 +64,14 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
 }
 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
-  const Descriptor descriptor(file, O_WRONLY | O_CREAT | O_TRUNC);
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor.number(), bytes.data(), bytes.size());
-    if (count >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(count));
-    } else if (errno != EINTR) {
-      throw_unwritable(file);
-    }
-  }
+  as_own_failure([&] { motion::write_result(file, bytes); });
 }
 
+/// Records that are written anew every few seconds do not wait for the disk.
 void replace_file(const std::filesystem::path& file, const std::filesystem::path& next,
                   std::string_view bytes) {
   try {
-    write_file(next, bytes);
+    as_own_failure([&] { motion::write_in_place(next, bytes); });
     std::filesystem::rename(next, file);
   } catch (...) {
     std::error_code ignored;

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
-#include <system_error>
 
 #include <fmt/format.h>
 
+#include "pipeline/documents/files.h"
 #include "pipeline/sheets/sheet_layout.h"
 #include "pipeline/sheets/sheet_parts.h"
 
@@ -27,15 +26,6 @@ void draw_page(Canvas& canvas, const SheetContent& content) {
   draw_joint_bars(canvas, content, page.joint_bars);
   draw_curves(canvas, content, page.curves);
   draw_footer(canvas, content, page.footer);
-}
-
-void write_file(const std::filesystem::path& file, const std::string& bytes) {
-  std::ofstream out(file, std::ios::binary);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) {
-    throw std::system_error(errno, std::generic_category(), "cannot write " + file.string());
-  }
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ class FileActions {
   posix_spawn_file_actions_t actions_;
 };
 
-/// Signals as a program expects to find them: this one may block some for its own threads.
+/// Signals as a program expects to find them: this one blocks some for its own threads, and ignores
+/// that of a pipe whose reader has gone.
 class PlainSignals {
  public:
   PlainSignals() {
@@ -76,7 +77,11 @@ class PlainSignals {
     sigemptyset(&none);
     posix_spawnattr_init(&attributes_);
     posix_spawnattr_setsigmask(&attributes_, &none);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK);
+    sigset_t ignored;
+    sigemptyset(&ignored);
+    sigaddset(&ignored, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes_, &ignored);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }
   ~PlainSignals() { posix_spawnattr_destroy(&attributes_); }
   PlainSignals(const PlainSignals&) = delete;

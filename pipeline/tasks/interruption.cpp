@@ -6,6 +6,8 @@
 
 #include <pthread.h>
 
+#include "motion/text/result_file.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -42,6 +44,7 @@ void SignalWatch::watch() {
       std::fputs("\ninterrupted: stopping; what is done is kept (Ctrl-C to stop at once)\n",
                  stderr);
     } else if (signal == SIGINT) {
+      motion::remove_unfinished_results();
       std::_Exit(exit_interrupted);
     }
   }

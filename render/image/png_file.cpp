@@ -1,9 +1,11 @@
 #include "render/image/png_file.h"
 
 #include <bit>
+#include <cerrno>
 #include <csetjmp>
 #include <cstdint>
 #include <cstdio>
+#include <system_error>
 
 #include <png.h>
 
@@ -103,15 +105,23 @@ bool read_rows(png_structp png, png_infop info, std::uint8_t* values) {
   return true;
 }
 
+/// With the system's own reason, which libpng does not pass on.
+Error unwritable(const std::filesystem::path& path, int error) {
+  return Error(path.string() + ": cannot be written (" + std::generic_category().message(error) +
+               ")");
+}
+
 }  // namespace
 
 void write_png_file(const std::filesystem::path& path, const PngPixels& pixels) {
   OpenedFile file(std::fopen(path.c_str(), "wb"));
-  if (!file) throw Error(path.string() + ": cannot be opened for writing");
+  if (!file) throw unwritable(path, errno);
   const PngWriting writing;
+  errno = 0;
   if (!write_all(writing.png, writing.info, file.get(), pixels))
-    throw Error(path.string() + ": writing: " + writing.error);
-  if (std::fclose(file.release()) != 0) throw Error(path.string() + ": writing: the disk failed");
+    throw errno != 0 ? unwritable(path, errno)
+                     : Error(path.string() + ": writing: " + writing.error);
+  if (std::fclose(file.release()) != 0) throw unwritable(path, errno);
 }
 
 struct PngFile::State {
