@@ -48,22 +48,13 @@ bool is_reserved(std::string_view name) {
          stem[3] >= '0' && stem[3] <= '9';
 }
 
-/// Why a path leads out of its folder as it is written, whatever lies there.
-std::string fault_as_written(std::string_view relative) {
-  if (relative.empty()) return "is empty";
-  if (relative.find('\0') != std::string_view::npos) return "holds a zero byte";
-  const fs::path path(relative);
-  if (path.is_absolute()) return absolute;
-  if (std::ranges::find(path, fs::path("..")) != path.end()) return leads_out;
-  return path.lexically_normal() == "." ? "names the folder itself" : "";
-}
-
 bool lies_below(const fs::path& path, const fs::path& folder) {
   return std::ranges::mismatch(folder, path).in1 == folder.end();
 }
 
 /// A folder without links, with no '/' at its end.
-fs::path real_folder(const fs::path& folder) {
+fs::path real_folder(const fs::path& given) {
+  const fs::path folder = given.empty() ? fs::path(".") : given;
   std::error_code unknown;
   fs::path real = fs::weakly_canonical(fs::absolute(folder, unknown), unknown);
   if (unknown) real = fs::absolute(folder, unknown).lexically_normal();
@@ -72,7 +63,7 @@ fs::path real_folder(const fs::path& folder) {
 
 /// Why a path leads out of a folder; empty when it does not.
 std::string fault_inside(const fs::path& folder, std::string_view relative) {
-  std::string fault = fault_as_written(relative);
+  std::string fault = fault_of_relative(relative);
   if (!fault.empty()) return fault;
   const fs::path real = real_folder(folder);
   fs::path at = folder;
@@ -111,6 +102,15 @@ std::string fault_of_names(std::string_view path) {
     path.remove_prefix(std::min(end + 1, path.size()));
   }
   return "";
+}
+
+std::string fault_of_relative(std::string_view relative) {
+  if (relative.empty()) return "is empty";
+  if (relative.find('\0') != std::string_view::npos) return "holds a zero byte";
+  const fs::path path(relative);
+  if (path.is_absolute()) return absolute;
+  if (std::ranges::find(path, fs::path("..")) != path.end()) return leads_out;
+  return path.lexically_normal() == "." ? "names the folder itself" : "";
 }
 
 std::string safe_component(std::string_view name, const Place& place) {

@@ -21,6 +21,11 @@ std::string fault_of_name(std::string_view name);
 /// are refused, and so is an empty path.
 std::string fault_of_names(std::string_view path);
 
+/// Why a path leads out of its folder as it is written, or is none: empty, absolute, with "..",
+/// with a zero byte, or the folder itself. Empty when it stays inside. Names in it may be any that
+/// this system allows, as those of files that the user has named.
+std::string fault_of_relative(std::string_view path);
+
 /// The name, which is fit to be appended to a folder. Throws mien::Error, with the place that gave
 /// it, what is wrong and how to mend it.
 std::string safe_component(std::string_view name, const Place& place);

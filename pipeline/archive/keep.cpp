@@ -85,7 +85,7 @@ Cleaning all_but(const fs::path& folder, const std::vector<ArtifactKind>& kept) 
     const std::optional<ArtifactKind> kind = kind_of(artifact.path);
     if (!kind || std::ranges::find(kept, *kind) != kept.end()) continue;
     if (!is_there(folder / artifact.path)) continue;
-    if (find_artifact(folder, artifact.path, artifact.key)) {
+    if (is_removable(folder, artifact)) {
       cleaning.bytes += artifact.size;
       cleaning.removed.push_back(std::move(artifact));
     } else {

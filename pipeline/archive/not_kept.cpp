@@ -9,6 +9,7 @@
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/json_depth.h"
+#include "motion/text/safe_name.h"
 #include "pipeline/documents/files.h"
 
 namespace mien::pipeline {
@@ -45,7 +46,8 @@ std::vector<ArtifactRecord> not_kept_in(const fs::path& folder) {
     const bool is_deep = motion::is_nested_deeper(*text.bytes, motion::deepest_document);
     const auto note = nlohmann::json::parse(is_deep ? std::string() : *text.bytes);
     for (const auto& [path, entry] : note.at("not_kept").items())
-      records.push_back({path, entry.at("hash"), entry.at("size"), entry.value("frames", 0)});
+      records.push_back({motion::safe_names(path, {file.string()}), entry.at("hash"),
+                         entry.at("size"), entry.value("frames", 0)});
   } catch (const nlohmann::json::exception&) {
     throw Error({file.string()}, "this is no note of what was removed",
                 "remove it: what it told is missing then");

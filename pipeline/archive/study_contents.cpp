@@ -10,6 +10,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/json_depth.h"
+#include "motion/text/safe_name.h"
 
 namespace mien::pipeline {
 
@@ -20,13 +21,9 @@ using nlohmann::json;
 
 /// Throws for what would lead out of the study's folder.
 std::string safe_path(const std::string& path) {
-  const fs::path steps(path);
-  const bool leads_out = path.empty() || steps.is_absolute() ||
-                         std::ranges::find(steps, fs::path("..")) != steps.end() ||
-                         path.find('\0') != std::string::npos;
-  if (!leads_out) return path;
-  throw std::runtime_error("names " + motion::in_quotes(path) +
-                           ", which is no place in the study's folder");
+  const std::string fault = motion::fault_of_relative(path);
+  if (fault.empty()) return path;
+  throw std::runtime_error("names " + motion::in_quotes(path) + ", a path that " + fault);
 }
 
 ArtifactRecord artifact_of(const std::string& path, const json& entry) {
@@ -34,10 +31,10 @@ ArtifactRecord artifact_of(const std::string& path, const json& entry) {
 }
 
 void take(const json& record, StudyContents& contents) {
-  contents.study = safe_path(record.at("study"));
-  if (contents.study == "." || contents.study.find('/') != std::string::npos)
+  contents.study = record.at("study");
+  if (const std::string fault = motion::fault_of_name(contents.study); !fault.empty())
     throw std::runtime_error("calls the study " + motion::in_quotes(contents.study) +
-                             ", which is no name");
+                             ", a name that " + fault);
   contents.program = record.at("mien");
   contents.command = record.value("command", "");
   contents.seed = record.at("seed");

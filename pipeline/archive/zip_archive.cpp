@@ -9,7 +9,9 @@
 #include <archive_entry.h>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
+#include "motion/text/safe_name.h"
 #include "pipeline/archive/utf8_names.h"
 
 namespace mien::pipeline {
@@ -50,15 +52,6 @@ void write_entry(archive* zip, const std::string& path, const std::string& bytes
 [[noreturn]] void refuse_zip(const std::string& name, archive* zip) {
   const char* words = archive_error_string(zip);
   throw Error({name}, words != nullptr ? words : "this is no zip archive", "give a whole one");
-}
-
-bool leads_out(const std::string& path) {
-  const std::filesystem::path given(path);
-  if (path.empty() || given.is_absolute()) return true;
-  for (const auto& part : given) {
-    if (part == "..") return true;
-  }
-  return false;
 }
 
 /// What is stored in an archive of that size, and room for one that somebody has compressed. mien
@@ -149,10 +142,13 @@ ZipFiles unzipped(const std::string& bytes, const std::string& name) {
   std::uint64_t left = most;
   while (archive_entry* const entry = reader.next()) {
     const char* given = archive_entry_pathname(entry);
-    const std::string path = given != nullptr ? given : "";
-    if (leads_out(path))
-      throw Error({name}, "a path in it leads out of it", "give the archive that mien wrote");
-    if (archive_entry_filetype(entry) != AE_IFREG) continue;
+    std::string path = given != nullptr ? given : "";
+    const bool is_file = archive_entry_filetype(entry) == AE_IFREG;
+    if (!is_file && path.ends_with('/')) path.pop_back();
+    if (const std::string fault = motion::fault_of_names(path); !fault.empty())
+      throw Error({name}, "the path " + motion::in_quotes(path) + " in it " + fault,
+                  "give the archive that mien wrote");
+    if (!is_file) continue;
     files[path] = reader.content(left, most);
   }
   return files;

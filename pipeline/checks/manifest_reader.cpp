@@ -96,6 +96,20 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   return reading;
 }
 
+std::vector<NamedFile> files_named(std::string_view text, const std::filesystem::path& file,
+                                   const Environment& environment) {
+  std::vector<NamedFile> named;
+  std::vector<Fault> faults;
+  const YamlNode tree = read_yaml(text, file.string(), faults);
+  JsonReading json = to_json(tree, root_of(manifest_schema()), environment, faults);
+  if (!faults.empty()) throw Faults(in_reading_order(std::move(faults)));
+  build_manifest(json.document, std::move(json.places), file,
+                 [&](const std::string& name, const std::filesystem::path& resolved) {
+                   named.push_back({name, resolved});
+                 });
+  return named;
+}
+
 ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment) {
   const motion::FileReading text = motion::bytes_of_file(file, motion::most_of_document);
   ManifestReading other;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,17 @@ struct ManifestReading {
 /// the folder of `file`. Never throws for what the text says.
 ManifestReading parse_manifest(std::string_view text, const std::filesystem::path& file,
                                const Environment& environment);
+
+/// A file or folder that a manifest names.
+struct NamedFile {
+  std::string text;            ///< as it is written
+  std::filesystem::path file;  ///< as it would be opened
+};
+
+/// All that a manifest's text names, wherever in it. Opens none of them. Throws Faults for
+/// what is no YAML; what the schema says of it is not looked at.
+std::vector<NamedFile> files_named(std::string_view text, const std::filesystem::path& file,
+                                   const Environment& environment);
 
 /// As above from a file; that it cannot be read is a fault too.
 ManifestReading read_manifest(const std::filesystem::path& file, const Environment& environment);

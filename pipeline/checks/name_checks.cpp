@@ -12,6 +12,7 @@
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
+#include "motion/text/safe_name.h"
 #include "pipeline/documents/fault_list.h"
 #include "render/video/video_kind.h"
 
@@ -52,6 +53,11 @@ using TakenIds = std::map<std::string, TakenId>;
 void check_unique(const std::string& id, const std::string& path, TakenIds& taken,
                   FaultList& list) {
   if (id.empty()) return;
+  if (const std::string fault = motion::fault_of_name(id); !fault.empty()) {
+    list.add(member_path(path, "id"), "\"" + id + "\" " + fault + ", and files are called after it",
+             "give it another id");
+    return;
+  }
   const auto [entry, is_new] = taken.emplace(without_case(id), TakenId{id, path});
   if (is_new) return;
   const TakenId& first = entry->second;

@@ -4,6 +4,7 @@
 
 #include "motion/text/file_contents.h"
 #include "motion/text/json_depth.h"
+#include "motion/text/safe_name.h"
 
 namespace mien::pipeline {
 
@@ -20,8 +21,10 @@ std::optional<StudyRecord> study_record_in(const std::filesystem::path& file) {
   };
   if (text("/manifest/as_run").empty()) return std::nullopt;
   const std::filesystem::path folder = file.parent_path();
-  return StudyRecord{folder / text("/manifest/as_run"), folder / text("/manifest/copy"),
-                     text("/command")};
+  const auto kept = [&](const char* place) {
+    return motion::inside(folder, text(place), {file.string()});
+  };
+  return StudyRecord{kept("/manifest/as_run"), kept("/manifest/copy"), text("/command")};
 }
 
 }  // namespace mien::pipeline

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "motion/text/safe_name.h"
 #include "pipeline/documents/files.h"
 
 namespace mien::pipeline {
@@ -39,10 +40,15 @@ JournalJob* job_called(JournalContent& content, const std::string& comment) {
   return found == content.jobs.rend() ? nullptr : &*found;
 }
 
+/// Throws for one that is not the name of a folder or file of the farm.
+std::string own_name(const ordered_json& told, const char* member) {
+  return motion::safe_component(told.at(member).get<std::string>(), {});
+}
+
 void take_line(const ordered_json& told, JournalContent& content) {
   const std::string event = told.at("event");
   if (event == "submission") {
-    content.submissions.push_back({told.at("submission"), told.value("when", ""),
+    content.submissions.push_back({own_name(told, "submission"), told.value("when", ""),
                                    told.value("quality", ""), told.value("chunk", 0),
                                    request_in(told)});
     return;
@@ -50,8 +56,8 @@ void take_line(const ordered_json& told, JournalContent& content) {
   const std::string comment = told.at("comment");
   if (event == "intent") {
     JournalJob job;
-    job.submission = told.at("submission");
-    job.name = told.at("name");
+    job.submission = own_name(told, "submission");
+    job.name = own_name(told, "name");
     job.comment = comment;
     job.elements = told.at("elements");
     job.memory = told.value("mem", "");
@@ -87,6 +93,8 @@ JournalContent SubmissionJournal::read() const {
     try {
       take_line(ordered_json::parse(line), content);
     } catch (const ordered_json::exception&) {
+      continue;
+    } catch (const Error&) {
       continue;
     }
   }

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "motion/text/safe_name.h"
+
 namespace mien::pipeline {
 
 using nlohmann::ordered_json;
@@ -94,8 +96,10 @@ FilmRecord parse_film_record(const std::string& text) {
                         .lightest = luminance.at("lightest")};
     if (json.contains("warnings"))
       record.warnings = json.at("warnings").get<std::vector<std::string>>();
-    for (const nlohmann::json& video : json.at("videos"))
+    for (const nlohmann::json& video : json.at("videos")) {
       record.videos.push_back(video_record_of(video));
+      motion::safe_names(record.videos.back().file, {});
+    }
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(std::string("no record of a film: ") + error.what());
   }

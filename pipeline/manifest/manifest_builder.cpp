@@ -47,12 +47,16 @@ void name_what_has_no_id(Manifest& manifest) {
 
 }  // namespace
 
-Manifest build_manifest(const json& document, Places places, const std::filesystem::path& file) {
+Manifest build_manifest(
+    const json& document, Places places, const std::filesystem::path& file,
+    const std::function<void(const std::string&, const std::filesystem::path&)>& names) {
   Manifest manifest;
   manifest.file = file;
   manifest.places = std::move(places);
-  const auto resolve = [folder = file.parent_path()](const std::string& path) {
-    return (folder / path).lexically_normal();
+  const auto resolve = [&names, folder = file.parent_path()](const std::string& path) {
+    std::filesystem::path resolved = (folder / path).lexically_normal();
+    if (names) names(path, resolved);
+    return resolved;
   };
   const ReadingContext context{manifest.places, resolve};
   read({document, "", context}, manifest);

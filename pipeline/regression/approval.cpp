@@ -6,6 +6,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/text/excerpt.h"
+#include "motion/text/safe_name.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_tables.h"
@@ -124,8 +125,8 @@ void put_videos(const StimulusFacts& facts, const fs::path& study, const fs::pat
 
 /// Puts the stimulus's new folder in the place of the old one.
 void exchange(const fs::path& next, const fs::path& folder) {
-  fs::path old = folder;
-  old += ".old";
+  // No stimulus is called so.
+  const fs::path old = folder.parent_path() / ("." + folder.filename().string() + ".old");
   fs::remove_all(old);
   if (fs::exists(folder)) fs::rename(folder, old);
   fs::rename(next, folder);
@@ -138,6 +139,12 @@ void put(Baseline& baseline, StimulusFacts facts) {
     *same = std::move(facts);
   else
     baseline.stimuli.push_back(std::move(facts));
+}
+
+/// What is written and removed lies in the baseline itself: no link leads out of it.
+void refuse_ways_out(const fs::path& folder) {
+  for (const char* own : {"baseline.json", "baseline.json.next", "editions", "stimuli"})
+    motion::inside(folder, own, {folder.string()});
 }
 
 bool is_wanted(const std::string& id, const Approval& approval) {
@@ -186,6 +193,7 @@ Baseline approve(Rendition& now, const fs::path& folder, const Approval& approva
                  const std::map<std::string, Hash>& inputs, const ApprovalOptions& options,
                  const std::stop_token& stop, const std::function<void(double)>& done) {
   const Manifest& manifest = now.manifest();
+  refuse_ways_out(folder);
   Baseline baseline;
   if (is_baseline(folder)) baseline = read_baseline(folder);
   if (!baseline.study.empty() && baseline.study != manifest.study)

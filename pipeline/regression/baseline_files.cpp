@@ -3,9 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/json_depth.h"
 #include "motion/text/lfs_pointer.h"
+#include "motion/text/safe_name.h"
 #include "pipeline/documents/fault.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/regression/baseline.h"
@@ -279,6 +281,18 @@ void add_damaged_sums(std::vector<Fault>& faults, const Baseline& baseline) {
   for (const std::string& edition : editions) add_unknown_files(faults, baseline, edition);
 }
 
+/// What a stimulus's facts name lies in its folder.
+StimulusFacts own_facts(StimulusFacts facts, const std::string& id, const fs::path& file) {
+  const Place place{file.string()};
+  if (facts.id != id)
+    throw Error(place, "tells of the stimulus " + motion::in_quotes(facts.id),
+                "take it from where the baseline is kept (git checkout), or approve it again");
+  motion::safe_component(facts.edition, place);
+  for (const auto& [name, hash] : facts.files) motion::safe_names(name, place);
+  for (const VideoFacts& video : facts.videos) motion::safe_names(video.record.file, place);
+  return facts;
+}
+
 }  // namespace
 
 std::string facts_path(const std::string& id) { return "stimuli/" + id + "/stimulus.json"; }
@@ -302,16 +316,21 @@ Baseline read_baseline(const fs::path& folder) {
                   "update mien to the one that the study was approved with");
     refuse_damage(folder / "baseline.json", text, json);
     baseline.sums = json.value("sums", std::map<std::string, Hash>{});
+    for (const auto& [path, hash] : baseline.sums)
+      motion::safe_names(path, {(folder / "baseline.json").string()});
     baseline.study = json.at("study");
     ids = json.at("stimuli");
     for (const Json& approval : json.at("approvals"))
       baseline.approvals.push_back(approval_of(approval));
     return 0;
   });
-  for (const std::string& id : ids)
-    baseline.stimuli.push_back(from_document(
-        folder / facts_path(id),
-        [](const Json& json, const std::string&) { return stimulus_facts_of(json); }));
+  for (const std::string& id : ids) {
+    motion::safe_component(id, {(folder / "baseline.json").string()});
+    const fs::path file = folder / facts_path(id);
+    StimulusFacts facts = from_document(
+        file, [](const Json& json, const std::string&) { return stimulus_facts_of(json); });
+    baseline.stimuli.push_back(own_facts(std::move(facts), id, file));
+  }
   return baseline;
 }
 

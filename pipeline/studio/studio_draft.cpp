@@ -1,10 +1,10 @@
 #include "pipeline/studio/studio_draft.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "motion/error.h"
+#include "motion/text/excerpt.h"
 #include "pipeline/checks/modification_checks.h"
 #include "pipeline/checks/name_checks.h"
 #include "pipeline/documents/fault_list.h"
@@ -36,58 +36,6 @@ void each_text(const ordered_json& value, const DocumentPath& path, const Visit&
   }
 }
 
-/// "walk.bvh", "../x", "captures/": with a folder, or an ending of letters.
-bool looks_like_path(const std::string& text) {
-  if (text.find_first_of("/\\") != std::string::npos) return true;
-  const std::size_t dot = text.rfind('.');
-  if (dot == std::string::npos || dot + 1 == text.size()) return false;
-  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(dot) + 1, text.end(),
-                     [](unsigned char letter) { return std::isalnum(letter) != 0; }) &&
-         std::isdigit(static_cast<unsigned char>(text[dot + 1])) == 0;
-}
-
-/// Patterns of names in a folder, which never lead out of it.
-bool is_pattern(const std::string& text, const DocumentPath& path) {
-  if (path.empty() || text.find_first_of("/\\") != std::string::npos) return false;
-  return path.back() == DocumentStep("include") || path.back() == DocumentStep("exclude");
-}
-
-/// Whether a text stands where a folder or file may be named without looking like one.
-bool names_a_source(const std::string& text, const DocumentPath& path) {
-  static const std::set<std::string> keys = {"set",    "folder",  "file",
-                                             "scales", "ratings", "recipes"};
-  static const std::set<std::string> words = {"builtin", "none", "simulated", "fig29"};
-  if (text.starts_with("builtin:") || words.contains(text)) return false;
-  const bool is_look = std::find(path.begin(), path.end(), DocumentStep("look")) != path.end();
-  if (is_look) return false;  // sets by their names
-  return std::any_of(path.begin(), path.end(), [](const DocumentStep& step) {
-    const auto* key = std::get_if<std::string>(&step);
-    return key != nullptr && keys.contains(*key);
-  });
-}
-
-std::vector<Fault> new_files(const ordered_json& document, const ordered_json& known,
-                             const std::filesystem::path& manifest) {
-  const StudioPlaces places(manifest, known);
-  std::set<std::string> names;
-  each_text(known, {}, [&](const std::string& text, const DocumentPath&) { names.insert(text); });
-  std::vector<Fault> faults;
-  each_text(document, {}, [&](const std::string& text, const DocumentPath& path) {
-    if (names.contains(text)) return;
-    if (is_pattern(text, path)) return;
-    if (!looks_like_path(text) && !names_a_source(text, path)) return;
-    if (places.hold(text)) return;
-    faults.push_back({{},
-                      path_text(path),
-                      "\"" + text +
-                          "\" is neither named by the manifest nor a motion, a folder or a "
-                          "character below its folder",
-                      "choose what is there, or write it into the manifest by hand and load it "
-                      "again"});
-  });
-  return faults;
-}
-
 /// What was expanded is not expanded again.
 void keep_dollars(ordered_json& value) {
   if (value.is_string()) {
@@ -99,6 +47,21 @@ void keep_dollars(ordered_json& value) {
   for (auto& one : value) keep_dollars(one);
 }
 
+/// A page's document as the text of a manifest.
+std::string manifest_text(ordered_json document) {
+  keep_dollars(document);
+  return document.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+/// Where a document has that text; empty where it says it in another form.
+std::string first_place_of(const std::string& text, const ordered_json& document) {
+  std::string place;
+  each_text(document, {}, [&](const std::string& one, const DocumentPath& path) {
+    if (place.empty() && one == text) place = path_text(path);
+  });
+  return place;
+}
+
 }  // namespace
 
 ordered_json faults_json(const std::vector<Fault>& faults) {
@@ -108,17 +71,35 @@ ordered_json faults_json(const std::vector<Fault>& faults) {
   return list;
 }
 
-ManifestReading DraftReader::reading_of(ordered_json document, const ordered_json& known) {
-  std::vector<Fault> faults = new_files(document, known, file_);
-  if (!faults.empty()) throw DraftFaults(std::move(faults));
-  keep_dollars(document);
-  const std::string text = document.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  return parse_manifest(text, file_, environment_);
+ManifestReading DraftReader::reading_of(const ordered_json& document) const {
+  return parse_manifest(manifest_text(document), file_, environment_);
 }
 
-Manifest DraftReader::read(ordered_json document, const ordered_json& known) {
+void DraftReader::admit(const ordered_json& document, const ordered_json& known) const {
+  const StudioPlaces places(file_, known);
+  std::vector<NamedFile> others = files_named(manifest_text(document), file_, environment_);
+  std::erase_if(others, [&](const NamedFile& one) {
+    return places.hold(std::filesystem::absolute(one.file).string());
+  });
+  if (others.empty()) return;
+  const std::vector<NamedFile> before = files_named(manifest_text(known), file_, environment_);
+  std::vector<Fault> faults;
+  for (const NamedFile& one : others) {
+    if (std::ranges::find(before, one.file, &NamedFile::file) != before.end()) continue;
+    faults.push_back({{},
+                      first_place_of(one.text, document),
+                      motion::in_quotes(one.text) +
+                          " is neither named by the manifest nor a motion, a folder or a "
+                          "character below its folder",
+                      "choose what is there, or write it into the manifest by hand and load it "
+                      "again"});
+  }
+  if (!faults.empty()) throw DraftFaults(std::move(faults));
+}
+
+Manifest DraftReader::read(const ordered_json& document) {
   const std::string key = examples_key(document);
-  ManifestReading reading = reading_of(std::move(document), known);
+  ManifestReading reading = reading_of(document);
   if (reading.faults.empty()) {
     try {
       const Vocabulary words = vocabulary(key, reading.manifest);
@@ -132,10 +113,10 @@ Manifest DraftReader::read(ordered_json document, const ordered_json& known) {
   return std::move(reading.manifest);
 }
 
-Manifest DraftReader::read_examples(ordered_json document, const ordered_json& known) {
-  document = document_about(document, {});
+Manifest DraftReader::read_examples(const ordered_json& asked) {
+  ordered_json document = document_about(asked, {});
   document["stimuli"] = {{{"id", "none"}, {"weights", {{"none", 1}}}}};
-  ManifestReading reading = reading_of(std::move(document), known);
+  ManifestReading reading = reading_of(document);
   if (!reading.faults.empty()) throw DraftFaults(std::move(reading.faults));
   return std::move(reading.manifest);
 }

@@ -33,22 +33,25 @@ nlohmann::ordered_json faults_json(const std::vector<Fault>& faults);
 
 /// Reads what a page would have made, by all rules of manifests. For several threads.
 ///
-/// A page names no file but those that the manifest names as it was opened or saved, and motions,
-/// folders and characters in its places (studio_places.h).
+/// Documents come to it through one door, `admit`, whatever is to be done with them.
 class DraftReader {
  public:
   DraftReader(std::filesystem::path file, Environment environment)
       : file_(std::move(file)), environment_(std::move(environment)) {}
 
-  /// The manifest of a document. `known` is the document whose files may be named. Throws
+  /// A page names no file but those that the manifest names as it was opened or saved (`known`),
+  /// and motions, folders and characters in its places (studio_places.h). Opens none. Throws
   /// DraftFaults.
-  Manifest read(nlohmann::ordered_json document, const nlohmann::ordered_json& known);
+  void admit(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known) const;
+
+  /// The manifest of a document that was admitted. Throws DraftFaults.
+  Manifest read(const nlohmann::ordered_json& document);
 
   /// Likewise, but for the stimuli, in whose place stands one that is not to be made.
-  Manifest read_examples(nlohmann::ordered_json document, const nlohmann::ordered_json& known);
+  Manifest read_examples(const nlohmann::ordered_json& document);
 
  private:
-  ManifestReading reading_of(nlohmann::ordered_json document, const nlohmann::ordered_json& known);
+  ManifestReading reading_of(const nlohmann::ordered_json& document) const;
   Vocabulary vocabulary(const std::string& key, const Manifest& manifest);
 
   std::filesystem::path file_;

@@ -129,7 +129,7 @@ const Stimulus* stimulus_in(const Manifest& manifest, const std::string& id) {
 
 }  // namespace
 
-Motions& StudioMotions::study(const ordered_json& document, const ordered_json& known) {
+Motions& StudioMotions::study(const ordered_json& document) {
   const std::string key = examples_key(document);
   const auto found = std::find_if(studies_.begin(), studies_.end(),
                                   [&](const Study& study) { return study.key == key; });
@@ -137,23 +137,21 @@ Motions& StudioMotions::study(const ordered_json& document, const ordered_json& 
     if (found != studies_.begin()) std::rotate(studies_.begin(), found, found + 1);
     return *studies_.front().motions;
   }
-  auto manifest = std::make_unique<const Manifest>(reader_.read_examples(document, known));
+  auto manifest = std::make_unique<const Manifest>(reader_.read_examples(document));
   auto motions = std::make_unique<Motions>(*manifest);
   studies_.push_front({key, std::move(manifest), std::move(motions)});
   if (studies_.size() > most_studies) studies_.pop_back();
   return *studies_.front().motions;
 }
 
-StudioMotions::Kept StudioMotions::made(const ordered_json& document, const ordered_json& known,
-                                        const std::string& name) {
+StudioMotions::Kept StudioMotions::made(const ordered_json& document, const std::string& name) {
   const ordered_json about = without_looks(document_about(document, {name}));
   const std::string key = name + "\n" + text_of(about);
   for (const auto& [asked, kept] : made_) {
     if (asked == key) return kept;
   }
-  const Manifest manifest =
-      has_stimuli(about) ? reader_.read(about, known) : reader_.read_examples(about, known);
-  const Repertoire& repertoire = study(document, known).repertoire();
+  const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
+  const Repertoire& repertoire = study(document).repertoire();
   const Stimulus* stimulus = stimulus_in(manifest, name);
   auto motion = std::make_shared<StudioMotion>();
   motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
@@ -165,15 +163,13 @@ StudioMotions::Kept StudioMotions::made(const ordered_json& document, const orde
   return motion;
 }
 
-StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const ordered_json& known,
-                                          const std::string& name) {
+StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const std::string& name) {
   const ordered_json about = document_about(document, {name});
   const std::string key = name + "\n" + looks_of(about);
   for (const auto& [asked, kept] : shown_) {
     if (asked == key) return kept;
   }
-  const Manifest manifest =
-      has_stimuli(about) ? reader_.read(about, known) : reader_.read_examples(about, known);
+  const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = stimulus_in(manifest, name);
   shown_.emplace_front(key, stimulus == nullptr
                                 ? Shown{manifest.look.figure}
@@ -182,20 +178,20 @@ StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const or
   return shown_.front().second;
 }
 
-std::string StudioMotions::motion(const ordered_json& document, const ordered_json& known,
-                                  const std::string& show, const std::string& against) {
+std::string StudioMotions::motion(const ordered_json& document, const std::string& show,
+                                  const std::string& against) {
   const std::lock_guard lock(mutex_);
   const auto begun = std::chrono::steady_clock::now();
   try {
-    const Kept motion = made(document, known, show);
+    const Kept motion = made(document, show);
     ordered_json distance;
     if (!against.empty())
-      distance = distance_json(
-          motion::distance(compared(*made(document, known, against)), compared(*motion)));
+      distance =
+          distance_json(motion::distance(compared(*made(document, against)), compared(*motion)));
     const Synthesis& synthesis = motion->synthesis;
-    const Shown on = shown(document, known, show);
+    const Shown on = shown(document, show);
     const StudioFigure figure = figures_.worn(on.figure, on.role, synthesis.motion.clip);
-    const Repertoire& repertoire = study(document, known).repertoire();
+    const Repertoire& repertoire = study(document).repertoire();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     const ordered_json head = {{"body", body_json(synthesis.motion.clip.body)},
                                {"findings", findings_json(synthesis.findings)},
@@ -215,23 +211,23 @@ std::string StudioMotions::motion(const ordered_json& document, const ordered_js
   }
 }
 
-std::string StudioMotions::figure(const ordered_json& document, const ordered_json& known,
-                                  const std::string& show, const std::string& key) {
+std::string StudioMotions::figure(const ordered_json& document, const std::string& show,
+                                  const std::string& key) {
   const std::lock_guard lock(mutex_);
   try {
-    const Shown on = shown(document, known, show);
-    const Kept motion = made(document, known, show);
+    const Shown on = shown(document, show);
+    const Kept motion = made(document, show);
     return figures_.file(key, on.figure, on.role, motion->synthesis.motion.clip.body);
   } catch (const Error& error) {
     throw as_fault("", error);
   }
 }
 
-ordered_json StudioMotions::choices(const ordered_json& document, const ordered_json& known) {
+ordered_json StudioMotions::choices(const ordered_json& document) {
   const std::lock_guard lock(mutex_);
-  const Manifest manifest = reader_.read_examples(document, known);
+  const Manifest manifest = reader_.read_examples(document);
   try {
-    Motions& motions = study(document, known);
+    Motions& motions = study(document);
     const Repertoire& repertoire = motions.repertoire();
     ordered_json examples = ordered_json::array();
     for (const RatedExample& example : repertoire.names) examples.push_back(example.name);

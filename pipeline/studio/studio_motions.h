@@ -37,8 +37,7 @@ class StudioMotions {
   /// What there is to choose from with the document's examples: "examples" and "sliders" as in
   /// LiveInfo (pipeline/page/src/live/core.ts), "simulated": nobody has given the ratings,
   /// "faults": why there are none. Throws DraftFaults.
-  nlohmann::ordered_json choices(const nlohmann::ordered_json& document,
-                                 const nlohmann::ordered_json& known);
+  nlohmann::ordered_json choices(const nlohmann::ordered_json& document);
 
   /// The motion of `show`, a stimulus of the document or an example, as bytes:
   ///
@@ -51,13 +50,13 @@ class StudioMotions {
   ///
   /// "distance" is D to the motion of `against`, if any, as `mien motion compare` finds it of the
   /// written clips: "D", "D_sum", "by_joint" (20), "by_time" (11), metres. Throws DraftFaults.
-  std::string motion(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known,
-                     const std::string& show, const std::string& against);
+  std::string motion(const nlohmann::ordered_json& document, const std::string& show,
+                     const std::string& against);
 
   /// The figure of that key that `show` is shown on, as a GLB file; empty where it is another.
   /// Throws DraftFaults.
-  std::string figure(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known,
-                     const std::string& show, const std::string& key);
+  std::string figure(const nlohmann::ordered_json& document, const std::string& show,
+                     const std::string& key);
 
  private:
   using Kept = std::shared_ptr<StudioMotion>;
@@ -68,11 +67,9 @@ class StudioMotions {
     scenes::Role role = scenes::Role::neutral;
   };
 
-  Motions& study(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known);
-  Kept made(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known,
-            const std::string& name);
-  Shown shown(const nlohmann::ordered_json& document, const nlohmann::ordered_json& known,
-              const std::string& name);
+  Motions& study(const nlohmann::ordered_json& document);
+  Kept made(const nlohmann::ordered_json& document, const std::string& name);
+  Shown shown(const nlohmann::ordered_json& document, const std::string& name);
 
   /// Examples and what was thought of them; the motions of no stimulus.
   struct Study {

@@ -112,6 +112,7 @@ ordered_json StudioPlaces::listed() const {
 }
 
 bool StudioPlaces::hold(const std::string& name) const {
+  if (name.find('\0') != std::string::npos) return false;
   const fs::path path = without_links(beside_ / name);
   const bool is_inside = std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
     return lies_in(path, place.folder);

@@ -64,12 +64,6 @@ Value member_or(const ordered_json& body, const char* name, Value usual) {
              : usual;
 }
 
-ordered_json document_in(const ordered_json& body) {
-  const ordered_json document = member<ordered_json>(body, "document");
-  if (!document.is_object()) throw MalformedBody{};
-  return document;
-}
-
 std::optional<int> number_in(const std::string& text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -154,10 +148,17 @@ HttpResponse StudioService::take(const HttpRequest& request) {
   }
 }
 
+/// The one door: whatever is done with a page's document, its files are looked at first.
+StudioService::Body StudioService::document_in(const Body& body) const {
+  Body document = member<Body>(body, "document");
+  if (!document.is_object()) throw MalformedBody{};
+  reader_.admit(document, file_.state().document);
+  return document;
+}
+
 HttpResponse StudioService::posted(const std::string& what, const Body& body) {
   if (what == "motion") return motion(body);
-  if (what == "choices")
-    return json_answer(motions_.choices(document_in(body), file_.state().document));
+  if (what == "choices") return json_answer(motions_.choices(document_in(body)));
   if (what == "figure") return figure(body);
   if (what == "places")
     return json_answer(StudioPlaces(file_.file(), file_.state().document).listed());
@@ -182,15 +183,13 @@ HttpResponse StudioService::studio_json() {
 
 HttpResponse StudioService::motion(const Body& body) {
   return {.type = "application/octet-stream",
-          .body = motions_.motion(document_in(body), file_.state().document,
-                                  member<std::string>(body, "show"),
+          .body = motions_.motion(document_in(body), member<std::string>(body, "show"),
                                   member_or<std::string>(body, "against", ""))};
 }
 
 HttpResponse StudioService::figure(const Body& body) {
-  std::string file =
-      motions_.figure(document_in(body), file_.state().document, member<std::string>(body, "show"),
-                      member<std::string>(body, "key"));
+  std::string file = motions_.figure(document_in(body), member<std::string>(body, "show"),
+                                     member<std::string>(body, "key"));
   if (file.empty())
     return http_refusal(404, "unknown", "there is no such figure", "ask for the motion again");
   return {.type = "model/gltf-binary", .body = std::move(file)};
@@ -226,7 +225,7 @@ HttpResponse StudioService::begin_job(const Body& body) {
   const std::string kind = member<std::string>(body, "kind"),
                     id = member<std::string>(body, "stimulus");
   if (kind != "still" && kind != "video") throw MalformedBody{};
-  Manifest manifest = reader_.read(document_about(document_in(body), {id}), file_.state().document);
+  Manifest manifest = reader_.read(document_about(document_in(body), {id}));
   if (find_stimulus(manifest, id) == nullptr) throw MalformedBody{};
   const std::optional<int> number =
       jobs_.begin({.kind = kind == "still" ? StudioJob::Kind::still : StudioJob::Kind::video,

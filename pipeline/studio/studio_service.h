@@ -62,6 +62,7 @@ class StudioService {
   HttpResponse read(const HttpRequest& request);
   HttpResponse take(const HttpRequest& request);
   HttpResponse posted(const std::string& what, const Body& body);
+  Body document_in(const Body& body) const;
   HttpResponse studio_json();
   HttpResponse motion(const Body& body);
   HttpResponse figure(const Body& body);

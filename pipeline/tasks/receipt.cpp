@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/file_contents.h"
+#include "motion/text/safe_name.h"
 #include "pipeline/tasks/artifact_key.h"
 
 namespace mien::pipeline {
@@ -15,6 +16,14 @@ namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
+
+/// Whether all that it names lies in the folder that it is a receipt of.
+bool is_of_its_folder(const Receipt& receipt) {
+  return motion::fault_of_relative(receipt.path).empty() &&
+         std::ranges::all_of(receipt.frames, [](const FrameReceipt& frame) {
+           return motion::fault_of_name(frame.name).empty();
+         });
+}
 
 FrameReceipt frame_from(const json& entry) {
   return {entry.at("name"), entry.at("hash"), entry.at("size")};
@@ -90,6 +99,7 @@ std::optional<Receipt> receipt_from_json(const std::string& text) {
       for (const json& frame : object["frames"]) receipt.frames.push_back(frame_from(frame));
     }
     if (object.at("checksum") != hash_of(object_of(receipt).dump())) return std::nullopt;
+    if (!is_of_its_folder(receipt)) return std::nullopt;
     return receipt;
   } catch (const json::exception&) {
     return std::nullopt;

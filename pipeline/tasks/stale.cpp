@@ -5,6 +5,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "motion/text/safe_name.h"
 #include "pipeline/documents/files.h"
 
 namespace mien::pipeline {
@@ -59,6 +60,7 @@ std::vector<std::string> shown_paths(const std::vector<Receipt>& artifacts) {
 }
 
 bool is_removable(const fs::path& folder, const Receipt& artifact) {
+  if (!motion::is_inside(folder, artifact.path)) return false;
   return !fs::exists(folder / artifact.path) ||
          find_artifact(folder, artifact.path, artifact.key).has_value();
 }

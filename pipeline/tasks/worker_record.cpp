@@ -18,6 +18,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "motion/text/safe_name.h"
 #include "pipeline/documents/files.h"
 #include "render/tracer/tracer.h"
 
@@ -164,12 +165,16 @@ fs::path worker_record_path(const fs::path& folder, const std::string& name) {
 }
 
 std::optional<WorkerRecord> read_worker_record(const fs::path& folder, const std::string& name) {
+  // What a claim or a note calls its process may be anything.
+  if (!motion::fault_of_name(name).empty()) return std::nullopt;
   const fs::path file = worker_record_path(folder, name);
   std::error_code none;
   if (!fs::is_regular_file(file, none)) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
-  return worker_record_from_json({std::istreambuf_iterator<char>(stream), {}});
+  auto record = worker_record_from_json({std::istreambuf_iterator<char>(stream), {}});
+  // One that lies elsewhere than it says is none of ours.
+  return record && record->name == name ? std::move(record) : std::nullopt;
 }
 
 std::vector<WorkerRecord> read_worker_records(const fs::path& folder) {

@@ -11,6 +11,7 @@
 
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
+#include "motion/text/safe_name.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/regress/study_baseline.h"
@@ -124,6 +125,8 @@ fs::path cleared_report_folder(const StudyArguments& arguments, const Manifest& 
     throw Error({folder.string()}, "holds something else than a report of mien regress",
                 "name a new folder with --report");
   make_folder(folder);
+  for (const char* own : {report_mark, "summary.md"})
+    motion::inside(folder, own, {folder.string()});
   write_file(folder / report_mark, "");
   for (const char* old : {"frames", "videos", "report.html", "regression.json", "junit.xml"})
     fs::remove_all(folder / old);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/safe_name.h"
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
@@ -109,6 +110,8 @@ void refuse_answers_to_another(const fs::path& folder, const std::string& design
 
 void write_export(const ZipFiles& files, const fs::path& folder) {
   refuse_foreign_folder(folder);
+  for (const auto& [path, bytes] : files) motion::inside(folder, path, {folder.string()});
+  motion::inside(folder, export_mark, {folder.string()});
   make_folder(folder);
   std::set<std::string> ours;
   if (fs::exists(folder / export_mark)) {
@@ -124,9 +127,7 @@ void write_export(const ZipFiles& files, const fs::path& folder) {
   for (const auto& [path, bytes] : files) ours.insert(path);
   put_mark();
   for (const std::string& path : ours) {
-    const fs::path relative = fs::path(path).lexically_normal();
-    if (!files.contains(path) && relative.is_relative() && *relative.begin() != "..")
-      fs::remove(folder / relative);
+    if (!files.contains(path) && motion::is_inside(folder, path)) fs::remove(folder / path);
   }
   for (const auto& [path, bytes] : files) {
     make_folder((folder / path).parent_path());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "motion/text/safe_name.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/results/figures/result_figures.h"
 #include "pipeline/results/report/dataset.h"
@@ -64,7 +65,7 @@ void clear_results_folder(const fs::path& folder) {
     throw Error({folder.string()}, "holds something else than a report of mien study report",
                 "name a new folder with -o");
   make_folder(folder);
-  write_file(folder / results_mark, "");
+  write_file(motion::inside(folder, results_mark, {folder.string()}), "");
   for (const char* old : {"data", "results", "figures", "analysis", "report.html", "README.md",
                           "dataset_description.json", "codebook.csv", "figures.csv"})
     fs::remove_all(folder / old);

@@ -336,6 +336,11 @@ INSTANTIATE_TEST_SUITE_P(
             "stimuli:\n  - {id: a, clip: walk.bvh}\n  - {id: A, clip: walk.bvh}\n",
             "m.yaml:6:10: stimuli[1].id: \"A\" differs from \"a\" of stimuli[0] by case alone, and "
             "so would their files; give it another id\n"},
+        Case{"stimuli:\n  - {id: Con.1, clip: walk.bvh}\n  - {id: a., clip: walk.bvh}\n",
+             "m.yaml:5:10: stimuli[0].id: \"Con.1\" is reserved on Windows, and files are called "
+             "after it; give it another id\n"
+             "m.yaml:6:10: stimuli[1].id: \"a.\" ends with a dot or a space, and files are called "
+             "after it; give it another id\n"},
         Case{"stimuli:\n  - {id: 7, clip: walk.bvh}\n",
              "m.yaml:5:10: stimuli[0].id: must be text but is 7; put it in quotes: \"7\"\n"},
         Case{"stimuli:\n  - {id: a}\n",

@@ -89,6 +89,88 @@ TEST_F(Studio, LetsNoRequestNameAFile) {
   EXPECT_EQ(status("/study", "${HOME}"), 422);
 }
 
+/// Each field that names a file, at each door that takes a document, of each kind of foreign file:
+/// nothing is read of it, and nothing is saved.
+TEST_F(Studio, HasOneDoorForWhateverADocumentNames) {
+  const fs::path here = folder_.path();
+  const test::TemporaryFolder elsewhere;
+  const std::string secret = "top: secret: words\n";
+  for (const fs::path& file :
+       {elsewhere.path() / "secret.bvh", here / "notes.csv", here / "secretive"})
+    write_file(file, secret);
+  fs::create_symlink(elsewhere.path() / "secret.bvh", here / "link.bvh");
+  fs::create_symlink(here / "secretive", here / "secretive.bvh");
+  const std::vector<std::pair<std::string, std::string>> fields = {
+      {"/examples/scales", ""},
+      {"/examples/ratings", ""},
+      {"/examples/set", "folder"},
+      {"/recipes", ""},
+      {"/look/scene", ""},
+      {"/look/scene", "set"},
+      {"/look/figure", "character"},
+      {"/stimuli/0/look", "scene"},
+      {"/questionnaire/consent", "file"},
+      {"/questionnaire/instructions", "file"},
+      {"/questionnaire/ending", "file"},
+      {"/questionnaire/scales", ""},
+      {"/questionnaire/analysis/plan", "file"},
+      {"/matching/consent", "file"},
+      {"/stimuli/0/clip", "file"}};
+  const std::string before = read_file(file_.file());
+  for (const std::string& name :
+       {elsewhere.path().string() + "/secret.bvh", std::string("notes.csv"),
+        std::string("secretive"), std::string("link.bvh"), std::string("secretive.bvh"),
+        std::string("/etc/passwd")}) {
+    for (const auto& [at, member] : fields) {
+      ordered_json draft = document();
+      const ordered_json value = member.empty() ? ordered_json(name) : ordered_json{{member, name}};
+      draft[ordered_json::json_pointer(at)] = value;
+      if (at == "/stimuli/0/clip") draft["stimuli"][0].erase("adjectives");
+      const ordered_json body = {{"document", draft},
+                                 {"show", "target-1"},
+                                 {"key", "x"},
+                                 {"kind", "still"},
+                                 {"over", true},
+                                 {"stimulus", "mix-1"},
+                                 {"version", file_.state().version}};
+      for (const char* door : {"motion", "choices", "figure", "text", "save", "jobs"}) {
+        const HttpResponse response = post(door, body);
+        EXPECT_EQ(response.status, 422) << door << " " << at << " " << name;
+        EXPECT_NE(response.body.find("neither named by the manifest"), std::string::npos)
+            << door << " " << at << ": " << response.body;
+        EXPECT_EQ(response.body.find("secret: words"), std::string::npos) << response.body;
+        EXPECT_EQ(response.body.find("root:"), std::string::npos) << response.body;
+      }
+    }
+  }
+  EXPECT_EQ(read_file(file_.file()), before);
+}
+
+/// What only looks like a path is no file.
+TEST_F(Studio, LetsTextsHaveSlashes) {
+  ordered_json draft = document();
+  draft["stimuli"][0]["label"] = "walk/run no. 2.bvh";
+  const HttpResponse response = post("text", {{"document", draft}, {"show", "target-1"}});
+  EXPECT_EQ(response.status, 200) << response.body;
+  // Nor is it known as a file thereafter.
+  draft["recipes"] = "walk/run no. 2.bvh";
+  EXPECT_EQ(post("text", {{"document", draft}}).status, 422);
+}
+
+/// What the manifest names may stay, and be named elsewhere in it.
+TEST_F(Studio, KeepsTheFilesThatTheManifestNames) {
+  write_file(folder_.path() / "my.recipes.yaml",
+             read_file(fs::path(MIEN_SOURCE_DIR) / "manifests" / "emotions.recipes.yaml"));
+  ordered_json draft = document();
+  draft["recipes"] = "my.recipes.yaml";
+  EXPECT_EQ(post("text", {{"document", draft}}).status, 422);
+  write_file(file_.file(), read_file(file_.file()) + "recipes: my.recipes.yaml\n");
+  post("reload", ordered_json::object());
+  EXPECT_EQ(post("text", {{"document", draft}}).status, 200);
+  draft["recipes"] = "./my.recipes.yaml";
+  EXPECT_EQ(post("text", {{"document", draft}}).status, 200);
+}
+
 TEST_F(Studio, AnswersNobodyElse) {
   EXPECT_EQ(get({"nothing"}).status, 404);
   HttpRequest asked = request("GET", {"studio.json"});

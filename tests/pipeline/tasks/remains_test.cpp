@@ -113,5 +113,23 @@ TEST_F(Remains, OfAMadeStudyAreRemovedUnlessAnotherProcessDraws) {
   EXPECT_FALSE(fs::exists(folder / ".mien/partial"));
 }
 
+TEST_F(Remains, OfAProcessThatIsCalledAsAFileElsewhereAreNotLookedFor) {
+  const fs::path elsewhere = temporary.path() / "settings.json";
+  WorkerRecord planted = of_the_dead();
+  for (const std::string& name :
+       {std::string("../../../settings"), (temporary.path() / "settings").string()}) {
+    planted.name = name;
+    write_file(elsewhere, to_json(planted));
+    const fs::path record = file(".mien/workers/planted.json", to_json(planted));
+    const fs::path claim = file(".mien/claims/1", name + "\n");
+    remove_what_the_dead_left(folder, now);
+    EXPECT_TRUE(fs::exists(elsewhere)) << name;
+    EXPECT_FALSE(fs::exists(claim)) << name;
+    EXPECT_FALSE(read_worker_record(folder, name));
+    EXPECT_FALSE(read_worker_record(folder, "planted"));
+    fs::remove(record);
+  }
+}
+
 }  // namespace
 }  // namespace mien::pipeline

@@ -85,5 +85,27 @@ TEST_F(StaleTest, StaysWhereSomebodyHasChangedIt) {
   EXPECT_TRUE(remove_artifact(store, *read_receipt(folder, "videos/old.mp4")));
 }
 
+/// Its hash is known, and the receipt is where it says: only where it leads to is elsewhere.
+TEST_F(StaleTest, StaysWhereAReceiptLeadsElsewhere) {
+  Store store(folder);
+  put_frames(store, "frames/old");
+  write_file(temporary.path() / "thesis.tex", "mine");
+  Receipt receipt = *read_receipt(folder, "frames/old");
+  for (const std::string& name :
+       {std::string("../../../thesis.tex"), (temporary.path() / "thesis.tex").string()}) {
+    receipt.frames[0] = {name, hash_of_file(temporary.path() / "thesis.tex"), 4};
+    write_file(receipt_path(folder, "frames/old"), to_json(receipt));
+    EXPECT_FALSE(read_receipt(folder, "frames/old"));
+    EXPECT_TRUE(stale_artifacts(folder, graph_of({}), {}).empty());
+    EXPECT_FALSE(remove_artifact(store, receipt));
+  }
+  for (const char* path : {"../thesis.tex", "/thesis.tex", "a/../../thesis.tex", "", "."}) {
+    const Receipt elsewhere{"key", path, hash_of("mine"), 4, {}};
+    EXPECT_FALSE(receipt_from_json(to_json(elsewhere))) << path;
+    EXPECT_FALSE(remove_artifact(store, elsewhere)) << path;
+  }
+  EXPECT_EQ(read_file(temporary.path() / "thesis.tex"), "mine");
+}
+
 }  // namespace
 }  // namespace mien::pipeline

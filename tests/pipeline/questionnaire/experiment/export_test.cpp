@@ -142,6 +142,29 @@ TEST(Export, IsReplacedByTheNextAndKeepsWhatWasAdded) {
   EXPECT_EQ(read_file(place / "answers.csv"), "of somebody");
 }
 
+TEST(Export, RemovesAndWritesNothingElsewhere) {
+  const TemporaryFolder folder;
+  const fs::path place = folder.path() / "questionnaire", thesis = folder.path() / "thesis.tex";
+  write_file(thesis, "mine");
+  write_export({{"index.html", "old"}, {"media/a.mp4", "old film"}}, place);
+  fs::path mark;
+  for (const auto& entry : fs::directory_iterator(place)) {
+    if (entry.path().filename().string().starts_with(".")) mark = entry.path();
+  }
+  ASSERT_FALSE(mark.empty());
+  write_file(mark, "media/../../thesis.tex\n../thesis.tex\n" + thesis.string() + "\n..\n\n.\n");
+  write_export({{"index.html", "new"}}, place);
+  EXPECT_EQ(read_file(thesis), "mine");
+  for (const std::string& name : {std::string("index.html"), mark.filename().string()}) {
+    fs::remove(place / name);
+    fs::create_symlink(thesis, place / name);
+    EXPECT_THROW(write_export({{"index.html", "newer"}}, place), Error) << name;
+    EXPECT_EQ(read_file(thesis), "mine") << name;
+    fs::remove(place / name);
+    write_file(place / name, "");
+  }
+}
+
 TEST(Export, OfAnotherDesignDoesNotMixWithAnswersToTheFirst) {
   const TemporaryFolder folder;
   const fs::path place = folder.path() / "questionnaire";
