@@ -45,9 +45,11 @@ std::string refusal_of(const std::string& bytes) {
 
 TEST(ZipArchive, IsRefusedByItsOwnWordsBeforeAnythingIsUnpacked) {
   std::string bytes = zip_of({{"a", "b"}});
+  const std::string two_gib("\xff\xff\xff\x7f", 4);
   const std::size_t entry = bytes.find("PK\x01\x02");
   ASSERT_NE(entry, std::string::npos);
-  bytes.replace(entry + 24, 4, std::string("\xff\xff\xff\x7f", 4));  // its size: 2 GiB
+  bytes.replace(22, 4, two_gib);  // the size that the file's head tells
+  bytes.replace(entry + 24, 4, two_gib);
   EXPECT_EQ(refusal_of(bytes),
             "some.zip: unpacks to more than 256 MiB; give the archive that mien wrote");
 }
@@ -75,13 +77,29 @@ std::string little_endian(std::uint32_t value, int count) {
   return bytes;
 }
 
-TEST(ZipArchive, IsRefusedWhenMoreComesOutThanMay) {
-  // A stream that does not tell its sizes beforehand, of 290 MB.
-  const std::string bytes = "PK\x03\x04" + little_endian(20, 2) + little_endian(8, 2) +
-                            little_endian(8, 2) + std::string(16, '\0') + little_endian(1, 2) +
-                            little_endian(0, 2) + "a" + deflated_zeros(1'125'000);
-  EXPECT_EQ(refusal_of(bytes),
+/// An archive of a file that it says to have 10 bytes, and of which 290 MB come out.
+std::string lying_zip() {
+  const std::string content = deflated_zeros(1'125'000);
+  const std::string sizes =
+      little_endian(static_cast<std::uint32_t>(content.size()), 4) + little_endian(10, 4);
+  const std::string how = little_endian(20, 2) + little_endian(8, 2) + little_endian(8, 2);
+  const std::string file = "PK\x03\x04" + how + std::string(16, '\0') + little_endian(1, 2) +
+                           little_endian(0, 2) + "a" + content;
+  const std::string directory = "PK\x01\x02" + little_endian(20, 2) + how + std::string(8, '\0') +
+                                sizes + little_endian(1, 2) + std::string(16, '\0') + "a";
+  return file + directory + "PK\x05\x06" + std::string(4, '\0') + little_endian(1, 2) +
+         little_endian(1, 2) + little_endian(static_cast<std::uint32_t>(directory.size()), 4) +
+         little_endian(static_cast<std::uint32_t>(file.size()), 4) + little_endian(0, 2);
+}
+
+TEST(ZipArchive, IsRefusedWhenMoreComesOutThanItTells) {
+  EXPECT_EQ(refusal_of(lying_zip()),
             "some.zip: unpacks to more than 256 MiB; give the archive that mien wrote");
+}
+
+TEST(ZipArchive, IsNotUnpackedToFindWhatIsInItWithoutADirectory) {
+  const std::string whole = lying_zip();
+  EXPECT_NE(refusal_of(whole.substr(0, whole.find("PK\x01\x02"))), "accepted");
 }
 
 }  // namespace
