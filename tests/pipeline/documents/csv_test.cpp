@@ -42,8 +42,8 @@ TEST(Csv, KnowsWhereEachFieldStartsInCharacters) {
 
 TEST(Csv, TellsAHeaderOfManyColumnsWithoutComparingEachWithEach) {
   std::string header = "stimulus";
-  for (int column = 0; column < 2'000'000; ++column) header += ",c" + std::to_string(column);
-  EXPECT_EQ(parse_csv(header + "\n", "t.csv").header.size(), 2'000'001u);
+  for (int column = 0; column < 500'000; ++column) header += ",c" + std::to_string(column);
+  EXPECT_EQ(parse_csv(header + "\n", "t.csv").header.size(), 500'001u);
   EXPECT_EQ(refusal(header + ",stimulus\n").find("t.csv:1:"), 0u);
 }
 
