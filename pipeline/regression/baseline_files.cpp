@@ -316,8 +316,11 @@ Baseline read_baseline(const fs::path& folder) {
                   "update mien to the one that the study was approved with");
     refuse_damage(folder / "baseline.json", text, json);
     baseline.sums = json.value("sums", std::map<std::string, Hash>{});
-    for (const auto& [path, hash] : baseline.sums)
-      motion::safe_names(path, {(folder / "baseline.json").string()});
+    for (const auto& [path, hash] : baseline.sums) {
+      if (const std::string fault = motion::fault_of_relative(path); !fault.empty())
+        throw Error({(folder / "baseline.json").string()},
+                    "the path " + motion::in_quotes(path) + " " + fault, keep_remedy);
+    }
     baseline.study = json.at("study");
     ids = json.at("stimuli");
     for (const Json& approval : json.at("approvals"))

@@ -23,6 +23,11 @@ class PlantedBaseline : public testing::Test {
     }
     fs::copy(folder_ / "stimuli" / "blend", scratch_.path() / "thesis",
              fs::copy_options::recursive);
+    // Whoever writes one by hand need not know its checksums.
+    json baseline = json::parse(read_file(folder_ / "baseline.json"));
+    baseline.erase("checksum");
+    baseline.erase("sums");
+    write_file(folder_ / "baseline.json", baseline.dump());
   }
 
   /// Approves what the baseline has and the study has not, which draws nothing.
@@ -66,6 +71,25 @@ TEST_F(PlantedBaseline, OfAStimulusCalledAsAFolderElsewhereRemovesNothing) {
     EXPECT_NE(said.find("baseline.json: the name \"../"), std::string::npos) << said;
   }
   EXPECT_EQ(beside(), before);
+}
+
+TEST_F(PlantedBaseline, HasNoSumsOfFilesElsewhere) {
+  json baseline = json::parse(read_file(folder_ / "baseline.json"));
+  for (const std::string& name : test::planted_names(scratch_.path() / "thesis")) {
+    baseline["sums"] = {{name, "0"}};
+    // With its true checksum: whoever plants a name can reckon it.
+    std::string text = baseline.dump(2);
+    text.erase(text.rfind("\n}"));
+    text += ",\n  ";
+    text += "\"checksum\": \"" + hash_of(text) + "\"\n}\n";
+    write_file(folder_ / "baseline.json", text);
+    try {
+      read_baseline(folder_);
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("the path \""), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST_F(PlantedBaseline, WithANameInAnyFieldLeavesItsSurroundingsAlone) {
