@@ -130,8 +130,7 @@ class Redrawing {
 };
 
 void refuse_without_equalizing_tables(const Manifest& manifest, const StudyContents& contents) {
-  for (const std::string& task : equalizing_task_ids(manifest.equalize)) {
-    const std::string table = "metrics/" + task + ".csv";
+  for (const std::string& table : equalizing_tables(manifest.equalize)) {
     const std::string hindrance =
         motion::hindrance_of(contents.folder / table, motion::most_of_table);
     if (hindrance.empty()) continue;

@@ -7,6 +7,7 @@
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_exposure.h"
 #include "pipeline/film/film_framing.h"
+#include "pipeline/film/film_table_forms.h"
 #include "pipeline/synthesis/durations_task.h"
 #include "pipeline/tasks/code_identity.h"
 
@@ -83,6 +84,16 @@ std::vector<std::string> equalizing_task_ids(const Equalize& equalize) {
   if (equalize.size) ids.emplace_back("sizes");
   if (equalize.place) ids.emplace_back("places");
   return ids;
+}
+
+std::vector<std::string> equalizing_tables(const Equalize& equalize) {
+  std::vector<std::string> tables;
+  const auto add = [&](const TableForm& form) { tables.emplace_back(form.path); };
+  if (equalize.duration) add(durations_form);
+  if (equalize.luminance) add(exposure_form);
+  if (equalize.size) add(sizes_form);
+  if (equalize.place) add(places_form);
+  return tables;
 }
 
 Equalized equalized_film(const Equalize& equalize, const fs::path& folder,

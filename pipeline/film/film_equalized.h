@@ -19,12 +19,15 @@ struct Equalized {
   Framing framing;
 };
 
-/// Those of the tasks "durations" (durations_task.h), "sizes" and "places" (metrics/sizes.csv,
-/// metrics/places.csv: film_framing.h) and "exposure" (metrics/exposure.csv: film_exposure.h) that
-/// `manifest.equalize` asks for. Each goes by what those before it found. They read all motions and
-/// look at all stimuli. `manifest` and `motions` outlive them.
+/// Those of the tasks "durations" (metrics/durations.csv: durations_task.h), "sizes" and "places"
+/// (metrics/sizes.csv, metrics/places.csv: film_framing.h) and "exposure" (metrics/exposure.csv:
+/// film_exposure.h) that `manifest.equalize` asks for. Each goes by what those before it found.
+/// They read all motions and look at all stimuli. `manifest` and `motions` outlive them.
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, Motions& motions);
+
+/// The tables that they make, in the store's folder: drawing a film anew needs all of them.
+std::vector<std::string> equalizing_tables(const Equalize& equalize);
 
 /// Their names, for what waits for them.
 std::vector<std::string> equalizing_task_ids(const Equalize& equalize);

@@ -10,6 +10,7 @@
 #include "pipeline/film/film_tables.h"
 #include "pipeline/production/stimuli_table.h"
 #include "pipeline/report/study_tasks.h"
+#include "pipeline/synthesis/durations_task.h"
 
 namespace mien::pipeline {
 
@@ -46,12 +47,13 @@ ordered_json as_json(const TableForm& form, const std::vector<std::string>& fact
 
 std::vector<TableForm> all_table_forms() {
   std::vector<TableForm> forms = forms_of_every_study();
-  forms.insert(forms.end(), {sizes_form, places_form, exposure_form, dots_form});
+  forms.insert(forms.end(), {durations_form, sizes_form, places_form, exposure_form, dots_form});
   return forms;
 }
 
 std::vector<TableForm> table_forms_of(const Manifest& manifest) {
   std::vector<TableForm> forms = forms_of_every_study();
+  if (manifest.equalize.duration) forms.push_back(durations_form);
   if (manifest.equalize.size) forms.push_back(sizes_form);
   if (manifest.equalize.place) forms.push_back(places_form);
   if (manifest.equalize.luminance) forms.push_back(exposure_form);

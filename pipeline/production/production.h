@@ -32,7 +32,7 @@ struct ProductionOptions {
 ///                                           metrics/films/<id>.json
 ///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
 ///           motions → shots → stills → page
-///   durations motions → number              how long the shortest is: what equalizing them needs
+///   durations motions → numbers             metrics/durations.csv: what equalizing them needs
 ///   sizes     motions → shots → numbers     metrics/sizes.csv: what equalizing size needs
 ///   places    motions → shots → numbers     metrics/places.csv: and place
 ///   exposure  motions → shots → numbers     metrics/exposure.csv: and luminance

@@ -8,7 +8,11 @@
 #include "pipeline/archive/made_study.h"
 #include "pipeline/checks/checked_manifest.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/film/film_equalized.h"
+#include "pipeline/production/run.h"
+#include "pipeline/reading/schema.h"
 #include "pipeline/tasks/task_graph.h"
+#include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
 namespace {
@@ -118,6 +122,41 @@ TEST_F(RedrawTest, FindsThatTheManifestIsAnother) {
 TEST_F(RedrawTest, NeedsWhatMakesFilmsAlike) {
   fs::remove(study / "metrics/exposure.csv");
   EXPECT_THROW(all_drawn(), Error);
+}
+
+/// A study that makes its films alike in what the map says; its store is then as an archive has it,
+/// without receipts and records of tasks.
+std::vector<RedrawnFrame> drawn_again_of_films_alike_in(const std::string& equalize) {
+  const test::TemporaryFolder folder;
+  write_file(
+      folder.path() / "m.yaml",
+      "mien: 1\nstudy: tiny\nseed: 7\nexamples: {set: builtin:walks-10}\nequalize: " + equalize +
+          "\noutput: {size: [48, 32], fps: 8, cycles: 1, quality: draft, video: []}\n"
+          "stimuli:\n"
+          "  - {id: a, weights: {brisk: 1}}\n"
+          "  - {id: b, weights: {tired: 1}, look: {camera: side}}\n");
+  const auto none = [](const std::string&) { return std::nullopt; };
+  Production production(load_manifest(folder.path() / "m.yaml", none), {});
+  for (const TaskOutcome& outcome : run(production, folder.path() / "out", 1, {}, {}).outcomes)
+    EXPECT_EQ(outcome.error, "");
+  fs::remove_all(folder.path() / "out/.mien");
+  const Manifest made_by = load_manifest(folder.path() / "out/provenance.json", none);
+  const StudyContents contents = contents_of(folder.path() / "out");
+  for (const std::string& table : equalizing_tables(made_by.equalize))
+    EXPECT_NE(contents.find(table), nullptr) << table;
+  return redraw(made_by, contents, drawn_by_lot(kept_films(made_by, contents), 4, 0), 1, {}, {});
+}
+
+TEST(Redraw, AgreesWhateverFilmsAreAlikeIn) {
+  const nlohmann::json& asked = manifest_schema()["properties"]["equalize"]["oneOf"];
+  const nlohmann::json& words = asked[0]["items"]["enum"];
+  EXPECT_EQ(words.size(), asked[1]["properties"].size());
+  ASSERT_GE(words.size(), 4u);
+  for (const std::string word : words) {
+    const std::vector<RedrawnFrame> frames = drawn_again_of_films_alike_in("[" + word + "]");
+    EXPECT_EQ(frames.size(), 4u) << word;
+    for (const RedrawnFrame& frame : frames) EXPECT_TRUE(frame.agrees) << word << ": " << frame.how;
+  }
 }
 
 TEST_F(RedrawTest, StopsWhenAsked) {
