@@ -116,6 +116,17 @@ class BlendsWriter {
         fmt::format("In {} parameters that were not asked for were held where they are in {}, as "
                     "near as the examples allow",
                     count_of(static_cast<std::size_t>(held), "stimulus", "stimuli"), held_where()));
+    Range missed;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      if (!holds(stimulus)) continue;
+      const Synthesis& made = motions_.of(stimulus.id);
+      for (std::size_t i = 0; i < made.held.size(); ++i)
+        missed.add(std::abs(made.held_reached[i].second - made.held[i].second));
+    }
+    if (missed.count == 0) return;
+    say(fmt::format("Of {} held, the blends miss {:.3f} on average and {:.3f} at most",
+                    count_of(static_cast<std::size_t>(missed.count), "value", "values"),
+                    missed.mean(), missed.most));
   }
 
   std::string held_where() const {

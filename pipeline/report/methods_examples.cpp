@@ -1,10 +1,13 @@
 #include "pipeline/report/methods_examples.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
+#include "pipeline/report/methods_settings.h"
 #include "pipeline/report/prose.h"
 #include "pipeline/report/study_facts.h"
 
@@ -54,6 +57,22 @@ class ExamplesWriter {
           count_of(static_cast<std::size_t>(mirrored), "recording was", "recordings were")));
     }
     say("They last " + with_mean(seconds, 2, " s"));
+    tell_example_settings(manifest_, out_);
+  }
+
+  /// Where the ratings come from, if a file has them.
+  std::string source() const {
+    if (manifest_.ratings.source != Ratings::Source::file) return "";
+    return " (" + motion::printable(manifest_.ratings.file.filename().string()) + ")";
+  }
+
+  /// Whoever has answered; nobody where there are only means.
+  static std::size_t raters_of(const Answers& answers) {
+    std::set<std::string> raters;
+    for (const Answer& answer : answers.answers) {
+      if (!answer.participant.empty()) raters.insert(answer.participant);
+    }
+    return raters.size();
   }
 
   void tell_ratings() {
@@ -64,15 +83,25 @@ class ExamplesWriter {
         count_of(impressions.scales.size(), "scale", "scales") +
         (manifest_.scales.file.empty() ? " (the pairs of adjectives of" + cite({"adjectives"}) + ")"
                                        : "");
-    if (impressions.simulated) {
-      say(fmt::format("No person rated them: {} simulated raters answered on {}",
-                      manifest_.ratings.raters, scales));
+    const std::size_t raters = raters_of(repertoire.answers);
+    Range answers;
+    answers.add(impressions.count.minCoeff());
+    answers.add(impressions.count.maxCoeff());
+    const std::string each = told(answers, 0, " answers") + " a scale and example";
+    if (raters == 0) {  // a table of means
+      say(fmt::format("{}, as means{}",
+                      impressions.simulated ? "No person rated them: they are "
+                                              "simulated on " +
+                                                  scales
+                                            : "People rated them on " + scales,
+                      source()));
+    } else if (impressions.simulated) {
+      say(fmt::format("No person rated them: {} answered on {}, {}{}",
+                      count_of(raters, "simulated rater", "simulated raters"), scales, each,
+                      source()));
     } else {
-      Range answers;
-      answers.add(impressions.count.minCoeff());
-      answers.add(impressions.count.maxCoeff());
-      say(fmt::format("People rated them on {}, {} a scale and example", scales,
-                      told(answers, 0, " answers")));
+      say(fmt::format("{} rated them on {}, {}{}", count_of(raters, "person", "people"), scales,
+                      each, source()));
     }
     say(std::string("An example's place on a scale is its mean answer, from 0 (the low end) to 1 "
                     "(the high end)") +

@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "pipeline/reading/field_writer.h"
 #include "pipeline/report/method_sources.h"
 #include "pipeline/report/prose.h"
+#include "pipeline/report/stated_settings.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+const Writing recipe_writing{.for_key = true};  // files by their names
 
 class ModificationsWriter {
  public:
@@ -29,11 +34,13 @@ class ModificationsWriter {
   void tell_modifications() {
     std::size_t modified = 0, reduced = 0;
     double least_share = 1.0;
-    Names emotions, styles, parts;
+    Names emotions, styles, changed;
+    StatedSettings by_hand;
     Range strengths;
     for (const Stimulus& stimulus : manifest_.stimuli) {
       if (stimulus.modify.empty()) continue;
       ++modified;
+      changed.push_back(stimulus.id);
       const double share = motions_.of(stimulus.id).modified_share;
       reduced += share < 1.0 ? 1 : 0;
       least_share = std::min(least_share, share);
@@ -43,7 +50,9 @@ class ModificationsWriter {
           strengths.add(step.strength);
         }
         if (step.style) add_once(styles, source_of(step.style->method));
-        for (const std::string& part : step.edit.named) add_once(parts, part);
+        by_hand.add("modify", EditForm::write(step.edit, recipe_writing), stimulus.id);
+        if (step.style)
+          by_hand.add("style", StyleForm::write(step.style, recipe_writing), stimulus.id);
       }
     }
     if (modified == 0) return;
@@ -55,7 +64,8 @@ class ModificationsWriter {
                       emotions.size() == 1 ? "was" : "were", listed(emotions),
                       told(strengths, 2, "")));
     }
-    if (!parts.empty()) say("Set by hand: " + listed(parts));
+    tell_recipes(emotions);
+    if (!by_hand.empty()) say("Set by hand: " + by_hand.text(changed));
     if (!styles.empty()) {
       say("Differences of style were taken over from pairs of examples by published methods" +
           cite(styles));
@@ -66,6 +76,28 @@ class ModificationsWriter {
                       "of faults, to {:.0f} % at the least",
                       reduced, 100.0 * least_share));
     }
+  }
+
+  /// What the steps with an emotion do at a strength of 1: its recipe, with what was set by hand.
+  void tell_recipes(const Names& emotions) {
+    static const std::vector<FieldEntry> usual = entries_of(motion::Modification{}, recipe_writing);
+    Names recipes;
+    for (const std::string& emotion : emotions) {
+      StatedSettings what;
+      for (const Stimulus& stimulus : manifest_.stimuli) {
+        for (const ModificationStep& step : stimulus.modify) {
+          if (step.emotion != emotion) continue;
+          for (const FieldEntry& entry :
+               differences(entries_of(step.modification, recipe_writing), usual)) {
+            if (entry.path != "seed") what.add("modify." + entry.path, entry.value, emotion);
+          }
+          if (step.pose) what.add("modify.pose", written(*step.pose, recipe_writing), emotion);
+        }
+      }
+      recipes.push_back(emotion + ": " + (what.empty() ? "no change" : what.text({emotion})));
+    }
+    if (!recipes.empty())
+      say(fmt::format("At a strength of 1 they are {}", fmt::join(recipes, "; ")));
   }
 
   std::string modification_sources() { return cite({"emotionthesis2010", "bruderlin1995"}); }

@@ -9,6 +9,8 @@
 
 #include "motion/measures/distance.h"
 #include "pipeline/film/film.h"
+#include "pipeline/film/film_dots.h"
+#include "pipeline/report/methods_settings.h"
 #include "pipeline/report/prose.h"
 #include "pipeline/report/study_facts.h"
 #include "render/video/video_kind.h"
@@ -25,6 +27,7 @@ class PicturesWriter {
   void write() {
     tell_pictures();
     tell_videos();
+    tell_settings(manifest_, motions_, out_);
     tell_equalizing();
     tell_distances();
   }
@@ -32,12 +35,12 @@ class PicturesWriter {
  private:
   void tell_pictures() {
     Names figures, scenes, cameras, sizes, rates, qualities;
-    for (const Stimulus& stimulus : manifest_.stimuli) {
-      const Output& output = stimulus.output;
+    for (const Stimulus* film : films_of(manifest_)) {
+      const Output& output = film->output;
       const auto [width, height] = output.shown_size();
-      add_once(figures, figure_name(stimulus.look));
-      add_once(scenes, scene_name(stimulus.look));
-      add_once(cameras, stimulus.look.camera.view);
+      add_once(figures, figure_name(film->look));
+      add_once(scenes, scene_name(film->look));
+      add_once(cameras, film->look.camera.view);
       add_once(sizes, fmt::format("{} × {}", width, height));
       add_once(rates, fmt::format("{:g}", output.fps));
       add_once(qualities,
@@ -56,7 +59,9 @@ class PicturesWriter {
     Names kinds;
     for (const Stimulus& stimulus : manifest_.stimuli) {
       seconds.add(motions_.shown(stimulus).frame_count() / stimulus.output.fps);
-      for (const render::VideoKind kind : stimulus.output.video)
+    }
+    for (const Stimulus* film : films_of(manifest_)) {
+      for (const render::VideoKind kind : film->output.video)
         add_once(kinds, std::string(render::traits_of(kind).name));
     }
     out_.say("The films last " + with_mean(seconds, 2, " s"));
@@ -82,6 +87,11 @@ class PicturesWriter {
     add(manifest_.equalize.luminance,
         "mean luminance, the geometric mean of them, by the exposure");
     if (!alike.empty()) out_.say("The films of the stimuli were made alike in " + listed(alike));
+    if (manifest_.equalize.luminance && std::ranges::any_of(manifest_.stimuli, has_dots)) {
+      out_.say(
+          "Of point lights the exposure changes the luminance of the dots themselves, which "
+          "metrics/exposure.csv has");
+    }
   }
 
   bool compares_files() const {

@@ -1,5 +1,9 @@
 #include "pipeline/report/report_sections.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "pipeline/documents/html.h"
@@ -10,25 +14,30 @@ namespace mien::pipeline {
 
 namespace {
 
-/// What the films of a study have in common because it asks for that.
+/// What the films of a study have in common because it asks for that, and among which.
 std::string alike(const Equalize& equalize) {
-  std::vector<std::string> what;
-  if (equalize.duration) what.emplace_back("length (as the shortest)");
-  if (equalize.size) {
-    what.emplace_back(
-        "height of the standing figure in pixels (as the smallest: "
-        "<a href=\"metrics/sizes.csv\">sizes.csv</a>)");
+  std::vector<std::string> in_all, by_figure;
+  const auto add = [&](const std::optional<Among>& among, const std::string& what) {
+    if (among) (*among == Among::figure ? by_figure : in_all).push_back(what);
+  };
+  if (equalize.duration) {
+    in_all.emplace_back(
+        "length (as the shortest: <a href=\"metrics/durations.csv\">durations.csv</a>)");
   }
-  if (equalize.place) {
-    what.emplace_back("place in the picture (<a href=\"metrics/places.csv\">places.csv</a>)");
+  add(equalize.size,
+      "height of the standing figure in pixels (as the smallest: "
+      "<a href=\"metrics/sizes.csv\">sizes.csv</a>)");
+  add(equalize.place, "place in the picture (<a href=\"metrics/places.csv\">places.csv</a>)");
+  add(equalize.luminance,
+      "mean luminance (by exposure: <a href=\"metrics/exposure.csv\">exposure.csv</a>)");
+  std::string text;
+  if (!in_all.empty())
+    text += fmt::format("<p>Made alike in all stimuli: {}.</p>\n", fmt::join(in_all, ", "));
+  if (!by_figure.empty()) {
+    text += fmt::format("<p>Made alike among the stimuli with the same kind of figure: {}.</p>\n",
+                        fmt::join(by_figure, ", "));
   }
-  if (equalize.luminance) {
-    what.emplace_back(
-        "mean luminance (by exposure: <a href=\"metrics/exposure.csv\">exposure.csv</a>)");
-  }
-  return what.empty()
-             ? ""
-             : fmt::format("<p>Made alike in all stimuli: {}.</p>\n", fmt::join(what, ", "));
+  return text;
 }
 
 /// The one that participants are spoken to in.

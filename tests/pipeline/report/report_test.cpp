@@ -107,11 +107,35 @@ TEST(Report, SaysWhatIsMadeAlike) {
   EXPECT_EQ(report_of(manifest).find("Made alike"), std::string::npos);
   manifest.equalize = {.luminance = Among::study, .duration = true};
   const std::string page = report_of(manifest);
-  EXPECT_NE(page.find("<p>Made alike in all stimuli: length (as the shortest), mean luminance"),
+  EXPECT_NE(page.find("<p>Made alike in all stimuli: length (as the shortest: "),
             std::string::npos);
+  EXPECT_EQ(page.find("with the same kind of figure"), std::string::npos);
   EXPECT_NE(page.find("href=\"metrics/exposure.csv\""), std::string::npos);
   EXPECT_EQ(page.find("metrics/sizes.csv"), std::string::npos);
   EXPECT_EQ(unbalanced_tag(page), "");
+}
+
+TEST(Report, SaysAmongWhichStimuliEachIsAlike) {
+  const auto alike_in = [](const std::string& page, const std::string& words) {
+    const std::size_t start = page.find("<p>Made alike " + words + ": ");
+    return start == std::string::npos ? "" : page.substr(start, page.find("</p>", start) - start);
+  };
+  using Member = std::optional<Among> Equalize::*;
+  const std::pair<Member, std::string> members[] = {{&Equalize::luminance, "mean luminance"},
+                                                    {&Equalize::size, "height of the standing"},
+                                                    {&Equalize::place, "place in the picture"}};
+  for (const auto& [member, what] : members) {
+    for (const Among among : {Among::study, Among::figure}) {
+      Manifest manifest = study_called("plain");
+      manifest.equalize.*member = among;
+      const std::string page = report_of(manifest);
+      const bool by_figure = among == Among::figure;
+      const std::string of_all = alike_in(page, "in all stimuli");
+      const std::string of_kinds = alike_in(page, "among the stimuli with the same kind of figure");
+      EXPECT_EQ(of_all.find(what) != std::string::npos, !by_figure) << what;
+      EXPECT_EQ(of_kinds.find(what) != std::string::npos, by_figure) << what;
+    }
+  }
 }
 
 TEST(Report, ShowsNoVideoThatIsNotMade) {

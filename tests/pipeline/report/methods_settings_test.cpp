@@ -1,0 +1,140 @@
+#include "pipeline/report/methods_settings.h"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/documents/files.h"
+#include "pipeline/manifest/schema_paths.h"
+#include "pipeline/production/option_variants.h"
+#include "pipeline/reading/schema.h"
+#include "pipeline/report/methods.h"
+#include "pipeline/report/stated_settings.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class MethodsSettings : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { test::write_variant_files(folder()); }
+
+  static const fs::path& folder() {
+    static const test::TemporaryFolder files;
+    return files.path();
+  }
+
+  /// The methods section of a manifest, which must be without faults.
+  static std::string methods_for(const std::string& text) {
+    const fs::path file = folder() / "m.yaml";
+    std::ofstream(file) << text;
+    const ManifestReading reading =
+        check_manifest(file, [](const std::string&) { return std::nullopt; });
+    if (!reading.faults.empty()) ADD_FAILURE() << Faults(reading.faults).what();
+    Motions motions(reading.manifest);
+    return methods_of(reading.manifest, motions).markdown;
+  }
+};
+
+/// Of a film: what it looks like, how it is written, what its motion is blended by.
+bool is_of_films(const std::string& path) {
+  for (const char* start : {"look", "output", "stimuli[].look", "stimuli[].output",
+                            "overlays[].look", "overlays[].output"}) {
+    if (path == start || path.starts_with(std::string(start) + ".")) return true;
+  }
+  return false;
+}
+
+// An option that is new in the schema is tried as soon as it is there.
+TEST_F(MethodsSettings, TellEveryOptionOfFilmsThatTheSchemaKnows) {
+  std::map<std::string, std::string> known;
+  const auto told = [&](const json& document) -> const std::string& {
+    const std::string text = document.dump();
+    const auto [entry, is_new] = known.try_emplace(text);
+    if (is_new) entry->second = methods_for(text);
+    return entry->second;
+  };
+  int options = 0;
+  for (const auto& [path, node] : test::properties_of(manifest_schema())) {
+    if (!is_of_films(path) || test::has_one_value(path)) continue;
+    SCOPED_TRACE(path);
+    const test::OptionVariants variants = test::variants_of(path, node);
+    EXPECT_NE(told(variants.first), told(variants.second));
+    ++options;
+  }
+  EXPECT_GT(options, 100);
+}
+
+constexpr char shown[] = R"(mien: 1
+study: s
+seed: 7
+examples: {set: builtin:walks-10}
+output: {size: [96, 54], fps: 8, cycles: 1, in_place: true,
+         presentation: {fixation: 0.5, blank_before: 0.2, blank_after: 0.4, fade_in: 0.3}}
+stimuli:
+  - {id: a, weights: {sad: 1}, look: {figure: {point-light: {size: 5, noise: 20, colour: "#ff0000"}}}}
+  - {id: b, weights: {sad: 1}, look: {figure: {point-light: {size: 5, scrambled: true}}}}
+  - {id: c, weights: {sad: 1}, modify: [{emotion: tired}, {tempo: 0.8, posture: {head-flexion: 15}}]}
+)";
+
+TEST_F(MethodsSettings, AreInPlainWordsWithThoseWhoHaveThem) {
+  const std::string text = methods_for(shown);
+  for (const char* words :
+       {"walking on the spot", "a fixation cross for 0.5 s", "a blank of 0.2 s before the film",
+        "a blank of 0.4 s after the film", "a fade-in of 0.3 s", "13 dots of 5 pixels",
+        "20 noise dots", "dots of the colour #ff0000", "dots scrambled in space (b)", "(a and b)",
+        "Set by hand: head-flexion 15° and tempo × 0.8.", "At a strength of 1 they are tired: "})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
+TEST_F(MethodsSettings, AreNotToldWhereNothingIsSaid) {
+  const std::string text = methods_for(
+      "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10}, stimuli: [{id: a, weights: "
+      "{sad: 1}}]}");
+  EXPECT_EQ(text.find("Settings other than"), std::string::npos) << text;
+  EXPECT_EQ(text.find("dots"), std::string::npos) << text;
+}
+
+TEST(StatedSettings, LeaveOutNoOptionThatHasNoWords) {
+  StatedSettings settings;
+  settings.add("look.camera", {{"lens", {{"new_one", 3}}}}, "a");
+  settings.add("output.fade_in", true, "b");
+  EXPECT_EQ(settings.text({"a", "b"}), "camera lens new one: 3 (a); fade in: yes (b)");
+  EXPECT_EQ(settings.text({"a"}), "camera lens new one: 3; fade in: yes");
+}
+
+TEST(StatedSettings, ShowForeignTextOnOneLine) {
+  EXPECT_EQ(words_of_option("output.presentation.card.text", "one\n\ntwo\x1b"),
+            "a card with the text one\\n\\ntwo\\x1b");
+}
+
+/// The raters are those of the answers, and not those that a manifest would simulate.
+TEST_F(MethodsSettings, CountTheRatersOfTheAnswers) {
+  const auto told = [&](const std::string& columns, const std::string& fields, int raters) {
+    std::string csv = "participant,stimulus,scale,value" + columns + "\n";
+    for (int rater = 0; rater < raters; ++rater) {
+      for (const char* example : {"normal", "brisk", "slow", "happy", "sad", "angry", "proud",
+                                  "afraid", "tired", "relaxed"})
+        csv += "p" + std::to_string(rater) + "," + example + ",slow-quick,1" + fields + "\n";
+    }
+    write_file(folder() / "answers.csv", csv);
+    return methods_for(
+        "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10, scales: my.scales.yaml, "
+        "ratings: answers.csv}, stimuli: [{id: a, adjectives: {slow-quick: 0.5}}]}");
+  };
+  const std::string simulated = told(",simulated", ",1", 40);
+  EXPECT_NE(simulated.find("No person rated them: 40 simulated raters answered"), std::string::npos)
+      << simulated;
+  EXPECT_NE(simulated.find("(answers.csv)"), std::string::npos);
+  EXPECT_NE(told("", "", 9).find("9 people rated them"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
