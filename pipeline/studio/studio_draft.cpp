@@ -36,6 +36,12 @@ void each_text(const ordered_json& value, const DocumentPath& path, const Visit&
   }
 }
 
+/// Stands in the place of a stimulus that is not needed: what is random about a modification goes
+/// by the place of its stimulus, and so do faults.
+ordered_json filler(std::size_t place) {
+  return {{"id", "filler-" + std::to_string(place)}, {"path", {{{"walk", 1}}}}};
+}
+
 /// What was expanded is not expanded again.
 void keep_dollars(ordered_json& value) {
   if (value.is_string()) {
@@ -153,10 +159,20 @@ ordered_json document_about(const ordered_json& document, const std::vector<std:
     return is_wanted(stimulus) && stimulus.contains("foil");
   });
   if (needs_others) return about;
+  // A hold goes by a reference, which resolve_holds finds among all that may be one.
+  const bool holds = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
+    return is_wanted(stimulus) && stimulus.contains("hold");
+  });
+  const auto is_needed = [&](const ordered_json& stimulus) {
+    const bool is_reference =
+        stimulus.is_object() && stimulus.value("role", ordered_json()) == "reference";
+    return is_wanted(stimulus) || (holds && is_reference);
+  };
   about["stimuli"] = ordered_json::array();
-  for (const ordered_json& stimulus : all) {
-    if (is_wanted(stimulus)) about["stimuli"].push_back(stimulus);
-  }
+  if (std::none_of(all.begin(), all.end(), is_wanted)) return about;
+  const auto last = std::find_if(all.rbegin(), all.rend(), is_needed).base();
+  for (auto one = all.begin(); one != last; ++one)
+    about["stimuli"].push_back(is_needed(*one) ? *one : filler(about["stimuli"].size()));
   return about;
 }
 

@@ -64,7 +64,8 @@ class DraftReader {
 std::string examples_key(const nlohmann::ordered_json& document);
 
 /// Only what motions and films of those stimuli are made of: no sheets, overlays or questionnaire.
-/// Stimuli whose motion is made from another's come with it.
+/// Stimuli whose motion is made from another's come with it: what a foil is of, and the references
+/// where a hold keeps the others. All keep their places; other stimuli stand in between.
 nlohmann::ordered_json document_about(const nlohmann::ordered_json& document,
                                       const std::vector<std::string>& ids);
 

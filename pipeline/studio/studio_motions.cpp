@@ -151,13 +151,19 @@ StudioMotions::Kept StudioMotions::made(const ordered_json& document, const std:
     if (asked == key) return kept;
   }
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
-  const Repertoire& repertoire = study(document).repertoire();
   const Stimulus* stimulus = stimulus_in(manifest, name);
   auto motion = std::make_shared<StudioMotion>();
   motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
-  motion->synthesis = stimulus != nullptr ? synthesize(*stimulus, repertoire)
-                                          : synthesize_example(name, motion->output,
-                                                               manifest.interpolation, repertoire);
+  // As in a run: a file or a path needs no examples, and there may be none.
+  if (stimulus != nullptr && !is_blend(*stimulus) && !names_examples(*stimulus)) {
+    motion->synthesis = synthesize(*stimulus, Repertoire{});
+  } else {
+    const Repertoire& repertoire = study(document).repertoire();
+    motion->synthesis =
+        stimulus != nullptr
+            ? synthesize(*stimulus, repertoire)
+            : synthesize_example(name, motion->output, manifest.interpolation, repertoire);
+  }
   made_.emplace_front(key, motion);
   if (made_.size() > most_motions) made_.pop_back();
   return motion;
@@ -191,14 +197,16 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
     const Synthesis& synthesis = motion->synthesis;
     const Shown on = shown(document, show);
     const StudioFigure figure = figures_.worn(on.figure, on.role, synthesis.motion.clip);
-    const Repertoire& repertoire = study(document).repertoire();
+    const ordered_json weights = synthesis.weights.size() == 0
+                                     ? ordered_json::object()
+                                     : weights_json(synthesis, study(document).repertoire());
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     const ordered_json head = {{"body", body_json(synthesis.motion.clip.body)},
                                {"findings", findings_json(synthesis.findings)},
                                {"warnings", synthesis.warnings},
                                {"notes", synthesis.notes},
                                {"reached", values_json(synthesis.reached)},
-                               {"weights", weights_json(synthesis, repertoire)},
+                               {"weights", weights},
                                {"modified", synthesis.modified},
                                {"seconds", took.count()},
                                {"distance", distance},

@@ -89,12 +89,11 @@ export const parts_naming = (document: Document, id: string): string[] => [
   ...document.stimuli.filter((one) => map_of(one["foil"])["of"] === id).map((one) => one.id),
 ];
 
-/** Only what motions and films of those stimuli are made of, so that little travels. */
+/** Without what no motion or film is made of; which other stimuli one goes by, the studio's server knows. */
 export function about(document: Document, ids: string[]): JsonMap {
   const made: JsonMap = { ...document };
   for (const part of ["sheets", "overlays", "questionnaire", "matching", "regression"]) delete made[part];
-  const wanted = document.stimuli.filter((stimulus) => ids.includes(stimulus.id));
-  if (!wanted.some((stimulus) => "foil" in stimulus)) made["stimuli"] = wanted;
+  if (ids.length === 0) made["stimuli"] = [];
   return made;
 }
 
