@@ -65,7 +65,7 @@ std::size_t compared_through_both_doors(const fs::path& file) {
         motion::LiveMotion{made.motion, made.weights, motion::foot_plants(made.motion.clip)});
     const std::string name = file.filename().string() + ": " + stimulus.id;
     try {
-      const std::string shown = studio.motion(document, document, stimulus.id, "");
+      const std::string shown = studio.motion(document, stimulus.id, "");
       EXPECT_LT(difference_of(expected, motion_in(shown, expected.size())), 1e-9) << name;
     } catch (const DraftFaults& faults) {
       ADD_FAILURE() << name << ": " << faults.list().front().wrong;
