@@ -14,7 +14,7 @@ scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
   return {.set = staged_set(film.look),
           .figure = film.look.figure,
           .camera = film.look.camera,
-          .role = staged_role(film.role),
+          .role = film_role(film),
           .size = output.whole_size(),
           .window = output.window(),
           .pixel_scale = output.scale,
@@ -44,6 +44,11 @@ scenes::Role staged_role(Role role) {
     default:
       return scenes::Role::created;
   }
+}
+
+scenes::Role film_role(const Stimulus& stimulus) {
+  return stimulus.look.colours == Colours::role ? staged_role(stimulus.role)
+                                                : scenes::Role::neutral;
 }
 
 motion::Clip staged_clip(const Stimulus& stimulus, Motions& motions) {

@@ -9,6 +9,12 @@
 
 namespace mien::pipeline {
 
+/// What the colours of figures in a stimulus's film go by.
+enum class Colours {
+  neutral,  ///< one colour, that of all films: whoever watches cannot see a condition by it
+  role      ///< that of the stimulus's role, as on sheets and overlays
+};
+
 /// How a clip becomes a picture.
 struct Look {
   /// A set that comes with the program, or a file's path; empty: studio, or void for point lights.
@@ -19,6 +25,8 @@ struct Look {
   scenes::CameraSettings camera;
 
   scenes::SetPlan set;  ///< what `scene` names, once it has been read (look_checks.h)
+
+  Colours colours = Colours::neutral;  ///< of films of stimuli; overlays always go by roles
 };
 
 /// The name of the set, also where it was left open.

@@ -143,11 +143,15 @@ struct SceneForm {
   }
 };
 
+inline constexpr Words<Colours> colours_words = {{"neutral", Colours::neutral},
+                                                 {"role", Colours::role}};
+
 template <class Field, MaybeConst<Look> L>
 void fields_of(Field&& field, L& look) {
   field.by("scene", look, concerns::picture, SceneForm());
   field.by("figure", look.figure, concerns::picture, FigureForm());
   field.whole("camera", look.camera, concerns::picture);
+  field("colours", look.colours, concerns::picture, colours_words);
 }
 
 }  // namespace mien::pipeline

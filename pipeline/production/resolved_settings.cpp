@@ -48,9 +48,13 @@ OrderedJson step_of(const ModificationStep& step) {
 
 OrderedJson film_of(const Stimulus& film) {
   OrderedJson map = all_of(film);
-  map["look"] = {{"scene", map["look"].value("scene", OrderedJson(scene_of(film.look)))},
+  const OrderedJson said = map["look"];
+  map["look"] = {{"scene", said.value("scene", OrderedJson(scene_of(film.look)))},
                  {"figure", figure_of(film.look.figure)},
                  {"camera", all_of(film.look.camera)}};
+  for (const auto& [key, value] : said.items()) {
+    if (!map["look"].contains(key)) map["look"][key] = value;
+  }
   map["output"]["samples_per_pixel"] =
       quality_of(FilmSettings{.output = film.output}).samples_per_pixel;
   return map;

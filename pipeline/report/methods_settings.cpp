@@ -102,7 +102,11 @@ void tell_settings(const Manifest& manifest, Motions& motions, MethodsText& out)
     add_differences("output.", film.output, film.id, settings);
   };
   for (const Stimulus& stimulus : manifest.stimuli) add_settings_of(stimulus);
-  for (const Overlay& overlay : manifest.overlays) add_settings_of(overlay.film);
+  for (const Overlay& overlay : manifest.overlays) {
+    Stimulus film = overlay.film;
+    film.look.colours = Colours::neutral;  // which it does not go by
+    add_settings_of(film);
+  }
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (is_blend(stimulus))
       add_differences("interpolation.", stimulus.interpolation, stimulus.id, settings);

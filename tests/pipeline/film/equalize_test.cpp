@@ -367,6 +367,12 @@ TEST(Overlays, ShowTheirMotionsTogetherInOneFilm) {
   EXPECT_EQ(shot.actors[0].name, "short");
   EXPECT_EQ(shot.actors[2].name, "sad");
   EXPECT_EQ(shot.actors[1].opacity, 0.75f);
+  // Roles are told apart, though films of stimuli do not tell them.
+  const scenes::Role roles[] = {scenes::Role::target, scenes::Role::created,
+                                scenes::Role::reference};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(shot.actors[i].colours.middle.isApprox(scenes::colours_of(roles[i]).middle)) << i;
+  }
   for (const scenes::Actor& actor : shot.actors)
     EXPECT_EQ(actor.clip.frames_per_second, overlay.film.output.fps);
   // Each as the overlay's own output shows it: two cycles.

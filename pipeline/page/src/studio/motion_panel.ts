@@ -60,7 +60,7 @@ function tell_reached(studio: Studio, panel: HTMLElement): void {
 function heads(studio: Studio, stimulus: Stimulus): HTMLElement {
   const role = choice(["target", "created", "reference"], String(stimulus["role"] ?? "created"),
     (name) => studio.change_stimulus(with_member(stimulus, "role", name === "created" ? undefined : name)));
-  return element("div", { class: "fields" }, ...example_fields(studio), labelled("Role", role, "colour in pictures, place in sheets"));
+  return element("div", { class: "fields" }, ...example_fields(studio), labelled("Role", role, "place and colour on sheets"));
 }
 
 function content(studio: Studio, stimulus: Stimulus): HTMLElement[] {

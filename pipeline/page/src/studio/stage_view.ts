@@ -18,7 +18,7 @@ const degree = Math.PI / 180;
 const directions: Record<string, [number, number]> = {
   front: [0, 6 * degree], side: [-90 * degree, 6 * degree], "three-quarter": [-42 * degree, 10 * degree],
 };
-/** Of roles, as in films; of examples. */
+/** Of roles, as on sheets and overlays; of examples. */
 const role_colours: Record<string, string> = { target: "#2ea05c", created: "#3474cc", reference: "#ce483c" };
 const example_colour = "#7a8696";
 
