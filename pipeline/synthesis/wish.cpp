@@ -74,6 +74,7 @@ FeasibleParameter feasible_among(const Wish& wish, const Eigen::MatrixXd& places
   FeasibleParameter parameter;
   const Eigen::RowVectorXd settings = wish.settings.leftCols(places.cols());
   parameter.range = motion::feasible_range(places, settings, which);
+  parameter.alone = {.least = places.col(which).minCoeff(), .most = places.col(which).maxCoeff()};
   for (Eigen::Index i = 0; i < places.cols(); ++i) {
     const std::string& name = wish.sliders.sliders[static_cast<std::size_t>(i)];
     if (i != which) parameter.others.emplace_back(name, settings[i]);
@@ -135,13 +136,14 @@ std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const Param
 }
 
 std::string to_sentence(const FeasibleParameter& parameter) {
+  const bool others_can_be = parameter.range.miss <= met;
+  const motion::ParameterRange& range = others_can_be ? parameter.range : parameter.alone;
   std::string text = fmt::format("blends of these examples have {:.2f} to {:.2f} of {}",
-                                 parameter.range.least, parameter.range.most, parameter.name);
+                                 range.least, range.most, parameter.name);
   if (!parameter.others.empty()) {
-    text += parameter.range.miss <= met
-                ? " while " + listed(parameter.others)
-                : fmt::format(" while the others come as near as they can, {:.2f} off: {}",
-                              parameter.range.miss, listed(parameter.others));
+    text += others_can_be ? " while " + listed(parameter.others)
+                          : fmt::format(", but in none {}: the nearest is {:.2f} off",
+                                        listed(parameter.others), parameter.range.miss);
   }
   if (parameter.gives_up_held) text += ", and what is held is given up";
   return text;

@@ -36,6 +36,7 @@ struct FeasibleParameter {
   std::string name;
   double asked = 0.0;
   motion::ParameterRange range;
+  motion::ParameterRange alone;  ///< whatever the others are
   NamedValues others;  ///< the other parameters asked for, and those held where that is possible
   bool gives_up_held = false;  ///< what is held cannot be, and was left out of account
 
@@ -46,7 +47,8 @@ struct FeasibleParameter {
 /// One a parameter asked for.
 std::vector<FeasibleParameter> feasible_parameters(const Wish& wish, const ParameterTable& table);
 
-/// "blends of these examples have 0.37 to 0.75 of extraversion while openness is 0.50".
+/// "blends of these examples have 0.37 to 0.75 of extraversion while openness is 0.50". Where the
+/// others cannot be had, no blend keeps them, and the range is that of all blends.
 std::string to_sentence(const FeasibleParameter& parameter);
 
 /// Of every stimulus that asks for adjectives: "mix-1: extraversion 0.74 was asked for; blends …".
