@@ -136,13 +136,44 @@ TwoBoneLimb limb_of(const JointTransforms& world, const LegJoints& leg) {
           world.positions[static_cast<size_t>(leg.ankle)]};
 }
 
-/// Bends a knee that is bent backwards to the front by as much. The turns of the two bones, from
-/// the left.
-std::pair<Quat, Quat> knee_to_the_front(TwoBoneLimb& limb, const Vec3& forward) {
+/// How a knee lies off the line from hip to ankle.
+struct KneeBend {
+  Vec3 off;                   ///< from the line to the knee, metres
+  Vec3 front = Vec3::Zero();  ///< unit, across the line: where knees bend to; zero of no leg
+
+  double forward() const { return off.dot(front); }
+};
+
+KneeBend knee_bend(const JointTransforms& world, const LegJoints& leg) {
+  const TwoBoneLimb limb = limb_of(world, leg);
   const Vec3 line = (limb.end - limb.root).normalized();
-  const Vec3 bend = limb.middle - limb.root - line.dot(limb.middle - limb.root) * line;
-  if (bend.dot(forward) >= 0.0) return {Quat::Identity(), Quat::Identity()};
-  const Vec3 front = limb.middle - 2.0 * bend;
+  const Vec3 knee = limb.middle - limb.root;
+  const Vec3 forward = world.rotations[static_cast<size_t>(leg.hip)] * Vec3::UnitZ();
+  const Vec3 across = forward - line.dot(forward) * line;
+  const double width = across.norm();
+  return {knee - line.dot(knee) * line, width > 1e-9 ? Vec3(across / width) : Vec3(Vec3::Zero())};
+}
+
+/// How far forward the bend of a knee has to be moved in each frame, metres, for none to be bent
+/// backwards: of one that is, the part that points backwards is turned to the front, and what that
+/// takes comes and goes smoothly. Its part to the side stays: a knee that bows sideways must not
+/// change sides whenever the little that it bends forward changes its sign.
+std::vector<double> knees_forward(const std::vector<JointTransforms>& worlds, const LegJoints& leg,
+                                  double frames_per_second, bool loops) {
+  std::vector<double> needed;
+  for (const JointTransforms& world : worlds) {
+    needed.push_back(std::max(0.0, -2.0 * knee_bend(world, leg).forward()));
+  }
+  const int half_width = std::max(1, static_cast<int>(std::lround(0.1 * frames_per_second)));
+  return smooth_envelope(needed, half_width, loops);
+}
+
+/// Turns the bend of a knee to the front by that distance; it stays as far off the line from hip to
+/// ankle. The turns of the two bones, from the left.
+std::pair<Quat, Quat> turn_knee(TwoBoneLimb& limb, const KneeBend& bend, double forward) {
+  const Vec3 moved = bend.off + forward * bend.front;
+  if (forward <= 0.0 || moved.norm() < 1e-9) return {Quat::Identity(), Quat::Identity()};
+  const Vec3 front = limb.middle - bend.off + bend.off.norm() / moved.norm() * moved;
   const std::pair turns = {turn_between(limb.middle - limb.root, front - limb.root),
                            turn_between(limb.end - limb.middle, limb.end - front)};
   limb.middle = front;
@@ -150,12 +181,12 @@ std::pair<Quat, Quat> knee_to_the_front(TwoBoneLimb& limb, const Vec3& forward) 
 }
 
 void place_leg(Pose& pose, const JointTransforms& world, const LegJoints& leg,
-               const FootPlace& place, double drop) {
+               const FootPlace& place, double drop, double knee_forward) {
   TwoBoneLimb limb = limb_of(world, leg);
   const Vec3 down(0.0, -drop, 0.0);
   limb = {limb.root + down, limb.middle + down, limb.end + down};
+  const auto [upper, lower] = turn_knee(limb, knee_bend(world, leg), knee_forward);
   const Vec3 forward = world.rotations[static_cast<size_t>(leg.hip)] * Vec3::UnitZ();
-  const auto [upper, lower] = knee_to_the_front(limb, forward);
   const TwoBoneSolution solution = solve_two_bone(limb, place.ankle, forward);
   const Quat thigh = solution.upper_turn * upper * world.rotations[static_cast<size_t>(leg.hip)];
   const Quat shank = solution.lower_turn * lower * world.rotations[static_cast<size_t>(leg.knee)];
@@ -185,10 +216,14 @@ Clip with_feet_placed(const Clip& clip, const std::vector<PlacedStretch>& stretc
   const std::vector<double> drop = smooth_envelope(needed, half_width, clip.loops);
 
   Clip locked = clip;
-  for (size_t f = 0; f < clip.poses.size(); ++f) {
-    for (const LegTargets& leg : legs) {
-      place_leg(locked.poses[f], worlds[f], leg.joints, leg.places[f], drop[f]);
+  for (const LegTargets& leg : legs) {
+    const std::vector<double> forward =
+        knees_forward(worlds, leg.joints, clip.frames_per_second, clip.loops);
+    for (size_t f = 0; f < clip.poses.size(); ++f) {
+      place_leg(locked.poses[f], worlds[f], leg.joints, leg.places[f], drop[f], forward[f]);
     }
+  }
+  for (size_t f = 0; f < clip.poses.size(); ++f) {
     locked.poses[f].root_position.y() -= drop[f];
   }
   return locked;

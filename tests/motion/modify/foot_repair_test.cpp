@@ -135,6 +135,24 @@ TEST(FootRepair, BendsKneesForwardThatWereBentBackwards) {
   }
 }
 
+TEST(FootRepair, ThrowsNoKneeSidewaysThatBowsAndGetsStraight) {
+  Clip bowed = ordinary();
+  const auto plants = foot_plants(bowed);
+  for (size_t f = 0; f < bowed.poses.size(); ++f) {
+    const double bend = 0.06 * std::sin(2.0 * pi * 4.0 * static_cast<double>(f) /
+                                        static_cast<double>(bowed.poses.size()));
+    bowed.poses[f].rotations[LeftKnee] = exp(Vec3(bend, 0.0, 0.25));
+    bowed.poses[f].rotations[RightKnee] = exp(Vec3(-bend, 0.0, -0.25));
+  }
+  const Clip repaired = with_repaired_feet(bowed, ordinary(), plants, FootRepair::plants);
+  EXPECT_LT(largest_second_difference(repaired), 3.0 * largest_second_difference(bowed) + 0.015);
+  // They bow to the side to which they did.
+  for (size_t f = 0; f < bowed.poses.size(); ++f) {
+    EXPECT_GT(log(repaired.poses[f].rotations[LeftKnee]).z(), 0.0) << f;
+    EXPECT_LT(log(repaired.poses[f].rotations[RightKnee]).z(), 0.0) << f;
+  }
+}
+
 TEST(FootRepair, OfNoneLeavesTheClip) {
   const Clip clip = ordinary();
   const Clip changed = with_paths(clip, longest_path_gains());
