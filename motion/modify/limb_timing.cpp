@@ -75,6 +75,21 @@ std::vector<double> rounded_off(const std::vector<double>& shift, long half_widt
   return smooth;
 }
 
+/// Everywhere, or only near `moments`.
+Clip accelerated(const Clip& clip, const Limbs& limbs, const std::span<const int>* moments) {
+  Clip result = clip;
+  for (const Limb limb : all_limbs) {
+    if (!has(limbs, limb)) continue;
+    std::vector<double> durations =
+        accelerated_durations(limb_speeds(clip, limb), clip.frames_per_second, clip.loops);
+    if (moments) durations = only_near(durations, *moments, clip.frames_per_second, clip.loops);
+    retime(
+        result, limb,
+        source_frames(durations, acceleration_segment_seconds, clip.frames_per_second, clip.loops));
+  }
+  return result;
+}
+
 }  // namespace
 
 bool has(const Limbs& limbs, Limb limb) {
@@ -238,20 +253,12 @@ Clip with_constant_speed(const Clip& clip, const Limbs& limbs) {
   return result;
 }
 
-Clip with_acceleration(const Clip& clip, const Limbs& limbs, std::span<const int> moments) {
-  Clip result = clip;
-  for (const Limb limb : all_limbs) {
-    if (!has(limbs, limb)) continue;
-    std::vector<double> durations =
-        accelerated_durations(limb_speeds(clip, limb), clip.frames_per_second, clip.loops);
-    if (!moments.empty()) {
-      durations = only_near(durations, moments, clip.frames_per_second, clip.loops);
-    }
-    retime(
-        result, limb,
-        source_frames(durations, acceleration_segment_seconds, clip.frames_per_second, clip.loops));
-  }
-  return result;
+Clip with_acceleration(const Clip& clip, const Limbs& limbs) {
+  return accelerated(clip, limbs, nullptr);
+}
+
+Clip with_acceleration_near(const Clip& clip, const Limbs& limbs, std::span<const int> moments) {
+  return moments.empty() ? clip : accelerated(clip, limbs, &moments);
 }
 
 }  // namespace mien::motion

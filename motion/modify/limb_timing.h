@@ -69,8 +69,10 @@ void retime(Clip& clip, Limb limb, const std::vector<double>& sources);
 /// The clip with the ends of its limbs moving at constant speed.
 Clip with_constant_speed(const Clip& clip, const Limbs& limbs);
 
-/// The clip with its limbs slowing down more in their pauses. With `moments` (frames) only near
-/// those; without any, everywhere.
-Clip with_acceleration(const Clip& clip, const Limbs& limbs, std::span<const int> moments = {});
+/// The clip with its limbs slowing down more in their pauses, everywhere.
+Clip with_acceleration(const Clip& clip, const Limbs& limbs);
+
+/// The same only near the given moments (frames); where there are none, nowhere.
+Clip with_acceleration_near(const Clip& clip, const Limbs& limbs, std::span<const int> moments);
 
 }  // namespace mien::motion

@@ -9,7 +9,9 @@
 #include "motion/gait/foot_lock.h"
 #include "motion/math/filter.h"
 #include "motion/math/rotation.h"
+#include "motion/modify/feet_apart.h"
 #include "motion/modify/foot_repair.h"
+#include "motion/modify/limb_timing.h"
 #include "motion/modify/nine_grid.h"
 #include "motion/modify/soft_limits.h"
 #include "motion/modify/tempo.h"
@@ -109,6 +111,65 @@ void write_remarks(ModificationReport& report, const Modification& asked, bool s
   }
 }
 
+/// A motion after its timing: in its posture, within its joints' limits, its feet repaired.
+struct Finished {
+  Clip posed;
+  Clip repaired;
+  double largest_limit_excess = 0.0;
+};
+
+Finished finished(const Clip& timed, const Clip& reference, const std::vector<FootPlant>& stands,
+                  const Modification& m) {
+  Finished result{timed, {}, 0.0};
+  if (!m.posture.empty() || m.pose_difference) {
+    result.posed = with_posture(timed, m.posture, m.pose_difference);
+  }
+  if (m.soft_joint_limits) {
+    SoftLimits limited = with_soft_limits(result.posed, reference);
+    result.posed = std::move(limited.clip);
+    result.largest_limit_excess = limited.largest_excess;
+  }
+  result.repaired = with_repaired_feet(result.posed, reference, stands, m.repair);
+  return result;
+}
+
+/// As `finished`, with as much of the thighs' turn inwards as leaves the feet a foot's width apart
+/// where they are put down, or as near as they come without it.
+Finished finished_with_feet_apart(const Clip& timed, const Clip& reference,
+                                  const std::vector<FootPlant>& stands, const Modification& m,
+                                  const std::vector<FootPlant>& contacts,
+                                  ModificationReport& report) {
+  constexpr int halvings = 5;
+  Finished whole = finished(timed, reference, stands, m);
+  if (!may_bring_feet_together(m)) return whole;
+  const auto width = [&](const Clip& clip) { return least_step_width(clip, contacts); };
+  const std::optional<double> closest = width(whole.repaired);
+  const double foot = foot_width(timed.body);
+  if (!closest || *closest >= foot) return whole;
+  Finished best = finished(timed, reference, stands, with_feet_together(m, 0.0));
+  const double least =
+      std::min({foot, width(best.repaired).value_or(foot), width(reference).value_or(foot)});
+  if (*closest >= least) return whole;
+  double clean = 0.0, crossing = 1.0;
+  for (int i = 0; i < halvings; ++i) {
+    const double share = 0.5 * (clean + crossing);
+    Finished tried = finished(timed, reference, stands, with_feet_together(m, share));
+    if (width(tried.repaired).value_or(foot) < least) {
+      crossing = share;
+    } else {
+      clean = share;
+      best = std::move(tried);
+    }
+  }
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the thighs were turned inwards by %.0f %% of what was asked for: at the whole of "
+                "it, steps would be %.1f cm wide",
+                100.0 * clean, 100.0 * *closest);
+  report.remarks.emplace_back(text);
+  return best;
+}
+
 }  // namespace
 
 bool is_identity(const Modification& m) {
@@ -167,28 +228,35 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   ModificationReport& report = result.report;
 
   const Clip original = sent_on_its_way(clip);
+  const bool at_contacts =
+      m.acceleration > 0.0 && m.acceleration_place == AccelerationPlace::contacts;
+  const std::vector<FootPlant> contacts =
+      m.repair != FootRepair::none || at_contacts || may_bring_feet_together(m)
+          ? foot_plants(original)
+          : std::vector<FootPlant>{};
   const std::vector<FootPlant> plants =
-      m.repair == FootRepair::none ? std::vector<FootPlant>{} : foot_plants(original);
-  const Clip moved = with_variation(grid_motion(original, plants, m), m.variation, m.limbs, m.seed);
+      m.repair == FootRepair::none ? std::vector<FootPlant>{} : contacts;
+  const Clip moved =
+      with_variation(grid_motion(original, contacts, m), m.variation, m.limbs, m.seed);
 
   const Clip reference = with_tempo(original, m.tempo);
-  const std::vector<FootPlant> stands =
-      with_tempo(plants, original.frame_count(), reference.frame_count(), clip.loops);
-  Clip posed = with_tempo(moved, m.tempo);
-  if (!m.posture.empty() || m.pose_difference) {
-    posed = with_posture(posed, m.posture, m.pose_difference);
+  const auto in_time = [&](const std::vector<FootPlant>& stretches) {
+    return with_tempo(stretches, original.frame_count(), reference.frame_count(), clip.loops);
+  };
+  const std::vector<FootPlant> stands = in_time(plants);
+  if (at_contacts && contact_frames(contacts, original.frame_count()).empty()) {
+    report.remarks.emplace_back(
+        "no foot comes to the floor, so acceleration at contacts changed nothing");
   }
-  if (m.soft_joint_limits) {
-    SoftLimits limited = with_soft_limits(posed, reference);
-    posed = std::move(limited.clip);
-    report.largest_limit_excess = limited.largest_excess;
-  }
-  Clip repaired = with_repaired_feet(posed, reference, stands, m.repair);
+  Finished done = finished_with_feet_apart(with_tempo(moved, m.tempo), reference, stands, m,
+                                           in_time(contacts), report);
+  report.largest_limit_excess = done.largest_limit_excess;
+  Clip& repaired = done.repaired;
 
   if (reference.frame_count() > 1)
     report.tempo = original.duration_seconds() / reference.duration_seconds();
   report.plants = static_cast<int>(plants.size());
-  report.drift_before_repair = planted_drift(with_root_of(posed, reference), stands);
+  report.drift_before_repair = planted_drift(with_root_of(done.posed, reference), stands);
   report.drift_after_repair = planted_drift(repaired, stands);
   if (travels(original)) report.travel_ratio = way(repaired) / way(original);
   const bool in_its_place = clip.loops && clip.cycle_displacement.isZero(1e-6);

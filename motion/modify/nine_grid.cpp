@@ -32,7 +32,7 @@ Clip with_timing(const Clip& clip, const std::vector<FootPlant>& plants, double 
     return with_acceleration(clip, modification.limbs);
   }
   const std::vector<int> moments = contact_frames(plants, clip.frame_count());
-  return with_acceleration(clip, modification.limbs, moments);
+  return with_acceleration_near(clip, modification.limbs, moments);
 }
 
 struct Weighted {

@@ -27,9 +27,9 @@ std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
                                                    const Repertoire& repertoire);
 
 /// Does the stimulus's modifications one after the other and looks the result over. Errors
-/// that neither the original nor the repair of its feet alone has, or that are half as bad again,
-/// are dealt with as `on_fault` says; what was done is among the warnings. The motion comes back at
-/// the output's frame rate. Throws Error when a pose cannot be had, and for `on_fault: fail`.
+/// that the original has not, or that are half as bad again, are dealt with as `on_fault` says;
+/// what was done is among the warnings. The motion comes back at the output's frame rate. Throws
+/// Error when a pose cannot be had, and for `on_fault: fail`.
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
                              const Repertoire& repertoire);
 

@@ -96,6 +96,15 @@ TEST(LimbTiming, LeavesWhatStandsStill) {
   EXPECT_LT(largest_distance(with_constant_speed(still, {}), still), 1e-12);
 }
 
+TEST(LimbTiming, NearMomentsActsNowhereWithoutAny) {
+  EXPECT_EQ(largest_distance(with_acceleration_near(sine(), {}, {}), sine()), 0.0);
+  const std::vector<int> moments = {300};
+  const Clip near = with_acceleration_near(sine(), {}, moments);
+  EXPECT_GT(largest_distance(near, sine()), 0.0);
+  EXPECT_LT(largest_distance(near, sine()),
+            largest_distance(with_acceleration(sine(), {}), sine()));
+}
+
 TEST(LimbTiming, LeavesFeetUnlessAsked) {
   const Clip clip = walk({}, 30.0, standard_body()).clip;
   const Clip after = with_acceleration(clip, {});
@@ -131,7 +140,7 @@ TEST(LimbTiming, AcceleratesNearContactsAlone) {
   const Clip clip = repeated(walk({}, 100.0, standard_body()).clip, 4);
   const std::vector<int> moments = {110};
   const Clip everywhere = with_acceleration(clip, {});
-  const Clip near = with_acceleration(clip, {}, moments);
+  const Clip near = with_acceleration_near(clip, {}, moments);
   const auto moved = [&](const Clip& after, size_t first, size_t last) {
     double largest = 0.0;
     for (size_t f = first; f < last; ++f) {

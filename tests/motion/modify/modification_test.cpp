@@ -1,5 +1,6 @@
 #include "motion/modify/modification.h"
 
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -8,6 +9,7 @@
 #include "motion/examples/make_example.h"
 #include "motion/gait/contact.h"
 #include "motion/math/rotation.h"
+#include "motion/modify/feet_apart.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/procedural/walker.h"
 #include "motion/random_motion.h"
@@ -163,6 +165,59 @@ TEST(Modification, OfALoopDoesNotMindItsFirstFrame) {
     }
   }
   EXPECT_LT(largest, 0.01);
+}
+
+bool remarks(const ModifiedClip& after, const std::string& part) {
+  const auto& all = after.report.remarks;
+  return std::any_of(all.begin(), all.end(), [&](const std::string& remark) {
+    return remark.find(part) != std::string::npos;
+  });
+}
+
+TEST(Modification, AcceleratesAtContactsNowhereWithoutContacts) {
+  Clip stands = walk({}, 100.0, standard_body()).clip;
+  stands.loops = false;
+  stands.cycle_displacement = Vec3::Zero();
+  for (Pose& pose : stands.poses) {
+    const Quat arm = pose.rotations[LeftShoulder];
+    pose = standing_pose(stands.body);
+    pose.rotations[LeftShoulder] = arm;
+  }
+  Modification m = recipe(1.0, 0.8);
+  m.acceleration_place = AccelerationPlace::contacts;
+  m.repair = FootRepair::none;
+  const ModifiedClip after = modify(stands, m);
+  EXPECT_EQ(largest_distance(after.clip, stands), 0.0);
+  EXPECT_TRUE(remarks(after, "no foot comes to the floor"));
+  m.acceleration_place = AccelerationPlace::pauses;
+  const ModifiedClip everywhere = modify(stands, m);
+  EXPECT_FALSE(remarks(everywhere, "no foot comes to the floor"));
+}
+
+TEST(Modification, FindsContactsWhereFeetAreNotRepaired) {
+  const Clip clip = walk({}, 100.0, standard_body()).clip;
+  Modification m = recipe(1.0, 0.8);
+  m.repair = FootRepair::none;
+  const Clip everywhere = modified(clip, m);
+  m.acceleration_place = AccelerationPlace::contacts;
+  const ModifiedClip near = modify(clip, m);
+  EXPECT_FALSE(remarks(near, "no foot comes to the floor"));
+  EXPECT_GT(largest_distance(near.clip, everywhere), 0.001);
+}
+
+TEST(Modification, CrossesNoFeet) {
+  const Modification inwards = recipe(1.0, 0.0, {{hip_abduction, -8.0}});
+  for (const Clip& clip : synthetic_walks()) {
+    if (clip.loops && clip.cycle_displacement.isZero(1e-6)) continue;  // walks in place
+    const std::vector<FootPlant> plants = foot_plants(clip);
+    const std::optional<double> before = least_step_width(clip, plants);
+    ASSERT_TRUE(before) << clip.name;
+    const ModifiedClip after = modify(clip, inwards);
+    EXPECT_GE(*least_step_width(after.clip, plants),
+              std::min(*before, foot_width(clip.body)) - 0.005)
+        << clip.name;
+    EXPECT_TRUE(remarks(after, "thighs were turned inwards by")) << clip.name;
+  }
 }
 
 TEST(Modification, LetsFeetStandOfSyntheticWalks) {

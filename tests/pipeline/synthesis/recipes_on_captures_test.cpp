@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "motion/error.h"
+#include "motion/gait/contact.h"
+#include "motion/lint/lint.h"
+#include "motion/modify/feet_apart.h"
+#include "motion/modify/modification.h"
+#include "motion/modify/real_takes.h"
+#include "pipeline/manifest/recipes.h"
+#include "pipeline/synthesis/modified_motion.h"
+
+namespace mien::pipeline {
+namespace {
+
+using motion::Clip;
+
+/// Of each joint the largest second difference of its place, metres.
+std::vector<double> second_differences(const Clip& clip) {
+  const auto paths = motion::joint_paths(clip);
+  std::vector<double> largest(motion::body_joint_count, 0.0);
+  for (std::size_t f = 2; f < paths.size(); ++f) {
+    for (std::size_t j = 0; j < largest.size(); ++j) {
+      const motion::Vec3 change = paths[f][j] - 2.0 * paths[f - 1][j] + paths[f - 2][j];
+      largest[j] = std::max(largest[j], change.norm());
+    }
+  }
+  return largest;
+}
+
+/// Three times what the original has and 15 mm.
+double allowed(double of_original) { return 3.0 * of_original + 0.015; }
+
+void expect_no_leap(const Clip& before, const Clip& after, const std::string& what) {
+  const std::vector<double> was = second_differences(before);
+  const std::vector<double> is = second_differences(after);
+  const double limit = allowed(*std::max_element(was.begin(), was.end()));
+  for (std::size_t j = 0; j < is.size(); ++j) {
+    EXPECT_LT(is[j], limit) << what << ": " << before.body.joints[j].name;
+  }
+}
+
+/// Knees are held to what knees did.
+void expect_no_leap_of_knees(const Clip& before, const Clip& after, const std::string& what) {
+  const std::vector<double> was = second_differences(before);
+  const std::vector<double> is = second_differences(after);
+  const double limit = allowed(std::max(was[motion::LeftKnee], was[motion::RightKnee]));
+  EXPECT_LT(is[motion::LeftKnee], limit) << what;
+  EXPECT_LT(is[motion::RightKnee], limit) << what;
+}
+
+/// Feet are put down a foot's width apart, or as near as in the original, or as the recipe brings
+/// them without turning thighs inwards.
+void expect_feet_apart(const Clip& before, const Clip& after, const motion::Modification& m,
+                       const std::string& what) {
+  const auto plants = motion::foot_plants(before);
+  if (m.tempo != 1.0 || !motion::may_bring_feet_together(m)) return;
+  const auto was = motion::least_step_width(before, plants);
+  const auto is = motion::least_step_width(after, plants);
+  const auto without = motion::least_step_width(
+      motion::modified(before, motion::with_feet_together(m, 0.0)), plants);
+  if (!was || !is || !without) return;
+  EXPECT_GE(*is, std::min({*was, *without, motion::foot_width(before.body)}) - 1e-6) << what;
+}
+
+void hold_recipes_to(const std::vector<Clip>& takes, bool at_30_too) {
+  for (const Clip& take : takes) {
+    for (const Recipe& recipe : read_recipes("builtin", "").recipes) {
+      const std::string what = take.name + " " + recipe.name;
+      const motion::Modification m = with_edit({}, recipe.edit);
+      const Clip after = motion::modified(take, m);
+      expect_no_leap(take, after, what);
+      expect_no_leap_of_knees(take, after, what);
+      expect_feet_apart(take, after, m, what);
+      if (!at_30_too || take.frames_per_second <= 30.0) continue;
+      expect_no_leap(motion::resampled(take, 30.0), motion::resampled(after, 30.0),
+                     what + " at 30 frames a second");
+    }
+  }
+}
+
+/// Knees of these bow sideways and get nearly straight.
+TEST(RecipesOnCaptures, ThrowNoJointOfWalksThatAreHard) {
+  const std::vector<Clip> takes =
+      test::real_takes("aalto-two-actors", "t_walk_regular_000_000_100");
+  if (takes.empty()) GTEST_SKIP() << "no motion capture here: set MIEN_DATA";
+  hold_recipes_to(takes, false);
+  hold_recipes_to(test::real_takes("aalto-two-actors", "t_run_fast_t_run_slow_100_000"), false);
+}
+
+TEST(RecipesOnCaptures, ThrowNoJointOfAny) {
+  if (!test::real_data()) GTEST_SKIP() << "no motion capture here: set MIEN_DATA";
+  for (const char* folder : {"aalto-two-actors", "bandai-namco-1", "cmu"}) {
+    hold_recipes_to(test::real_takes(folder, ""), true);
+  }
+}
+
+/// What is delivered is what is judged, the repair of the feet with it: no error comes through that
+/// the capture has not.
+TEST(RecipesOnCaptures, ThatMayNotFailDeliverNoErrorOfTheirOwn) {
+  if (!test::real_data()) GTEST_SKIP() << "no motion capture here: set MIEN_DATA";
+  const auto is_among = [](const motion::Finding& one, const std::vector<motion::Finding>& all) {
+    return std::ranges::any_of(all, [&](const motion::Finding& other) {
+      return other.severity == motion::Severity::error && other.check == one.check &&
+             other.joint == one.joint;
+    });
+  };
+  const RecipeBook book = read_recipes("builtin", "");
+  for (const auto& [part, emotion] :
+       {std::pair{"t_limp_slow_t_walk_slow_000_100", "strong"},
+        std::pair{"k_run_slow_k_limp_fast_k_walk_regular_000_000_100", "relaxed"}}) {
+    motion::Example original;
+    original.clip = test::real_takes("aalto-two-actors", part).at(0);
+    original.keytimes = {0.0, original.clip.duration_seconds()};
+    Stimulus stimulus;
+    stimulus.id = emotion;
+    stimulus.on_fault = OnFault::fail;
+    stimulus.output.fps = original.clip.frames_per_second;
+    ModificationStep step;
+    step.edit = book.find(emotion)->edit;
+    step.modification = with_edit({}, step.edit);
+    stimulus.modify.push_back(step);
+    ModifiedMotion made;
+    try {
+      made = modify_motion(original, stimulus, {});
+    } catch (const Error&) {
+      continue;  // nothing is delivered
+    }
+    const auto own = motion::lint(original.clip);
+    for (const motion::Finding& finding : motion::lint(made.motion.clip, {}, &original.clip)) {
+      if (finding.severity != motion::Severity::error) continue;
+      EXPECT_TRUE(is_among(finding, own)) << part << ": " << finding.sentence;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mien::pipeline
