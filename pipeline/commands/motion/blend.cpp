@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
 #include "motion/text/nearest_word.h"
@@ -34,6 +37,25 @@ void refuse_unknown(const NamedValues& weights, const std::vector<std::string>& 
   }
 }
 
+/// Feet that slide, sink or float in what was made: of each check and foot the worst.
+std::vector<std::string> warnings_of_feet(const Synthesis& synthesis) {
+  std::map<std::pair<std::string, std::string>, const motion::Finding*> worst;
+  for (const motion::Finding& finding : synthesis.findings) {
+    if (finding.check != "foot-skate" && finding.check != "penetration" &&
+        finding.check != "floating") {
+      continue;
+    }
+    const motion::Finding*& known = worst[{finding.check, finding.joint}];
+    if (!known || std::abs(finding.measured) > std::abs(known->measured)) known = &finding;
+  }
+  std::vector<std::string> warnings;
+  for (const auto& [place, finding] : worst) {
+    warnings.push_back(fmt::format("{} ({}, frames {}–{})", finding->sentence, finding->check,
+                                   finding->first, finding->last));
+  }
+  return warnings;
+}
+
 int blend(const BlendCommandOptions& options, const Console& console) {
   Manifest manifest;
   manifest.examples = parse_examples(options.examples);
@@ -46,11 +68,13 @@ int blend(const BlendCommandOptions& options, const Console& console) {
   stimulus.interpolation.foot_lock = !options.no_foot_lock;
   refuse_unknown(stimulus.weights, example_names(manifest));
 
-  const Synthesis synthesis = synthesize(stimulus, load_repertoire(manifest));
+  const Repertoire repertoire = load_repertoire(manifest);
+  const Synthesis synthesis = synthesize(stimulus, repertoire);
   const motion::Clip shown = shown_clip(synthesis, stimulus.output);
   motion::write_motion(motion::to_recording(shown), options.out);
-  for (const std::string& warning : synthesis.warnings) {
-    console.err << "warning: " << warning << '\n';
+  for (const auto& warnings :
+       {repertoire.warnings, synthesis.warnings, warnings_of_feet(synthesis)}) {
+    for (const std::string& warning : warnings) console.err << "warning: " << warning << '\n';
   }
   console.out << options.out << ": " << shown.frame_count() << " frames\n";
   return exit_done;
