@@ -50,7 +50,7 @@ std::size_t pictures_of_roles(Colours colours, const scenes::Figure& figure) {
   for (const Role role : all_roles) {
     const render::Image8 picture =
         render::to_srgb8(first_picture(of_role(role, colours, figure)), render::Tone());
-    pictures.emplace(picture.pixels.begin(), picture.pixels.end());
+    pictures.emplace(picture.channels.begin(), picture.channels.end());
   }
   return pictures.size();
 }
