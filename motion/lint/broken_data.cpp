@@ -90,9 +90,10 @@ void find_bone_drift(const Clip& clip, const LintOptions& options, Findings& fin
       lengths.push_back(
           (pose.offsets.empty() ? clip.body.joints[j].offset : pose.offsets[j]).norm());
     }
-    const double usual = std::max(percentile(lengths, 50), least);
-    if (!(usual > 0.0)) continue;
-    for (double& length : lengths) length = std::abs(length / usual - 1.0);
+    const double usual = percentile(lengths, 50);
+    const double whole = std::max(usual, least);
+    if (!(whole > 0.0)) continue;
+    for (double& length : lengths) length = std::abs(length - usual) / whole;
     const std::string name = joint_name(clip, j);
     const auto sentence = [&](double worst) {
       return "The bone that carries the " + spoken(name) + " changes its length by " +

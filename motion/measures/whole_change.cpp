@@ -57,7 +57,11 @@ WholeBodyChange after_level_fit(WholeChange kind, const std::vector<Vec3>& from,
   const LevelMove fit = level_fit(from, to, mirrored);
   std::vector<Vec3> there;
   for (const Vec3& point : from) there.push_back(fit(point));
-  return {kind, fit.turn_radians, fit.shift, rms_apart(from, to), rms_apart(there, to)};
+  return {.kind = kind,
+          .turn_radians = fit.turn_radians,
+          .shift = fit.shift,
+          .before = rms_apart(from, to),
+          .left = rms_apart(there, to)};
 }
 
 /// RMS angle between the turns of all joints on their parents and those of others.

@@ -45,6 +45,7 @@ const std::vector<NotRun> not_run = {
     {"./mien study design closed-loop-1 -o plans.csv --freeze", "needs the study to be made"},
     {"./mien regress study.yaml --baseline main", "needs a repository"},
     {"./mien study report", "needs answers that people gave"},
+    {"./mien motion info people.glb", "needs a file of several motions (gltf_takes_test.cpp)"},
     {"./mien regress approved.mp4 now.mp4", "needs two videos"},
     {"./mien regress approved.png now.png", "needs two pictures"},
     {"./mien regress approved-frames/ now-frames/", "needs two folders of pictures"},

@@ -1,5 +1,7 @@
 #include "motion/measures/motion_summary.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "motion/other_rigs.h"
@@ -45,8 +47,10 @@ TEST(MotionSummary, OfWhatIsNoHumanSaysWhy) {
   EXPECT_FALSE(summary.is_human);
   EXPECT_EQ(summary.rig, "unknown");
   EXPECT_EQ(summary.steadiest, -1);
-  ASSERT_EQ(summary.warnings.size(), 1u);
-  EXPECT_NE(summary.warnings[0].find("not recognised as a human"), std::string::npos);
+  EXPECT_TRUE(
+      std::any_of(summary.warnings.begin(), summary.warnings.end(), [](const std::string& warning) {
+        return warning.find("not recognised as a human") != std::string::npos;
+      }));
 }
 
 TEST(MotionSummary, OfOnePoseHasNoGait) {

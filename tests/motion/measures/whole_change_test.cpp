@@ -77,7 +77,7 @@ TEST(WholeChange, TellsOtherUnits) {
     const WholeBodyChange change = whole(walk, now);
     EXPECT_EQ(change.kind, WholeChange::scaled) << factor;
     EXPECT_NEAR(change.scale, factor, 1e-9 * factor);
-    now = with_turn(now, LeftShoulder, Vec3(1, 0, 0), 1.0);
+    now = with_turn(now, LeftShoulder, Vec3(0, 0, 1), 1.0);
     EXPECT_NE(whole(walk, now).kind, WholeChange::scaled) << factor;
   }
 }

@@ -112,7 +112,7 @@ TEST_F(Studio, HasOneDoorForWhateverADocumentNames) {
       {"/questionnaire/consent", "file"},
       {"/questionnaire/instructions", "file"},
       {"/questionnaire/ending", "file"},
-      {"/questionnaire/scales", ""},
+      {"/questionnaire/scales", "file"},
       {"/questionnaire/analysis/plan", "file"},
       {"/matching/consent", "file"},
       {"/stimuli/0/clip", "file"}};
