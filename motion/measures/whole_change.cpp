@@ -111,8 +111,9 @@ std::optional<WholeBodyChange> scaled(const std::vector<Vec3>& before,
   change.before = rms_apart(before, now);
   change.left = rms_apart(there, now);
   const bool is_other_unit = std::abs(std::log(change.scale)) > std::log(least_factor);
-  return is_other_unit && change.left <= left_of_a_move * change.before ? std::optional(change)
-                                                                        : std::nullopt;
+  // In the smaller of both units: of a figure that shrank, little is left whatever else it does.
+  const double most_left = left_of_a_move * std::min(1.0, change.scale) * change.before;
+  return is_other_unit && change.left <= most_left ? std::optional(change) : std::nullopt;
 }
 
 /// Or scaled.
