@@ -122,6 +122,18 @@ trap - TERM INT
 
 )";
 
+/// The kernel counts what it kills for want of memory in the control group that Slurm made for the
+/// job (cgroup v1 and v2): Slurm itself goes by that, but forgets the job some minutes later.
+constexpr const char* memory_check = R"(lack=
+while IFS=: read -r _ kind group; do
+  case $group in *"/job_${{SLURM_JOB_ID:-none}}"*) ;; *) continue ;; esac
+  for counts in "/sys/fs/cgroup/$kind$group/memory.oom_control" \
+    "/sys/fs/cgroup$group/memory.events"; do
+    if grep -qs '^oom_kill [1-9]' "$counts"; then lack={}; fi
+  done
+done </proc/self/cgroup
+)";
+
 std::string ending(const BatchJob& job, const SlurmSite& site) {
   std::string text =
       back_into_queue("try_again", "scontrol requeue", site.requeues_transient, worker_transient) +
@@ -129,8 +141,9 @@ std::string ending(const BatchJob& job, const SlurmSite& site) {
                       worker_wrong_setup);
   text +=
       "\n[ $code -ne 0 ] || { rm -f -- \"$ended\"; exit 0; }\n"
-      "restarts=${SLURM_RESTART_COUNT:-0}\n"
-      "echo \"$code $restarts ${SLURMD_NODENAME:-$(hostname)}\" >\"$ended\"\n"
+      "restarts=${SLURM_RESTART_COUNT:-0}\n" +
+      fmt::format(memory_check, lack_of_memory) +
+      "echo \"$code $restarts ${SLURMD_NODENAME:-$(hostname)} $lack\" >\"$ended\"\n"
       "echo \"mien farm: ended with $code on ${SLURMD_NODENAME:-$(hostname)} after $restarts "
       "restarts\"\n";
   // `mien run` is a command for people, and has other codes.

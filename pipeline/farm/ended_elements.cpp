@@ -2,7 +2,10 @@
 
 #include <charconv>
 #include <fstream>
+#include <string>
 #include <system_error>
+
+#include "pipeline/farm/worker_codes.h"
 
 namespace mien::pipeline {
 
@@ -19,7 +22,10 @@ std::map<std::pair<std::string, int>, ElementEnd> ends_in(const std::filesystem:
     std::ifstream file(at->path());
     ElementEnd told;
     if (element < 1 || !(file >> told.code)) continue;
-    file >> told.restarts;
+    std::string node;
+    std::string lack;
+    file >> told.restarts >> node >> lack;
+    told.lacked_memory = lack == lack_of_memory;
     ends.emplace(std::pair(name.substr(0, dot), element), told);
   }
   return ends;

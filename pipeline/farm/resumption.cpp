@@ -5,7 +5,6 @@
 #include "pipeline/farm/ended_elements.h"
 #include "pipeline/farm/stages.h"
 #include "pipeline/farm/task_list.h"
-#include "pipeline/farm/worker_codes.h"
 
 namespace mien::pipeline {
 
@@ -22,7 +21,7 @@ std::set<std::size_t> short_of_memory(const JobFate& fate, const fs::path& folde
     }
   }
   for (const auto& [element, end] : ends_in(folder / "farm" / fate.journal.submission)) {
-    if (element.first == fate.journal.name && end.code == worker_killed)
+    if (element.first == fate.journal.name && end.lacked_memory)
       elements.insert(static_cast<std::size_t>(element.second));
   }
   return elements;

@@ -24,8 +24,8 @@ struct MemoryNeeds {
   std::vector<std::string> unknown;         ///< items of jobs that asked for nothing in particular
 };
 
-/// From what Slurm still knows, and from what the jobs left in ends/: one whose worker was killed
-/// by SIGKILL while the job itself went on had too little memory.
+/// From what Slurm still knows, and from what the jobs left in ends/ that saw their control group
+/// count a kill for want of memory. SIGKILL alone says nothing: anybody may have sent it.
 MemoryNeeds memory_needs(const std::vector<JobFate>& fates, const std::filesystem::path& folder);
 
 /// "4G" of "2G", "3000M" of "1500"; empty when the text is no amount of memory.

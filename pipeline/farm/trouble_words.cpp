@@ -23,8 +23,8 @@ std::string look_and_submit(const std::string& study) {
   return "mien farm logs " + study + " tells more; " + submit(study);
 }
 
-TroubleWords short_of_memory(const std::string& cause, const std::string& study) {
-  return {cause,
+TroubleWords short_of_memory(const std::string& study) {
+  return {"too little memory",
           resume(study) + " asks for twice the memory if --mem was given, or for what --mem says"};
 }
 
@@ -35,10 +35,12 @@ int worker_code(int code, bool is_rest) {
   return code == 2 ? worker_bad_input : code;
 }
 
-TroubleWords words_of_signal(int code, const std::string& study) {
+TroubleWords words_of_signal(const ElementEnd& end, const std::string& study) {
+  const int code = end.code;
+  if (end.lacked_memory) return short_of_memory(study);
   if (code == worker_killed) {
-    return short_of_memory(
-        fmt::format("killed, as a rule for want of memory (exit code {}, SIGKILL)", code), study);
+    return {fmt::format("killed from outside (exit code {}, SIGKILL)", code),
+            look_and_submit(study)};
   }
   return {fmt::format("crashed (exit code {}: {})", code, ::strsignal(code - 128)),
           look_and_submit(study)};
@@ -69,13 +71,13 @@ TroubleWords words_of_end(const ElementEnd& end, bool is_rest, const std::string
       return {fmt::format("mien could not be started on the node (exit code {})", end.code),
               look_first(study)};
     default:
-      if (end.code > 128 && end.code < 128 + NSIG) return words_of_signal(end.code, study);
+      if (end.code > 128 && end.code < 128 + NSIG) return words_of_signal(end, study);
       return {fmt::format("failed (exit code {})", end.code), look_and_submit(study)};
   }
 }
 
 TroubleWords words_of_state(const QueueRow& row, const std::string& study) {
-  if (row.state == "OUT_OF_MEMORY") return short_of_memory("too little memory", study);
+  if (row.state == "OUT_OF_MEMORY") return short_of_memory(study);
   if (row.state == "TIMEOUT" || row.state == "DEADLINE")
     return {"time limit reached", submit(study) + ", with --time 4:00:00 for longer"};
   if (row.state == "NODE_FAIL" || row.state == "BOOT_FAIL") return {"the node died", submit(study)};

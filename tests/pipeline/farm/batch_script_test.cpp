@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "motion/error.h"
 #include "pipeline/farm/fake_programs.h"
@@ -98,7 +99,7 @@ TEST_F(BatchScript, GivesTheSiteATransientEndThreeTimesAndThenGivesUp) {
   const CommandEnd last = run_element(3, 3, requeues);
   EXPECT_EQ(last.code, 70);
   EXPECT_NE(last.output.find("ended with 75 on n1 after 3 restarts"), std::string::npos);
-  EXPECT_EQ(end_note(), "75 3 n1\n");
+  EXPECT_EQ(end_note(), "75 3 n1 \n");
 }
 
 TEST_F(BatchScript, AsksForTheQueueItselfWhereTheSiteDoesNot) {
@@ -130,11 +131,63 @@ TEST_F(BatchScript, EndsOtherwiseAsTheWorkerDoes) {
   for (const int code : {1, 65, 70, 137}) {
     write_worker(code == 137 ? "kill -9 $$" : "exit " + std::to_string(code));
     EXPECT_EQ(run_element(3, 1).code, code);
-    EXPECT_EQ(end_note(), std::to_string(code) + " 1 n1\n");
+    EXPECT_EQ(end_note(), std::to_string(code) + " 1 n1 \n");
   }
   write_worker("exit 0");
   EXPECT_EQ(run_element(3, 2).code, 0);
   EXPECT_EQ(end_note(), "");
+}
+
+/// A control group of this test's own, called as Slurm calls a job's, in which little memory may be
+/// used; as root, with cgroup v1 or v2.
+class LittleMemory {
+ public:
+  explicit LittleMemory(const std::string& job) {
+    for (const char* root : {"/sys/fs/cgroup/memory", "/sys/fs/cgroup"}) {
+      std::error_code refused;
+      const bool is_first = root == std::string("/sys/fs/cgroup/memory");
+      folder_ = fs::path(root) / ("mien-test-" + std::to_string(::getpid())) / ("job_" + job);
+      if (!fs::create_directories(folder_, refused)) continue;
+      std::ofstream(folder_ / (is_first ? "memory.limit_in_bytes" : "memory.max")) << "32M\n";
+      is_there_ = fs::exists(folder_ / (is_first ? "memory.oom_control" : "memory.events"));
+      if (is_there_) return;
+      remove();
+    }
+  }
+  ~LittleMemory() { remove(); }
+  LittleMemory(const LittleMemory&) = delete;
+  LittleMemory& operator=(const LittleMemory&) = delete;
+
+  bool is_there() const { return is_there_; }
+  std::string processes() const { return (folder_ / "cgroup.procs").string(); }
+
+ private:
+  void remove() const {
+    ::rmdir(folder_.c_str());
+    ::rmdir(folder_.parent_path().c_str());
+  }
+
+  fs::path folder_;
+  bool is_there_ = false;
+};
+
+TEST_F(BatchScript, NotesThatTheKernelCountsAKillForWantOfMemory) {
+  const std::string number = std::to_string(::getpid());
+  const LittleMemory group(number);
+  if (!group.is_there()) GTEST_SKIP() << "no control group of its own can be made here";
+  const auto run_in_group = [&] {
+    const std::string script = "echo $$ >" + shell_word(group.processes()) + " && exec bash " +
+                               shell_word(write_script().string());
+    return run_command({"env", "SLURM_ARRAY_TASK_ID=3", "SLURMD_NODENAME=n1",
+                        "SLURM_JOB_ID=" + number, "bash", "-c", script},
+                       std::chrono::seconds(60));
+  };
+  write_worker("kill -9 $$");
+  EXPECT_EQ(run_in_group().code, 137);
+  EXPECT_EQ(end_note(), "137 0 n1 \n") << "somebody else sent the signal";
+  write_worker("exec tail /dev/zero");
+  EXPECT_EQ(run_in_group().code, 137);
+  EXPECT_EQ(end_note(), "137 0 n1 memory\n");
 }
 
 TEST_F(BatchScript, TranslatesTheCodesOfMienRun) {

@@ -113,12 +113,29 @@ TEST_F(Troubles, TellHowWhatEndedDid) {
     causes += one.element + " " + one.cause + "\n";
   }
   EXPECT_EQ(causes,
-            "2-frames.2 killed, as a rule for want of memory (exit code 137, SIGKILL)\n"
+            "2-frames.2 killed from outside (exit code 137, SIGKILL)\n"
             "2-frames.3 crashed (exit code 139: Segmentation fault)\n"
             "2-frames.4 4 times stopped, or failed by the machine's fault (exit code 70)\n"
             "2-frames.5 failed (exit code 70)\n"
             "2-frames.6 killed, or not to be started, without a word (RaisedSignal:9(Killed))\n"
             "2-frames.7 time limit reached\n");
+}
+
+TEST_F(Troubles, AreOfMemoryOnlyWhereSlurmOrTheControlGroupCountsThat) {
+  end(1, "137 0 n1\n");
+  end(2, "137 0 n1 \n");
+  end(3, "137 0 n1 memory\n");
+  end(4, "137 0 n1\n");
+  state.done = {"film:a"};
+  std::string causes;
+  for (const JobTrouble& one : troubles(row(2, "FAILED", "RaisedSignal:9(Killed)") +
+                                        row(4, "OUT_OF_MEMORY", "OutOfMemory"))) {
+    const bool is_of_memory = one.cause == "too little memory";
+    EXPECT_EQ((one.cause + one.remedy).find("memory") != std::string::npos, is_of_memory)
+        << one.cause << ": " << one.remedy;
+    causes += one.element + (is_of_memory ? " memory\n" : " killed\n");
+  }
+  EXPECT_EQ(causes, "2-frames.2 killed\n2-frames.3 memory\n2-frames.4 memory\n");
 }
 
 TEST_F(Troubles, AreNoneOnceItIsMadeOrSubmittedAgainOrTriedAgain) {
