@@ -133,24 +133,64 @@ void remove_unused(const fs::path& folder) {
     fs::remove_all(folder, error);
 }
 
+std::vector<JournalJob> intents_of(const Submission& submission) {
+  std::vector<JournalJob> intents;
+  for (const SubmissionStage& stage : submission.stages) {
+    for (const SubmissionJob& job : stage.jobs) intents.push_back(intent_of(job));
+  }
+  return intents;
+}
+
+/// Takes back what Slurm took before it refused a job. What is to be said of that besides: nothing
+/// when all went well.
+std::string undo(const Submission& submission, const std::vector<SubmittedJob>& done,
+                 const Slurm& slurm, const SubmissionJournal& journal, const std::string& why) {
+  std::string still_there;
+  try {
+    slurm.cancel(numbers_of(done));
+  } catch (const std::exception& fault) {
+    for (const SubmittedJob& job : done) still_there += (still_there.empty() ? "" : " ") + job.job;
+    return "\nwhat Slurm had taken before could not be taken back (scancel " + still_there +
+           "): " + fault.what();
+  }
+  withdraw(submission, journal, why);
+  return "";
+}
+
+/// The journal may not be writable any more: the job's comment tells whose it is.
+void note_number(const SubmissionJournal& journal, const BatchJob& job, const std::string& number,
+                 std::string& unnoted) {
+  try {
+    journal.note_job(job.comment, number);
+  } catch (const std::exception& fault) {
+    unnoted = fault.what();
+  }
+}
+
 /// Adds it to `done` and gives its number.
 std::string submit_one(const Submission& submission, const SubmissionJob& one,
                        const std::vector<std::string>& before, const Slurm& slurm,
-                       const SubmissionJournal& journal, std::vector<SubmittedJob>& done) {
-  journal.note_intent(intent_of(one));
+                       const SubmissionJournal& journal, Submitted& done) {
   const fs::path script = submission.folder / (one.job.name + ".sbatch");
   try {
-    done.push_back({one.job.name, submitted(script, one.job, slurm, before), one.job.elements});
-  } catch (const SlurmSilence&) {
-    throw;  // it may be there; the journal tells `resume` to look for it
-  } catch (const SlurmFault& fault) {
-    journal.note_refusal(one.job.comment, fault.what());
-    slurm.cancel(numbers_of(done));
-    remove_unused(submission.folder);
-    throw;
+    done.jobs.push_back(
+        {one.job.name, submitted(script, one.job, slurm, before), one.job.elements});
+  } catch (const SlurmSilence& silence) {
+    throw SlurmSilence(silence.what() +
+                       std::string("\nwhat Slurm has taken stays: mien farm status shows it, mien "
+                                   "farm resume submits the rest"));
+  } catch (const std::exception& fault) {
+    throw SlurmFault(fault.what() + undo(submission, done.jobs, slurm, journal, fault.what()));
   }
-  journal.note_job(one.job.comment, done.back().job);
-  return done.back().job;
+  note_number(journal, one.job, done.jobs.back().job, done.unnoted);
+  return done.jobs.back().job;
+}
+
+void write_files(const Submission& submission,
+                 const std::vector<std::pair<fs::path, std::string>>& files) {
+  make_folder(submission.folder / "log");
+  make_folder(submission.folder / "ends");
+  for (const auto& [file, text] : files) write_file(file, text);
 }
 
 }  // namespace
@@ -212,7 +252,7 @@ std::string list_text(const SubmissionJob& job) {
   return text;
 }
 
-void write_submission(const Submission& submission) {
+void write_submission(const Submission& submission, const SubmissionJournal& journal) {
   // All texts first: what is wrong with a path leaves no folder behind.
   std::vector<std::pair<fs::path, std::string>> files;
   for (const SubmissionStage& stage : submission.stages) {
@@ -228,13 +268,24 @@ void write_submission(const Submission& submission) {
         submission.folder.string() +
         " has just been made by another submission; mien farm status shows it");
   }
-  make_folder(submission.folder / "log");
-  make_folder(submission.folder / "ends");
-  for (const auto& [file, text] : files) {
-    write_file(file, text);
-    flush_to_disk(file);
+  try {
+    write_files(submission, files);
+    journal.note_submission(submission.asked, intents_of(submission));
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(submission.folder, ignored);
+    throw;
   }
-  flush_to_disk(submission.folder);
+}
+
+void withdraw(const Submission& submission, const SubmissionJournal& journal,
+              const std::string& why) {
+  try {
+    for (const JournalJob& intent : intents_of(submission))
+      journal.note_refusal(intent.comment, why);
+  } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the disk is full, and why it
+  }                                  // was withdrawn is told; Slurm has no such jobs
+  remove_unused(submission.folder);
 }
 
 int Submission::elements() const {
@@ -245,15 +296,13 @@ int Submission::elements() const {
   return count;
 }
 
-std::vector<SubmittedJob> submit(const Submission& submission, const Slurm& slurm,
-                                 const SubmissionJournal& journal,
-                                 const std::vector<std::string>& live) {
-  journal.note_submission(submission.asked);
-  std::vector<SubmittedJob> done;
+Submitted submit(const Submission& submission, const Slurm& slurm, const SubmissionJournal& journal,
+                 const std::vector<std::string>& live) {
+  Submitted done;
   std::vector<std::string> last_stage;
   for (const SubmissionStage& stage : submission.stages) {
     std::vector<std::string> before = last_stage;
-    if (stage.place == rest_place) before = numbers_of(done);
+    if (stage.place == rest_place) before = numbers_of(done.jobs);
     if (stage.place >= films_place) before.insert(before.end(), live.begin(), live.end());
     last_stage.clear();
     for (const SubmissionJob& one : stage.jobs) {

@@ -64,9 +64,16 @@ Submission submission_of(const std::vector<Stage>& stages, const ItemNeeds& need
 std::string script_text(const Submission& submission, const SubmissionJob& job);
 std::string list_text(const SubmissionJob& job);
 
-/// Makes the submission's folder with all files. Throws std::runtime_error, also when another
-/// client has made a folder of that number in the meantime.
-void write_submission(const Submission& submission);
+/// Makes the submission's folder with all files and notes in the journal what is to be submitted:
+/// all that is written before Slurm is asked for anything, so that on a disk that is full nothing
+/// is taken back or submitted. Throws what writing throws, and std::runtime_error when another
+/// client has made a folder of that number in the meantime; then no folder stays.
+void write_submission(const Submission& submission, const SubmissionJournal& journal);
+
+/// Of a written submission that is not to be: notes in the journal, where that can be written, why,
+/// and removes the folder unless one of its jobs had begun.
+void withdraw(const Submission& submission, const SubmissionJournal& journal,
+              const std::string& why);
 
 /// A job that Slurm has taken.
 struct SubmittedJob {
@@ -75,11 +82,16 @@ struct SubmittedJob {
   int elements = 0;
 };
 
-/// Hands a written submission to Slurm; the journal has each job before Slurm does. Films and what
-/// follows them wait for the jobs `live` of earlier submissions too. When a job is refused, those
-/// before it are cancelled, the folder is removed unless one had begun, and SlurmFault is thrown.
-std::vector<SubmittedJob> submit(const Submission& submission, const Slurm& slurm,
-                                 const SubmissionJournal& journal,
-                                 const std::vector<std::string>& live);
+/// What Slurm has taken of a submission.
+struct Submitted {
+  std::vector<SubmittedJob> jobs;
+  std::string unnoted;  ///< why the journal lacks a job's number; empty when it has all
+};
+
+/// Hands a written submission to Slurm. Films and what follows them wait for the jobs `live` of
+/// earlier submissions too. When a job is refused, those before it are cancelled, the submission is
+/// withdrawn, and SlurmFault is thrown; when Slurm's answer does not come, what it has taken stays.
+Submitted submit(const Submission& submission, const Slurm& slurm, const SubmissionJournal& journal,
+                 const std::vector<std::string>& live);
 
 }  // namespace mien::pipeline

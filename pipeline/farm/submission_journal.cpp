@@ -5,13 +5,13 @@
 #include <chrono>
 #include <ctime>
 #include <sstream>
-#include <stdexcept>
 #include <system_error>
 
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "motion/text/result_file.h"
 #include "motion/text/safe_name.h"
 #include "pipeline/documents/files.h"
 
@@ -43,6 +43,30 @@ JournalJob* job_called(JournalContent& content, const std::string& comment) {
 /// Throws for one that is not the name of a folder or file of the farm.
 std::string own_name(const ordered_json& told, const char* member) {
   return motion::safe_component(told.at(member).get<std::string>(), {});
+}
+
+std::string line_of(const JournalSubmission& submission) {
+  const JobRequest& request = submission.request;
+  return ordered_json{{"event", "submission"},
+                      {"submission", submission.number},
+                      {"when", submission.when},
+                      {"quality", submission.quality},
+                      {"chunk", submission.chunk_frames},
+                      {"partition", request.partition},
+                      {"time", request.time},
+                      {"mem", request.memory},
+                      {"account", request.account},
+                      {"array_limit", request.array_limit},
+                      {"jobs", request.processors}}
+      .dump();
+}
+
+std::string line_of(const JournalJob& intent) {
+  return ordered_json{{"event", "intent"},           {"submission", intent.submission},
+                      {"name", intent.name},         {"comment", intent.comment},
+                      {"elements", intent.elements}, {"mem", intent.memory},
+                      {"when", intent.when}}
+      .dump();
 }
 
 void take_line(const ordered_json& told, JournalContent& content) {
@@ -101,32 +125,14 @@ JournalContent SubmissionJournal::read() const {
   return content;
 }
 
-void SubmissionJournal::note_submission(const JournalSubmission& submission) const {
-  const JobRequest& request = submission.request;
-  append(ordered_json{{"event", "submission"},
-                      {"submission", submission.number},
-                      {"when", submission.when},
-                      {"quality", submission.quality},
-                      {"chunk", submission.chunk_frames},
-                      {"partition", request.partition},
-                      {"time", request.time},
-                      {"mem", request.memory},
-                      {"account", request.account},
-                      {"array_limit", request.array_limit},
-                      {"jobs", request.processors}}
-             .dump());
+void SubmissionJournal::note_submission(const JournalSubmission& submission,
+                                        const std::vector<JournalJob>& intents) const {
+  std::string lines = line_of(submission);
+  for (const JournalJob& intent : intents) lines += "\n" + line_of(intent);
+  append(lines);
 }
 
-void SubmissionJournal::note_intent(const JournalJob& job) const {
-  append(ordered_json{{"event", "intent"},
-                      {"submission", job.submission},
-                      {"name", job.name},
-                      {"comment", job.comment},
-                      {"elements", job.elements},
-                      {"mem", job.memory},
-                      {"when", job.when}}
-             .dump());
-}
+void SubmissionJournal::note_intent(const JournalJob& job) const { append(line_of(job)); }
 
 void SubmissionJournal::note_job(const std::string& comment, const std::string& job) const {
   append(ordered_json{{"event", "submitted"}, {"comment", comment}, {"job", job}}.dump());
@@ -141,21 +147,20 @@ void SubmissionJournal::note_cancel(const std::string& comment, const std::strin
   append(ordered_json{{"event", "cancelled"}, {"comment", comment}, {"job", job}}.dump());
 }
 
-/// Begins with a line break where a crash cut the last line off. One write a line, so that lines of
+/// Begins with a line break where a crash cut the last line off. All in one write, so that lines of
 /// two processes do not mix.
-void SubmissionJournal::append(const std::string& line) const {
+void SubmissionJournal::append(const std::string& lines) const {
   make_folder(file_.parent_path());
   const int file = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   const auto refuse = [&](int why) {
     if (file >= 0) ::close(file);
-    throw std::runtime_error(file_.string() + ": cannot be written (" +
-                             std::generic_category().message(why) + "); nothing was submitted");
+    throw cannot_be_written(file_, {why, std::generic_category()});
   };
   if (file < 0) refuse(errno);
   char last = '\n';
   const off_t size = ::lseek(file, 0, SEEK_END);
   if (size > 0 && ::pread(file, &last, 1, size - 1) != 1) refuse(errno);
-  const std::string bytes = (last == '\n' ? "" : "\n") + line + "\n";
+  const std::string bytes = (last == '\n' ? "" : "\n") + lines + "\n";
   const ssize_t count = ::write(file, bytes.data(), bytes.size());
   if (count != static_cast<ssize_t>(bytes.size())) refuse(count < 0 ? errno : ENOSPC);
   if (::fsync(file) != 0) refuse(errno);

@@ -50,15 +50,17 @@ class SubmissionJournal {
   const std::filesystem::path& file() const { return file_; }
   JournalContent read() const;
 
-  /// Each throws std::runtime_error when the line cannot be written.
-  void note_submission(const JournalSubmission& submission) const;
+  /// Each throws WriteFailure when the line cannot be written. A submission is noted with what is
+  /// to be submitted of it, in one write.
+  void note_submission(const JournalSubmission& submission,
+                       const std::vector<JournalJob>& intents = {}) const;
   void note_intent(const JournalJob& job) const;
   void note_job(const std::string& comment, const std::string& job) const;
   void note_refusal(const std::string& comment, const std::string& why) const;
   void note_cancel(const std::string& comment, const std::string& job) const;
 
  private:
-  void append(const std::string& line) const;
+  void append(const std::string& lines) const;
 
   std::filesystem::path file_;
 };

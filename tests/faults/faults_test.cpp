@@ -6,6 +6,7 @@
 #include "faults/damage.h"
 #include "faults/damage_trials.h"
 #include "faults/disk_trials.h"
+#include "faults/farm_disk_trials.h"
 #include "faults/kills.h"
 
 namespace mien::test {
@@ -54,6 +55,8 @@ TEST_F(Faults, ADiskThatWasFullForAWhileHarmsNothing) {
 }
 
 TEST_F(Faults, AReadOnlyStoreIsToldOnce) { expect_sound(read_only_stores(trial(), 2)); }
+
+TEST_F(Faults, ResumingOnAFullDiskTakesNoJobBack) { expect_sound(resumed_on_full_disks()); }
 
 /// What the comparison must see: a finished study in which something is wrong.
 class FaultChecks : public Faults {

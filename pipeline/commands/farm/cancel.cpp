@@ -16,6 +16,18 @@ struct CancelCommand {
   bool json = false;
 };
 
+/// They are cancelled whether that can be noted or not.
+void note_cancelled(const std::vector<JobFate>& fates, const SubmissionJournal& journal,
+                    const Console& console) {
+  try {
+    for (const JobFate& fate : fates) {
+      if (!fate.live().empty()) journal.note_cancel(fate.journal.comment, fate.journal.job);
+    }
+  } catch (const std::exception& fault) {
+    console.err << "note: " << fault.what() << "; the jobs are cancelled all the same\n";
+  }
+}
+
 int cancel_study(const CancelCommand& command, const Console& console) {
   const FarmStudy study(command.study, console);
   const SubmissionJournal journal(study.folder);
@@ -26,9 +38,7 @@ int cancel_study(const CancelCommand& command, const Console& console) {
                                          : job_fates(content, slurm.queue(), study.folder);
   const std::vector<std::string> jobs = live_jobs(fates);
   slurm.cancel(jobs);
-  for (const JobFate& fate : fates) {
-    if (!fate.live().empty()) journal.note_cancel(fate.journal.comment, fate.journal.job);
-  }
+  note_cancelled(fates, journal, console);
   if (command.json) {
     console.out << nlohmann::ordered_json{{"study", study.production.manifest().study},
                                           {"cancelled", jobs}}

@@ -72,7 +72,7 @@ ItemNeeds needs_of(const std::vector<JobFate>& fates, const FarmStudy& study,
   if (!memory.unknown.empty()) {
     console.err << "note: " << memory.unknown.front()
                 << (memory.unknown.size() > 1 ? " and others" : "")
-                << ": the worker was killed, perhaps for want of memory; --mem asks for more\n";
+                << ": too little memory, as Slurm says; --mem asks for more\n";
   }
   return needs;
 }
@@ -91,14 +91,41 @@ JournalSubmission asked_again(const ResumeCommand& command, const JournalContent
   return asked;
 }
 
-/// Cancels jobs that are in the way, or only says so.
+/// Jobs that a new submission takes the place of.
+struct InTheWay {
+  std::vector<std::string> outdated;
+  std::vector<std::string> obsolete;
+};
+
+/// Cancels jobs, or only says so.
 void take_back(const std::vector<std::string>& jobs, const char* why, const ResumeCommand& command,
                const Slurm& slurm, const Console& console) {
   if (jobs.empty()) return;
+  if (!command.dry_run) slurm.cancel(jobs);
   console.err << "note: " << jobs.size() << (jobs.size() == 1 ? " job is " : " jobs are ") << why
               << (jobs.size() == 1 ? ", and is" : ", and are")
               << (command.dry_run ? " to be taken back\n" : " taken back\n");
-  if (!command.dry_run) slurm.cancel(jobs);
+}
+
+void take_back(const InTheWay& jobs, const ResumeCommand& command, const Slurm& slurm,
+               const Console& console) {
+  take_back(jobs.outdated, "of the study as it was before it was edited", command, slurm, console);
+  take_back(jobs.obsolete, "held, or waiting to make what is left", command, slurm, console);
+}
+
+/// The new jobs are written down before any other is taken back: on a disk that is full all stays
+/// as it is.
+Submitted replace(const InTheWay& jobs, const Submission& submission,
+                  const std::vector<std::string>& live, const ResumeCommand& command,
+                  const Slurm& slurm, const SubmissionJournal& journal, const Console& console) {
+  write_submission(submission, journal);
+  try {
+    take_back(jobs, command, slurm, console);
+  } catch (const std::exception& fault) {
+    withdraw(submission, journal, fault.what());
+    throw;
+  }
+  return submit(submission, slurm, journal, live);
 }
 
 int resume_study(const ResumeCommand& command, const Console& console) {
@@ -113,11 +140,11 @@ int resume_study(const ResumeCommand& command, const Console& console) {
   if (!command.dry_run) note_adopted(fates, journal);
   for (const std::string& loss : told_losses(fates)) console.err << loss << '\n';
   const std::string key = graph_key(study.production.graph(), study.folder);
-  take_back(live_jobs(take_outdated(fates, key)), "of the study as it was before it was edited",
-            command, slurm, console);
+  InTheWay in_the_way{live_jobs(take_outdated(fates, key)), {}};
 
   const std::vector<Stage> stages = due_stages(study, asked, fates);
   if (is_complete(study, stages)) {
+    take_back(in_the_way, command, slurm, console);
     console.out << study.folder.string() << ": nothing to do, all is done\n";
     return exit_done;
   }
@@ -126,19 +153,21 @@ int resume_study(const ResumeCommand& command, const Console& console) {
       submission_of(stages, needs_of(fates, study, command.options, console), key, asked,
                     study.folder, study.call(command.study), site);
   if (submission.elements() == 0 && waits_for_rest(fates)) {
+    take_back(in_the_way, command, slurm, console);
     console.out << study.folder.string()
                 << ": nothing to submit, jobs that wait or run make what is missing\n";
     return exit_done;
   }
-  const std::vector<std::string> obsolete = obsolete_jobs(fates);
-  take_back(obsolete, "held, or waiting to make what is left", command, slurm, console);
+  in_the_way.obsolete = obsolete_jobs(fates);
   if (command.dry_run) {
+    take_back(in_the_way, command, slurm, console);
     tell_dry_run(submission, console);
     return exit_done;
   }
-  write_submission(submission);
-  const auto jobs = submit(submission, slurm, journal, arrays_that_live(fates, obsolete));
-  tell_submitted(submission, jobs, command.study, command.json, console);
+  tell_submitted(submission,
+                 replace(in_the_way, submission, arrays_that_live(fates, in_the_way.obsolete),
+                         command, slurm, journal, console),
+                 command.study, command.json, console);
   return exit_done;
 }
 

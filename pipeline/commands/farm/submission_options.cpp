@@ -156,11 +156,15 @@ bool is_complete(const FarmStudy& study, const std::vector<Stage>& due) {
   return due.empty() && std::filesystem::exists(study.folder / "provenance.json", error);
 }
 
-void tell_submitted(const Submission& submission, const std::vector<SubmittedJob>& jobs,
+void tell_submitted(const Submission& submission, const Submitted& submitted,
                     const FarmArguments& arguments, bool json, const Console& console) {
+  if (!submitted.unnoted.empty()) {
+    console.err << "note: " << submitted.unnoted
+                << "; Slurm has the jobs all the same, and mien farm resume notes their numbers\n";
+  }
   if (json) {
     ordered_json rows = ordered_json::array();
-    for (const SubmittedJob& job : jobs) {
+    for (const SubmittedJob& job : submitted.jobs) {
       rows.push_back({{"name", job.name}, {"job", job.job}, {"elements", job.elements}});
     }
     const ordered_json told = {{"study", submission.call.study},
@@ -172,7 +176,7 @@ void tell_submitted(const Submission& submission, const std::vector<SubmittedJob
     return;
   }
   console.out << submission.folder.string() << ":\n";
-  for (const SubmittedJob& job : jobs) {
+  for (const SubmittedJob& job : submitted.jobs) {
     console.out << fmt::format("  job {:<8} {:<12} {}\n", job.job, job.name,
                                element_words(job.elements));
   }

@@ -46,7 +46,7 @@ std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked);
 bool is_complete(const FarmStudy& study, const std::vector<Stage>& due);
 
 /// What was submitted, and what to do next.
-void tell_submitted(const Submission& submission, const std::vector<SubmittedJob>& jobs,
+void tell_submitted(const Submission& submission, const Submitted& submitted,
                     const FarmArguments& arguments, bool json, const Console& console);
 
 /// All that a submission would be: its stages and the texts of its files.

@@ -63,7 +63,7 @@ int submit_study(const SubmitCommand& command, const Console& console) {
     return exit_done;
   }
   const Submission submission = planned(study, command, site, stages, asked);
-  write_submission(submission);
+  write_submission(submission, journal);
   tell_submitted(submission, submit(submission, slurm, journal, {}), command.study, command.json,
                  console);
   return exit_done;

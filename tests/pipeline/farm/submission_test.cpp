@@ -94,11 +94,45 @@ TEST_F(Submitting, GivesMoreMemoryToThoseThatRanOutOfIt) {
 
 TEST_F(Submitting, WritesFilesOnceAndNumbersSubmissions) {
   const Submission first = planned({stage_of_elements("films", 2)});
-  write_submission(first);
+  const SubmissionJournal journal(folder);
+  write_submission(first, journal);
   EXPECT_EQ(text_of("farm/0001/3-films.tasks"), "film:1\nfilm:2\n");
   EXPECT_TRUE(fs::is_directory(folder / "farm/0001/log"));
-  EXPECT_THROW(write_submission(first), std::runtime_error);
+  EXPECT_THROW(write_submission(first, journal), std::runtime_error);
+  EXPECT_EQ(text_of("farm/0001/3-films.tasks"), "film:1\nfilm:2\n") << "the other client's";
   EXPECT_EQ(next_submission(folder), "0002");
+}
+
+TEST_F(Submitting, NotesAllThatIsToBeSubmittedBeforeSlurmIsAsked) {
+  const SubmissionJournal journal(folder);
+  write_submission(planned({stage_of_elements("frames", 2), stage_of_elements("films", 2)}),
+                   journal);
+  const JournalContent content = journal.read();
+  ASSERT_EQ(content.submissions.size(), 1u);
+  std::string names;
+  for (const JournalJob& job : content.jobs) names += job.name + job.job + " ";
+  EXPECT_EQ(names, "2-frames 3-films 6-rest ");
+}
+
+TEST_F(Submitting, LeavesNothingOfWhatCannotBeWrittenWhole) {
+  fs::create_directories(folder / "farm/journal.jsonl");
+  EXPECT_THROW(
+      write_submission(planned({stage_of_elements("films", 2)}), SubmissionJournal(folder)),
+      std::runtime_error);
+  EXPECT_FALSE(fs::exists(folder / "farm/0001"));
+}
+
+TEST_F(Submitting, GoesOnWhereTheJournalCannotBeWrittenAnyMore) {
+  const FakePrograms programs;
+  const Submission submission = planned({stage_of_elements("films", 2)});
+  const SubmissionJournal journal(folder);
+  write_submission(submission, journal);
+  const std::string file = "'" + journal.file().string() + "'";
+  programs.add("sbatch", "mv " + file + " " + file + ".kept; mkdir -p " + file + "; echo 17");
+  const Submitted submitted = submit(submission, Slurm(), journal, {});
+  EXPECT_EQ(submitted.jobs.size(), 2u);
+  EXPECT_NE(submitted.unnoted.find("journal.jsonl: cannot be written"), std::string::npos)
+      << submitted.unnoted;
 }
 
 TEST_F(Submitting, LetsStagesFollowEachOtherAndTheLastJobAll) {
@@ -106,10 +140,10 @@ TEST_F(Submitting, LetsStagesFollowEachOtherAndTheLastJobAll) {
   add_sbatch(programs);
   const Submission submission =
       planned({stage_of_elements("frames", 2), stage_of_elements("films", 2)});
-  write_submission(submission);
   const SubmissionJournal journal(folder);
+  write_submission(submission, journal);
   const auto jobs = submit(submission, Slurm(), journal, {"90"});
-  ASSERT_EQ(jobs.size(), 3u);
+  ASSERT_EQ(jobs.jobs.size(), 3u);
   const std::string at = (folder / "farm" / "0001").string();
   EXPECT_EQ(programs.text_of("calls"),
             "--parsable " + at + "/2-frames.sbatch\n" + "--parsable --dependency=afterany:1:90 " +
@@ -125,20 +159,39 @@ TEST_F(Submitting, TakesBackWhatWasAcceptedWhenSlurmRefusesTheRest) {
   add_sbatch(programs, "3");
   const Submission submission =
       planned({stage_of_elements("frames", 2), stage_of_elements("films", 2)});
-  write_submission(submission);
   const SubmissionJournal journal(folder);
+  write_submission(submission, journal);
   EXPECT_THROW(submit(submission, Slurm(), journal, {}), SlurmFault);
   EXPECT_EQ(programs.text_of("cancelled"), "1 2\n");
-  EXPECT_TRUE(journal.read().jobs.back().was_refused);
+  for (const JournalJob& job : journal.read().jobs) EXPECT_TRUE(job.was_refused) << job.name;
   EXPECT_FALSE(fs::exists(submission.folder));
   EXPECT_EQ(next_submission(folder), "0002") << "its jobs have names of the first";
+}
+
+TEST_F(Submitting, TellsWhatCouldNotBeTakenBack) {
+  const FakePrograms programs;
+  add_sbatch(programs, "2");
+  programs.add("scancel", "echo 'scancel: error: Access/permission denied' >&2; exit 1");
+  const Submission submission = planned({stage_of_elements("frames", 2)});
+  const SubmissionJournal journal(folder);
+  write_submission(submission, journal);
+  try {
+    submit(submission, Slurm(), journal, {});
+    FAIL() << "nothing was refused";
+  } catch (const SlurmFault& fault) {
+    const std::string told = fault.what();
+    EXPECT_NE(told.find("no more of that"), std::string::npos) << told;
+    EXPECT_NE(told.find("could not be taken back (scancel 1)"), std::string::npos) << told;
+  }
+  EXPECT_TRUE(fs::exists(submission.folder));
+  EXPECT_FALSE(journal.read().jobs.front().was_refused) << "it waits";
 }
 
 TEST_F(Submitting, KeepsTheFolderOfARefusedSubmissionWhoseJobsHaveBegun) {
   const FakePrograms programs;
   add_sbatch(programs, "2");
   const Submission submission = planned({stage_of_elements("frames", 2)});
-  write_submission(submission);
+  write_submission(submission, SubmissionJournal(folder));
   std::ofstream(submission.folder / "log/walks-2-frames-1_1.log") << "begun\n";
   EXPECT_THROW(submit(submission, Slurm(), SubmissionJournal(folder), {}), SlurmFault);
   EXPECT_TRUE(fs::exists(submission.folder / "2-frames.sbatch"));
@@ -151,10 +204,10 @@ TEST_F(Submitting, FindsTheJobThatSlurmTookWithoutSayingSo) {
                "echo \"55|55|1|PENDING|Priority||0:00|mien:abc:0001:3-films\"\n"
                "echo \"56|56|N/A|PENDING|Priority||0:00|mien:abc:0001:6-rest\"");
   const Submission submission = planned({stage_of_elements("films", 1)});
-  write_submission(submission);
+  write_submission(submission, SubmissionJournal(folder));
   const auto jobs = submit(submission, Slurm(), SubmissionJournal(folder), {});
-  ASSERT_EQ(jobs.size(), 2u);
-  EXPECT_EQ(jobs[0].job, "55");
+  ASSERT_EQ(jobs.jobs.size(), 2u);
+  EXPECT_EQ(jobs.jobs[0].job, "55");
 }
 
 TEST_F(Submitting, KeepsAnIntentWhoseFateIsUnknown) {
@@ -162,8 +215,8 @@ TEST_F(Submitting, KeepsAnIntentWhoseFateIsUnknown) {
   programs.add("sbatch", "echo 'Socket timed out on send/recv operation' >&2; exit 1");
   programs.add("squeue", "exit 0");
   const Submission submission = planned({stage_of_elements("films", 1)});
-  write_submission(submission);
   const SubmissionJournal journal(folder);
+  write_submission(submission, journal);
   EXPECT_THROW(submit(submission, Slurm(), journal, {}), SlurmSilence);
   EXPECT_FALSE(journal.read().jobs.back().was_refused);
   EXPECT_EQ(job_fates(journal.read(), {}, folder).back().kind, JobFate::Kind::unanswered);
@@ -229,8 +282,8 @@ TEST_F(Resuming, LeavesTheLastJobAloneWhileItRuns) {
 }
 
 TEST_F(Resuming, AsksForTwiceTheMemoryThatWasTooLittle) {
-  std::ofstream(folder / "farm/0001/ends/2-frames.3") << "137 0 n1\n";
-  std::ofstream(folder / "farm/0001/ends/2-frames.2") << "1 0 n1\n";
+  std::ofstream(folder / "farm/0001/ends/2-frames.3") << "137 0 n1 memory\n";
+  std::ofstream(folder / "farm/0001/ends/2-frames.2") << "137 0 n1 \n";  // killed by somebody
   const std::string queue = "17|17|1|OUT_OF_MEMORY|OutOfMemory|n1|0:01|mien:abc:0001:2-frames\n";
   const MemoryNeeds needs = memory_needs(fates(queue), folder);
   EXPECT_EQ(needs.more, (std::map<std::string, std::string>{{"film:a", "4G"}, {"film:c", "4G"}}));
