@@ -155,14 +155,15 @@ class QuestionnairePage : public testing::Test {
         EXPECT_EQ(row.at("value_raw"), std::to_string(raw));
         EXPECT_EQ(row.at("value"), std::to_string(is_flipped ? 3 - raw : raw - 3));
         EXPECT_EQ(row.at("pole_left"), is_flipped ? "high" : "low");
-        EXPECT_EQ(row.at("stimulus"),
-                  experiment.at("stimuli").at(trial.at("media")[0].get<std::string>()));
+        EXPECT_EQ(row.at("stimulus"), experiment.at("stimuli")
+                                          .at(trial.at("media")[0].get<std::string>())
+                                          .get<std::string>());
         EXPECT_EQ(row.at("against"), "usual");
         EXPECT_EQ(row.at("stimulus_sha256").size(), 64U);
         EXPECT_LT(std::stod(row.at("play_start_ms")), std::stod(row.at("ended_ms")));
         EXPECT_LE(std::stod(row.at("ended_ms")), std::stod(row.at("trial_ms")));
         EXPECT_EQ(row.at("viewport_width"), "1366");
-        EXPECT_EQ(row.at("seed"), session.at("seed"));
+        EXPECT_EQ(row.at("seed"), session.at("seed").get<std::string>());
       }
     }
     EXPECT_EQ(at, rows.size());
