@@ -14,6 +14,10 @@ constexpr std::string_view configuration_remedy =
     "Slurm's configuration cannot be read: unset SLURM_CONF, or let it name the cluster's "
     "slurm.conf";
 
+constexpr std::string_view no_room_remedy =
+    "Slurm has as many jobs of everybody as it takes (scontrol show config | grep MaxJobCount): a "
+    "larger --chunk makes fewer, or try again when others have ended";
+
 struct Remedy {
   std::string_view words;  ///< in what Slurm says
   std::string_view remedy;
@@ -36,6 +40,10 @@ constexpr std::array remedies = {
            "right one?"},
     Remedy{"unable to determine hostname", "this machine is no part of a cluster"},
     Remedy{"munge", "the authentication service munge does not run here: ask who runs the cluster"},
+    Remedy{"nable to accept job", no_room_remedy},
+    Remedy{"job queue full", no_room_remedy},
+    Remedy{"Job creation temporarily disabled",
+           "the cluster takes no jobs at the moment: try again later"},
     Remedy{"Invalid job array specification",
            "the site allows smaller arrays: scontrol show config | grep MaxArraySize"},
     Remedy{"invalid partition", "there is no such partition: sinfo lists them"},
@@ -79,6 +87,11 @@ void refuse_missing_configuration() {
                    ", which is not there: unset it, or let it name the cluster's slurm.conf");
 }
 
+/// Whether sbatch was told, until its time was up, that no job can be taken now: it repeats itself.
+bool is_full(const CommandEnd& end) {
+  return end.timed_out && end.errors.find("retrying") != std::string::npos;
+}
+
 /// Whether a submission may have been accepted although the command failed.
 bool is_silent(const CommandEnd& end) {
   return end.timed_out || end.errors.find("Socket timed out") != std::string::npos ||
@@ -117,8 +130,10 @@ std::string slurm_fault(const std::string& program, const CommandEnd& end) {
     if (end.errors.find(one.words) == std::string::npos) continue;
     return program + " failed: " + std::string(one.remedy) + "\n" + quoted(words);
   }
-  if (end.timed_out)
-    return program + " did not answer in time; scontrol ping tells whether Slurm is up";
+  if (end.timed_out) {
+    return program + " did not answer in time; scontrol ping tells whether Slurm is up" +
+           (words.empty() ? "" : "\n" + quoted(words));
+  }
   return program + " failed: " + words;
 }
 
@@ -156,7 +171,8 @@ std::string Slurm::submit(const std::filesystem::path& script,
   words.insert(words.end(), more.begin(), more.end());
   words.push_back(script.string());
   const CommandEnd end = run_command(words, limit_);
-  if (is_silent(end)) throw SlurmSilence(slurm_fault("sbatch", end));
+  if (is_full(end)) throw SlurmIsFull(slurm_fault("sbatch", end));
+  if (!end.is_done() && is_silent(end)) throw SlurmSilence(slurm_fault("sbatch", end));
   if (!end.is_done()) throw SlurmFault(slurm_fault("sbatch", end));
   // "17", or "17;cluster" where there are several.
   const std::string job = end.output.substr(0, end.output.find_first_of(";\n"));

@@ -18,6 +18,12 @@ class SlurmFault : public std::runtime_error {
   using runtime_error::runtime_error;
 };
 
+/// Slurm answers, but takes no job now, and sbatch still tried when its time was up.
+class SlurmIsFull : public SlurmFault {
+ public:
+  using SlurmFault::SlurmFault;
+};
+
 /// Nothing is known of what became of a request: the answer did not come.
 class SlurmSilence : public SlurmFault {
  public:
@@ -42,7 +48,8 @@ class Slurm {
   std::optional<std::vector<QueueRow>> queue_if_any(std::string& why) const;
 
   /// Submits a batch file to run after all of these jobs have ended, however they did, and gives
-  /// its job. Throws SlurmSilence when it may have been submitted or not.
+  /// its job. Throws SlurmIsFull when it was refused again and again, and SlurmSilence when it may
+  /// have been submitted or not.
   std::string submit(const std::filesystem::path& script, const std::vector<std::string>& after,
                      const std::vector<std::string>& more = {}) const;
 

@@ -132,6 +132,7 @@ SlurmSite site_told(std::string_view text) {
     const std::string_view name = trimmed(line.substr(0, equals));
     const std::string_view value = trimmed(line.substr(equals + 1));
     if (name == "MaxArraySize") site.max_array_size = whole_number(value).value_or(1001);
+    if (name == "MaxJobCount") site.max_job_count = whole_number(value).value_or(0);
     if (name == "RequeueExit") site.requeues_transient = has_code(value, worker_transient);
     if (name == "RequeueExitHold") site.holds_wrong_setup = has_code(value, worker_wrong_setup);
   }

@@ -60,6 +60,7 @@ struct SlurmSite {
   int max_array_size = 1001;        ///< indices of an array are below it
   bool requeues_transient = false;  ///< exit code 75 puts a job back into the queue
   bool holds_wrong_setup = false;   ///< exit code 78 does too, and holds it there
+  int max_job_count = 0;            ///< jobs that it takes at a time, one more; 0: not told
 };
 
 /// From `scontrol show config`.

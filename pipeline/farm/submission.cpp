@@ -90,9 +90,13 @@ SubmissionJob rest_job(const std::string& key, const JournalSubmission& asked) {
   return rest;
 }
 
-/// The job, found by its comment where Slurm took it without saying so.
+/// The job, found by its comment where Slurm took it without saying so. Empty when Slurm has none,
+/// or does not answer.
 std::string job_after_silence(const Slurm& slurm, const BatchJob& job) {
-  for (const QueueRow& row : slurm.queue()) {
+  std::string why;
+  const auto queue = slurm.queue_if_any(why);
+  if (!queue) return "";
+  for (const QueueRow& row : *queue) {
     if (row.comment == job.comment && is_live(row)) return row.array;
   }
   return "";
@@ -103,6 +107,10 @@ std::string submitted(const fs::path& script, const BatchJob& job, const Slurm& 
   try {
     return slurm.submit(script, after);
   } catch (const SlurmSilence&) {
+    const std::string found = job_after_silence(slurm, job);
+    if (found.empty()) throw;
+    return found;
+  } catch (const SlurmIsFull&) {  // the last of its tries may have been taken
     const std::string found = job_after_silence(slurm, job);
     if (found.empty()) throw;
     return found;
@@ -141,8 +149,7 @@ std::vector<JournalJob> intents_of(const Submission& submission) {
   return intents;
 }
 
-/// Takes back what Slurm took before it refused a job. What is to be said of that besides: nothing
-/// when all went well.
+/// Takes back what Slurm took before it refused a job. What is to be said of that.
 std::string undo(const Submission& submission, const std::vector<SubmittedJob>& done,
                  const Slurm& slurm, const SubmissionJournal& journal, const std::string& why) {
   std::string still_there;
@@ -154,7 +161,7 @@ std::string undo(const Submission& submission, const std::vector<SubmittedJob>& 
            "): " + fault.what();
   }
   withdraw(submission, journal, why);
-  return "";
+  return done.empty() ? "" : "\nwhat Slurm had taken of the submission before is taken back";
 }
 
 /// The journal may not be writable any more: the job's comment tells whose it is.

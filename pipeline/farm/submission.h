@@ -37,6 +37,8 @@ struct Submission {
   std::vector<SubmissionStage> stages;  ///< the last one makes what is left
 
   int elements() const;
+  /// That Slurm counts: elements, and the job that makes what is left.
+  int jobs() const { return elements() + 1; }
 };
 
 /// What a study's items need beyond what is asked for.

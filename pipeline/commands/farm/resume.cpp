@@ -136,22 +136,23 @@ int resume_study(const ResumeCommand& command, const Console& console) {
   const Slurm slurm;
   const SlurmSite site = slurm.site();
   refuse_too_many_processors(asked.request, slurm);
-  std::vector<JobFate> fates = job_fates(content, slurm.queue(), study.folder);
+  const std::vector<QueueRow> queue = slurm.queue();
+  std::vector<JobFate> fates = job_fates(content, queue, study.folder);
   if (!command.dry_run) note_adopted(fates, journal);
   for (const std::string& loss : told_losses(fates)) console.err << loss << '\n';
   const std::string key = graph_key(study.production.graph(), study.folder);
   InTheWay in_the_way{live_jobs(take_outdated(fates, key)), {}};
 
-  const std::vector<Stage> stages = due_stages(study, asked, fates);
-  if (is_complete(study, stages)) {
+  const DueWork work = due_work(study, asked, fates);
+  if (work.is_done(study)) {
     take_back(in_the_way, command, slurm, console);
     console.out << study.folder.string() << ": nothing to do, all is done\n";
     return exit_done;
   }
   asked.number = next_submission(study.folder);
-  const Submission submission =
-      submission_of(stages, needs_of(fates, study, command.options, console), key, asked,
-                    study.folder, study.call(command.study), site);
+  const Submission submission = fitting_submission(study, study.call(command.study), work,
+                                                   needs_of(fates, study, command.options, console),
+                                                   asked, site, queue, console);
   if (submission.elements() == 0 && waits_for_rest(fates)) {
     take_back(in_the_way, command, slurm, console);
     console.out << study.folder.string()

@@ -10,7 +10,7 @@
 
 #include "motion/error.h"
 #include "pipeline/farm/film_lengths.h"
-#include "pipeline/farm/film_pieces.h"
+#include "pipeline/farm/job_room.h"
 #include "pipeline/farm/worker_reports.h"
 #include "pipeline/tasks/progress.h"
 
@@ -50,13 +50,24 @@ double measured_pace(const FarmStudy& study, const std::map<std::string, int>& f
   return measured > 0.0 && seconds > 0.0 ? measured / (seconds / count) : 1.0;
 }
 
-std::vector<Stage> stages_that(FarmStudy& study, const JournalSubmission& asked,
-                               const std::map<std::string, int>& frames,
-                               const std::vector<bool>& is_due, const PiecesByFilm& pieces) {
+Cutting cutting_of(const DueWork& work, const JournalSubmission& asked) {
   Cutting cutting;
   cutting.chunk_frames = asked.chunk_frames;
-  cutting.pace = measured_pace(study, frames) / asked.request.processors;
-  return stages_of(study.production.graph(), is_due, frames, cutting, pieces);
+  cutting.pace = work.pace;
+  return cutting;
+}
+
+std::vector<Stage> stages_that(const FarmStudy& study, const DueWork& work,
+                               const Cutting& cutting) {
+  return stages_of(study.production.graph(), work.is_due, work.frames, cutting, work.pieces);
+}
+
+void tell_longer_elements(const FittingSubmission& fitting, const Cutting& asked,
+                          const Console& console) {
+  if (fitting.cutting.element_seconds <= asked.element_seconds) return;
+  console.err << "note: elements of up to " << as_duration(fitting.cutting.element_seconds)
+              << " instead of " << as_duration(asked.element_seconds)
+              << ", because Slurm takes no more jobs here (MaxJobCount)\n";
 }
 
 std::string element_words(int elements) {
@@ -133,27 +144,48 @@ void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm) {
       "ask for as many at most, or for another --partition: sinfo -N -l lists the nodes");
 }
 
-std::vector<Stage> due_stages(FarmStudy& study, const JournalSubmission& asked,
-                              const std::vector<JobFate>& fates) {
+bool DueWork::is_done(const FarmStudy& study) const {
+  std::error_code error;
+  return std::none_of(is_due.begin(), is_due.end(), [](bool one) { return one; }) &&
+         std::filesystem::exists(study.folder / "provenance.json", error);
+}
+
+DueWork due_work(FarmStudy& study, const JournalSubmission& asked,
+                 const std::vector<JobFate>& fates) {
+  DueWork work;
   const TaskGraph& graph = study.production.graph();
   const std::vector<TaskOutcome> planned = plan(graph, study.folder);
-  std::vector<bool> is_due;
-  for (const TaskOutcome& outcome : planned) is_due.push_back(outcome.state != TaskState::cached);
-  const std::map<std::string, int> frames = measured_film_lengths(study.production, study.folder);
-  PiecesByFilm pieces = kept_pieces(graph, planned, frames, study.folder);
-  add_live_pieces(fates, frames, study.folder, pieces);
-  return stages_that(study, asked, frames, is_due, pieces);
+  for (const TaskOutcome& one : planned) work.is_due.push_back(one.state != TaskState::cached);
+  work.frames = measured_film_lengths(study.production, study.folder);
+  work.pieces = kept_pieces(graph, planned, work.frames, study.folder);
+  add_live_pieces(fates, work.frames, study.folder, work.pieces);
+  work.pace = measured_pace(study, work.frames) / asked.request.processors;
+  return work;
 }
 
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked) {
-  const std::map<std::string, int> frames = measured_film_lengths(study.production, study.folder);
-  return stages_that(study, asked, frames,
-                     std::vector<bool>(study.production.graph().tasks.size(), true), {});
+  DueWork work;
+  work.is_due.assign(study.production.graph().tasks.size(), true);
+  work.frames = measured_film_lengths(study.production, study.folder);
+  work.pace = measured_pace(study, work.frames) / asked.request.processors;
+  return stages_that(study, work, cutting_of(work, asked));
 }
 
-bool is_complete(const FarmStudy& study, const std::vector<Stage>& due) {
-  std::error_code error;
-  return due.empty() && std::filesystem::exists(study.folder / "provenance.json", error);
+Submission fitting_submission(const FarmStudy& study, const StudyCall& call, const DueWork& work,
+                              const ItemNeeds& needs, const JournalSubmission& asked,
+                              const SlurmSite& site, const std::vector<QueueRow>& queue,
+                              const Console& console) {
+  const std::string key = graph_key(study.production.graph(), study.folder);
+  const auto cut = [&](const Cutting& cutting) {
+    return submission_of(stages_that(study, work, cutting), needs, key, asked, study.folder, call,
+                         site);
+  };
+  const Cutting cutting = cutting_of(work, asked);
+  FittingSubmission fitting =
+      fitting_submission(cut, cutting, longest_element_seconds(asked.request.time),
+                         {site.max_job_count, static_cast<int>(queue.size())});
+  tell_longer_elements(fitting, cutting, console);
+  return std::move(fitting.submission);
 }
 
 void tell_submitted(const Submission& submission, const Submitted& submitted,

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/commands/farm/farm.h"
+#include "pipeline/farm/film_pieces.h"
 #include "pipeline/farm/job_fates.h"
 #include "pipeline/farm/submission.h"
 
@@ -34,16 +36,31 @@ JournalSubmission asked_for(const SubmissionOptions& options, JournalSubmission 
 /// job would wait for ever. Says nothing where Slurm does not tell.
 void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm);
 
-/// The stages of all tasks that are not in the store yet, without frames that are kept or that jobs
-/// draw which wait or run; films are cut as those jobs have them.
-std::vector<Stage> due_stages(FarmStudy& study, const JournalSubmission& asked,
-                              const std::vector<JobFate>& fates);
+/// What is to be made of a study, and what is known of how long it takes.
+struct DueWork {
+  std::vector<bool> is_due;           ///< by task
+  std::map<std::string, int> frames;  ///< of each film, by its task
+  PiecesByFilm pieces;                ///< of films that have been begun
+  double pace = 1.0;                  ///< seconds that an estimated second of a task takes
+
+  /// Whether everything is there, the study's record too.
+  bool is_done(const FarmStudy& study) const;
+};
+
+/// All tasks that are not in the store yet, without frames that are kept or that jobs draw which
+/// wait or run; films are cut as those jobs have them.
+DueWork due_work(FarmStudy& study, const JournalSubmission& asked,
+                 const std::vector<JobFate>& fates);
 
 /// The stages of all tasks there are.
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked);
 
-/// Whether everything is there, the study's record too.
-bool is_complete(const FarmStudy& study, const std::vector<Stage>& due);
+/// The submission of what is due, for which Slurm has room. Elements that are longer than usual for
+/// that are told. Throws Error when there is no room.
+Submission fitting_submission(const FarmStudy& study, const StudyCall& call, const DueWork& work,
+                              const ItemNeeds& needs, const JournalSubmission& asked,
+                              const SlurmSite& site, const std::vector<QueueRow>& queue,
+                              const Console& console);
 
 /// What was submitted, and what to do next.
 void tell_submitted(const Submission& submission, const Submitted& submitted,

@@ -26,13 +26,6 @@ void refuse_second(const std::vector<std::string>& live, const FarmArguments& ar
                   " submits what they leave out, mien farm cancel " + words + " ends them");
 }
 
-Submission planned(FarmStudy& study, const SubmitCommand& command, const SlurmSite& site,
-                   const std::vector<Stage>& stages, JournalSubmission asked) {
-  asked.number = next_submission(study.folder);
-  return submission_of(stages, {}, graph_key(study.production.graph(), study.folder),
-                       std::move(asked), study.folder, study.call(command.study), site);
-}
-
 /// What the site allows, or what most allow where there is no Slurm to ask.
 SlurmSite site_for_dry_run(const Slurm& slurm, const Console& console) {
   try {
@@ -48,21 +41,28 @@ int submit_study(const SubmitCommand& command, const Console& console) {
   asked.quality = command.study.quality;
   FarmStudy study(command.study, console);
   const Slurm slurm;
+  asked.number = next_submission(study.folder);
+  const StudyCall call = study.call(command.study);
   if (command.dry_run) {
     const SlurmSite site = site_for_dry_run(slurm, console);
-    tell_dry_run(planned(study, command, site, due_stages(study, asked, {}), asked), console);
+    std::string why;
+    const auto queue = slurm.queue_if_any(why).value_or(std::vector<QueueRow>());
+    const DueWork work = due_work(study, asked, {});
+    tell_dry_run(fitting_submission(study, call, work, {}, asked, site, queue, console), console);
     return exit_done;
   }
   const SlurmSite site = slurm.site();
   refuse_too_many_processors(asked.request, slurm);
   const SubmissionJournal journal(study.folder);
-  refuse_second(live_jobs(job_fates(journal.read(), slurm.queue(), study.folder)), command.study);
-  const std::vector<Stage> stages = due_stages(study, asked, {});
-  if (is_complete(study, stages)) {
+  const std::vector<QueueRow> queue = slurm.queue();
+  refuse_second(live_jobs(job_fates(journal.read(), queue, study.folder)), command.study);
+  const DueWork work = due_work(study, asked, {});
+  if (work.is_done(study)) {
     console.out << study.folder.string() << ": nothing to do, all is done\n";
     return exit_done;
   }
-  const Submission submission = planned(study, command, site, stages, asked);
+  const Submission submission =
+      fitting_submission(study, call, work, {}, asked, site, queue, console);
   write_submission(submission, journal);
   tell_submitted(submission, submit(submission, slurm, journal, {}), command.study, command.json,
                  console);

@@ -66,10 +66,12 @@ TEST(SlurmSite, IsReadFromTheConfiguration) {
   const SlurmSite site = site_told(
       "Configuration data as of 2026-11-23T00:09:49\n"
       "MaxArraySize            = 10001\n"
+      "MaxJobCount             = 20000\n"
       "RequeueExit             = 70-72,75\n"
       "RequeueExitHold         = 78\n"
       "SLURM_VERSION           = 22.05.8\n");
   EXPECT_EQ(site.max_array_size, 10001);
+  EXPECT_EQ(site.max_job_count, 20000);
   EXPECT_TRUE(site.requeues_transient);
   EXPECT_TRUE(site.holds_wrong_setup);
   const SlurmSite plain = site_told("RequeueExit             = (null)\nMaxArraySize = 1001\n");
@@ -146,6 +148,38 @@ TEST(Slurm, DoesNotTakeSilenceForRefusal) {
   EXPECT_THROW(Slurm().submit("a.sbatch", {}), SlurmSilence);
   programs.add("sbatch", "exec sleep 60");
   EXPECT_THROW(Slurm(std::chrono::milliseconds(200)).submit("a.sbatch", {}), SlurmSilence);
+}
+
+// Recorded from Slurm 22.05.8 with MaxJobCount=30, which goes on for two minutes.
+TEST(Slurm, TakesWhatSbatchRepeatsForARefusalInItsOwnWords) {
+  const FakePrograms programs;
+  programs.add("sbatch",
+               "echo 'sbatch: error: Slurm temporarily unable to accept job, sleeping and "
+               "retrying' >&2; exec sleep 60");
+  try {
+    Slurm(std::chrono::milliseconds(500)).submit("a.sbatch", {});
+    FAIL() << "it was taken";
+  } catch (const SlurmIsFull& full) {
+    const std::string told = full.what();
+    EXPECT_NE(told.find("unable to accept job, sleeping and retrying"), std::string::npos) << told;
+    EXPECT_NE(told.find("a larger --chunk makes fewer"), std::string::npos) << told;
+    EXPECT_EQ(told.find("did not answer"), std::string::npos) << told;
+  }
+}
+
+TEST(Slurm, BelievesSbatchThatAJobWasTakenInTheEnd) {
+  const FakePrograms programs;
+  programs.add("sbatch", "echo 'sbatch: error: Socket timed out, retrying' >&2; echo 17");
+  EXPECT_EQ(Slurm().submit("a.sbatch", {}), "17");
+}
+
+TEST(Slurm, PassesOnWhatAProgramSaidBeforeItsTimeWasUp) {
+  const FakePrograms programs;
+  programs.add("squeue", "echo 'squeue: error: some words' >&2; exec sleep 60");
+  std::string why;
+  EXPECT_EQ(Slurm(std::chrono::milliseconds(500)).queue_if_any(why), std::nullopt);
+  EXPECT_NE(why.find("did not answer in time"), std::string::npos) << why;
+  EXPECT_NE(why.find("some words"), std::string::npos) << why;
 }
 
 TEST(Slurm, SaysWhereThereIsNone) {

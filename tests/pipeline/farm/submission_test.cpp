@@ -197,6 +197,41 @@ TEST_F(Submitting, KeepsTheFolderOfARefusedSubmissionWhoseJobsHaveBegun) {
   EXPECT_TRUE(fs::exists(submission.folder / "2-frames.sbatch"));
 }
 
+TEST_F(Submitting, TakesBackWhatWasAcceptedWhenSlurmIsFull) {
+  const FakePrograms programs;
+  const std::string at = programs.folder().string();
+  programs.add("sbatch", "echo x >>" + at + "/count; n=$(wc -l <" + at + "/count)\n" +
+                             "[ $n = 2 ] || { echo $n; exit 0; }\n" +
+                             "echo 'sbatch: error: Slurm job queue full, sleeping and retrying' "
+                             ">&2; exec sleep 60");
+  programs.add("squeue", "echo \"1|1|1|RUNNING|None|n1|0:01|mien:abc:0001:2-frames\"");
+  programs.add("scancel", "echo \"$@\" >>" + at + "/cancelled");
+  const Submission submission =
+      planned({stage_of_elements("frames", 2), stage_of_elements("films", 2)});
+  const SubmissionJournal journal(folder);
+  write_submission(submission, journal);
+  EXPECT_THROW(submit(submission, Slurm(std::chrono::milliseconds(500)), journal, {}), SlurmFault);
+  EXPECT_EQ(programs.text_of("cancelled"), "1\n");
+  EXPECT_FALSE(fs::exists(submission.folder));
+}
+
+TEST_F(Submitting, TakesBackNothingWhenNobodyAnswers) {
+  const FakePrograms programs;
+  const std::string at = programs.folder().string();
+  const std::string timed_out = "echo 'Socket timed out on send/recv operation' >&2; exit 1";
+  programs.add("sbatch", "echo x >>" + at + "/count; n=$(wc -l <" + at + "/count)\n" +
+                             "[ $n = 2 ] || { echo $n; exit 0; }\n" + timed_out);
+  programs.add("squeue", timed_out);
+  programs.add("scancel", "echo \"$@\" >>" + at + "/cancelled");
+  const Submission submission =
+      planned({stage_of_elements("frames", 2), stage_of_elements("films", 2)});
+  const SubmissionJournal journal(folder);
+  write_submission(submission, journal);
+  EXPECT_THROW(submit(submission, Slurm(), journal, {}), SlurmSilence);
+  EXPECT_EQ(programs.text_of("cancelled"), "") << "both may have been taken";
+  EXPECT_TRUE(fs::exists(submission.folder));
+}
+
 TEST_F(Submitting, FindsTheJobThatSlurmTookWithoutSayingSo) {
   const FakePrograms programs;
   programs.add("sbatch", "echo 'Socket timed out on send/recv operation' >&2; exit 1");

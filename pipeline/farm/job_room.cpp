@@ -1,0 +1,107 @@
+#include "pipeline/farm/job_room.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "motion/error.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Numbers between colons; nothing for anything else.
+std::optional<std::vector<double>> numbers_between_colons(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    int number = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc{} || number < 0) return std::nullopt;
+    numbers.push_back(number);
+    text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+    if (text.empty()) return numbers;
+    if (!text.starts_with(':')) return std::nullopt;
+    text.remove_prefix(1);
+  }
+}
+
+/// As sbatch reads it: minutes, minutes:seconds, hours:minutes:seconds; behind days and a dash
+/// hours, hours:minutes, hours:minutes:seconds.
+std::optional<double> seconds_of_limit(std::string_view limit) {
+  const std::size_t dash = limit.find('-');
+  const bool has_days = dash != std::string_view::npos;
+  const auto days = has_days ? numbers_between_colons(limit.substr(0, dash))
+                             : std::optional(std::vector<double>{0.0});
+  auto parts = numbers_between_colons(has_days ? limit.substr(dash + 1) : limit);
+  if (!days || days->size() != 1 || !parts || parts->size() > 3) return std::nullopt;
+  if (!has_days && parts->size() < 3) parts->insert(parts->begin(), 0.0);  // there are no hours
+  parts->resize(3, 0.0);
+  return days->front() * 86400.0 + (*parts)[0] * 3600.0 + (*parts)[1] * 60.0 + (*parts)[2];
+}
+
+int most_frames(const Submission& submission) {
+  int frames = 1;
+  for (const SubmissionStage& stage : submission.stages) {
+    for (const SubmissionJob& job : stage.jobs) {
+      for (const Element& element : job.elements) frames = std::max(frames, element.frames);
+    }
+  }
+  return frames;
+}
+
+/// A number of frames with which it fits, and what becomes of it, in a sentence.
+std::string larger_chunk(const std::function<Submission(const Cutting&)>& cut, Cutting cutting,
+                         const Submission& submission, const JobRoom& room) {
+  constexpr int most_tries = 20;
+  if (cutting.chunk_frames == 0) cutting.chunk_frames = most_frames(submission);
+  for (int tries = 0; tries < most_tries; ++tries) {
+    cutting.chunk_frames *= 2;
+    const int jobs = cut(cutting).jobs();
+    if (room.has_room_for(jobs))
+      return fmt::format("--chunk {} makes {} of it", cutting.chunk_frames, jobs);
+  }
+  return "";
+}
+
+[[noreturn]] void refuse(const Submission& submission, const JobRoom& room,
+                         const std::string& larger) {
+  const std::string wait = room.taken > 0 ? "wait until others have ended" : "";
+  std::string remedy = larger.empty() || wait.empty() ? larger + wait : larger + "; or " + wait;
+  if (remedy.empty()) remedy = "ask who runs the cluster for a larger MaxJobCount";
+  throw Error(
+      fmt::format("the study needs {} jobs, and Slurm has room for {}: it takes {} at a time of "
+                  "everybody (MaxJobCount), and has {} now, those that ended some minutes ago too",
+                  submission.jobs(), std::max(0, room.most - 1 - room.taken), room.most - 1,
+                  room.taken),
+      remedy);
+}
+
+}  // namespace
+
+double longest_element_seconds(const std::string& time_limit) {
+  constexpr double hour = 3600.0;
+  const auto limit = seconds_of_limit(time_limit);
+  return limit && *limit > 0.0 ? std::min(hour, 0.5 * *limit) : hour;
+}
+
+FittingSubmission fitting_submission(const std::function<Submission(const Cutting&)>& cut,
+                                     const Cutting& asked, double longest_seconds,
+                                     const JobRoom& room) {
+  FittingSubmission fitting{cut(asked), asked};
+  double& seconds = fitting.cutting.element_seconds;
+  while (!room.has_room_for(fitting.submission.jobs()) && asked.chunk_frames == 0 &&
+         seconds < longest_seconds) {
+    seconds = std::min(2.0 * seconds, longest_seconds);
+    fitting.submission = cut(fitting.cutting);
+  }
+  if (fitting.submission.elements() == 0 || room.has_room_for(fitting.submission.jobs()))
+    return fitting;
+  refuse(fitting.submission, room, larger_chunk(cut, fitting.cutting, fitting.submission, room));
+}
+
+}  // namespace mien::pipeline
