@@ -139,8 +139,6 @@ void Store::State::write_receipt(const Receipt& receipt) {
   flush_to_disk(target.parent_path());
 }
 
-/// Makes the folders above an artifact. What is no folder where one has to be, or in the artifact's
-/// own place neither a file nor a sequence of frames, is set aside.
 void Store::State::make_way(const std::string& path, bool for_folder) {
   std::error_code error;
   fs::path above = folder;

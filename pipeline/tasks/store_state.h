@@ -38,6 +38,10 @@ struct Store::State {
 
   void note_repair(std::string text);
 
+  /// Makes the folders above a file or folder of the study (`path` in it). What is no folder where
+  /// one has to be, or in the place itself is not of its kind, is set aside: it may be a person's.
+  void make_way(const std::string& path, bool for_folder);
+
   std::filesystem::path folder;
   WorkerPresence presence;
   WorkerWatch watch;
@@ -51,7 +55,6 @@ struct Store::State {
   std::filesystem::path new_attempt();
   void move_into_place(const std::filesystem::path& attempt, const Receipt& receipt);
   void write_receipt(const Receipt& receipt);
-  void make_way(const std::string& path, bool for_folder);
   void set_aside(const std::filesystem::path& obstacle);
 };
 

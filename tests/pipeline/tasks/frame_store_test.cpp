@@ -85,6 +85,29 @@ TEST_F(FrameStoreTest, DrawsAgainWhatWasDamagedInBetween) {
   EXPECT_TRUE(store.nondeterminism().empty());
 }
 
+TEST_F(FrameStoreTest, SetsAsideWhatLiesInThePlaceOfItsWorkings) {
+  const fs::path sequence = folder / ".mien/partial/frames/a/k";
+  for (const fs::path& place : {sequence / "frames/1.png", sequence / "frames", sequence}) {
+    SCOPED_TRACE(place);
+    fs::remove_all(folder);
+    film(*std::make_unique<Store>(folder), "k", 3);
+    fs::remove_all(place);
+    if (place.extension() == ".png") {
+      fs::create_directories(place / "of the user");
+    } else {
+      write_file(place, "of the user");
+    }
+    Store store(folder);
+    film(store, "k");
+    EXPECT_TRUE(store.find("frames/a", "k"));
+    EXPECT_EQ(published().size(), names.size());
+    bool is_told = false;
+    for (const std::string& repair : store.repairs())
+      is_told = is_told || repair.find(".mien/set-aside/") != std::string::npos;
+    EXPECT_TRUE(is_told);
+  }
+}
+
 /// The only file of notes in the sequence's folder.
 fs::path notes_in(const fs::path& sequence) {
   return fs::directory_iterator(sequence / "notes")->path();
