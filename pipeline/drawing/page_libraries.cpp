@@ -25,11 +25,13 @@ std::optional<std::array<int, 3>> three_numbers(const std::string& text) {
 
 }  // namespace
 
-// The second number is 10000 major + 100 minor + micro.
+// The second number is 10000 major + 100 minor + micro; the third is 0, since Cairo 1.18 the micro
+// once more.
 std::string cairo_release(const std::string& file_version) {
   const auto numbers = three_numbers(file_version);
-  if (!numbers || (*numbers)[0] != 2 || (*numbers)[1] < 10000 || (*numbers)[2] != 0) return {};
+  if (!numbers || (*numbers)[0] != 2 || (*numbers)[1] < 10000) return {};
   const int release = (*numbers)[1];
+  if ((*numbers)[2] != 0 && (*numbers)[2] != release % 100) return {};
   return fmt::format("{}.{}.{}", release / 10000, release / 100 % 100, release % 100);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <random>
@@ -29,6 +30,18 @@ std::string program_at(const std::string& name) {
     if (::access(file.c_str(), X_OK) == 0) return file.string();
   }
   return "";
+}
+
+/// Since Slurm 23.11, daemons end where there are no control groups, although nothing here uses
+/// them, unless they are told not to; older ones refuse to be told.
+bool wants_control_groups() {
+  const std::string told =
+      run_program({program_at("slurmd"), "-V"}, 10.0).output;  // "slurm 23.11.4"
+  int year = 0, month = 0;
+  const std::size_t space = told.find(' ');
+  if (space == std::string::npos) return false;
+  std::sscanf(told.c_str() + space, "%d.%d", &year, &month);
+  return year > 23 || (year == 23 && month >= 11);
 }
 
 std::string user_name() {
@@ -155,6 +168,7 @@ void SlurmCluster::write_configuration(Requeue requeue) const {
          << " CPUs=1 RealMemory=1000 State=UNKNOWN\n";
   }
   file << "PartitionName=main Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP\n";
+  if (wants_control_groups()) std::ofstream(folder() / "cgroup.conf") << "CgroupPlugin=disabled\n";
 }
 
 void SlurmCluster::start() {

@@ -55,6 +55,7 @@ make_root() {
 in_root() {
   unshare --mount --propagation private --pid --fork bash -c '
     root=$1 data=$2 command=$3
+    mount --rbind "$root" "$root"  # a mount point is its /, as on a machine: tests mount disks of their own
     mount -t proc proc "$root/proc"
     mount --rbind /dev "$root/dev"
     mount -t tmpfs tmpfs "$root/dev/shm"
