@@ -4,7 +4,6 @@
 #include <system_error>
 
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
@@ -59,13 +58,7 @@ void note_not_kept(const fs::path& folder, const std::vector<ArtifactRecord>& re
   std::map<std::string, ArtifactRecord> all;
   for (const ArtifactRecord& record : not_kept_in(folder)) all[record.path] = record;
   for (const ArtifactRecord& record : removed) all[record.path] = record;
-  const fs::path file = folder / not_kept_path;
-  fs::path attempt = file;
-  attempt += "." + std::to_string(::getpid());
-  write_file(attempt, note_text(all));
-  flush_to_disk(attempt);
-  fs::rename(attempt, file);
-  flush_to_disk(folder);
+  write_file(folder / not_kept_path, note_text(all));
 }
 
 }  // namespace mien::pipeline

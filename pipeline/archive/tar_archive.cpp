@@ -6,7 +6,6 @@
 
 #include <archive.h>
 #include <archive_entry.h>
-#include <unistd.h>
 
 #include "motion/error.h"
 #include "pipeline/archive/utf8_names.h"
@@ -31,17 +30,19 @@ struct TarArchive::Writer {
     void operator()(archive* one) const { archive_write_free(one); }
   };
 
-  fs::path target;
-  fs::path attempt;
+  motion::ResultFile file;
   std::unique_ptr<archive, Free> out{archive_write_new()};
   std::uint64_t left = 0;  ///< bytes of the file that was begun
+
+  explicit Writer(fs::path target) : file(std::move(target)) {}
 
   void require(int code, const std::string& doing) {
     if (code >= ARCHIVE_OK) return;
     const char* words = archive_error_string(out.get());
-    throw std::runtime_error(target.string() + ": " + doing + ": " +
-                             (words != nullptr ? words : "the archive cannot be written") +
-                             "; check that the folder exists, may be written to and has space");
+    const int reason = archive_errno(out.get());
+    if (reason > 0) throw cannot_be_written(file.target(), {reason, std::generic_category()});
+    throw std::runtime_error(file.target().string() + ": " + doing + ": " +
+                             (words != nullptr ? words : "the archive cannot be written"));
   }
 
   void compress(Compression compression) {
@@ -59,7 +60,7 @@ struct TarArchive::Writer {
   void open(Compression compression) {
     require(archive_write_set_format_pax_restricted(out.get()), "tar");
     compress(compression);
-    require(archive_write_open_filename(out.get(), attempt.c_str()), "opening");
+    require(archive_write_open_filename(out.get(), file.draft().c_str()), "opening");
   }
 };
 
@@ -73,24 +74,11 @@ Compression compression_of(const fs::path& archive) {
 }
 
 TarArchive::TarArchive(fs::path file, Compression compression)
-    : writer_(std::make_unique<Writer>()) {
-  writer_->target = std::move(file);
-  writer_->attempt = writer_->target;
-  writer_->attempt += "." + std::to_string(::getpid()) + ".part";
-  try {
-    writer_->open(compression);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(writer_->attempt, ignored);
-    throw;
-  }
+    : writer_(std::make_unique<Writer>(std::move(file))) {
+  writer_->open(compression);
 }
 
-TarArchive::~TarArchive() {
-  writer_->out.reset();  // closes it
-  std::error_code ignored;
-  fs::remove(writer_->attempt, ignored);
-}
+TarArchive::~TarArchive() = default;
 
 void TarArchive::begin(const std::string& path, std::uint64_t size) {
   const Utf8Names names;
@@ -116,10 +104,7 @@ void TarArchive::add(std::string_view bytes) {
 
 void TarArchive::finish() {
   writer_->require(archive_write_close(writer_->out.get()), "closing");
-  flush_to_disk(writer_->attempt);
-  fs::rename(writer_->attempt, writer_->target);
-  const fs::path folder = writer_->target.parent_path();
-  flush_to_disk(folder.empty() ? fs::path(".") : folder);
+  writer_->file.publish();
 }
 
 std::string archive_library() {

@@ -127,9 +127,8 @@ void tell_size(const scenes::Shot& shot, const Look& look, const Console& consol
 }
 
 void write_dots(const scenes::Shot& shot, const fs::path& file) {
-  const DraftFile draft(file);
-  write_file(draft.file(), dots_csv(shot));
-  draft.publish();
+  make_folder(file.parent_path());
+  write_file(file, dots_csv(shot));
 }
 
 scenes::Shot shot_of(const RenderOptions& options, const RenderPlan& plan, const Console& console) {
@@ -149,7 +148,8 @@ scenes::Shot shot_of(const RenderOptions& options, const RenderPlan& plan, const
 std::string make_file(const RenderOptions& options, const RenderPlan& plan,
                       const scenes::Shot& shot, const Console& console) {
   const TaskGraph graph = one_task(plan.out.string());
-  const DraftFile draft(plan.out);
+  make_folder(plan.out.parent_path());
+  ResultFile result(plan.out);
   std::string found;
   Progress bar(console.err, console.err_is_terminal, graph, std::vector<TaskOutcome>(1),
                steady_seconds);
@@ -159,15 +159,15 @@ std::string make_file(const RenderOptions& options, const RenderPlan& plan,
   try {
     if (is_still(options, plan)) {
       const int frame = still_frame(shot, options, plan.settings.output.fps);
-      write_still(work, frame, background_of(options), draft.file());
+      write_still(work, frame, background_of(options), result.draft());
       found = fmt::format("frame {}", frame);
     } else {
-      found = (is_picture(plan.out) ? write_contact_sheet : write_video)(work, draft.file());
+      found = (is_picture(plan.out) ? write_contact_sheet : write_video)(work, result.draft());
     }
   } catch (const render::Error& wrong) {
-    throw render::Error(draft.told(wrong.what()));
+    throw render::Error(result.told(wrong.what()));
   }
-  draft.publish();
+  result.publish();
   return found;
 }
 

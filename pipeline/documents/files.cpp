@@ -11,7 +11,6 @@
 
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
-#include "motion/text/result_file.h"
 
 namespace mien::pipeline {
 
@@ -19,16 +18,6 @@ namespace {
 
 [[noreturn]] void throw_errno(const std::filesystem::path& file) {
   throw std::system_error(errno, std::generic_category(), file.string());
-}
-
-/// Motion's failure to write is this module's.
-template <class Work>
-void as_own_failure(const Work& work) {
-  try {
-    work();
-  } catch (const mien::WriteFailure& failure) {
-    throw WriteFailure(failure.what(), failure.code());
-  }
 }
 
 /// An open file that closes itself.
@@ -64,14 +53,13 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
 }
 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
-  as_own_failure([&] { motion::write_result(file, bytes); });
+  motion::write_result(file, bytes);
 }
 
-/// Records that are written anew every few seconds do not wait for the disk.
 void replace_file(const std::filesystem::path& file, const std::filesystem::path& next,
                   std::string_view bytes) {
   try {
-    as_own_failure([&] { motion::write_in_place(next, bytes); });
+    motion::write_in_place(next, bytes);
     std::filesystem::rename(next, file);
   } catch (...) {
     std::error_code ignored;

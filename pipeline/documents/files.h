@@ -1,26 +1,15 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
+
+#include "motion/text/result_file.h"
 
 namespace mien::pipeline {
 
-/// A file or folder of ours could not be written: no fault of what the user wrote, and perhaps gone
-/// the next time (a disk that was full, a server that was away).
-class WriteFailure : public std::runtime_error {
- public:
-  explicit WriteFailure(const std::string& text, std::error_code code = {})
-      : runtime_error(text), code_(code) {}
-
-  /// Why, if the system has said so.
-  const std::error_code& code() const { return code_; }
-
- private:
-  std::error_code code_;
-};
+using mien::WriteFailure;
+using motion::ResultFile;
 
 /// All of a file of ours. Throws std::runtime_error: that it cannot be read is no fault of what the
 /// user wrote.
@@ -29,11 +18,11 @@ std::string read_file(const std::filesystem::path& file);
 /// Throws Error where something else than a regular file is: reading it might never end.
 void refuse_what_is_no_file(const std::filesystem::path& file);
 
-/// Creates or replaces a file. Throws WriteFailure, also when the disk is full.
+/// Creates or replaces a file, as ResultFile does. Throws WriteFailure, also when the disk is full.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// Likewise, at once: a reader sees the old bytes or the new ones. `next` is where they are written
-/// first; it is not there afterwards, whatever happens.
+/// Likewise at once, but without waiting for the disk: for records that are written anew every few
+/// seconds. `next` is where they are written first; it is not there afterwards, whatever happens.
 void replace_file(const std::filesystem::path& file, const std::filesystem::path& next,
                   std::string_view bytes);
 

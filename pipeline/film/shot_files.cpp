@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "pipeline/documents/files.h"
 #include "pipeline/film/film_recorder.h"
@@ -61,30 +60,6 @@ void write_still(const ShotWork& work, int frame, render::Background background,
     render::write_png(file, picture);
   };
   draw_frames(work.shot, {frame}, work.settings, nullptr, write, work.stop, work.progress);
-}
-
-DraftFile::DraftFile(fs::path target) : target_(std::move(target)) {
-  folder_ = target_;
-  folder_.replace_filename(fmt::format(".mien-{}-{}", ::getpid(), target_.filename().string()));
-  make_folder(folder_);
-  file_ = folder_ / target_.filename();
-}
-
-DraftFile::~DraftFile() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
-
-std::string DraftFile::told(std::string message) const {
-  const std::string draft = file_.string();
-  for (std::size_t at = message.find(draft); at != std::string::npos; at = message.find(draft))
-    message.replace(at, draft.size(), target_.string());
-  return message;
-}
-
-void DraftFile::publish() const {
-  flush_to_disk(file_);
-  fs::rename(file_, target_);
 }
 
 }  // namespace mien::pipeline

@@ -30,28 +30,4 @@ std::string write_contact_sheet(const ShotWork& work, const std::filesystem::pat
 void write_still(const ShotWork& work, int frame, render::Background background,
                  const std::filesystem::path& file);
 
-/// A file of that name in a folder of its own beside the one that is wanted, removed unless it
-/// takes its place.
-class DraftFile {
- public:
-  explicit DraftFile(std::filesystem::path target);
-  ~DraftFile();
-  DraftFile(const DraftFile&) = delete;
-  DraftFile& operator=(const DraftFile&) = delete;
-
-  /// Where to write.
-  const std::filesystem::path& file() const { return file_; }
-
-  /// A message about it as one about the file that is wanted.
-  std::string told(std::string message) const;
-
-  /// Puts it in the place of the one that is wanted, whole.
-  void publish() const;
-
- private:
-  std::filesystem::path target_;
-  std::filesystem::path folder_;
-  std::filesystem::path file_;
-};
-
 }  // namespace mien::pipeline

@@ -35,6 +35,12 @@ render::Image8 heat_map(const render::PixelMap& error) {
   return picture;
 }
 
+void put_picture(const std::filesystem::path& file, const render::Image8& picture) {
+  ResultFile result(file);
+  render::write_png(result.draft(), picture);
+  result.publish();
+}
+
 }  // namespace
 
 std::filesystem::path ComparedPictures::file(const std::string& id, int frame,
@@ -57,20 +63,20 @@ std::filesystem::path ComparedPictures::flip(const std::string& id, int frame) c
 void ComparedPictures::put_before(const std::string& id, int frame,
                                   const render::Image8& picture) const {
   make_folder(folder_);
-  render::write_png(before(id, frame), picture);
+  put_picture(before(id, frame), picture);
 }
 
 void ComparedPictures::put_now(const std::string& id, int frame,
                                const render::Image8& picture) const {
   make_folder(folder_);
-  render::write_png(now(id, frame), picture);
+  put_picture(now(id, frame), picture);
 }
 
 void ComparedPictures::put(const std::string& id, int frame, const render::Image8& picture_before,
                            const render::Image8& picture_now, const render::PixelMap& error) const {
   put_before(id, frame, picture_before);
   put_now(id, frame, picture_now);
-  if (!error.values.empty()) render::write_png(flip(id, frame), heat_map(error));
+  if (!error.values.empty()) put_picture(flip(id, frame), heat_map(error));
 }
 
 }  // namespace mien::pipeline

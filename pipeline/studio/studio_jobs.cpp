@@ -143,12 +143,12 @@ fs::path StudioJobs::make_still(const StudioJob& job, const std::stop_token& sto
   const int frame = asked < last ? static_cast<int>(std::lround(asked)) : last;
   if (stop.stop_requested()) throw Interrupted{};
   make_folder(folder_ / "stills");
-  const DraftFile draft(folder_ / "stills" / fmt::format("{}-{:05}.png", job.stimulus, frame));
+  ResultFile still(folder_ / "stills" / fmt::format("{}-{:05}.png", job.stimulus, frame));
   write_still({shot, settings, stop, [this](double share) { share_ = share; }}, frame,
-              render::Background::shown, draft.file());
+              render::Background::shown, still.draft());
   if (stop.stop_requested()) throw Interrupted{};
-  draft.publish();
-  return folder_ / "stills" / fmt::format("{}-{:05}.png", job.stimulus, frame);
+  still.publish();
+  return still.target();
 }
 
 fs::path StudioJobs::make_video(const StudioJob& job, const std::stop_token& stop) {

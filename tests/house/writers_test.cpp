@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 /// Sources that open files for writing themselves, each for a reason: the writer of all results;
 /// what other libraries write, into drafts and a store's attempts; what is appended to or taken by
-/// one process alone; and a stream of frames, beside its place.
+/// one process alone; and a stream of frames, into a draft.
 const std::set<std::string> writers = {"motion/text/result_file.cpp",
                                        "render/image/png_file.cpp",
                                        "pipeline/tasks/claim.cpp",
@@ -29,18 +29,36 @@ bool opens_for_writing(const std::string& text) {
   return false;
 }
 
-TEST(Writers, OfResultsAreOne) {
+/// Sources that put files in their places themselves: the writer of all results; records that do
+/// not wait for the disk; and folders, which are put in their places whole.
+const std::set<std::string> movers = {
+    "motion/text/result_file.cpp", "pipeline/documents/files.cpp", "pipeline/tasks/store_state.cpp",
+    "pipeline/tasks/frame_store.cpp", "pipeline/regression/approval.cpp"};
+
+bool moves_files(const std::string& text) { return text.find("::rename(") != std::string::npos; }
+
+std::set<std::string> sources_that(bool (*do_it)(const std::string& text)) {
   std::set<std::string> found;
   for (const char* module : {"motion", "render", "scenes", "pipeline"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(MIEN_SOURCE_DIR) / module)) {
       if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
       std::ifstream stream(entry.path());
       const std::string text{std::istreambuf_iterator<char>(stream), {}};
-      if (opens_for_writing(text))
+      if (do_it(text))
         found.insert(entry.path().lexically_relative(MIEN_SOURCE_DIR).generic_string());
     }
   }
-  EXPECT_EQ(found, writers) << "results are written by motion/text/result_file.h";
+  return found;
+}
+
+TEST(Writers, OfResultsAreOne) {
+  EXPECT_EQ(sources_that(opens_for_writing), writers)
+      << "results are written by motion/text/result_file.h";
+}
+
+TEST(Writers, PutResultsInTheirPlacesInOneWay) {
+  EXPECT_EQ(sources_that(moves_files), movers)
+      << "results are written by motion/text/result_file.h";
 }
 
 }  // namespace

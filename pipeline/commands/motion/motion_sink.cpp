@@ -1,10 +1,8 @@
 #include "pipeline/commands/motion/motion_sink.h"
 
+#include <cerrno>
+#include <system_error>
 #include <utility>
-
-#include <unistd.h>
-
-#include "pipeline/documents/files.h"
 
 namespace mien::pipeline {
 
@@ -18,26 +16,14 @@ constexpr std::size_t count_width = 12;
 MotionSink::MotionSink(std::ostream& out, std::filesystem::path file, Form form)
     : out_(out), file_(std::move(file)), form_(form) {}
 
-MotionSink::~MotionSink() {
-  if (unfinished_.empty()) return;
-  in_file_.close();
-  std::error_code ignored;
-  std::filesystem::remove(unfinished_, ignored);
-}
-
 void MotionSink::begin(const motion::Skeleton& body, double frames_per_second,
                        std::size_t claimed_frames) {
   text_.emplace(body);
   std::string count = std::to_string(claimed_frames);
   if (has_file()) {
-    unfinished_ = file_;
-    unfinished_ += "." + std::to_string(getpid()) + ".unfinished";
-    in_file_.open(unfinished_, std::ios::binary | std::ios::trunc);
-    if (!in_file_) {
-      const std::string wanted = unfinished_.string();
-      unfinished_.clear();
-      throw WriteFailure(wanted + " cannot be written");
-    }
+    unfinished_.emplace(file_);
+    in_file_.open(unfinished_->draft(), std::ios::binary | std::ios::trunc);
+    if (!in_file_) throw cannot_be_written(file_, {errno, std::generic_category()});
     count = "0" + std::string(count_width - 1, ' ');
   }
   if (form_ == Form::lines) return;
@@ -59,20 +45,20 @@ bool MotionSink::put(const motion::Pose& pose) {
 bool MotionSink::flushed() {
   std::ostream& out = has_file() ? in_file_ : out_;
   out.flush();
-  if (has_file() && !out) throw WriteFailure(unfinished_.string() + " cannot be written");
+  if (has_file() && !out) throw cannot_be_written(file_, {errno, std::generic_category()});
   return static_cast<bool>(out);
 }
 
 void MotionSink::publish() {
-  if (!has_file() || unfinished_.empty()) return;
+  if (!unfinished_) return;
   if (form_ == Form::bvh) {
     in_file_.seekp(count_place_);
     in_file_ << frames_;
   }
   flushed();
   in_file_.close();
-  std::filesystem::rename(unfinished_, file_);
-  unfinished_.clear();
+  unfinished_->publish();
+  unfinished_.reset();
 }
 
 }  // namespace mien::pipeline

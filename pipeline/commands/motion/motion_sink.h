@@ -7,6 +7,7 @@
 #include <string>
 
 #include "motion/formats/bvh_text.h"
+#include "pipeline/documents/files.h"
 
 namespace mien::pipeline {
 
@@ -21,7 +22,7 @@ class MotionSink {
   /// To `out`, or to a file unless its name is empty. The file is written beside its name and takes
   /// it at the end (`publish`); without that nothing of it stays.
   MotionSink(std::ostream& out, std::filesystem::path file, Form form);
-  ~MotionSink();
+  ~MotionSink() = default;
   MotionSink(const MotionSink&) = delete;
   MotionSink& operator=(const MotionSink&) = delete;
 
@@ -41,7 +42,7 @@ class MotionSink {
 
   std::ostream& out_;
   std::filesystem::path file_;
-  std::filesystem::path unfinished_;
+  std::optional<ResultFile> unfinished_;
   Form form_;
   std::ofstream in_file_;
   std::streamoff count_place_ = 0;

@@ -1,5 +1,4 @@
 #include <chrono>
-#include <csignal>
 #include <memory>
 #include <string>
 #include <thread>
@@ -198,7 +197,6 @@ void refuse_own_input(const StreamOptions& options) {
 
 int stream_motion(const StreamOptions& options, const Console& console) {
   refuse_own_input(options);
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes is told by the write
   MotionSource source(options.in);
   MotionSink sink(console.out, options.out,
                   options.lines ? MotionSink::Form::lines : MotionSink::Form::bvh);

@@ -44,7 +44,9 @@ nlohmann::ordered_json source_json(const VideoFacts& video, const std::string& s
 /// Puts a video beside the page. Returns the way to it from there.
 std::string put_beside(const fs::path& file, const fs::path& report, const std::string& name) {
   make_folder(report / "videos");
-  fs::copy_file(file, report / "videos" / name, fs::copy_options::overwrite_existing);
+  ResultFile video(report / "videos" / name);
+  fs::copy_file(file, video.draft(), fs::copy_options::overwrite_existing);
+  video.publish();
   return "videos/" + name;
 }
 
