@@ -133,5 +133,23 @@ TEST_F(ReportedStudy, RefusesAnswersSeparatedBySemicolons) {
       << ended.errors;
 }
 
+// A file's name becomes a folder's.
+TEST(StudyResults, LieInNoFolderThatANameLeadsOutTo) {
+  const Scratch folder;
+  const std::string walks = (folder.path() / "...csv").string();
+  ASSERT_EQ(run_mien({"study", "simulate", "--examples", "builtin:walks-10", "-o", walks}).code, 0);
+  const std::string matches =
+      folder.write("x/...csv",
+                   "participant,target,interface,first_guess_d,time_s,success\n"
+                   "p1,a,weights,0.1,10,1\n");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"study", "analyze", walks, "--examples", "builtin:walks-10"},
+        std::vector<std::string>{"study", "evaluate", matches}}) {
+    const Ended ended = run_mien(words);
+    EXPECT_EQ(ended.code, 2) << ended.errors;
+    EXPECT_NE(ended.errors.find("...csv: the name \"..\" "), std::string::npos) << ended.errors;
+  }
+}
+
 }  // namespace
 }  // namespace mien::test

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/safe_name.h"
 #include "pipeline/analysis/analysis_report.h"
 #include "pipeline/analysis/analysis_tables.h"
 #include "pipeline/analysis/calibration_chart.h"
@@ -125,7 +126,9 @@ ordered_json as_json(const Analysis& analysis, const ScaleSet& scales, const fs:
 }
 
 fs::path folder_for(const AnalyzeOptions& options) {
-  return options.out.empty() ? "out" / fs::path(options.answers).stem() : fs::path(options.out);
+  if (!options.out.empty()) return options.out;
+  const std::string name = fs::path(options.answers).stem().string();
+  return "out" / fs::path(motion::safe_component(name, {options.answers}));
 }
 
 void show_corrections(const Calibration& calibration, const fs::path& folder,

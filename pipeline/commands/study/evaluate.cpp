@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/safe_name.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/documents/p_value.h"
 #include "pipeline/matching/matching_tables.h"
@@ -108,12 +109,17 @@ ordered_json as_json(const MatchingEvaluation& evaluation, bool simulated, const
           {"comparisons", comparisons}};
 }
 
+fs::path evaluation_folder(const EvaluateOptions& options) {
+  if (!options.out.empty()) return options.out;
+  const std::string& file = options.results.front();
+  return "out" / fs::path(motion::safe_component(fs::path(file).stem().string(), {file}));
+}
+
 int run_evaluation(const EvaluateOptions& options, const Console& console) {
   const std::vector<fs::path> files(options.results.begin(), options.results.end());
   const MatchingResults results = read_matching_results(files, options.terms);
   const MatchingEvaluation evaluation = evaluate(results);
-  const fs::path folder =
-      options.out.empty() ? "out" / files.front().stem() : fs::path(options.out);
+  const fs::path folder = evaluation_folder(options);
   write_evaluation(evaluation, results, folder);
   if (options.json) {
     console.out << as_json(evaluation, results.simulated, folder).dump(2) << '\n';

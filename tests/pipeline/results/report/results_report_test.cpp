@@ -5,6 +5,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
+#include "pipeline/planted_names.h"
 #include "pipeline/plot_texts.h"
 #include "pipeline/ratings/answers.h"
 #include "pipeline/results/figures/result_figures.h"
@@ -111,6 +113,51 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "README.md"})
     EXPECT_TRUE(files.contains(name)) << name;
   EXPECT_EQ(written_report(reported_study()), files);
+}
+
+/// Answers with a name in the first cell of each column in which it passes for an answer.
+std::vector<AnswerRow> planted_answers(const Manifest& manifest, const std::vector<AnswerRow>& rows,
+                                       const std::string& name, int& planted) {
+  CsvTable table = parse_csv(to_csv(rows), "answers.csv");
+  std::vector<AnswerRow> read = rows;
+  for (CsvField& cell : table.rows.front()) {
+    const std::string usual = std::exchange(cell.text, name);
+    try {
+      std::vector<AnswerRow> tried = answer_rows(table);
+      gather(manifest, tried);
+      read = std::move(tried);
+      ++planted;
+    } catch (const std::runtime_error&) {
+      cell.text = usual;
+    }
+  }
+  return read;
+}
+
+TEST(ResultsReport, WritesNothingElsewhereWhateverItsTablesName) {
+  const test::TemporaryFolder root;
+  const fs::path report = root.path() / "study/out/report";
+  fs::create_directories(report);
+  write_file(root.path() / "planted", "mine");
+  const auto before = test::surroundings(root.path(), report);
+  const std::string name = "../../../planted";
+  Manifest manifest = two_emotion_study(6);
+  manifest.stimuli.push_back(manifest.stimuli[1]);
+  manifest.stimuli.back().id = "acted-sad-too";
+  for (Stimulus& stimulus : manifest.stimuli)
+    stimulus.factors.emplace_back(name, stimulus.id == "acted-sad-too" ? name : "usual");
+  int planted = 0;
+  Reported reported;
+  reported.rows = planted_answers(manifest, answers_to(manifest), name, planted);
+  EXPECT_GT(planted, 3) << "participant, session, comment and design may be any text";
+  CsvTable people = parse_csv("participant,session,design,consented_at,finished,gender,a\n" + name +
+                                  ",s,d,,1," + name + "," + name + "\np002,s,d,,1,man,b\n",
+                              "participants.csv");
+  people.header.back().text = name;
+  reported.results = results_of(gather(manifest, reported.rows), reported.rows, {people});
+  write_report(reported, {}, report);
+  EXPECT_TRUE(fs::exists(report / "figures/histograms-by-..-..-..-planted.svg"));
+  EXPECT_EQ(test::surroundings(root.path(), report), before);
 }
 
 TEST(ResultsReport, TellsWhatWasAnsweredTwice) {
