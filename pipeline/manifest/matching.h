@@ -7,6 +7,14 @@
 
 namespace mien::pipeline {
 
+/// When something is seen of a guess: at once, trial by trial, or once a guess has been made with
+/// every interface at the same target.
+enum class MatchingOrder { trial_by_trial, guesses_first };
+
+inline constexpr Words<MatchingOrder> matching_order_words = {
+    {"trial-by-trial", MatchingOrder::trial_by_trial},
+    {"guesses-first", MatchingOrder::guesses_first}};
+
 /// A matching experiment: participants bring a motion as near to a target as they can, with one
 /// interface of sliders or another. It has no influence on the stimuli.
 struct Matching {
@@ -17,6 +25,7 @@ struct Matching {
   std::vector<std::string> targets;          ///< stimuli; empty: those whose role is target
   std::vector<std::string> practice;         ///< stimuli, tried before all others
   std::vector<std::string> interfaces = {"adjectives", "features", "weights"};
+  MatchingOrder order = MatchingOrder::trial_by_trial;
   std::vector<std::string>
       primary;  ///< adjectives shown at once; empty: the scales' groups, or all
   std::vector<std::string> offered;   ///< adjectives that may be added; empty: all rated pairs
@@ -24,6 +33,7 @@ struct Matching {
   double limit_s = 300.0;             ///< for a match, after the guess
   double threshold_m = 0.06;          ///< D below which a motion matches, metres
   bool shows_distance = true;         ///< while sliders are moved
+  bool shows_examples = false;        ///< one after the other, beside the task
   std::string target_colour = "#2e8b57";
   std::string created_colour = "#3465c8";
   Phones phones = Phones::refused;
@@ -41,12 +51,14 @@ void fields_of(Field&& field, M& matching) {
   field("targets", matching.targets, concerns::nothing);
   field("practice", matching.practice, concerns::nothing);
   field("interfaces", matching.interfaces, concerns::nothing);
+  field("order", matching.order, concerns::nothing, matching_order_words);
   field("primary", matching.primary, concerns::nothing);
   field("pairs_offered", matching.offered, concerns::nothing);
   field("features", matching.features, concerns::nothing);
   field("limit_s", matching.limit_s, concerns::nothing);
   field("threshold_m", matching.threshold_m, concerns::nothing);
   field("show_distance", matching.shows_distance, concerns::nothing);
+  field("show_examples", matching.shows_examples, concerns::nothing);
   field("target_colour", matching.target_colour, concerns::nothing);
   field("created_colour", matching.created_colour, concerns::nothing);
   field("phones", matching.phones, concerns::nothing, phones_words);

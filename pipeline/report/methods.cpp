@@ -6,6 +6,7 @@
 #include "pipeline/report/methods_examples.h"
 #include "pipeline/report/methods_modifications.h"
 #include "pipeline/report/methods_pictures.h"
+#include "pipeline/report/methods_settings.h"
 #include "pipeline/report/prose.h"
 #include "pipeline/report/references.h"
 #include "pipeline/report/study_facts.h"
@@ -63,6 +64,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   tell_files(manifest, out);
   tell_paths(manifest, out);
   tell_modifications(manifest, motions, out);
+  tell_matching_settings(manifest, out);
   out.end_paragraph();
   tell_pictures(manifest, motions, out);
   out.end_paragraph();

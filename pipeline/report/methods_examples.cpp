@@ -103,6 +103,8 @@ class ExamplesWriter {
       say(fmt::format("{} rated them on {}, {}{}", count_of(raters, "person", "people"), scales,
                       each, source()));
     }
+    if (manifest_.ratings.source == Ratings::Source::file && manifest_.ratings.ignore_unknown)
+      say("Answers about other motions and on other scales were left out");
     say(std::string("An example's place on a scale is its mean answer, from 0 (the low end) to 1 "
                     "(the high end)") +
         (scales_of(manifest_.scales).groups.empty()

@@ -122,4 +122,16 @@ void tell_example_settings(const Manifest& manifest, MethodsText& out) {
   if (!settings.empty()) out.say("They were taken by these settings: " + settings.text({""}));
 }
 
+void tell_matching_settings(const Manifest& manifest, MethodsText& out) {
+  if (!manifest.matching) return;
+  const Matching& matching = *manifest.matching;
+  if (matching.order == MatchingOrder::guesses_first)
+    out.say(
+        "In the matching experiment participants made a guess with every interface at a target "
+        "before they saw what came of any of them, and then matched it with every interface, "
+        "going on from the guess");
+  if (matching.shows_examples)
+    out.say("The examples played beside the matching task, one after the other with their names");
+}
+
 }  // namespace mien::pipeline

@@ -14,4 +14,8 @@ void tell_settings(const Manifest& manifest, Motions& motions, MethodsText& text
 /// Likewise of the folder of examples.
 void tell_example_settings(const Manifest& manifest, MethodsText& text);
 
+/// In which order guesses and matches of a matching experiment come, and what plays beside, where
+/// that is another than it would be.
+void tell_matching_settings(const Manifest& manifest, MethodsText& text);
+
 }  // namespace mien::pipeline

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,21 @@ class MatchingPage : public testing::Test {
         run_mien({"study", "export", study().string(), "-o", folder().string()}, 60.0);
     EXPECT_EQ(ended.code, 0) << ended.errors;
     return true;
+  }
+
+  /// The link of the first participant, of a server that keeps what comes in that store.
+  static std::string first_link(const fs::path& store) {
+    fs::path links = store;
+    links.replace_filename(store.stem().string() + "-links.csv");
+    for (int tries = 0; tries < 600; ++tries) {
+      pause_for(0.1);
+      if (!fs::exists(links)) continue;
+      const std::string text = text_of(links);
+      const std::size_t begin = text.find("http://");
+      if (begin != text.npos) return text.substr(begin, text.find('\n', begin) - begin);
+    }
+    ADD_FAILURE() << "no link in " << links;
+    return "";
   }
 
   json played(const std::string& scenario, const std::string& where) {
@@ -180,19 +196,52 @@ TEST_F(MatchingPage, IsMatchedWithEveryInterfaceOnAServer) {
   const fs::path store = scratch.path() / "kept.db";
   Running server({MIEN_PROGRAM, "study", "serve", study().string(), "--port", "0", "--json",
                   "--store", store.string()});
-  const fs::path links = scratch.path() / "kept-links.csv";
-  std::string link;
-  for (int tries = 0; tries < 600 && link.empty(); ++tries) {
-    pause_for(0.1);
-    if (!fs::exists(links)) continue;
-    const std::string text = text_of(links);
-    const std::size_t begin = text.find("http://");
-    if (begin != text.npos) link = text.substr(begin, text.find('\n', begin) - begin);
-  }
-  ASSERT_FALSE(link.empty());
-  const json told = played("whole", link);
+  const json told = played("whole", first_link(store));
   EXPECT_GT(told.at("requests").get<int>(), 10);
   expect_matches(told.at("posted"));
+  server.send(SIGINT);
+  EXPECT_EQ(server.wait().code, 0);
+}
+
+// All guesses at a target come before anything is made of one, whatever is reloaded.
+TEST_F(MatchingPage, ShowsNothingOfAGuessBeforeAllAreMade) {
+  scratch.write("alike.yaml", std::string(walks_text) + matching_text +
+                                  "  order: guesses-first\n  show_examples: true\n");
+  const fs::path store = scratch.path() / "kept.db";
+  Running server({MIEN_PROGRAM, "study", "serve", study().string(), "--port", "0", "--json",
+                  "--store", store.string()});
+  const json told = played("guesses_first", first_link(store));
+  expect_matches(told.at("posted"));
+  EXPECT_FALSE(told.at("film").get<std::string>().empty());
+  for (const json& shown : told.at("shows"))
+    EXPECT_EQ(shown, json({{"figures", 1}, {"d", nullptr}, {"told", "hidden"}}));
+
+  std::vector<std::string> pages;
+  std::size_t seen_at_first = 0;
+  for (const std::string one : told.at("story")) {
+    if (one == "make" && seen_at_first == 0) seen_at_first = pages.size();
+    if (one != "make") pages.push_back(one);
+  }
+  ASSERT_EQ(pages.size(), 10u) << told.at("story");
+  const auto name_at = [&](std::size_t page) { return pages[page].substr(6); };
+  const std::vector<std::string> expected = {
+      "guess " + name_at(0), "guess " + name_at(1), "reload", "guess " + name_at(1),
+      "guess " + name_at(4), "match " + name_at(0), "reload", "match " + name_at(0),
+      "match " + name_at(1), "match " + name_at(4)};
+  EXPECT_EQ(pages, expected);
+  EXPECT_EQ((std::set{name_at(0), name_at(1), name_at(4)}),
+            (std::set<std::string>{"adjectives", "features", "weights"}));
+  EXPECT_GE(seen_at_first, 5u);  // three guesses, one begun twice, a reload
+
+  const int attempts[] = {2, 2, 1};
+  for (int trial = 0; trial < 3; ++trial) {
+    const json& match = told.at("posted").at("trial-" + std::to_string(trial + 1)).at("matching");
+    EXPECT_EQ(match.at("attempt"), attempts[trial]) << trial;
+    EXPECT_EQ(match.at("changes").at(0).at("action"), "move");
+    EXPECT_EQ(match.at("changes").at(0).at("value"), match.at("first").at("values").at(0));
+    EXPECT_EQ(match.at("changes").at(1).at("action"), "guess");
+    EXPECT_EQ(match.at("changes").at(1).at("d"), match.at("first_guess_d"));
+  }
   server.send(SIGINT);
   EXPECT_EQ(server.wait().code, 0);
 }

@@ -28,6 +28,8 @@ void tell_matching(const Manifest& manifest, const std::vector<SessionPlan>& pla
       "interfaces\n",
       manifest.study, plans.size(), plans[0].trials.size(), practised, targets,
       matching.interfaces.size());
+  if (matching.order == MatchingOrder::guesses_first)
+    out << "At each target a guess with every interface comes first, then the matches.\n";
   const std::size_t orders = williams_rows(matching.interfaces.size());
   if (plans.size() % orders == 0)
     out << "Every order of the interfaces' square is given to equally many participants.\n";

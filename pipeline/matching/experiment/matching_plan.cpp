@@ -35,13 +35,9 @@ void add_trial(SessionPlan& plan, const std::string& block, const std::string& t
                          .practice = block == "practice"});
 }
 
-SessionPlan plan_of(const Manifest& manifest, int index) {
-  const Matching& matching = *manifest.matching;
-  const Strings targets = matching_targets(manifest);
-  SessionPlan plan{.index = index, .participant = participant_name(index)};
-  // As numbers of JavaScript hold it.
-  plan.seed = seed_of(manifest.seed, plan.participant) >> 11U;
-  const auto participant = static_cast<std::size_t>(index);
+/// One block an interface.
+void add_interface_blocks(SessionPlan& plan, const Matching& matching, const Strings& targets,
+                          std::size_t participant) {
   const std::size_t rows = williams_rows(matching.interfaces.size());
   const Strings interfaces = in_row(matching.interfaces, participant % rows);
   if (const Strings& practice = matching.practice; !practice.empty()) {
@@ -54,6 +50,33 @@ SessionPlan plan_of(const Manifest& manifest, int index) {
     for (const std::string& target : in_row(targets, row))
       add_trial(plan, interfaces[block], target, interfaces[block]);
   }
+}
+
+/// One block a target.
+void add_target_blocks(SessionPlan& plan, const Matching& matching, const Strings& targets,
+                       std::size_t participant) {
+  const std::size_t rows = williams_rows(matching.interfaces.size());
+  const auto add_block = [&](const std::string& block, const std::string& target, std::size_t at) {
+    for (const std::string& interface : in_row(matching.interfaces, (participant + at) % rows))
+      add_trial(plan, block, target, interface);
+  };
+  for (std::size_t i = 0; i < matching.practice.size(); ++i)
+    add_block("practice", matching.practice[i], i);
+  const Strings ordered = in_row(targets, participant / rows + participant % rows);
+  for (std::size_t i = 0; i < ordered.size(); ++i) add_block(ordered[i], ordered[i], i);
+}
+
+SessionPlan plan_of(const Manifest& manifest, int index) {
+  const Matching& matching = *manifest.matching;
+  const Strings targets = matching_targets(manifest);
+  SessionPlan plan{.index = index, .participant = participant_name(index)};
+  // As numbers of JavaScript hold it.
+  plan.seed = seed_of(manifest.seed, plan.participant) >> 11U;
+  const auto participant = static_cast<std::size_t>(index);
+  if (matching.order == MatchingOrder::guesses_first)
+    add_target_blocks(plan, matching, targets, participant);
+  else
+    add_interface_blocks(plan, matching, targets, participant);
   plan.expected_seconds = matching_seconds(manifest, plan);
   return plan;
 }

@@ -103,6 +103,21 @@ ordered_json sessions_of(const std::vector<SessionPlan>& plans) {
   return sessions;
 }
 
+/// What experiments had before there was a choice stays as it was: they are the same design.
+ordered_json settings_of(const Manifest& manifest, const motion::LiveBundle& bundle) {
+  const Matching& matching = *manifest.matching;
+  ordered_json settings = {{"limit_s", matching.limit_s},
+                           {"threshold_m", matching.threshold_m},
+                           {"shows_distance", matching.shows_distance},
+                           {"target_colour", matching.target_colour},
+                           {"created_colour", matching.created_colour},
+                           {"sliders", sliders_json(manifest, bundle)}};
+  if (matching.order != Matching().order)
+    settings["order"] = word_of(matching_order_words, matching.order);
+  if (matching.shows_examples) settings["shows_examples"] = true;
+  return settings;
+}
+
 ordered_json experiment_of(const Manifest& manifest, const motion::LiveBundle& bundle,
                            const std::vector<SessionPlan>& plans) {
   const Matching& matching = *manifest.matching;
@@ -120,13 +135,7 @@ ordered_json experiment_of(const Manifest& manifest, const motion::LiveBundle& b
                                {"instructions", texts_of(matching.instructions)},
                                {"ending", texts_of(matching.ending)}}},
                              {"settings", {{"phones", word_of(phones_words, matching.phones)}}},
-                             {"matching",
-                              {{"limit_s", matching.limit_s},
-                               {"threshold_m", matching.threshold_m},
-                               {"shows_distance", matching.shows_distance},
-                               {"target_colour", matching.target_colour},
-                               {"created_colour", matching.created_colour},
-                               {"sliders", sliders_json(manifest, bundle)}}},
+                             {"matching", settings_of(manifest, bundle)},
                              {"items", ordered_json::object()},
                              {"demographics", demographics_of(matching)},
                              {"media", ordered_json::object()},

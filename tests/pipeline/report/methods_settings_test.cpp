@@ -43,13 +43,28 @@ class MethodsSettings : public testing::Test {
   }
 };
 
-/// Of a film: what it looks like, how it is written, what its motion is blended by.
+/// Of a film: what it looks like, how it is written, what its motion is blended of and by.
 bool is_of_films(const std::string& path) {
-  for (const char* start : {"look", "output", "stimuli[].look", "stimuli[].output",
-                            "overlays[].look", "overlays[].output"}) {
+  // Orders are told of by what came of them; ratings that come with a set are simulated ones, and
+  // nothing is unknown of them.
+  if (path.starts_with("examples.expect")) return false;
+  if (path == "examples.ratings" || path == "examples.unknown") return false;
+  for (const char* start :
+       {"look", "output", "interpolation", "examples", "stimuli[].look", "stimuli[].output",
+        "stimuli[].interpolation", "overlays[].look", "overlays[].output"}) {
     if (path == start || path.starts_with(std::string(start) + ".")) return true;
   }
   return false;
+}
+
+/// Of ratings, which are told of where a stimulus rests on them: with one that does.
+json with_rated_stimulus(const std::string& path, json document) {
+  if (path != "examples" && (!path.starts_with("examples.") || path.starts_with("examples.set")))
+    return document;
+  const bool has_own_scales = document["examples"].value("scales", "builtin") != "builtin";
+  const char* wanted = has_own_scales ? "slow-quick" : "quickness";
+  document["stimuli"][0] = {{"id", "a"}, {"adjectives", {{wanted, 0.5}}}};
+  return document;
 }
 
 // An option that is new in the schema is tried as soon as it is there.
@@ -67,7 +82,8 @@ TEST_F(MethodsSettings, TellEveryOptionOfFilmsThatTheSchemaKnows) {
     if (path == "overlays[].look.colours") continue;  // they go by roles, whatever it says
     SCOPED_TRACE(path);
     const test::OptionVariants variants = test::variants_of(path, node);
-    EXPECT_NE(told(variants.first), told(variants.second));
+    EXPECT_NE(told(with_rated_stimulus(path, variants.first)),
+              told(with_rated_stimulus(path, variants.second)));
     ++options;
   }
   EXPECT_GT(options, 100);
@@ -103,6 +119,23 @@ TEST_F(MethodsSettings, AreNotToldWhereNothingIsSaid) {
   EXPECT_EQ(text.find("dots"), std::string::npos) << text;
 }
 
+// What participants saw when must be known of a paper that reports it.
+TEST_F(MethodsSettings, TellTheOrderOfGuessesAndWhatPlayedBeside) {
+  const auto told = [](const std::string& more) {
+    return methods_for(
+        "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10}, stimuli: [{id: a, role: "
+        "target, weights: {sad: 1}}], matching: {participants: 2, interfaces: [weights]" +
+        more + "}}");
+  };
+  const std::string usual = told("");
+  EXPECT_EQ(usual.find("matching"), std::string::npos) << usual;
+  EXPECT_EQ(told(", order: trial-by-trial, show_examples: false"), usual);
+  EXPECT_NE(told(", order: guesses-first").find("before they saw what came of any of them"),
+            std::string::npos);
+  EXPECT_NE(told(", show_examples: true").find("The examples played beside the matching task"),
+            std::string::npos);
+}
+
 TEST(StatedSettings, LeaveOutNoOptionThatHasNoWords) {
   StatedSettings settings;
   settings.add("look.camera", {{"lens", {{"new_one", 3}}}}, "a");
@@ -118,8 +151,9 @@ TEST(StatedSettings, ShowForeignTextOnOneLine) {
 
 /// The raters are those of the answers, and not those that a manifest would simulate.
 TEST_F(MethodsSettings, CountTheRatersOfTheAnswers) {
-  const auto told = [&](const std::string& columns, const std::string& fields, int raters) {
-    std::string csv = "participant,stimulus,scale,value" + columns + "\n";
+  const auto told = [&](const std::string& columns, const std::string& fields, int raters,
+                        const std::string& more = "", const std::string& others = "") {
+    std::string csv = "participant,stimulus,scale,value" + columns + "\n" + others;
     for (int rater = 0; rater < raters; ++rater) {
       for (const char* example : {"normal", "brisk", "slow", "happy", "sad", "angry", "proud",
                                   "afraid", "tired", "relaxed"})
@@ -128,13 +162,20 @@ TEST_F(MethodsSettings, CountTheRatersOfTheAnswers) {
     write_file(folder() / "answers.csv", csv);
     return methods_for(
         "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10, scales: my.scales.yaml, "
-        "ratings: answers.csv}, stimuli: [{id: a, adjectives: {slow-quick: 0.5}}]}");
+        "ratings: answers.csv" +
+        more + "}, stimuli: [{id: a, adjectives: {slow-quick: 0.5}}]}");
   };
   const std::string simulated = told(",simulated", ",1", 40);
   EXPECT_NE(simulated.find("No person rated them: 40 simulated raters answered"), std::string::npos)
       << simulated;
   EXPECT_NE(simulated.find("(answers.csv)"), std::string::npos);
-  EXPECT_NE(told("", "", 9).find("9 people rated them"), std::string::npos);
+  const std::string all_known = told("", "", 9);
+  EXPECT_NE(all_known.find("9 people rated them"), std::string::npos);
+  EXPECT_EQ(all_known.find("left out"), std::string::npos) << all_known;
+  const std::string some_unknown = told("", "", 9, ", unknown: ignore", "p1,nobody,slow-quick,1\n");
+  EXPECT_NE(some_unknown.find("Answers about other motions and on other scales were left out"),
+            std::string::npos)
+      << some_unknown;
 }
 
 }  // namespace

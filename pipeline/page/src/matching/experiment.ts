@@ -20,6 +20,10 @@ export interface MatchingSettings {
   /** D below which a motion matches, metres. */
   threshold_m: number;
   shows_distance: boolean;
+  /** guesses-first: with all interfaces a guess at a target before anything is seen of one. */
+  order?: "trial-by-trial" | "guesses-first";
+  /** Whether the examples play beside. */
+  shows_examples?: boolean;
   target_colour: string;
   created_colour: string;
   /** By interface: there from the beginning, and may be added. */
@@ -57,6 +61,17 @@ export interface MatchingChange {
   value?: number;
   /** Of the motion that came of it, metres; not there where none was made of it. */
   d?: number;
+}
+
+/** A guess that was made without seeing what comes of it. */
+export interface Guess {
+  first: SliderSetting;
+  d: number;
+  /** Seconds that it took. */
+  s: number;
+  /** How often it was begun: more than once after a reload. */
+  attempt: number;
+  changes: MatchingChange[];
 }
 
 /** A trial as it is kept (pipeline/questionnaire/service/matching_record.h). */

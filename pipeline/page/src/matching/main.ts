@@ -10,10 +10,10 @@ import { Drawer, type Store } from "../questionnaire/store";
 import { base, mode_of_page, root, show, show_closed, store_of, type Mode } from "../questionnaire/surroundings";
 import { page_record, show_text_page, wait_note, type AskedPage, type GivenOnPage } from "../questionnaire/text_view";
 import type { Texts } from "../questionnaire/texts";
-import { checked_matching, type MatchingExperiment, type MatchingSession, type MatchingTrial } from "./experiment";
+import { checked_matching, type Guess, type MatchingExperiment, type MatchingSession, type MatchingTrial } from "./experiment";
 import { changes_csv, trials_csv } from "./rows";
 import { matching_texts, shared_texts } from "./texts";
-import { run_trial, type MatchingSurroundings } from "./trial_page";
+import { run_guess, run_trial, type MatchingSurroundings } from "./trial_page";
 
 /** Behind the server, or in this browser from a script that brings the module. */
 async function core_of(mode: Mode): Promise<LiveCore> {
@@ -31,13 +31,45 @@ const names_of = (experiment: MatchingExperiment, session: MatchingSession): str
   "ending",
 ];
 
-/** How often a trial was begun in this browser, this time counted: more than once after a reload. */
-function attempt_at(experiment: MatchingExperiment, store: Store<MatchingSession>, trial: MatchingTrial): number {
+/**
+ * How often a trial, or its guess where that is made by itself, was begun in this browser, this time
+ * counted: more than once after a reload.
+ */
+function attempt_at(
+  experiment: MatchingExperiment, store: Store<MatchingSession>, trial: MatchingTrial, part: "" | "guess-" = ""): number {
   const drawer = new Drawer(`mien/${experiment.design}/${store.name}/begun`);
   const begun = drawer.read<Record<string, number>>() ?? {};
-  const attempt = (begun[trial.number] ?? 0) + 1;
-  drawer.write({ ...begun, [trial.number]: attempt });
+  const attempt = (begun[part + trial.number] ?? 0) + 1;
+  drawer.write({ ...begun, [part + trial.number]: attempt });
   return attempt;
+}
+
+/** Guesses that were made before anything was seen, by the number of the trial; they outlive a reload. */
+class KeptGuesses {
+  private drawer: Drawer;
+
+  constructor(experiment: MatchingExperiment, store: Store<MatchingSession>) {
+    this.drawer = new Drawer(`mien/${experiment.design}/${store.name}/guesses`);
+  }
+
+  of(trial: MatchingTrial): Guess | undefined {
+    return this.drawer.read<Record<string, Guess>>()?.[trial.number];
+  }
+
+  keep(trial: MatchingTrial, guess: Guess): void {
+    this.drawer.write({ ...(this.drawer.read<Record<string, Guess>>() ?? {}), [trial.number]: guess });
+  }
+}
+
+/** Trials one after the other that are of one target. */
+function of_one_target(trials: MatchingTrial[]): MatchingTrial[][] {
+  const groups: MatchingTrial[][] = [];
+  for (const trial of trials) {
+    const last = groups[groups.length - 1]?.[0];
+    if (last && last.target === trial.target && last.practice === trial.practice) groups[groups.length - 1]!.push(trial);
+    else groups.push([trial]);
+  }
+  return groups;
 }
 
 /** The pages of a session, one after the other. */
@@ -108,7 +140,8 @@ class Session {
     const is_resumed = this.store.session.trials.some(({ number }) => this.has(`trial-${number}`));
     await this.page({
       title: texts.instructions, buttons: [texts.next],
-      texts: [...(is_resumed ? [texts.resumed] : []), ...experiment.texts.instructions, ...words.how,
+      texts: [...(is_resumed ? [texts.resumed] : []), ...experiment.texts.instructions,
+        ...(experiment.matching.order === "guesses-first" ? words.how_guesses_first : words.how),
         ...(experiment.matching.shows_distance ? [] : [words.how_hidden]), ...(is_touched() ? [] : [words.keys])],
     });
   }
@@ -136,6 +169,7 @@ class Session {
 
   private async trials(around: MatchingSurroundings): Promise<void> {
     const { session } = this.store;
+    if (this.experiment.matching.order === "guesses-first") return this.guesses_first(around);
     let before: MatchingTrial | undefined;
     for (const trial of session.trials) {
       if (this.has(`trial-${trial.number}`)) continue;
@@ -148,6 +182,45 @@ class Session {
       await this.keep(record, root());
       before = trial;
     }
+  }
+
+  /** At each target a guess with every interface, then a match with every interface. */
+  private async guesses_first(around: MatchingSurroundings): Promise<void> {
+    const { experiment, store, words } = this;
+    const guesses = new KeptGuesses(experiment, store);
+    const groups = of_one_target(store.session.trials);
+    for (const group of groups) {
+      const { practice } = group[0]!;
+      const alike = groups.filter((one) => one[0]!.practice === practice);
+      const place = alike.indexOf(group) + 1;
+      const title = practice ? words.practice_of(place, alike.length) : words.motion_of(place, alike.length);
+      const left = group.filter(({ number }) => !this.has(`trial-${number}`));
+      for (const trial of left) {
+        if (guesses.of(trial)) continue;
+        const said = trial === group[0] ? this.before_motion(practice, place, alike.length) : [];
+        await this.before_step(title, trial, [...said, words.guess_with(words.interfaces[trial.interface])]);
+        guesses.keep(trial,
+          await run_guess(root(), trial, title, attempt_at(experiment, store, trial, "guess-"), around));
+      }
+      for (const trial of left) {
+        const guess = guesses.of(trial)!;
+        await this.before_step(title, trial, [words.match_with(words.interfaces[trial.interface])]);
+        const attempt = guess.attempt - 1 + attempt_at(experiment, store, trial);
+        await this.keep(await run_trial(root(), trial, title, attempt, around, guess), root());
+      }
+    }
+  }
+
+  /** What is said where another motion begins. */
+  private before_motion(practice: boolean, place: number, all: number): string[] {
+    const { texts, words, store } = this;
+    if (practice) return place === 1 ? [texts.practice_begins] : [];
+    if (place > 1) return [words.rest_text(place - 1, all)];
+    return store.session.trials.some((trial) => trial.practice) ? [texts.main_begins] : [];
+  }
+
+  private async before_step(title: string, trial: MatchingTrial, said: string[]): Promise<void> {
+    await this.page({ title, texts: [...said, this.words.explains[trial.interface]], buttons: [this.texts.next] });
   }
 
   /** A rest, and what comes where the interface changes. */

@@ -1,6 +1,6 @@
 import type { FigureView } from "../figure/figure_view";
 import type { LiveCore, LiveSetting } from "../live/core";
-import type { MatchingChange, MatchingRecord, MatchingSettings } from "./experiment";
+import type { Guess, MatchingChange, MatchingRecord, MatchingSettings } from "./experiment";
 import type { SliderChange, SliderPanel } from "./slider_panel";
 
 /** What the page is told while somebody matches. */
@@ -8,6 +8,8 @@ export interface MatchingEvents {
   /** The created motion is there for the first time, and the clock runs. */
   adjusting(): void;
   distance(d: number): void;
+  /** Of a blind run: the guess is made, and that was all. */
+  guessed(guess: Guess): void;
   /** The trial is over. */
   ended(record: MatchingRecord): void;
   failed(error: unknown): void;
@@ -17,9 +19,11 @@ export interface MatchingEvents {
  * One trial: a guess that is made without seeing what comes of it, then adjusting until D is below
  * the threshold or the limit is over. Of sliders that are moved faster than motions are made, the
  * last setting is made; every change is noted with its time all the same.
+ *
+ * A blind run ends with its guess, of which nothing is shown; go_on takes such a guess up in another run.
  */
 export class MatchingRun {
-  private readonly began = performance.now();
+  private began = performance.now();
   private changes: MatchingChange[] = [];
   private first: LiveSetting | null = null;
   private first_d = 0;
@@ -35,7 +39,7 @@ export class MatchingRun {
 
   constructor(
     private target: string, private settings: MatchingSettings, private core: LiveCore, private view: FigureView,
-    private panel: SliderPanel, private attempt: number, private told: MatchingEvents,
+    private panel: SliderPanel, private attempt: number, private told: MatchingEvents, private is_blind = false,
   ) {}
 
   /** Seconds since the trial began. */
@@ -61,24 +65,59 @@ export class MatchingRun {
   async guess(): Promise<void> {
     if (this.first || this.is_making) return;
     this.is_making = true;
+    // What is moved meanwhile would be no part of the guess.
+    this.panel.lock(true);
     try {
       const s = this.now();
       const setting = this.panel.setting();
+      if (this.is_blind) return await this.guess_blind(s, setting);
       const d = await this.show(setting);
       this.changes.push({ s, step: "guess", action: "guess", d });
       this.first_d = d;
       // The clock runs from when the motion is seen.
       this.guess_s = this.now();
-      this.first = setting;
+      this.begin(setting);
+    } catch (error) {
       this.is_making = false;
-      this.told.adjusting();
-      this.told.distance(d);
-      if (d < this.settings.threshold_m) return this.end("match", this.guess_s);
-      this.limit = setTimeout(() => void this.run_out(), this.settings.limit_s * 1000);
+      this.panel.lock(false);
+      this.told.failed(error);
+    }
+  }
+
+  /** With a guess of a blind run, whose motion is shown now. */
+  async go_on(guess: Guess): Promise<void> {
+    if (this.first || this.is_making) return;
+    this.is_making = true;
+    try {
+      const setting = this.panel.setting();
+      await this.show(setting);
+      this.changes = [...guess.changes];
+      this.first_d = guess.d;
+      this.guess_s = guess.s;
+      this.began = performance.now() - 1000 * guess.s;
+      this.begin(setting);
     } catch (error) {
       this.is_making = false;
       this.told.failed(error);
     }
+  }
+
+  private async guess_blind(s: number, setting: LiveSetting): Promise<void> {
+    const { D } = await this.core.distance(this.target, setting);
+    this.changes.push({ s, step: "guess", action: "guess", d: D });
+    this.release();
+    const { sliders, values } = setting;
+    this.told.guessed({ first: { sliders, values }, d: D, s, attempt: this.attempt, changes: this.changes });
+  }
+
+  private begin(setting: LiveSetting): void {
+    this.first = setting;
+    this.is_making = false;
+    this.panel.lock(false);
+    this.told.adjusting();
+    this.told.distance(this.last_d);
+    if (this.last_d < this.settings.threshold_m) return this.end("match", this.guess_s);
+    this.limit = setTimeout(() => void this.run_out(), this.settings.limit_s * 1000);
   }
 
   /** Nothing more comes of it. */

@@ -59,8 +59,13 @@ export class SliderPanel {
     };
   }
 
-  /** Puts the sliders where a setting has them; those that it does not name stay. */
+  /** Puts the sliders where a setting has them, adding those that are not there; those that it does not name stay. */
   put(setting: { sliders: string[]; values: number[] }): void {
+    for (const name of setting.sliders) {
+      if (this.rows.some(({ slider }) => slider.name === name)) continue;
+      this.choice?.querySelector(`option[value="${CSS.escape(name)}"]`)?.remove();
+      this.add_row(name, true);
+    }
     for (const { slider, input } of this.rows) {
       const at = setting.sliders.indexOf(slider.name);
       if (at >= 0) input.value = String(setting.values[at]);

@@ -4,9 +4,10 @@ import { button, element, heading } from "../questionnaire/elements";
 import type { PageRecord } from "../questionnaire/experiment";
 import { count_blurs } from "../questionnaire/measures";
 import type { Texts } from "../questionnaire/texts";
-import type { MatchingExperiment, MatchingRecord, MatchingTrial } from "./experiment";
+import { ExamplesFilm } from "./examples_film";
+import type { Guess, MatchingExperiment, MatchingRecord, MatchingTrial } from "./experiment";
 import { MatchingRun } from "./matching_trial";
-import { SliderPanel } from "./slider_panel";
+import { SliderPanel, type SliderChange } from "./slider_panel";
 import type { MatchingTexts } from "./texts";
 import { view_controls, type Seeing } from "./view_controls";
 
@@ -76,44 +77,116 @@ function key_of_colours(experiment: MatchingExperiment, words: MatchingTexts): H
   return element("p", { class: "key" }, one(target_colour, words.target), one(created_colour, words.mine));
 }
 
-/** Shows a trial until it is over and the participant goes on; what is to be kept of it. */
-export async function run_trial(
-  display: HTMLElement, trial: MatchingTrial, title: string, attempt: number, around: MatchingSurroundings,
-): Promise<PageRecord> {
-  const { experiment, core, texts, words, seeing } = around;
+/** What is on the screen of a trial. */
+interface Shown {
+  page: HTMLElement;
+  step: HTMLElement;
+  note: HTMLElement;
+  status: HTMLElement;
+  readings: Readings;
+  panel: SliderPanel;
+  view: FigureView;
+  release(): void;
+}
+
+/** Shows the target alone, the sliders, and buttons below them. */
+async function show_trial(
+  display: HTMLElement, trial: MatchingTrial, title: string, around: MatchingSurroundings,
+  changed: (change: SliderChange) => void, buttons: HTMLButtonElement[],
+): Promise<Shown> {
+  const { experiment, core, words, seeing } = around;
   const { matching } = experiment;
   const target = await core.target(trial.target);
-  const started_at = new Date().toISOString();
-  const began = performance.now();
-  const blurs = count_blurs();
   const view = new FigureView(core.info.body, [matching.target_colour, matching.created_colour], words.view);
   view.show(0, target);
   const readings = new Readings(experiment, words);
   const head = heading(title);
   const step = element("h2", {}, words.guess_step);
   const note = element("p", { class: "step-note" }, words.guess_note);
-  const status = element("p", { class: "matching-status", role: "status" }, attempt > 1 ? words.begun_anew : "");
-  let run: MatchingRun;
+  const status = element("p", { class: "matching-status", role: "status" });
   const panel = new SliderPanel(trial.interface, matching.sliders[trial.interface]!, core.info,
-    experiment.language, words, (change) => run.changed(change));
+    experiment.language, words, changed);
+  const film = matching.shows_examples ? new ExamplesFilm(core, words) : null;
+  const page = element("article", { class: `matching${film ? " with-examples" : ""}`, "data-step": "guess",
+    "data-interface": trial.interface },
+    element("header", { class: "matching-head" }, head, readings.element),
+    element("div", { class: "stage" }, view.element, key_of_colours(experiment, words),
+      view_controls(view, seeing, words), ...(film ? [film.element] : [])),
+    element("section", { class: "control", "aria-label": words.interfaces[trial.interface] },
+      step, note, panel.element, status, element("div", { class: "buttons" }, ...buttons)));
+  display.replaceChildren(page);
+  scrollTo(0, 0);
+  head.focus();
+  const release = (): void => {
+    film?.release();
+    view.release();
+  };
+  return { page, step, note, status, readings, panel, view, release };
+}
+
+/** Shows the target alone until a guess is made; nothing is seen of what comes of it. */
+export async function run_guess(
+  display: HTMLElement, trial: MatchingTrial, title: string, attempt: number, around: MatchingSurroundings,
+): Promise<Guess> {
+  const { experiment, core, words } = around;
+  let run: MatchingRun;
+  const take = button(words.take_guess, () => void run.guess(), "main");
+  const { status, panel, view, release } =
+    await show_trial(display, trial, title, around, (change) => run.changed(change), [take]);
+  if (attempt > 1) status.textContent = words.begun_anew;
+  const guess = await new Promise<Guess>((resolve) => {
+    run = new MatchingRun(trial.target, experiment.matching, core, view, panel, attempt, {
+      adjusting() {}, distance() {}, ended() {},
+      guessed: resolve,
+      failed(error) {
+        console.error(error);
+        status.textContent = words.lost_core;
+      },
+    }, true);
+  });
+  release();
+  return guess;
+}
+
+/**
+ * Shows a trial until it is over and the participant goes on; what is to be kept of it. With a guess that was
+ * made before, the trial begins with its motion.
+ */
+export async function run_trial(
+  display: HTMLElement, trial: MatchingTrial, title: string, attempt: number, around: MatchingSurroundings,
+  given?: Guess,
+): Promise<PageRecord> {
+  const { experiment, core, texts, words } = around;
+  const started_at = new Date().toISOString();
+  const began = performance.now();
+  const blurs = count_blurs();
+  let run: MatchingRun;
   let go_on: () => void = () => {};
   const gone_on = new Promise<void>((resolve) => { go_on = resolve; });
-  const show_mine = button(words.show_mine, () => void run.guess(), "main");
+  const show_mine = button(words.show_mine, () => void (given ? run.go_on(given) : run.guess()), "main");
   const next = button(texts.next, () => go_on(), "main");
   next.hidden = true;
+  const { page, step, note, status, readings, panel, view, release } =
+    await show_trial(display, trial, title, around, (change) => run.changed(change), [show_mine, next]);
+  const tell_adjust = (): void => {
+    step.textContent = words.adjust_step;
+    note.textContent = words.adjust_note;
+  };
+  const is_anew = given ? attempt > given.attempt : attempt > 1;
+  if (is_anew) status.textContent = words.begun_anew;
 
   const over = new Promise<MatchingRecord>((resolve) => {
-    run = new MatchingRun(trial.target, matching, core, view, panel, attempt, {
+    run = new MatchingRun(trial.target, experiment.matching, core, view, panel, attempt, {
       adjusting() {
-        step.textContent = words.adjust_step;
-        note.textContent = words.adjust_note;
-        status.textContent = "";
+        tell_adjust();
+        status.textContent = given && is_anew ? words.begun_anew : "";
         page.dataset.step = "adjust";
         show_mine.remove();
         readings.run(() => run.seconds_left());
         panel.focus();
       },
       distance: (d) => readings.tell(d),
+      guessed() {},
       ended(record) {
         readings.stop();
         page.dataset.step = "over";
@@ -128,23 +201,24 @@ export async function run_trial(
       failed(error) {
         console.error(error);
         status.textContent = words.lost_core;
+        // Where it was not asked for by hand, it can be from now on.
+        show_mine.hidden = false;
       },
     });
   });
-  const page = element("article", { class: "matching", "data-step": "guess", "data-interface": trial.interface },
-    element("header", { class: "matching-head" }, head, readings.element),
-    element("div", { class: "stage" }, view.element, key_of_colours(experiment, words),
-      view_controls(view, seeing, words)),
-    element("section", { class: "control", "aria-label": words.interfaces[trial.interface] },
-      step, note, panel.element, status, element("div", { class: "buttons" }, show_mine, next)));
-  display.replaceChildren(page);
-  scrollTo(0, 0);
-  head.focus();
+  if (given) {
+    tell_adjust();
+    page.dataset.step = "show";
+    panel.put(given.first);
+    panel.lock(true);
+    show_mine.hidden = true;
+    void run!.go_on(given);
+  }
 
   const matched = await over;
-  const trial_ms = Math.round(performance.now() - began);
+  const trial_ms = Math.round(performance.now() - began + (given ? 1000 * given.s : 0));
   await gone_on;
-  view.release();
+  release();
   return {
     record: `trial-${trial.number}`, session: around.name, responses: [], comment: "", started_at, trial_ms,
     blurs: blurs(), viewport_width: innerWidth, viewport_height: innerHeight, matching: matched,

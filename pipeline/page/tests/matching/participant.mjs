@@ -90,9 +90,15 @@ async function match(page, by_keys, seen) {
     await tab_to(page, ".control .main");
     return page.keyboard.press("Enter");
   };
-  await seen("guess");
-  await press_main();
-  await page.waitForFunction(() => document.querySelector(".matching").dataset.step !== "guess", null, { timeout: 60000 });
+  const step = () => page.evaluate(() => document.querySelector(".matching")?.dataset.step ?? "gone");
+  // A guess that was made before is shown without being asked for.
+  if (await step() === "guess") {
+    await seen("guess");
+    await press_main();
+  }
+  await page.waitForFunction(
+    () => !["guess", "show"].includes(document.querySelector(".matching")?.dataset.step), null, { timeout: 60000 });
+  if (await step() === "gone") return;  // that was a guess by itself
   await seen("adjust");
   if (await page.evaluate(() => document.querySelector(".matching").dataset.step === "adjust")) {
     if (by_keys) {

@@ -77,6 +77,52 @@ async function reload() {
   return with_files(opened, { reloads });
 }
 
+/**
+ * Guesses before anything is seen of one, with a reload while the second is made and another one while the
+ * first match goes on; the examples play beside. What was seen comes in order, with the motions that were asked for.
+ */
+async function guesses_first() {
+  const opened = await open();
+  const { page } = opened;
+  const story = [];
+  const shows = [];
+  const reload = async () => {
+    story.push("reload");
+    await page.reload();
+    return true;
+  };
+  page.on("request", (request) => { if (/\/live\/make$/.test(request.url())) story.push("make"); });
+  const with_picture = with_pictures(page, "guesses");
+  const film = () => page.locator(".examples-film .example-name").textContent();
+  const look = () => page.evaluate(() => {
+    const { step, interface: kind } = document.querySelector(".matching").dataset;
+    const readings = document.querySelector(".readings");
+    const figures = Number(document.querySelector(".stage > .figure-view").dataset.shown);
+    return { step, kind, figures, d: readings.dataset.d ?? null, told: getComputedStyle(readings).visibility };
+  });
+  const count = (what) => story.filter((one) => one.startsWith(what)).length;
+  let name = "";
+  await take(page, { each: async (seen) => {
+    await with_picture(seen);
+    if (seen !== "matching") return false;
+    const { step, kind, ...shown } = await look();
+    story.push(`${step === "guess" ? "guess" : "match"} ${kind}`);
+    if (step === "guess") {
+      await page.waitForFunction(() => document.querySelector(".example-name").textContent);
+      name = await film();
+      await page.locator('.sliders input[type="range"]').first().evaluate((slider) => {
+        slider.value = String(Number(slider.value) + 0.03);
+        slider.dispatchEvent(new Event("input", { bubbles: true }));
+      });
+      await page.waitForTimeout(300);  // for what should not come
+      shows.push(shown, await look().then(({ figures, d, told }) => ({ figures, d, told })));
+      if (count("guess") === 2 && count("reload") === 0) return reload();
+    } else if (count("reload") === 1) return reload();
+    return false;
+  } });
+  return with_files(opened, { story, shows, film: name });
+}
+
 /** On a phone's screen: what is told there, or the whole of it where phones are served. */
 async function on_phone() {
   const opened = await open(phone);
@@ -105,7 +151,7 @@ async function accessibility() {
   return { faults: [...new Set(faults)], checked };
 }
 
-const scenarios = { whole, keys, reload, on_phone, accessibility };
+const scenarios = { whole, keys, reload, guesses_first, on_phone, accessibility };
 try {
   console.log(JSON.stringify(await scenarios[name]()));
 } finally {

@@ -94,6 +94,47 @@ TEST(MatchingPlan, IsBalancedOnceEveryRowOfBothSquaresHasCome) {
   }
 }
 
+/// What comes at a place of a session, counted over participants.
+template <class Key>
+void expect_equally_often(const std::map<Key, int>& times, std::size_t kinds) {
+  EXPECT_EQ(times.size(), kinds);
+  for (const auto& [what, count] : times) EXPECT_EQ(count, times.begin()->second);
+}
+
+TEST(MatchingPlan, HasEveryInterfaceAtATargetBeforeTheNextWhereGuessesComeFirst) {
+  for (const int targets : {1, 2, 3, 5}) {
+    Manifest manifest = experiment(targets, three, 2);
+    manifest.matching->order = MatchingOrder::guesses_first;
+    const auto count = static_cast<std::size_t>(targets);
+    const std::size_t participants = williams_rows(3) * williams_rows(count);
+    std::map<std::pair<std::string, std::size_t>, int> target_at;
+    std::map<std::tuple<std::size_t, std::string, std::size_t>, int> interface_at;
+    for (const SessionPlan& plan : plan_matching(manifest, static_cast<int>(participants))) {
+      ASSERT_EQ(plan.trials.size(), 3 * (2 + count));
+      std::set<std::string> done;
+      for (std::size_t block = 0; block < 2 + count; ++block) {
+        const std::string target = plan.trials[3 * block].stimuli.front();
+        EXPECT_TRUE(done.insert(target).second) << target;
+        std::set<std::string> interfaces;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Trial& trial = plan.trials[3 * block + i];
+          EXPECT_EQ(trial.number, static_cast<int>(3 * block + i) + 1);
+          EXPECT_EQ(trial.stimuli.front(), target);
+          EXPECT_EQ(trial.practice, block < 2);
+          interfaces.insert(trial.items.front().item);
+          if (block < 2) continue;
+          EXPECT_EQ(trial.block, target);
+          ++interface_at[{block, trial.items.front().item, i}];
+        }
+        EXPECT_EQ(interfaces.size(), 3u);
+        if (block >= 2) ++target_at[{target, block}];
+      }
+    }
+    expect_equally_often(target_at, count * count);
+    expect_equally_often(interface_at, count * 3 * 3);
+  }
+}
+
 TEST(MatchingPlan, TellsHowLongASessionTakes) {
   Manifest manifest = experiment(5, three, 3);
   const double before = plan_matching(manifest)[0].expected_seconds;

@@ -58,6 +58,7 @@ TEST(MatchingChecks, RefuseWhatIsNotThere) {
   EXPECT_NE(fault_of("{participants: 2, target_colour: '#102030', created_colour: '#10202f'}")
                 .find("apart; give the two figures"),
             std::string::npos);
+  EXPECT_NE(fault_of("{participants: 2, order: guesses}").find("guesses-first"), std::string::npos);
   EXPECT_NE(fault_of("{participants: 2, limit_s: 0}").find(": matching.limit_s: "),
             std::string::npos);
   EXPECT_NE(fault_of("{participants: 2, targets: [t1, round]}").find("and this walks a path"),
@@ -92,6 +93,9 @@ TEST(MatchingStudy, IsAnotherDesignWithOtherSettings) {
   EXPECT_EQ(design, design_of("{participants: 2}"));
   EXPECT_NE(design, design_of("{participants: 3}"));
   EXPECT_NE(design, design_of("{participants: 2, limit_s: 200}"));
+  EXPECT_NE(design, design_of("{participants: 2, order: guesses-first}"));
+  EXPECT_NE(design, design_of("{participants: 2, show_examples: true}"));
+  EXPECT_EQ(design, design_of("{participants: 2, order: trial-by-trial, show_examples: false}"));
 }
 
 class SimulatedMatching : public testing::Test {
