@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -96,24 +97,101 @@ struct Adjustment {
 using SamplesById = std::map<std::string, Samples>;
 using AdjustmentsById = std::map<std::string, Adjustment>;
 
+/// What the luminance of dots hangs on.
+struct DotsLook {
+  std::string scene, background;
+  std::optional<Role> role;  ///< where colours go by it
+  scenes::PointLightOptions dots;
+
+  friend bool operator==(const DotsLook&, const DotsLook&) = default;
+};
+
+/// Without what only moves dots; nothing where there are none.
+std::optional<DotsLook> dots_look(const Stimulus& stimulus) {
+  const auto* given = std::get_if<scenes::PointLightOptions>(&stimulus.look.figure);
+  if (!given) return std::nullopt;
+  const scenes::PointLightOptions usual;
+  DotsLook look = {stimulus.look.scene, stimulus.look.background, std::nullopt, *given};
+  if (stimulus.look.colours == Colours::role) look.role = stimulus.role;
+  look.dots.lifetime = usual.lifetime;
+  look.dots.inverted = usual.inverted;
+  look.dots.mirrored = usual.mirrored;
+  look.dots.rotated_degrees = usual.rotated_degrees;
+  look.dots.scrambled = usual.scrambled;
+  look.dots.reversed = usual.reversed;
+  look.dots.constant_speed = usual.constant_speed;
+  look.dots.phase_scrambled = usual.phase_scrambled;
+  look.dots.seed = usual.seed;
+  return look;
+}
+
+/// Films with one exposure.
+using Lit = std::vector<const Stimulus*>;
+
+/// Each film by itself, but for point lights: those of one look together.
+std::vector<Lit> lit_together(const std::vector<const Stimulus*>& group) {
+  std::vector<Lit> all;
+  std::vector<std::pair<DotsLook, std::size_t>> looks;
+  for (const Stimulus* stimulus : group) {
+    const std::optional<DotsLook> look = dots_look(*stimulus);
+    const auto known =
+        std::ranges::find_if(looks, [&](const auto& one) { return look && one.first == *look; });
+    if (known != looks.end()) {
+      all[known->second].push_back(stimulus);
+      continue;
+    }
+    if (look) looks.emplace_back(*look, all.size());
+    all.push_back({stimulus});
+  }
+  return all;
+}
+
+double mean_of(const Lit& lit, const SamplesById& samples, float stops) {
+  double sum = 0.0;
+  for (const Stimulus* stimulus : lit) {
+    const auto& [films, tone] = samples.at(stimulus->id);
+    sum += mean_of(films, tone, stops);
+  }
+  return sum / static_cast<double>(lit.size());
+}
+
+/// The stops at which a mean that rises with them is as wanted; the nearest end where there are
+/// none.
+template <class Mean>
+float stops_where(const Mean& mean, double wanted) {
+  float low = -most_stops;
+  float high = most_stops;
+  for (int i = 0; i < halvings; ++i) {
+    const float middle = 0.5f * (low + high);
+    (mean(middle) < wanted ? low : high) = middle;
+  }
+  return 0.5f * (low + high);
+}
+
 /// Those of one group: to the geometric mean of their means.
 void adjust(const std::vector<const Stimulus*>& group, const SamplesById& samples,
             AdjustmentsById& adjustments) {
+  const std::vector<Lit> all = lit_together(group);
   double logarithms = 0.0;
-  for (const Stimulus* stimulus : group) {
-    const auto& [films, tone] = samples.at(stimulus->id);
-    const double mean = mean_of(films, tone, 0.0f);
-    adjustments[stimulus->id].mean = mean;
-    logarithms += std::log(std::max(mean, 1e-6));
+  for (const Lit& lit : all) {
+    const double mean = mean_of(lit, samples, 0.0f);
+    for (const Stimulus* stimulus : lit) {
+      adjustments[stimulus->id].mean = mean_of({stimulus}, samples, 0.0f);
+      logarithms += std::log(std::max(mean, 1e-6));
+    }
   }
   const double wanted = std::exp(logarithms / static_cast<double>(group.size()));
-  for (const Stimulus* stimulus : group) {
-    const auto& [films, tone] = samples.at(stimulus->id);
-    Adjustment& found = adjustments[stimulus->id];
+  for (const Lit& lit : all) {
+    const auto mean = [&](float stops) { return mean_of(lit, samples, stops); };
     // Steps of 1/4096 stop: no machine's logarithm shows.
-    found.stops = std::round(4096.0 * static_cast<double>(stops_for(films, tone, wanted))) / 4096.0;
-    found.wanted = wanted;
-    found.reached = mean_of(films, tone, static_cast<float>(found.stops));
+    const double stops =
+        std::round(4096.0 * static_cast<double>(stops_where(mean, wanted))) / 4096.0;
+    for (const Stimulus* stimulus : lit) {
+      Adjustment& found = adjustments[stimulus->id];
+      found.stops = stops;
+      found.wanted = wanted;
+      found.reached = mean(static_cast<float>(stops));
+    }
   }
 }
 
@@ -147,13 +225,7 @@ void refuse(std::vector<Fault> faults) {
 }  // namespace
 
 float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted) {
-  float low = -most_stops;
-  float high = most_stops;
-  for (int i = 0; i < halvings; ++i) {
-    const float middle = 0.5f * (low + high);
-    (mean_of(films, tone, middle) < wanted ? low : high) = middle;
-  }
-  return 0.5f * (low + high);
+  return stops_where([&](float stops) { return mean_of(films, tone, stops); }, wanted);
 }
 
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,

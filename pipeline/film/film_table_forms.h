@@ -75,7 +75,9 @@ inline constexpr std::array places_columns = std::to_array<Column>({
 inline constexpr std::array exposure_columns = std::to_array<Column>({
     equalized_column,
     {"mean_luminance", "0–1", "relative luminance, linear, of a few frames as they would be"},
-    {"wanted_luminance", "0–1", "that of all films: the geometric mean of these"},
+    {"wanted_luminance", "0–1",
+     "that of all films: the geometric mean of these, in which point lights that share an "
+     "exposure count by their mean"},
     {"exposure_stops", "stops", "exposure that is added: 1 doubles the light, −1 halves it"},
 });
 

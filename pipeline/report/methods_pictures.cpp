@@ -89,8 +89,9 @@ class PicturesWriter {
     if (!alike.empty()) out_.say("The films of the stimuli were made alike in " + listed(alike));
     if (manifest_.equalize.luminance && std::ranges::any_of(manifest_.stimuli, has_dots)) {
       out_.say(
-          "Of point lights the exposure changes the luminance of the dots themselves, which "
-          "metrics/exposure.csv has");
+          "Point lights with equally many dots of one size and colour share one exposure, so that "
+          "their dots have one luminance wherever they are moved, as by scrambling; it is that of "
+          "the dots themselves which the exposure changes (metrics/exposure.csv)");
     }
   }
 

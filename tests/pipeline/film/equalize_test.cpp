@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -69,6 +72,53 @@ TEST(Equalize, MakesFilmsOfAStudyAlikeInLuminanceAndDuration) {
   ASSERT_EQ(videos.rows.size(), 2u);
   EXPECT_EQ(number(videos, 0, "frames"), number(videos, 1, "frames"));
   EXPECT_GT(number(videos, 0, "worst_psnr_db"), 30.0);
+}
+
+/// A walk as dots, and dots that differ from it in one option.
+Manifest dots_study() {
+  Manifest manifest = study();
+  manifest.equalize = {.luminance = Among::study};
+  manifest.stimuli.clear();
+  for (const char* id : {"original", "scrambled", "inverted", "noisy", "tinted"}) {
+    manifest.stimuli.push_back(stimulus(id, "normal", 1));
+    manifest.stimuli.back().output.size = {96, 72};
+    manifest.stimuli.back().look.figure = scenes::PointLightOptions{};
+    manifest.stimuli.back().look.set = read_set("void", {});
+  }
+  const auto dots = [&](std::size_t i) -> scenes::PointLightOptions& {
+    return std::get<scenes::PointLightOptions>(manifest.stimuli[i].look.figure);
+  };
+  dots(1).scrambled = true;
+  dots(2).inverted = true;
+  dots(3).noise = 10;
+  dots(4).colour = "#80a0ff";
+  return manifest;
+}
+
+std::map<std::string, double> stops_in(const Manifest& manifest) {
+  const test::TemporaryFolder folder;
+  Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+  const RunResult result = run(production, folder.path() / "out", 1, {}, {});
+  for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
+  std::map<std::string, double> stops;
+  for (const Stimulus& one : manifest.stimuli)
+    stops[one.id] = number_of(folder.path() / "out/metrics/exposure.csv", "exposure_stops", one.id);
+  return stops;
+}
+
+// Scrambling moves dots: those of a control must not be told by their luminance.
+TEST(Equalize, LeavesDotsThatAreOnlyMovedAsLightAsTheirOriginals) {
+  Manifest manifest = dots_study();
+  std::map<std::string, double> stops = stops_in(manifest);
+  EXPECT_EQ(stops.at("scrambled"), stops.at("original"));
+  EXPECT_EQ(stops.at("inverted"), stops.at("original"));
+  // More dots, and dots of another colour, are films to be made alike.
+  EXPECT_LT(stops.at("noisy"), stops.at("original"));
+  EXPECT_NE(stops.at("tinted"), stops.at("original"));
+
+  manifest.stimuli.resize(3);  // nothing but those
+  stops = stops_in(manifest);
+  for (const Stimulus& one : manifest.stimuli) EXPECT_EQ(stops.at(one.id), 0.0) << one.id;
 }
 
 TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
