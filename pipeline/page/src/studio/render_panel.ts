@@ -63,7 +63,7 @@ function show_result(job: Job, told: HTMLElement, shown: HTMLElement): void {
     told.textContent = job.state === "cancelled" ? "Stopped." : job.told;
     return;
   }
-  told.textContent = `It lies in ${job.told}`;
+  told.textContent = `Saved to ${job.told}`;
   const source = job_result(job.job);
   const made = job.kind === "still"
     ? element("img", { src: source, alt: `still of ${job.stimulus}` })
