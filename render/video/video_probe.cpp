@@ -129,6 +129,11 @@ Image8 rows_of(const Image8& picture, int step) {
   return rows;
 }
 
+template <class Sized>
+std::string size_text(const Sized& sized) {
+  return std::to_string(sized.width) + " x " + std::to_string(sized.height);
+}
+
 /// Decoded frames one by one: their order, times and pictures.
 struct Decoding {
   const std::string& path;
@@ -139,9 +144,12 @@ struct Decoding {
   Scaler scaler = nullptr;
 
   void take(const AVFrame& frame) {
-    if (frame.width != stream->codecpar->width || frame.height != stream->codecpar->height)
-      throw Error(path + ": a picture of another size than the first");
     const int index = summary.frames++;
+    const AVCodecParameters& first = *stream->codecpar;
+    if (frame.width != first.width || frame.height != first.height)
+      throw Error(path + ": frame " + std::to_string(index) + " has " + size_text(frame) +
+                  " pixels, and the video " + size_text(first) +
+                  "; encode it again with one size of all frames");
     const double tick = av_q2d(stream->time_base);
     const double seconds = static_cast<double>(frame.best_effort_timestamp) * tick;
     const double duration = duration_of(frame) * tick;
