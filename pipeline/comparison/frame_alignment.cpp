@@ -114,6 +114,55 @@ class Table {
   std::vector<Step> steps_;
 };
 
+/// Frames in a row, from the first up to the one that follows them.
+struct Stretch {
+  int begin = 0;
+  int end = 0;
+};
+
+/// Whether frames that were put in are the film's own: one repeats what is beside it, or stands for
+/// another that is missing.
+bool are_of_the_film(Stretch missing, Stretch added, const std::vector<Thumbnail>& before,
+                     const std::vector<Thumbnail>& now, double step) {
+  for (int frame = added.begin; frame < added.end; ++frame) {
+    const Thumbnail& picture = now[static_cast<std::size_t>(frame)];
+    for (const int beside : {frame - 1, frame + 1}) {
+      if (beside >= 0 && beside < static_cast<int>(now.size()) &&
+          distance(now[static_cast<std::size_t>(beside)], picture) < 0.25 * step)
+        return true;
+    }
+    for (int other = missing.begin; other < missing.end; ++other) {
+      if (distance(before[static_cast<std::size_t>(other)], picture) < 0.5 * step) return true;
+    }
+  }
+  return false;
+}
+
+/// As many frames that are new as are missing, between the same pairs, were changed in their
+/// places.
+void pair_changed(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
+                  const std::vector<Thumbnail>& now, double step) {
+  std::vector<FrameAlignment::Pair> pairs;
+  int row = 0, column = 0;
+  alignment.pairs.push_back({static_cast<int>(before.size()), static_cast<int>(now.size())});
+  for (const FrameAlignment::Pair& pair : alignment.pairs) {
+    const Stretch missing = {row, pair.before}, added = {column, pair.now};
+    const int count = pair.before - row;
+    if (count == pair.now - column && !are_of_the_film(missing, added, before, now, step)) {
+      for (int i = 0; i < count; ++i) pairs.push_back({row + i, column + i});
+      std::erase_if(alignment.missing,
+                    [&](int frame) { return frame >= row && frame < pair.before; });
+      std::erase_if(alignment.added,
+                    [&](int frame) { return frame >= column && frame < pair.now; });
+    }
+    pairs.push_back(pair);
+    row = pair.before + 1;
+    column = pair.now + 1;
+  }
+  pairs.pop_back();
+  alignment.pairs = std::move(pairs);
+}
+
 /// " (f37.png)"; empty without names.
 std::string name_told(int frame, const std::vector<std::string>& names) {
   const auto i = static_cast<std::size_t>(frame);
@@ -207,7 +256,9 @@ FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thu
   std::ranges::reverse(alignment.pairs);
   std::ranges::reverse(alignment.missing);
   std::ranges::reverse(alignment.added);
-  tell(alignment, before, now, names, usual_step(before));
+  const double step = usual_step(before);
+  pair_changed(alignment, before, now, step);
+  tell(alignment, before, now, names, step);
   return alignment;
 }
 

@@ -42,7 +42,8 @@ std::string frame_told(int frame, const std::vector<std::string>& names);
 /// together cost nine tenths of the usual difference of two frames beside each other, and four
 /// times that of frames which show the same (encoded otherwise, for instance). Frames are not
 /// paired when they stand more than 240 apart, or 16 more than the lengths differ by if that is
-/// more.
+/// more. Between the same two pairs, as many frames that are new as are missing were changed in
+/// their places, and are pairs too, unless one repeats its neighbour or is exchanged.
 FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
                      const FrameNames& names = {});
 

@@ -87,6 +87,28 @@ TEST(FrameAlignment, TellsAFilmThatBeginsLater) {
   EXPECT_EQ(align(film(count_to(40)), film(frames)).told, (Told{"frames 0 to 2 are missing"}));
 }
 
+TEST(FrameAlignment, PairsFramesThatWereChangedInTheirPlaces) {
+  for (const Told::size_type first : {0U, 17U, 37U}) {
+    auto now = film(count_to(40));
+    for (auto i = first; i < first + 3; ++i)
+      for (std::uint8_t& channel : now[i]) channel = static_cast<std::uint8_t>(255 - channel);
+    const FrameAlignment alignment = align(film(count_to(40)), now);
+    EXPECT_EQ(alignment.told, Told{});
+    ASSERT_EQ(alignment.pairs.size(), 40U);
+    for (int i = 0; i < 40; ++i) EXPECT_EQ(alignment.pairs[static_cast<std::size_t>(i)].now, i);
+  }
+}
+
+TEST(FrameAlignment, TellsADroppedFrameBesideChangedOnes) {
+  std::vector<int> frames = count_to(40);
+  frames.erase(frames.begin() + 30);
+  auto now = film(frames);
+  for (std::uint8_t& channel : now[5]) channel = static_cast<std::uint8_t>(255 - channel);
+  const FrameAlignment alignment = align(film(count_to(40)), now);
+  EXPECT_EQ(alignment.told, (Told{"frame 30 is missing"}));
+  EXPECT_EQ(alignment.pairs.size(), 39U);
+}
+
 TEST(FrameAlignment, PairsStillsByTheirPlace) {
   const std::vector<int> still(12, 5);
   EXPECT_EQ(align(film(still), film(still)).pairs.size(), 12U);
