@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
+#include "pipeline/farm/job_attempts.h"
 #include "pipeline/farm/worker_codes.h"
 
 namespace mien::pipeline {
@@ -10,6 +11,8 @@ namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int stopped_run = 130;  ///< how `mien run` ends that was told to stop
 
 std::string with_escapes(std::string_view text, std::string_view special, std::string_view escape) {
   std::string escaped;
@@ -42,8 +45,7 @@ std::string introduction(const BatchJob& job, const StudyCall& call) {
       job.elements == 1 ? "1 element" : fmt::format("{} elements", job.elements), job.name);
 }
 
-std::string options(const BatchJob& job, const fs::path& folder, const StudyCall& call,
-                    const JobRequest& request) {
+std::string options(const BatchJob& job, const StudyCall& call, const JobRequest& request) {
   const bool is_array = job.elements > 0;
   std::string text = line("job-name", call.study + "-" + job.name);
   if (is_array) {
@@ -54,21 +56,20 @@ std::string options(const BatchJob& job, const fs::path& folder, const StudyCall
   text += line("partition", request.partition) + line("time", request.time) +
           line("mem", request.memory) + line("account", request.account);
   text += line(fmt::format("cpus-per-task={}", request.processors));
-  const std::string log =
-      batch_path((folder / "log").string()) + (is_array ? "/%x-%A_%a.log" : "/%x-%j.log");
-  text += line(fmt::format("output=\"{}\"", log));
+  // Slurm begins no job whose log it cannot open: it fails at once, and so do all that follow.
+  text += line("output=/dev/null");
   text += line("comment", job.comment);
   return text + line("requeue") + line("open-mode=append") + line("signal=B:TERM@30") +
          line("kill-on-invalid-dep=yes");
 }
 
 std::string paths(const BatchJob& job, const fs::path& folder, const StudyCall& call) {
-  std::string text =
-      fmt::format("\nmien={}\nmanifest={}\nout={}\nfolder={}\n", shell_word(call.program.string()),
-                  shell_word(call.manifest.string()), shell_word(call.out.string()),
-                  shell_word(folder.string()));
-  text +=
-      fmt::format("cd -- {} || exit {}\n\n", shell_word(call.started.string()), worker_wrong_setup);
+  std::string text = fmt::format(
+      "\nmien={}\nmanifest={}\nout={}\nfolder={}\nstarted={}\n"
+      "patience={}  # seconds that the job waits for a folder that is full, read-only or away\n\n",
+      shell_word(call.program.string()), shell_word(call.manifest.string()),
+      shell_word(call.out.string()), shell_word(folder.string()), shell_word(call.started.string()),
+      folder_patience_seconds);
   if (job.elements > 0) {
     text +=
         "element=${SLURM_ARRAY_TASK_ID:-1}\n"
@@ -78,19 +79,22 @@ std::string paths(const BatchJob& job, const fs::path& folder, const StudyCall& 
         "element=1\n"
         "job=${SLURM_JOB_ID:-none}\n";
   }
-  return text + fmt::format("ended=$folder/ends/{}.$element  # there when it did not end well\n",
-                            job.name);
+  return text + fmt::format(
+                    "log=$folder/log/{}-$job.log\n"
+                    "ended=$folder/ends/{}.$element  # there when it did not end well\n"
+                    "restarts=${{SLURM_RESTART_COUNT:-0}}\n",
+                    shell_word(call.study + "-" + job.name), job.name);
 }
 
 std::string call_text(const BatchJob& job, const StudyCall& call, const JobRequest& request) {
   const std::string quality = call.quality.empty() ? "" : " --quality " + shell_word(call.quality);
   if (job.elements == 0) {
-    return fmt::format("\"$mien\" run \"$manifest\" --out \"$out\" --jobs {}{} &\n",
-                       request.processors, quality);
+    return fmt::format("\"$mien\" run \"$manifest\" --out \"$out\" --jobs {}{}", request.processors,
+                       quality);
   }
   return fmt::format(
       "\"$mien\" farm worker \"$manifest\" --list \"$folder/{}.tasks\" --line \"$element\" \\\n"
-      "  --out \"$out\" --jobs {}{} --expect {} &\n",
+      "    --out \"$out\" --jobs {}{} --expect {}",
       job.name, request.processors, quality, call.key);
 }
 
@@ -107,20 +111,6 @@ std::string back_into_queue(const char* name, const char* request, bool site_doe
       "}}\n",
       name, request, code);
 }
-
-/// The worker runs beside the shell, which else would hear of SIGTERM only when it is over.
-constexpr const char* waiting = R"(worker=$!
-stop() { signalled=yes; kill -TERM "$worker" 2>/dev/null; }
-trap stop TERM INT
-while :; do
-  signalled=
-  wait "$worker"
-  code=$?
-  [ -n "$signalled" ] || break
-done
-trap - TERM INT
-
-)";
 
 /// The kernel counts what it kills for want of memory in the control group that Slurm made for the
 /// job (cgroup v1 and v2): Slurm itself goes by that, but forgets the job some minutes later.
@@ -139,15 +129,13 @@ std::string ending(const BatchJob& job, const SlurmSite& site) {
       back_into_queue("try_again", "scontrol requeue", site.requeues_transient, worker_transient) +
       back_into_queue("hold", "scontrol requeuehold State=SpecialExit", site.holds_wrong_setup,
                       worker_wrong_setup);
-  text +=
-      "\n[ $code -ne 0 ] || { rm -f -- \"$ended\"; exit 0; }\n"
-      "restarts=${SLURM_RESTART_COUNT:-0}\n" +
-      fmt::format(memory_check, lack_of_memory) +
-      "echo \"$code $restarts ${SLURMD_NODENAME:-$(hostname)} $lack\" >\"$ended\"\n"
-      "echo \"mien farm: ended with $code on ${SLURMD_NODENAME:-$(hostname)} after $restarts "
-      "restarts\"\n";
+  text += "\n[ $code -ne 0 ] || { rm -f -- \"$ended\"; exit 0; }\n" +
+          fmt::format(memory_check, lack_of_memory) +
+          "echo \"$code $restarts ${SLURMD_NODENAME:-$(hostname)} $lack\" >\"$ended\"\n"
+          "echo \"mien farm: ended with $code on ${SLURMD_NODENAME:-$(hostname)} after $restarts "
+          "restarts\"\n";
   // `mien run` is a command for people, and has other codes.
-  const std::string again = job.elements > 0 ? std::to_string(worker_transient) : "130";
+  const int again = job.elements > 0 ? worker_transient : stopped_run;
   const std::string wrong = job.elements > 0 ? std::to_string(worker_bad_input) : "2";
   text += job.elements > 0 ? "# $code is the worker's: mien farm worker --help tells them.\n"
                            : fmt::format(
@@ -159,11 +147,13 @@ std::string ending(const BatchJob& job, const SlurmSite& site) {
       "case $code in\n"
       "  {0}) [ \"$restarts\" -ge {1} ] || try_again; exit {2} ;;  # stopped, or the machine's "
       "fault\n"
+      "  {6}) [ \"$restarts\" -lt {1} ] || hold; try_again ;;  # the folder was not well\n"
       "  {3}) exit {4} ;;  # bad input: trying again would not help\n"
       "  {5}) hold ;;  # the set-up is wrong: held until somebody has looked (scontrol release)\n"
       "  *) exit \"$code\" ;;\n"
       "esac\n",
-      again, most_restarts, worker_gave_up, wrong, worker_bad_input, worker_wrong_setup);
+      again, most_restarts, worker_gave_up, wrong, worker_bad_input, worker_wrong_setup,
+      worker_no_disk);
   return text;
 }
 
@@ -200,8 +190,10 @@ std::string batch_script(const BatchJob& job, const fs::path& folder, const Stud
   for (const fs::path& path : {folder, call.program, call.manifest, call.out, call.started}) {
     refuse_unwritable(path);
   }
-  return "#!/bin/bash\n" + introduction(job, call) + options(job, folder, call, request) +
-         paths(job, folder, call) + call_text(job, call, request) + waiting + ending(job, site);
+  const int stopped = job.elements > 0 ? worker_transient : stopped_run;
+  return "#!/bin/bash\n" + introduction(job, call) + options(job, call, request) +
+         paths(job, folder, call) + job_attempts(call_text(job, call, request), stopped) +
+         ending(job, site);
 }
 
 }  // namespace mien::pipeline

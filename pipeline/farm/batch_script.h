@@ -43,7 +43,9 @@ struct BatchJob {
 /// end well.
 ///
 /// The job passes SIGTERM on. What ended with worker_transient goes back into the queue, but
-/// most_restarts times at most; a wrong set-up is held.
+/// most_restarts times at most; a wrong set-up is held. A folder that is full, read-only or away is
+/// waited for (job_attempts.h); what waited in vain goes back into the queue, and is held in the
+/// end.
 std::string batch_script(const BatchJob& job, const std::filesystem::path& folder,
                          const StudyCall& call, const JobRequest& request, const SlurmSite& site);
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 
 #include "pipeline/farm/film_lengths.h"
+#include "pipeline/farm/silent_jobs.h"
 #include "pipeline/farm/stages.h"
 #include "pipeline/farm/submission.h"
+#include "pipeline/tasks/disk_fault.h"
 
 namespace mien::pipeline {
 
@@ -109,6 +112,18 @@ void add_jobs(const std::vector<JobFate>& fates, FarmStatus& status) {
   }
 }
 
+/// Nothing is written of it where a log would be, on that disk.
+std::string ailment_now(const fs::path& folder, const std::string& key,
+                        const std::optional<std::vector<QueueRow>>& queue) {
+  std::error_code unknown;
+  if (fs::exists(folder, unknown)) return disk_ailment(folder);
+  const bool has_jobs = queue && !live_jobs_called(*queue, key).empty();
+  return has_jobs ? folder.string() +
+                        " is not there, and Slurm has jobs that work in it: is the "
+                        "disk that holds it mounted on this machine?"
+                  : "";
+}
+
 std::optional<double> seconds_left(const FarmStatus& status) {
   double pace = 0.0;
   for (const NodeStatus& node : status.nodes) pace += node.frames_per_second;
@@ -155,7 +170,7 @@ StudyState study_state(const Production& production, const fs::path& folder,
 
 FarmStatus farm_status(const Production& production, const fs::path& folder,
                        const std::optional<std::vector<QueueRow>>& queue, const std::string& fault,
-                       const std::string& words) {
+                       const std::string& words, const NodeStates& nodes) {
   FarmStatus status;
   status.study = production.manifest().study;
   status.folder = folder.string();
@@ -167,8 +182,10 @@ FarmStatus farm_status(const Production& production, const fs::path& folder,
   status.frames = frames_share(production, outcomes, kept, folder);
   const StudyState state = state_of(production, outcomes, folder, words);
   status.is_complete = state.is_complete;
+  status.disk = ailment_now(folder, state.graph_key, queue);
   status.failed = failed_items(folder);
-  add_workers(worker_reports(folder), status);
+  const std::vector<WorkerReport> workers = worker_reports(folder);
+  add_workers(workers, status);
   if (queue) {
     const JournalContent journal = SubmissionJournal(folder).read();
     const std::vector<JobFate> fates = job_fates(journal, *queue, folder);
@@ -177,6 +194,8 @@ FarmStatus farm_status(const Production& production, const fs::path& folder,
     std::erase_if(status.troubles, [](const JobTrouble& trouble) {
       return trouble.kind == JobTrouble::Kind::cancelled;
     });
+    std::ranges::move(silent_jobs(fates, {workers, nodes, status.disk.empty()}, words),
+                      std::back_inserter(status.troubles));
     if (!status.is_complete) status.losses = told_losses(fates);
   } else {
     status.without_slurm = fault;

@@ -41,7 +41,8 @@ struct FarmStatus {
   std::map<std::string, int> waiting;  ///< elements by Slurm's reason
   std::vector<JobTrouble> troubles;
   std::vector<FailedItem> failed;
-  std::vector<std::string> losses;     ///< told_losses
+  std::vector<std::string> losses;  ///< told_losses
+  std::string disk;                 ///< what ails the study's folder now; empty when nothing does
   std::optional<double> seconds_left;  ///< at the present pace; none while no frame is drawn
   bool is_complete = false;            ///< all is there, the study's record too
   std::string without_slurm;           ///< why nothing is known of jobs; empty when it is
@@ -52,10 +53,10 @@ struct FarmStatus {
 };
 
 /// From the store at a glance, the workers' own reports and the queue; `queue` may be missing,
-/// `fault` says why. `words`: how the study is told in commands.
+/// `fault` says why. `words`: how the study is told in commands. `nodes`: how Slurm's nodes are.
 FarmStatus farm_status(const Production& production, const std::filesystem::path& folder,
                        const std::optional<std::vector<QueueRow>>& queue, const std::string& fault,
-                       const std::string& words);
+                       const std::string& words, const NodeStates& nodes = {});
 
 /// What `job_troubles` are told against.
 StudyState study_state(const Production& production, const std::filesystem::path& folder,

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether any of the job has written a log: each does as soon as it begins.
+/// Whether any of the job has written a log: each does as soon as it begins, or finds room.
 bool has_begun(const JournalJob& job, const fs::path& folder) {
   const fs::path logs = folder / "farm" / job.submission / "log";
   const std::string stem = "-" + job.name + "-" + job.job;
@@ -75,6 +75,16 @@ std::vector<std::string> live_jobs(const std::vector<JobFate>& fates) {
   return jobs;
 }
 
+std::vector<std::string> live_jobs_called(const std::vector<QueueRow>& queue,
+                                          const std::string& graph_key) {
+  std::vector<std::string> jobs;
+  for (const QueueRow& row : queue) {
+    if (is_live(row) && row.comment.starts_with("mien:" + graph_key + ":"))
+      jobs.push_back(name_of(row));
+  }
+  return jobs;
+}
+
 std::vector<std::string> told_losses(const std::vector<JobFate>& fates) {
   std::vector<std::string> told;
   for (const JobFate& fate : fates) {
@@ -82,7 +92,8 @@ std::vector<std::string> told_losses(const std::vector<JobFate>& fates) {
     const std::string name = fate.journal.submission + "/" + fate.journal.name;
     if (fate.kind == JobFate::Kind::lost) {
       told.push_back("Slurm no longer has job " + fate.journal.job + " (" + name +
-                     "), which never ran: lost by its controller, or cancelled by hand");
+                     "), which left no log: lost by its controller, cancelled by hand, or "
+                     "over before it could write one");
     } else if (fate.kind == JobFate::Kind::unanswered) {
       told.push_back(name + " was to be submitted, but there is no such job");
     }

@@ -13,7 +13,7 @@ struct JobFate {
   enum class Kind {
     live,       ///< some of it waits or runs
     ended,      ///< all of it is over, well or not
-    lost,       ///< Slurm forgot it before any of it ran, or gave its number to another job
+    lost,       ///< Slurm forgot it before any of it wrote a log, or gave its number to another
     unanswered  ///< the client stopped between intent and answer, and Slurm does not have it
   };
   Kind kind = Kind::ended;
@@ -32,6 +32,10 @@ std::vector<JobFate> job_fates(const JournalContent& journal, const std::vector<
 
 /// Of all of them: "17_3", as scancel takes it, or "17".
 std::vector<std::string> live_jobs(const std::vector<JobFate>& fates);
+
+/// Jobs that wait or run, whoever submitted them, of the study with this graph key (submission.h).
+std::vector<std::string> live_jobs_called(const std::vector<QueueRow>& queue,
+                                          const std::string& graph_key);
 
 /// The jobs of the newest submission that Slurm lost, and those it never answered for, in
 /// sentences; empty when all is well.

@@ -122,8 +122,10 @@ class TroubleFinder {
     trouble.job = name_of(row);
     trouble.reason = row.reason;
     const std::optional<ElementEnd> end = end_of(fate.journal, element, ends_);
-    // Only a wrong set-up makes a job hold itself: other codes are of an attempt before.
-    const bool held_itself = end && end->code == worker_wrong_setup && !asks_too_much(row);
+    // Only these make a job hold itself: other codes are of an attempt before.
+    const bool held_itself = end &&
+                             (end->code == worker_wrong_setup || end->code == worker_no_disk) &&
+                             !asks_too_much(row);
     add(std::move(trouble), is_outdated   ? words_of_edit(study_.words)
                             : held_itself ? words_of_end(*end, false, study_.words)
                                           : words_of_hold(row, study_.words));
@@ -184,6 +186,8 @@ const char* title_of(JobTrouble::Kind kind) {
       return "held by Slurm";
     case JobTrouble::Kind::outdated:
       return "of no use any more";
+    case JobTrouble::Kind::silent:
+      return "silent, while Slurm counts them as running";
     case JobTrouble::Kind::ended:
       return "ended badly";
     case JobTrouble::Kind::cancelled:

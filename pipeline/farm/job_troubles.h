@@ -14,6 +14,7 @@ struct JobTrouble {
   enum class Kind {
     held,      ///< Slurm keeps it, and it will not run by itself
     outdated,  ///< waits or runs, but the study is another by now: it will make nothing
+    silent,    ///< runs, as Slurm counts, but its node or its worker gives no sign of life
     ended,     ///< is over and left something undone
     cancelled  ///< likewise, because somebody took it back
   };

@@ -36,7 +36,7 @@ std::set<std::string> covered_items(const std::vector<JobFate>& fates, const fs:
     const auto lines = lines_of_list(list_of(fate.journal, folder));
     for (const QueueRow& row : fate.live()) {
       const auto line = static_cast<std::size_t>(row.index.value_or(0));
-      if (is_stuck(row) || line < 1 || line > lines.size()) continue;
+      if (!goes_on(row) || line < 1 || line > lines.size()) continue;
       covered.insert(lines[line - 1].begin(), lines[line - 1].end());
     }
   }

@@ -10,7 +10,7 @@
 
 namespace mien::pipeline {
 
-/// Items that jobs make which wait or run, stuck ones left out. `folder`: the study's.
+/// Items of jobs that go on by themselves. `folder`: the study's.
 std::set<std::string> covered_items(const std::vector<JobFate>& fates,
                                     const std::filesystem::path& folder);
 

@@ -150,6 +150,11 @@ std::vector<NodeShape> Slurm::nodes() const {
   return node_shapes(run_command({"sinfo", "-h", "-N", "-o", node_format}, limit_).output);
 }
 
+NodeStates Slurm::node_states() const {
+  return pipeline::node_states(
+      run_command({"sinfo", "-h", "-N", "-o", node_state_format}, limit_).output);
+}
+
 std::vector<QueueRow> Slurm::queue() const {
   return queue_rows(run({"squeue", "-h", "-r", "-a", "-t", "all", "-o", queue_format}).output);
 }

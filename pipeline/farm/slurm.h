@@ -41,6 +41,9 @@ class Slurm {
   /// Partitions and nodes; nothing where sinfo tells none.
   std::vector<NodeShape> nodes() const;
 
+  /// How each node is; nothing where sinfo does not tell.
+  NodeStates node_states() const;
+
   /// Jobs of everybody, those that ended a short time ago too; an element of an array a row.
   std::vector<QueueRow> queue() const;
 

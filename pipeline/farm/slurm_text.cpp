@@ -97,6 +97,39 @@ bool is_stuck(const QueueRow& row) {
           row.reason.starts_with("launch failed requeued held"));
 }
 
+bool goes_on(const QueueRow& row) {
+  return is_live(row) && !is_stuck(row) && row.state != "COMPLETING";
+}
+
+double seconds_run(const QueueRow& row) {
+  // "1-02:03:04", "2:03:04", "3:04"
+  std::string_view text = row.elapsed;
+  double days = 0.0;
+  if (const std::size_t dash = text.find('-'); dash != std::string_view::npos) {
+    days = whole_number(text.substr(0, dash)).value_or(0);
+    text.remove_prefix(dash + 1);
+  }
+  double seconds = 0.0;
+  do {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const auto part = whole_number(text.substr(0, colon));
+    if (!part) return 0.0;
+    seconds = 60.0 * seconds + *part;
+    text.remove_prefix(std::min(colon + 1, text.size()));
+  } while (!text.empty());
+  return 86400.0 * days + seconds;
+}
+
+NodeStates node_states(std::string_view text) {
+  NodeStates states;
+  for (const std::string_view line : lines_of(text)) {
+    const std::size_t bar = line.rfind('|');
+    if (bar == std::string_view::npos) continue;
+    states[std::string(trimmed(line.substr(0, bar)))] = trimmed(line.substr(bar + 1));
+  }
+  return states;
+}
+
 std::vector<NodeShape> node_shapes(std::string_view text) {
   std::vector<NodeShape> nodes;
   for (const std::string_view line : lines_of(text)) {

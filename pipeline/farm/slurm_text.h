@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,8 +35,24 @@ bool is_live(const QueueRow& row);
 /// Whether a job that waits will never run by itself: somebody has to look at it.
 bool is_stuck(const QueueRow& row);
 
+/// Whether a job that waits or runs will go on by itself: one that is about to end makes nothing
+/// more.
+bool goes_on(const QueueRow& row);
+
 /// Whether a job that waits asks for what its partition does not have.
 bool asks_too_much(const QueueRow& row);
+
+/// Seconds that it runs, or did; 0 where Slurm does not tell.
+double seconds_run(const QueueRow& row);
+
+/// What Slurm says of each node: "idle", "allocated*" (it does not answer), "drained".
+using NodeStates = std::map<std::string, std::string>;
+
+/// The format of `sinfo -N` (-o) that `node_states` reads.
+inline constexpr const char* node_state_format = "%N|%T";
+
+/// The rows of `sinfo -h -N -o <node_state_format>`; lines that are none are left out.
+NodeStates node_states(std::string_view text);
 
 /// A partition on a node, and the processors that it has there.
 struct NodeShape {

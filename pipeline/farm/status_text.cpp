@@ -3,6 +3,8 @@
 
 #include "motion/text/shell_word.h"
 #include "pipeline/farm/farm_status.h"
+#include "pipeline/farm/job_attempts.h"
+#include "pipeline/farm/worker_codes.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
@@ -59,6 +61,15 @@ std::string failed_text(const FailedItem& failed) {
   return text;
 }
 
+std::string disk_text(const FarmStatus& status) {
+  if (status.disk.empty()) return "";
+  if (!status.is_active()) return status.disk + "\n";
+  return fmt::format(
+      "{}\n  jobs wait for it where they run, {} an attempt, and go on by themselves when it is "
+      "well; after {} attempts they are held\n",
+      status.disk, as_duration(folder_patience_seconds), most_restarts + 1);
+}
+
 ordered_json node_json(const NodeStatus& node) {
   return {{"node", node.name},
           {"jobs", node.elements},
@@ -97,6 +108,7 @@ std::string status_text(const FarmStatus& status) {
   if (!status.nodes.empty()) text += "working:\n";
   for (const NodeStatus& node : status.nodes) text += node_text(node);
   text += waiting_text(status);
+  text += disk_text(status);
   text += troubles_text(status.troubles);
   if (!status.failed.empty()) text += "failed (mien farm logs " + status.words + " shows more):\n";
   for (const FailedItem& failed : status.failed) text += failed_text(failed);
@@ -140,12 +152,15 @@ ordered_json status_json(const FarmStatus& status) {
                        {"waiting", status.waiting},
                        {"held", troubles_json(status, JobTrouble::Kind::held)},
                        {"outdated", troubles_json(status, JobTrouble::Kind::outdated)},
+                       {"silent", troubles_json(status, JobTrouble::Kind::silent)},
                        {"ended", troubles_json(status, JobTrouble::Kind::ended)},
                        {"failed", failed},
                        {"lost", status.losses},
+                       {"disk", nullptr},
                        {"left_s", nullptr},
                        {"slurm", status.without_slurm.empty() ? "present" : status.without_slurm}};
   if (status.seconds_left) told["left_s"] = *status.seconds_left;
+  if (!status.disk.empty()) told["disk"] = status.disk;
   return told;
 }
 

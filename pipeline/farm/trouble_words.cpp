@@ -23,6 +23,16 @@ std::string look_and_submit(const std::string& study) {
   return "mien farm logs " + study + " tells more; " + submit(study);
 }
 
+std::string mend_folder(const std::string& study) {
+  return "make room in it, or bring it back; then " + submit(study);
+}
+
+/// Of a job that notes how it ends, and has not.
+TroubleWords words_of_no_note(const std::string& what, const std::string& study) {
+  return {what + " without a note of why, as where the study's folder is full, read-only or away",
+          mend_folder(study)};
+}
+
 TroubleWords short_of_memory(const std::string& study) {
   return {"too little memory",
           resume(study) + " asks for twice the memory if --mem was given, or for what --mem says"};
@@ -59,6 +69,12 @@ TroubleWords words_of_end(const ElementEnd& end, bool is_rest, const std::string
       return {fmt::format("{} times stopped, or failed by the machine's fault (exit code {})",
                           end.restarts + 1, worker_gave_up),
               look_and_submit(study)};
+    case worker_no_disk:
+      return {
+          fmt::format("waited in vain for the study's folder, which was full, read-only or away "
+                      "(exit code {})",
+                      worker_no_disk),
+          mend_folder(study)};
     case worker_gave_up:
       return {fmt::format("failed (exit code {})", worker_gave_up), look_and_submit(study)};
     case worker_wrong_setup:
@@ -82,6 +98,7 @@ TroubleWords words_of_state(const QueueRow& row, const std::string& study) {
     return {"time limit reached", submit(study) + ", with --time 4:00:00 for longer"};
   if (row.state == "NODE_FAIL" || row.state == "BOOT_FAIL") return {"the node died", submit(study)};
   if (row.state == "PREEMPTED") return {"preempted", submit(study)};
+  if (row.reason == "NonZeroExitCode") return words_of_no_note("ended by itself", study);
   return {"killed, or not to be started, without a word (" + row.reason + ")",
           look_and_submit(study)};
 }
@@ -103,6 +120,7 @@ TroubleWords words_of_hold(const QueueRow& row, const std::string& study) {
     return {"held by hand",
             "scontrol release lets it go on; " + resume(study) + " submits it anew"};
   }
+  if (row.state == "SPECIAL_EXIT") return words_of_no_note("held itself", study);
   return {"ended badly", look_first(study)};
 }
 

@@ -1,6 +1,7 @@
 #include "pipeline/farm/worker.h"
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 #include <map>
 #include <set>
@@ -88,6 +89,7 @@ class ItemGraph {
 
 int code_of(const TaskOutcome& outcome) {
   if (outcome.is_bad_input) return worker_bad_input;
+  if (outcome.is_disk_fault) return worker_no_disk;
   return outcome.is_transient ? worker_transient : worker_gave_up;
 }
 
@@ -133,16 +135,15 @@ TaskGraph graph_of_items(const TaskGraph& graph, const std::vector<std::string>&
   return wanted.build();
 }
 
+/// What may go better the next time counts first.
 int WorkResult::code() const {
   if (was_interrupted) return worker_transient;
-  int code = nondeterminism.empty() ? 0 : worker_gave_up;
-  for (const FailedWork& item : failed) {  // what may go better next time counts first
-    const bool counts = code == 0 || item.code == worker_transient ||
-                        (item.code == worker_gave_up && code == worker_bad_input);
-    if (counts) code = item.code;
-    if (code == worker_transient) break;
-  }
-  return code;
+  constexpr std::array rising = {0, worker_bad_input, worker_gave_up, worker_transient,
+                                 worker_no_disk};
+  auto most = std::find(rising.begin(), rising.end(), nondeterminism.empty() ? 0 : worker_gave_up);
+  for (const FailedWork& item : failed)
+    most = std::max(most, std::find(rising.begin(), rising.end(), item.code));
+  return most == rising.end() ? worker_gave_up : *most;
 }
 
 fs::path failure_path(const fs::path& folder, const std::string& item) {

@@ -4,6 +4,7 @@ namespace mien::pipeline {
 
 // How `mien farm worker` ends (the numbers are those of sysexits.h), and what a job makes of it.
 inline constexpr int worker_bad_input = 65;    ///< never tried again
+inline constexpr int worker_no_disk = 74;      ///< full, read-only or away: waited for
 inline constexpr int worker_transient = 75;    ///< stopped, or the machine's fault: tried again
 inline constexpr int worker_wrong_setup = 78;  ///< held until somebody has looked at it
 inline constexpr int worker_gave_up = 70;      ///< of a job: transient too often

@@ -55,6 +55,7 @@ std::vector<WorkerReport> worker_reports(const fs::path& folder) {
     WorkerReport report;
     report.host = record.host;
     report.process = static_cast<int>(record.process);
+    report.job = record.job;
     report.has_ended = is_gone(record);
     report.silent_s = age_of(worker_record_path(folder, record.name));
     for (const auto& [task, share] : record.tasks) report.tasks.push_back(task);

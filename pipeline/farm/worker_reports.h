@@ -11,6 +11,7 @@ namespace mien::pipeline {
 struct WorkerReport {
   std::string host;
   int process = 0;
+  std::string job;  ///< Slurm's, in which it runs: "17"; empty where there is none
   bool has_ended = false;
   double silent_s = 0.0;           ///< since it was last heard of
   std::vector<std::string> tasks;  ///< that it is at

@@ -6,8 +6,6 @@
 
 #include <sys/statvfs.h>
 
-#include "pipeline/documents/files.h"
-
 namespace mien::pipeline {
 
 namespace {
@@ -19,7 +17,7 @@ constexpr std::uint64_t full_below_bytes = 1 << 20;
 
 std::error_code code_of_disk(const fs::path& folder) {
   struct statvfs disk {};
-  if (::statvfs(folder.c_str(), &disk) != 0) return {};
+  if (::statvfs(folder.c_str(), &disk) != 0) return {errno, std::generic_category()};
   if ((disk.f_flag & ST_RDONLY) != 0) return std::make_error_code(std::errc::read_only_file_system);
   const bool has_room = std::uint64_t{disk.f_bavail} * disk.f_frsize >= full_below_bytes;
   const bool has_names = disk.f_files == 0 || disk.f_favail > 0;
@@ -33,24 +31,58 @@ std::error_code code_of(const std::exception& error) {
   return {};
 }
 
-std::string in_words(const std::error_code& code, const std::string& folder) {
-  constexpr const char* go_on = "; make room, and the same command goes on from here";
+/// A server that gave the folder and does not any more, or a disk that is mounted no longer.
+bool is_away(const std::error_code& code) {
+  return code == std::errc::no_such_file_or_directory || code == std::errc::not_connected ||
+         code == std::errc::no_such_device ||
+         code == std::error_code(ESTALE, std::generic_category());
+}
+
+struct Ailment {
+  std::string words;
+  std::string remedy;
+};
+
+Ailment ailment_of(const std::error_code& code, const std::string& folder) {
+  constexpr const char* make_room = "make room, and the same command goes on from here";
   if (code == std::errc::no_space_on_device)
-    return "the disk that holds " + folder + " is full" + go_on;
+    return {"the disk that holds " + folder + " is full", make_room};
   if (code == std::error_code(EDQUOT, std::generic_category()))
-    return "your quota of the disk that holds " + folder + " is used up" + go_on;
+    return {"your quota of the disk that holds " + folder + " is used up", make_room};
   if (code == std::errc::read_only_file_system) {
-    return folder + " cannot be written to (" + code.message() +
-           "); make the disk writable, or choose another folder with --out";
+    return {folder + " cannot be written to (" + code.message() + ")",
+            "make the disk writable, or choose another folder with --out"};
   }
-  return "";
+  return {};
+}
+
+/// Of a folder that should be there.
+Ailment absence_of(const fs::path& folder, const std::error_code& told) {
+  const std::error_code now = code_of_disk(folder);
+  if (!is_away(now) || (told && !is_away(told))) return {};
+  return {folder.string() + " is not there (" + now.message() + ")",
+          "bring back the disk that held it, and the same command goes on from here"};
+}
+
+std::string in_words(const Ailment& ailment) {
+  return ailment.words.empty() ? "" : ailment.words + "; " + ailment.remedy;
 }
 
 }  // namespace
 
 std::string disk_fault(const fs::path& folder, const std::exception& error) {
-  const std::string told = in_words(code_of(error), folder.string());
-  return told.empty() ? in_words(code_of_disk(folder), folder.string()) : told;
+  if (dynamic_cast<const DiskFault*>(&error) != nullptr) return error.what();
+  const std::error_code code = code_of(error);
+  for (const Ailment& one :
+       {ailment_of(code, folder.string()), ailment_of(code_of_disk(folder), folder.string()),
+        absence_of(folder, code)}) {
+    if (!one.words.empty()) return in_words(one);
+  }
+  return "";
+}
+
+std::string disk_ailment(const fs::path& folder) {
+  return ailment_of(code_of_disk(folder), folder.string()).words;
 }
 
 }  // namespace mien::pipeline

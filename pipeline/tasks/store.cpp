@@ -29,7 +29,7 @@ Store::Store(const fs::path& folder, Sharing sharing) {
   } catch (const std::exception& error) {
     const std::string fault = disk_fault(folder, error);
     if (fault.empty()) throw;
-    throw WriteFailure(fault);
+    throw DiskFault(fault);
   }
 }
 

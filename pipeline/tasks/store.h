@@ -57,7 +57,7 @@ class Store {
 
   /// Creates the folder and removes what attempts left whose processes are gone. Throws StoreBusy
   /// when another process works there and one of the two wants it to itself, and WriteFailure when
-  /// the folder cannot be written to.
+  /// the folder cannot be written to: a DiskFault where the disk is the reason.
   explicit Store(const std::filesystem::path& folder, Sharing sharing = Sharing::shared);
   ~Store();
   Store(const Store&) = delete;

@@ -2,10 +2,12 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 
 #include "pipeline/documents/files.h"
 #include "pipeline/tasks/disk_fault.h"
@@ -48,10 +50,20 @@ bool exchange([[maybe_unused]] const fs::path& one, [[maybe_unused]] const fs::p
 #endif
 }
 
+/// The disk that holds a folder; nothing when there is no such folder.
+std::optional<std::uint64_t> disk_of(const fs::path& folder) {
+  struct stat status {};
+  if (::stat(folder.c_str(), &status) != 0) return std::nullopt;
+  return status.st_dev;
+}
+
 }  // namespace
 
 Store::State::State(fs::path at, Sharing sharing)
-    : folder(std::move(at)), presence(folder, sharing == Sharing::exclusive), watch(folder) {
+    : folder(std::move(at)),
+      presence(folder, sharing == Sharing::exclusive),
+      disk(disk_of(folder).value_or(0)),
+      watch(folder) {
   refuse_company(sharing);
   remove_what_the_dead_left(folder, presence.file());
 }
@@ -79,13 +91,23 @@ fs::path Store::State::new_attempt() {
   return internal() / "attempts" / worker() / std::to_string(++attempts);
 }
 
+/// Where a disk was mounted, an empty folder is left when it is not any more: nobody would find
+/// what is written there.
+void Store::State::refuse_absence() const {
+  const auto now = disk_of(folder);
+  if (now && *now == disk) return;
+  throw DiskFault(folder.string() +
+                  (now ? " lies on another disk than before" : " is not there any more") +
+                  "; bring back the disk that held it, and the same command goes on from here");
+}
+
 void Store::State::in_attempt(const std::function<void(const fs::path&)>& work) {
+  refuse_absence();
   const Attempt attempt(new_attempt());
   try {
     work(attempt.folder());
   } catch (const std::exception& error) {
-    if (const std::string fault = disk_fault(folder, error); !fault.empty())
-      throw WriteFailure(fault);
+    if (const std::string fault = disk_fault(folder, error); !fault.empty()) throw DiskFault(fault);
     std::error_code unknown;
     if (fs::exists(attempt.folder(), unknown) || unknown) throw;
     throw WriteFailure(std::string(error.what()) + " (the folder was cleared away)");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <mutex>
@@ -24,7 +25,8 @@ struct Store::State {
   Maker self() const { return {presence.self().host, presence.self().instruction_set}; }
 
   /// Calls `work` with a new empty folder that no other attempt uses, and removes it afterwards.
-  /// What fails because of the disk is told so: it is looked at before the attempt makes room.
+  /// What fails because of the disk throws DiskFault: it is looked at before the attempt makes
+  /// room. So does a folder that is not there any more, whose disk is another: it is not made anew.
   void in_attempt(const std::function<void(const std::filesystem::path& attempt)>& work);
 
   /// Puts an attempt's file or folder in an artifact's place, and its receipt after it. If an
@@ -44,6 +46,7 @@ struct Store::State {
 
   std::filesystem::path folder;
   WorkerPresence presence;
+  const std::uint64_t disk;  ///< that holds the folder, as the system numbers it
   WorkerWatch watch;
   std::atomic<int> attempts = 0;
   mutable std::mutex mutex;
@@ -52,6 +55,7 @@ struct Store::State {
 
  private:
   void refuse_company(Sharing sharing);
+  void refuse_absence() const;
   std::filesystem::path new_attempt();
   void move_into_place(const std::filesystem::path& attempt, const Receipt& receipt);
   void write_receipt(const Receipt& receipt);

@@ -93,6 +93,7 @@ struct TaskOutcome {
   std::string error;
   bool is_bad_input = false;      ///< failed through the user's files, not the machine
   bool is_transient = false;      ///< failed through the machine, and may not the next time
+  bool is_disk_fault = false;     ///< likewise: the disk is full, read-only or away
   std::vector<Receipt> products;  ///< when cached or made, in the task's order
 };
 

@@ -58,7 +58,8 @@ TaskOutcome failure(const std::exception& error, const std::filesystem::path& fo
   if (outcome.is_bad_input) return outcome;
   const std::string fault = disk_fault(folder, error);
   if (!fault.empty()) outcome.error = fault;
-  outcome.is_transient = !fault.empty() ||
+  outcome.is_disk_fault = !fault.empty();
+  outcome.is_transient = outcome.is_disk_fault ||
                          dynamic_cast<const std::system_error*>(&error) != nullptr ||
                          dynamic_cast<const WriteFailure*>(&error) != nullptr ||
                          dynamic_cast<const std::bad_alloc*>(&error) != nullptr;

@@ -110,6 +110,7 @@ WorkerRecord record_of_this_process() {
   record.process_space = process_space();
   record.process = ::getpid();
   record.process_start = start_of(record.process);
+  if (const char* job = std::getenv("SLURM_JOB_ID"); job != nullptr) record.job = job;
   record.instruction_set = instructions;
   record.started = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   record.name = fmt::format("{}-{}-{}", record.host, record.process, random_word());
@@ -125,6 +126,7 @@ std::string to_json(const WorkerRecord& record) {
                        {"process_space", record.process_space},
                        {"pid", record.process},
                        {"process_start", record.process_start},
+                       {"job", record.job},
                        {"instruction_set", record.instruction_set},
                        {"started", record.started},
                        {"beats", record.beats},
@@ -146,6 +148,7 @@ std::optional<WorkerRecord> worker_record_from_json(const std::string& text) {
     record.process_space = object.at("process_space");
     record.process = object.at("pid");
     record.process_start = object.at("process_start");
+    record.job = object.value("job", "");
     record.instruction_set = object.at("instruction_set");
     record.started = object.at("started");
     record.beats = object.at("beats");

@@ -18,6 +18,7 @@ struct WorkerRecord {
   std::string process_space;    ///< in which the number counts (containers have their own)
   std::int64_t process = 0;     ///< its number
   std::string process_start;    ///< ticks after the boot, since numbers are used again
+  std::string job;              ///< Slurm's, in which it runs: "17"; empty where there is none
   std::string instruction_set;  ///< of the processor, as far as pictures are concerned: "avx2"
   std::string started;          ///< UTC, for people
   std::uint64_t beats = 0;      ///< counts up while it lives

@@ -175,6 +175,52 @@ TEST_F(FarmOnSlurm, PassesScancelOnToTheWorker) {
   EXPECT_NE(logs.find("jobs that were cancelled are left out"), std::string::npos) << logs;
 }
 
+TEST_F(FarmOnSlurm, WaitsForAFolderThatIsAwayAndTakesScancel) {
+  write_files();
+  const fs::path script = scratch.path() / "frames.sbatch";
+  fs::copy_file(submission() / "2-frames.sbatch", script);
+  const fs::path away = out.string() + "-away";
+  fs::rename(out, away);
+  const std::string answer = must_run({"sbatch", "--parsable", "--array=1", script.string()});
+  const std::string number = answer.substr(0, answer.find('\n'));
+  const std::string cancelled = submit_changed(script, stand_in("exit 0"), {"--array=2"});
+  ASSERT_TRUE(wait_until(30.0, [&] {
+    return state_of(number, "1") == "RUNNING" && state_of(cancelled, "2") == "RUNNING";
+  })) << state_of(number, "1");
+  const std::string told = farm({"status"}).output;
+  EXPECT_NE(told.find("tiny is not there, and Slurm has jobs that work in it"), std::string::npos)
+      << told;
+  const Ended submitted = farm({"submit"});
+  EXPECT_NE(submitted.code, 0);
+  EXPECT_NE(submitted.errors.find("is the disk that holds it mounted"), std::string::npos)
+      << submitted.errors;
+  EXPECT_FALSE(fs::exists(out)) << "it was made anew";
+  must_run({"scancel", cancelled});
+  EXPECT_TRUE(wait_until(8.0, [&] { return state_of(cancelled, "2") == "CANCELLED"; }))
+      << state_of(cancelled, "2");
+  fs::rename(away, out);
+  ASSERT_TRUE(cluster->wait_until_empty(60.0));
+  EXPECT_EQ(state_of(number, "1"), "COMPLETED");
+  EXPECT_NE(log_of("2-frames", number + "_1").find("mien farm: goes on; "), std::string::npos)
+      << log_of("2-frames", number + "_1");
+  EXPECT_NE(farm({"logs"}, {"film:one"}).output.find("goes on"), std::string::npos);
+}
+
+TEST_F(FarmOnSlurm, TellsOfJobsWhoseNodeDoesNotAnswer) {
+  write_files();
+  const std::string job =
+      submit_changed(submission() / "2-frames.sbatch", stand_in("exec sleep 300"), {"--array=1-2"});
+  ASSERT_TRUE(wait_until(30.0, [&] { return status()["running"] == 2; }));
+  cluster->kill_node(1);
+  std::string told;
+  EXPECT_TRUE(wait_until(60.0, [&] {
+    told = farm({"status"}).output;
+    return told.find("\n  n1 does not answer (") != std::string::npos;
+  })) << told;
+  EXPECT_NE(told.find("scontrol show node n1"), std::string::npos) << told;
+  EXPECT_NE(told.find("scancel " + job + "_"), std::string::npos) << told;
+}
+
 TEST_F(FarmOnSlurm, NoticesThatTheControllerForgotAllAndGoesOn) {
   ASSERT_EQ(farm({"submit"}, {"--chunk", "4"}).code, 0);
   cluster->kill_controller();

@@ -1,5 +1,7 @@
 #include "faults/farm_disk_trials.h"
 
+#include <functional>
+
 #include "pipeline/farm/fake_programs.h"
 
 #include "end_to_end/farm_study.h"
@@ -22,6 +24,7 @@ class HoldingSlurm {
     programs_.write("cancelled", "");
     programs_.say("sinfo", "main*|4\n");
     programs_.say("scontrol", "MaxArraySize = 1001\n");
+    programs_.add("sleep", "exec /bin/sleep 0.1");
     programs_.add("squeue", "cat " + at + "/rows");
     programs_.add("scancel", "echo \"$@\" >>" + at + "/cancelled");
     programs_.add("sbatch",
@@ -67,6 +70,50 @@ void resume_on_full_disk(const fs::path& manifest, const fs::path& out, Figures&
   ++figures.studies;
 }
 
+/// How a disk is made ill, and what is said of it.
+struct Illness {
+  std::string name;
+  std::string words;
+  std::function<bool(OwnDisk& disk, const fs::path& out)> strike;
+};
+
+std::vector<Illness> illnesses() {
+  return {{"full", "is full",
+           [](OwnDisk& disk, const fs::path& out) {
+             const fs::space_info space = fs::space(out);
+             return disk.resize(space.capacity - space.free);
+           }},
+          {"read-only", "Read-only file system",
+           [](OwnDisk& disk, const fs::path&) { return disk.set_read_only(true); }}};
+}
+
+void wait_on_ailing_disk(const Illness& illness, const fs::path& manifest, const fs::path& out,
+                         Figures& figures) {
+  OwnDisk disk(out, ample_room);
+  const HoldingSlurm slurm;
+  const auto farm = [&](const char* command) {
+    return run_mien({"farm", command, manifest.string(), "--out", out.string()});
+  };
+  Trial::expect_code(farm("submit"), 0, "submit", figures);
+  const fs::path submission = out / "tiny/farm/0001";
+  if (!illness.strike(disk, out)) figures.complaints.push_back(illness.name + ": is well");
+  ++figures.faults;
+  Running job({"env", "SLURM_JOB_ID=1", "SLURM_ARRAY_JOB_ID=1", "SLURM_ARRAY_TASK_ID=1", "bash",
+               (submission / "1-motions.sbatch").string()});
+  pause_for(1.0);
+  if (!job.is_running()) figures.complaints.push_back(illness.name + ": the job did not wait");
+  const std::string told = farm("status").output;
+  if (told.find(illness.words) == std::string::npos)
+    figures.complaints.push_back(illness.name + ": status tells " + told);
+  disk.set_read_only(false);
+  disk.resize(ample_room);
+  Trial::expect_code(Trial::ended(job), 0, illness.name + ", then well", figures);
+  const std::string log = text_of(submission / "log/tiny-1-motions-1_1.log");
+  if (log.find("mien farm: goes on") == std::string::npos)
+    figures.complaints.push_back(illness.name + ": the log tells " + log);
+  ++figures.studies;
+}
+
 }  // namespace
 
 Figures resumed_on_full_disks() {
@@ -75,6 +122,17 @@ Figures resumed_on_full_disks() {
     const Scratch scratch;
     const fs::path manifest = scratch.write("tiny.yaml", tiny_study);
     resume_on_full_disk(manifest, scratch.path() / "out", own);
+  });
+  return figures;
+}
+
+Figures jobs_on_ailing_disks() {
+  Figures figures{.fault = "jobs whose folder is full or read-only for a while"};
+  with_own_mounts(figures, [](Figures& own) {
+    const Scratch scratch;
+    const fs::path manifest = scratch.write("tiny.yaml", tiny_study);
+    for (const Illness& illness : illnesses())
+      wait_on_ailing_disk(illness, manifest, scratch.path() / illness.name, own);
   });
   return figures;
 }

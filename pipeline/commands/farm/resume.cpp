@@ -31,8 +31,8 @@ std::vector<std::string> arrays_that_live(const std::vector<JobFate>& fates,
   std::vector<std::string> arrays;
   for (const JobFate& fate : fates) {
     for (const QueueRow& row : fate.live()) {
-      const bool is_kept =
-          std::find(obsolete.begin(), obsolete.end(), name_of(row)) == obsolete.end();
+      const bool is_kept = goes_on(row) && std::find(obsolete.begin(), obsolete.end(),
+                                                     name_of(row)) == obsolete.end();
       if (is_kept && std::find(arrays.begin(), arrays.end(), row.array) == arrays.end()) {
         arrays.push_back(row.array);
       }
@@ -57,8 +57,7 @@ bool waits_for_rest(const std::vector<JobFate>& fates) {
   return std::any_of(fates.begin(), fates.end(), [](const JobFate& fate) {
     if (fate.journal.elements != 0) return false;
     const std::vector<QueueRow> live = fate.live();
-    return std::any_of(live.begin(), live.end(),
-                       [](const QueueRow& row) { return !is_stuck(row); });
+    return std::any_of(live.begin(), live.end(), goes_on);
   });
 }
 

@@ -25,8 +25,10 @@ struct StatusCommand {
 
 FarmStatus status_of(const FarmStudy& study, const FarmArguments& arguments) {
   std::string fault;
-  const auto queue = Slurm().queue_if_any(fault);
-  return farm_status(study.production, study.folder, queue, fault, study_words(arguments));
+  const Slurm slurm;
+  const auto queue = slurm.queue_if_any(fault);
+  return farm_status(study.production, study.folder, queue, fault, study_words(arguments),
+                     queue ? slurm.node_states() : NodeStates());
 }
 
 void show(const FarmStatus& status, const StatusCommand& command, const Console& console) {

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "motion/error.h"
 #include "pipeline/commands/farm/submission_options.h"
@@ -16,6 +17,20 @@ struct SubmitCommand {
   bool dry_run = false;
   bool json = false;
 };
+
+/// Where the disk that holds the study is not mounted, its folder would be made anew beside it.
+void refuse_absent_folder(const JournalContent& journal, const std::vector<QueueRow>& queue,
+                          const FarmStudy& study) {
+  if (!journal.jobs.empty()) return;
+  const std::string key = graph_key(study.production.graph(), study.folder);
+  const std::vector<std::string> live = live_jobs_called(queue, key);
+  if (live.empty()) return;
+  throw Error("Slurm has jobs of this study (" + live.front() +
+                  (live.size() > 1 ? fmt::format(" and {} more", live.size() - 1) : "") +
+                  "), but " + study.folder.string() + " knows of none",
+              "is the disk that holds it mounted on this machine? Where the folder was removed, "
+              "scancel ends them");
+}
 
 void refuse_second(const std::vector<std::string>& live, const FarmArguments& arguments) {
   if (live.empty()) return;
@@ -55,7 +70,10 @@ int submit_study(const SubmitCommand& command, const Console& console) {
   refuse_too_many_processors(asked.request, slurm);
   const SubmissionJournal journal(study.folder);
   const std::vector<QueueRow> queue = slurm.queue();
-  refuse_second(live_jobs(job_fates(journal.read(), queue, study.folder)), command.study);
+  const JournalContent content = journal.read();
+  refuse_absent_folder(content, queue, study);
+  const std::vector<JobFate> fates = job_fates(content, queue, study.folder);
+  refuse_second(live_jobs(fates), command.study);
   const DueWork work = due_work(study, asked, {});
   if (work.is_done(study)) {
     console.out << study.folder.string() << ": nothing to do, all is done\n";

@@ -20,6 +20,7 @@
 #include "pipeline/farm/task_list.h"
 #include "pipeline/farm/work_item.h"
 #include "pipeline/farm/worker_codes.h"
+#include "pipeline/tasks/disk_fault.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
@@ -159,7 +160,10 @@ int worker(const WorkerArguments& arguments, const Console& console) {
   } catch (const Error& error) {
     console.err << error.what() << '\n';
     return worker_bad_input;
-  } catch (const std::exception& error) {  // the folder is not there, or cannot be written to
+  } catch (const DiskFault& fault) {
+    console.err << "mien: " << fault.what() << '\n';
+    return worker_no_disk;
+  } catch (const std::exception& error) {  // the folder cannot be written to
     console.err << "mien: " << failure_text(error) << '\n';
     return worker_transient;
   }
@@ -186,7 +190,8 @@ void add_farm_worker_command(CLI::App& farm, Command& chosen) {
   command->footer(
       "\nAny number of workers may work on a study at a time, on machines that share its folder; "
       "what they need and is not there they make themselves.\nExit codes: 0 made, 65 bad input, 70 "
-      "failed, 75 stopped or perhaps better next time, 78 the set-up is wrong.\n\nExamples:\n"
+      "failed, 74 the disk is full, read-only or away, 75 stopped or perhaps better next time, 78 "
+      "the set-up is wrong.\n\nExamples:\n"
       "  mien farm worker my.yaml --tasks \"film:walk-1[1/2]\"\n"
       "  mien farm worker my.yaml --list films.tasks --line 3");
   command->callback([&chosen, arguments] {

@@ -127,6 +127,77 @@ TEST_F(BatchScript, DoesNotBringACancelledJobToLife) {
   EXPECT_EQ(programs.text_of("words"), "");
 }
 
+TEST_F(BatchScript, WaitsForAFolderThatIsAwayBeforeItBegins) {
+  const FakePrograms programs;
+  programs.add("sleep", "mkdir -p " + shell_word((folder / "ends").string()));
+  write_worker("echo made");
+  fs::remove_all(folder / "ends");
+  const CommandEnd end = run_element(3);
+  EXPECT_EQ(end.code, 0) << end.errors;
+  EXPECT_NE(end.output.find("is not there; waits for that, 3600 s at most"), std::string::npos);
+  EXPECT_NE(end.output.find("goes on; 10 s were waited, because"), std::string::npos);
+  EXPECT_NE(end.output.find("made\n"), std::string::npos);
+}
+
+TEST_F(BatchScript, CountsNoFailureOfAWorkerWhoseFolderWasNotWell) {
+  const FakePrograms programs;
+  const std::string ends = shell_word((folder / "ends").string());
+  const std::string calls = shell_word((root / "calls").string());
+  programs.add("sleep", "mkdir -p " + ends);
+  const std::string count = "echo x >>" + calls + "; [ $(wc -l <" + calls + ") -gt 2 ] && exit 0\n";
+  for (const std::string& first : {std::string("exit 74"), "rmdir " + ends + "; exit 75",
+                                   "rmdir " + ends + "; exit 78", "rmdir " + ends + "; exit 1"}) {
+    fs::remove(root / "calls");
+    write_worker(count + first);
+    EXPECT_EQ(run_element(3).code, 0) << first;
+    EXPECT_EQ(contents(root / "calls"), "x\nx\nx\n") << first;
+    EXPECT_EQ(end_note(), "") << first;
+  }
+}
+
+TEST_F(BatchScript, WaitsForAFolderAsLongAsItHasPatienceAndIsHeldInTheEnd) {
+  const FakePrograms programs;
+  programs.add("sleep", "exit 0");
+  const SlurmSite requeues{1001, true, true};
+  write_worker("exit 74");
+  EXPECT_EQ(run_element(3, 2, requeues).code, 75);
+  EXPECT_EQ(run_element(3, 3, requeues).code, 78);
+  EXPECT_EQ(end_note(), "74 3 n1 \n");
+  fs::remove(root / "words");
+  fs::remove_all(folder / "ends");
+  EXPECT_EQ(run_element(3, 0, requeues).code, 75);
+  EXPECT_EQ(run_element(3, 3, requeues).code, 78);
+  EXPECT_FALSE(fs::exists(root / "words")) << "the worker would make the folder anew";
+}
+
+TEST_F(BatchScript, EndsWhileItWaitsWhenItIsToldToStop) {
+  write_worker("exit 0");
+  fs::remove_all(folder / "ends");
+  const std::string run = "bash " + shell_word(write_script({1001, true, true}).string()) + " >" +
+                          shell_word((root / "said").string()) +
+                          " & job=$!\n"
+                          "until [ -s " +
+                          shell_word((root / "said").string()) +
+                          " ]; do sleep 0.05; done\n"
+                          "kill -TERM $job; wait $job; exit $?";
+  EXPECT_EQ(run_command({"bash", "-c", run}, std::chrono::seconds(30)).code, 75);
+}
+
+TEST_F(BatchScript, WritesItsLogItselfWhereSlurmRunsIt) {
+  EXPECT_NE(contents(write_script()).find("#SBATCH --output=/dev/null\n"), std::string::npos);
+  fs::create_directories(folder / "log");
+  write_worker("echo made; echo ill >&2; exit 70");
+  const CommandEnd end =
+      run_command({"env", "SLURM_JOB_ID=20", "SLURM_ARRAY_JOB_ID=17", "SLURM_ARRAY_TASK_ID=3",
+                   "SLURMD_NODENAME=n1", "bash", write_script().string()},
+                  std::chrono::seconds(60));
+  EXPECT_EQ(end.code, 70);
+  EXPECT_EQ(end.output + end.errors, "");
+  const std::string log = contents(folder / "log" / "walks-2-frames-17_3.log");
+  EXPECT_TRUE(log.starts_with("made\nill\n")) << log;
+  EXPECT_NE(log.find("ended with 70 on n1"), std::string::npos) << log;
+}
+
 TEST_F(BatchScript, EndsOtherwiseAsTheWorkerDoes) {
   for (const int code : {1, 65, 70, 137}) {
     write_worker(code == 137 ? "kill -9 $$" : "exit " + std::to_string(code));

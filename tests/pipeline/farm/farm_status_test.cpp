@@ -153,6 +153,17 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
   EXPECT_EQ(told["failed"][0]["item"], "film:two");
 }
 
+TEST_F(FarmStatusOfAStudy, TellsThatItsFolderIsAwayWhereSlurmHasJobsOfIt) {
+  EXPECT_EQ(status("1|1|1|RUNNING|None|n1|0:01|another's\n").disk, "");
+  const FarmStatus away = status("1|1|1|RUNNING|None|n1|0:01|" + named("2-frames") + "\n");
+  EXPECT_NE(status_text(away).find("tiny is not there, and Slurm has jobs that work in it"),
+            std::string::npos)
+      << status_text(away);
+  EXPECT_TRUE(status_json(away)["disk"].is_string());
+  fs::create_directories(folder);
+  EXPECT_TRUE(status_json(status())["disk"].is_null());
+}
+
 TEST_F(FarmStatusOfAStudy, DoesWithoutSlurm) {
   const FarmStatus without =
       farm_status(*production, folder, std::nullopt, "squeue is not there", "");

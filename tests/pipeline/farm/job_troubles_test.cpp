@@ -138,6 +138,23 @@ TEST_F(Troubles, AreOfMemoryOnlyWhereSlurmOrTheControlGroupCountsThat) {
   EXPECT_EQ(causes, "2-frames.2 killed\n2-frames.3 memory\n2-frames.4 memory\n");
 }
 
+TEST_F(Troubles, OfAFolderThatWasNotWellSaySo) {
+  end(1, "74 3 n1 \n");
+  end(2, "");  // the disk was full
+  const auto found =
+      troubles(row(1, "SPECIAL_EXIT", "JobHeldUser") + row(2, "SPECIAL_EXIT", "JobHeldUser") +
+               row(3, "FAILED", "NonZeroExitCode"));
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_TRUE(found[0].cause.starts_with("waited in vain for the study's folder"))
+      << found[0].cause;
+  EXPECT_TRUE(found[1].cause.starts_with("held itself without a note of why")) << found[1].cause;
+  EXPECT_TRUE(found[2].cause.starts_with("ended by itself without a note")) << found[2].cause;
+  for (const JobTrouble& one : found) {
+    EXPECT_NE(one.cause.find("full, read-only or away"), std::string::npos) << one.cause;
+    EXPECT_TRUE(one.remedy.starts_with("make room in it, or bring it back; then mien farm resume"));
+  }
+}
+
 TEST_F(Troubles, AreNoneOnceItIsMadeOrSubmittedAgainOrTriedAgain) {
   end(1, "1 0 n1\n");  // the second submission has it, cut otherwise
   end(2, "1 0 n1\n");

@@ -52,6 +52,19 @@ TEST(QueueRows, AreStuckWhenNoNodeHasWhatTheyAskFor) {
   }
 }
 
+TEST(QueueRows, TellHowLongTheyHaveRun) {
+  const auto seconds = [](const char* elapsed) {
+    QueueRow row;
+    row.elapsed = elapsed;
+    return seconds_run(row);
+  };
+  EXPECT_EQ(seconds("0:00"), 0.0);
+  EXPECT_EQ(seconds("3:04"), 184.0);
+  EXPECT_EQ(seconds("2:03:04"), 7384.0);
+  EXPECT_EQ(seconds("1-02:03:04"), 86400.0 + 7384.0);
+  for (const char* none : {"", "INVALID", "-", "1-", "3:x"}) EXPECT_EQ(seconds(none), 0.0) << none;
+}
+
 TEST(NodeShapes, TellTheMostProcessorsOfAPartition) {
   const auto nodes = node_shapes("main*|4\nmain*|16\nlong|64\nsinfo: some words\n");
   ASSERT_EQ(nodes.size(), 3u);

@@ -311,6 +311,12 @@ TEST_F(Resuming, CountsItemsOfLiveElementsAsCovered) {
   EXPECT_EQ(obsolete_jobs(found), (std::vector<std::string>{"17_3", "18"}));
 }
 
+TEST_F(Resuming, DoesNotCountOnWhatIsAboutToEnd) {
+  EXPECT_TRUE(
+      covered_items(fates("19|17|2|COMPLETING|None|n1|9:01|mien:abc:0001:2-frames\n"), folder)
+          .empty());
+}
+
 TEST_F(Resuming, LeavesTheLastJobAloneWhileItRuns) {
   EXPECT_TRUE(
       obsolete_jobs(fates("18|18|N/A|RUNNING|None|n1|0:09|mien:abc:0001:6-rest\n")).empty());

@@ -126,6 +126,21 @@ TEST_F(Worker, AFailureIsToldInAFileUntilItIsMade) {
   EXPECT_FALSE(fs::exists(told));
 }
 
+TEST(WorkResults, EndAsWhatMayGoBetterNextTime) {
+  const auto code_of_all = [](const std::vector<int>& codes) {
+    WorkResult result;
+    for (const int code : codes) result.failed.push_back({"film:a", "", code});
+    return result.code();
+  };
+  std::vector<int> codes = {worker_bad_input, worker_gave_up, worker_transient, worker_no_disk};
+  while (!codes.empty()) {
+    EXPECT_EQ(code_of_all(codes), codes.back());
+    EXPECT_EQ(code_of_all({codes.rbegin(), codes.rend()}), codes.back());
+    codes.pop_back();
+  }
+  EXPECT_EQ(code_of_all({}), 0);
+}
+
 TEST(WorkItems, AreReadAndWritten) {
   EXPECT_EQ(work_item("film:a").task, "film:a");
   EXPECT_EQ(work_item("film:a").chunks, 0);

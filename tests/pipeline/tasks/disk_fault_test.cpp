@@ -26,6 +26,25 @@ TEST(DiskFault, IsToldInPlainWordsWithoutTheFile) {
   EXPECT_EQ(fault_of(ENOSPC).find("a.png"), std::string::npos);
 }
 
+TEST(DiskFault, IsToldOfAFolderThatIsAwayButNotInPlaceOfAnotherReason) {
+  const test::TemporaryFolder temporary;
+  const auto away = temporary.path() / "away";
+  const std::string told = disk_fault(away, std::runtime_error("no picture"));
+  EXPECT_NE(told.find("away is not there (No such file or directory); bring back the disk"),
+            std::string::npos)
+      << told;
+  const std::error_code denied(EACCES, std::generic_category());
+  EXPECT_EQ(disk_fault(away, std::system_error(denied, "a.png")), "");
+  EXPECT_EQ(disk_ailment(away), "");
+}
+
+TEST(DiskFault, IsTheSameHoweverOftenItIsAsked) {
+  const test::TemporaryFolder temporary;
+  const std::error_code full(ENOSPC, std::generic_category());
+  const std::string told = disk_fault(temporary.path(), WriteFailure("a: no", full));
+  EXPECT_EQ(disk_fault(temporary.path(), DiskFault(told)), told) << "there is room by now";
+}
+
 TEST(DiskFault, IsNoneWhereTheDiskIsWell) {
   EXPECT_EQ(fault_of(EACCES), "");
   EXPECT_EQ(fault_of(EIO), "");

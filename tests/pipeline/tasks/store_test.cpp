@@ -227,6 +227,20 @@ TEST_F(StoreTest, AnAttemptWhoseFolderWasClearedAwayMayBeTriedAgain) {
   EXPECT_EQ(attempts_left(), 0);
 }
 
+TEST_F(StoreTest, AFolderThatIsAwayIsNotMadeAnew) {
+  const fs::path away = folder.string() + "-away";
+  {
+    Store store(folder);
+    put(store, "a", "k", "text");
+    fs::rename(folder, away);
+    EXPECT_THROW(put(store, "b", "k", "text"), DiskFault);
+    EXPECT_FALSE(fs::exists(folder));
+    fs::rename(away, folder);
+    put(store, "b", "k", "text");
+  }
+  EXPECT_EQ(read_file(folder / "b"), "text");
+}
+
 TEST_F(StoreTest, AnAttemptThatWasOvertakenIsDropped) {
   Store slow(folder);
   Store fast(folder);

@@ -288,6 +288,26 @@ TEST_F(TaskGraphTest, TriesAgainWhatTheMachineMadeFail) {
   }
 }
 
+TEST_F(TaskGraphTest, KnowsWhatTheDiskMadeFailWhoeverFoundOut) {
+  const std::error_code full(ENOSPC, std::generic_category());
+  const auto outcome_of = [&](const auto& error) {
+    TaskGraph graph;
+    Task task = writing_task("a", {}, "word");
+    task.make = [&](TaskRun&) { throw error; };
+    graph.add(task);
+    return run_all(graph)[0];
+  };
+  for (const TaskOutcome& outcome :
+       {outcome_of(WriteFailure("full", full)), outcome_of(std::system_error(full)),
+        outcome_of(DiskFault("the disk is full"))}) {
+    EXPECT_TRUE(outcome.is_disk_fault);
+    EXPECT_TRUE(outcome.is_transient);
+  }
+  const TaskOutcome of_unknown_cause = outcome_of(WriteFailure("away"));
+  EXPECT_FALSE(of_unknown_cause.is_disk_fault);
+  EXPECT_TRUE(of_unknown_cause.is_transient);
+}
+
 TEST_F(TaskGraphTest, TwoRunsThatTakeTurnsInFailingComeToAnEnd) {
   std::atomic<int> tries = 0;
   TaskGraph graph;
