@@ -1,7 +1,9 @@
 #include "pipeline/tasks/remains.h"
 
+#include <algorithm>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "pipeline/tasks/claim.h"
@@ -50,10 +52,18 @@ class Broom {
     for (const fs::path& file : in_folder(folder_ / ".mien/workers")) {
       if (file.extension() == ".new" && is_given_up(file)) remove(file);
     }
+    std::vector<std::pair<double, fs::path>> records;  // of the dead, the newest first
     for (const WorkerRecord& record : read_worker_records(folder_)) {
-      if (record.ended || record.frames > 0 || !is_dead(folder_, record, now_)) continue;
-      remove(worker_record_path(folder_, record.name));
+      if (!is_dead(folder_, record, now_)) continue;
+      const fs::path file = worker_record_path(folder_, record.name);
+      if (record.frames > 0) {
+        records.emplace_back(seconds_between(file, now_), file);
+      } else if (!record.ended) {  // else it is removing its record itself
+        remove(file);
+      }
     }
+    std::ranges::sort(records);
+    for (std::size_t i = kept_records; i < records.size(); ++i) remove(records[i].second);
   }
 
  private:

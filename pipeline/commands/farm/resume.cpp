@@ -140,9 +140,11 @@ int resume_study(const ResumeCommand& command, const Console& console) {
   if (!command.dry_run) note_adopted(fates, journal);
   for (const std::string& loss : told_losses(fates)) console.err << loss << '\n';
   const std::string key = graph_key(study.production.graph(), study.folder);
+  const std::vector<JobFate> all_fates = fates;
   InTheWay in_the_way{live_jobs(take_outdated(fates, key)), {}};
 
   const DueWork work = due_work(study, asked, fates);
+  if (!command.dry_run) sweep_submissions(all_fates, work, study, console);
   if (work.is_done(study)) {
     take_back(in_the_way, command, slurm, console);
     console.out << study.folder.string() << ": nothing to do, all is done\n";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <regex>
+#include <set>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "motion/error.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/job_room.h"
+#include "pipeline/farm/spent_submissions.h"
 #include "pipeline/farm/worker_reports.h"
 #include "pipeline/tasks/progress.h"
 
@@ -161,6 +163,20 @@ DueWork due_work(FarmStudy& study, const JournalSubmission& asked,
   add_live_pieces(fates, work.frames, study.folder, work.pieces);
   work.pace = measured_pace(study, work.frames) / asked.request.processors;
   return work;
+}
+
+void sweep_submissions(const std::vector<JobFate>& fates, const DueWork& work,
+                       const FarmStudy& study, const Console& console) {
+  const TaskGraph& graph = study.production.graph();
+  std::set<std::string> due;
+  for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
+    if (work.is_due[i]) due.insert(graph.tasks[i].id);
+  }
+  const int removed = remove_submissions(spent_submissions(fates, due, study.folder), study.folder);
+  if (removed == 0) return;
+  console.err << "note: batch files and logs of " << removed << " older submission"
+              << (removed == 1 ? "" : "s")
+              << ", of which all is made or wanted no more, are removed\n";
 }
 
 std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& asked) {

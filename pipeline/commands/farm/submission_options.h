@@ -62,6 +62,11 @@ Submission fitting_submission(const FarmStudy& study, const StudyCall& call, con
                               const SlurmSite& site, const std::vector<QueueRow>& queue,
                               const Console& console);
 
+/// Removes the folders of older submissions that nobody needs any more, and says so. `fates`: of
+/// all jobs of the journal.
+void sweep_submissions(const std::vector<JobFate>& fates, const DueWork& work,
+                       const FarmStudy& study, const Console& console);
+
 /// What was submitted, and what to do next.
 void tell_submitted(const Submission& submission, const Submitted& submitted,
                     const FarmArguments& arguments, bool json, const Console& console);

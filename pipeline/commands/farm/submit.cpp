@@ -75,6 +75,7 @@ int submit_study(const SubmitCommand& command, const Console& console) {
   const std::vector<JobFate> fates = job_fates(content, queue, study.folder);
   refuse_second(live_jobs(fates), command.study);
   const DueWork work = due_work(study, asked, {});
+  sweep_submissions(fates, work, study, console);
   if (work.is_done(study)) {
     console.out << study.folder.string() << ": nothing to do, all is done\n";
     return exit_done;

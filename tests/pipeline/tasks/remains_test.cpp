@@ -85,6 +85,28 @@ TEST_F(Remains, OfAnotherMachineAreRemovedAfterADay) {
   }
 }
 
+TEST_F(Remains, KeepTheNewestRecordsOfWhoDrewFrames) {
+  constexpr int more = 3;
+  std::vector<fs::path> records;
+  for (int i = 0; i < static_cast<int>(kept_records) + more; ++i) {
+    WorkerRecord record = i % 2 == 0 ? of_another_machine() : of_the_dead();
+    record.name = "host-" + std::to_string((37 * i) % 101);
+    record.frames = 5;
+    record.ended = i % 2 == 0;
+    records.push_back(file(".mien/workers/" + record.name + ".json", to_json(record)));
+    let_be_silent(record, std::chrono::hours(i));
+  }
+  WorkerRecord living = of_another_machine();
+  living.name = "living";
+  living.frames = 5;
+  work_of(living);
+  let_be_silent(living, std::chrono::hours(20));
+  remove_what_the_dead_left(folder, now);
+  for (std::size_t i = 0; i < records.size(); ++i)
+    EXPECT_EQ(fs::exists(records[i]), i < kept_records) << i;
+  EXPECT_TRUE(fs::exists(worker_record_path(folder, living.name)));
+}
+
 TEST_F(Remains, OfNobodyAreRemoved) {
   const fs::path unsigned_claim = file(".mien/claims/1", "");
   const fs::path folder_as_claim = file(".mien/claims/2/inside", "");

@@ -1,0 +1,60 @@
+#include "pipeline/farm/spent_submissions.h"
+
+#include <algorithm>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "pipeline/farm/task_list.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "0001", and no other folder of the farm.
+bool is_submission_number(const std::string& name) {
+  return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
+}
+
+bool is_needed(const JobFate& fate, const std::set<std::string>& due, const fs::path& folder) {
+  if (fate.kind == JobFate::Kind::live) return true;
+  if (fate.journal.elements == 0) return false;
+  return std::ranges::any_of(lines_of_list(list_of(fate.journal, folder)), [&](const auto& line) {
+    return std::ranges::any_of(line, [&](const std::string& item) {
+      return due.contains(item.substr(0, item.find('[')));
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> spent_submissions(const std::vector<JobFate>& fates,
+                                           const std::set<std::string>& due,
+                                           const fs::path& folder) {
+  std::map<std::pair<std::size_t, std::string>, bool> needed;  // "9999" before "10000"
+  for (const JobFate& fate : fates) {
+    const std::string& number = fate.journal.submission;
+    if (!is_submission_number(number)) continue;
+    bool& is = needed[{number.size(), number}];
+    is = is || is_needed(fate, due, folder);
+  }
+  std::vector<std::string> spent;
+  std::size_t newer = needed.size();
+  for (const auto& [number, is] : needed) {
+    if (--newer >= kept_submissions && !is) spent.push_back(number.second);
+  }
+  return spent;
+}
+
+int remove_submissions(const std::vector<std::string>& numbers, const fs::path& folder) {
+  int removed = 0;
+  for (const std::string& number : numbers) {
+    std::error_code ignored;  // what cannot be removed harms nobody
+    removed += fs::remove_all(folder / "farm" / number, ignored) > 0 && !ignored ? 1 : 0;
+  }
+  return removed;
+}
+
+}  // namespace mien::pipeline
