@@ -90,8 +90,9 @@ class PicturesWriter {
     if (manifest_.equalize.luminance && std::ranges::any_of(manifest_.stimuli, has_dots)) {
       out_.say(
           "Point lights with equally many dots of one size and colour share one exposure, so that "
-          "their dots have one luminance wherever they are moved, as by scrambling; it is that of "
-          "the dots themselves which the exposure changes (metrics/exposure.csv)");
+          "their dots have one luminance wherever they are moved, as by scrambling, while the "
+          "means of their films may differ; it is that of the dots themselves which the exposure "
+          "changes (metrics/exposure.csv)");
     }
   }
 
