@@ -132,7 +132,8 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
   LoadedExamples loaded;
   const std::vector<fs::path> files = example_files(folder);
   for (const fs::path& file : files) {
-    recordings.push_back(read_motion(file));
+    const bool chooses = !folder.take.empty() && may_hold_takes(file);
+    recordings.push_back(read_motion(file, chooses ? std::optional(folder.take) : std::nullopt));
     for (const std::string& note : recordings.back().notes) {
       loaded.warnings.push_back(file.filename().string() + ": " + note);
     }

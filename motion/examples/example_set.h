@@ -15,6 +15,7 @@ struct ExampleFolder {
   std::filesystem::path path;
   std::string include = "*";  ///< pattern of file names (file_labels.h)
   std::string exclude;        ///< pattern; empty leaves nothing out
+  std::string take;           ///< of files that may hold several motions; empty: their first
   CycleChoice cycle = CycleChoice::automatic;
   bool shorten_names = true;  ///< name examples by the part of the file name in which they differ
   std::vector<std::pair<std::string, std::string>> names;  ///< file stem → name, goes before

@@ -164,6 +164,12 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
                "use .bvh, .amc, .gltf or .glb");
     }
   }
+  if (!clip.take.empty() && motion::is_motion_file(clip.file) &&
+      !motion::may_hold_takes(clip.file)) {
+    list.add(member_path(path, "take"),
+             "a file of " + clip.file.extension().string() + " holds one motion",
+             "leave take out; glTF files (.gltf, .glb) may hold several");
+  }
   if (clip.frames && (*clip.frames)[0] > (*clip.frames)[1]) {
     list.add(member_path(path, "frames"), "the first frame comes after the last",
              "exchange the two");

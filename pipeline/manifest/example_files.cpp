@@ -25,6 +25,7 @@ motion::ExampleFolder example_folder(const Examples& examples) {
   folder.path = examples.folder;
   folder.include = examples.include;
   folder.exclude = examples.exclude;
+  folder.take = examples.take;
   folder.cycle = cycle_choice(examples.cycle);
   folder.keytimes = examples.keytimes;
   folder.shorten_names = examples.labels == Examples::Labels::from_name;

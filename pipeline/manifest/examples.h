@@ -31,6 +31,7 @@ struct Examples {
   std::filesystem::path folder;  ///< resolved
   std::string include = "*";     ///< glob on file names
   std::string exclude;           ///< glob on file names; empty excludes nothing
+  std::string take;              ///< of glTF files with several motions; empty: their first
   Cycle cycle = Cycle::automatic;
   std::vector<std::pair<std::string, std::vector<double>>> keytimes;  ///< by hand, by file stem
   bool blendable = true;  ///< on one body with corresponding moments; else each for itself
@@ -49,6 +50,7 @@ void fields_of(Field&& field, E& examples) {
   field("folder", examples.folder, concerns::repertoire);
   field("include", examples.include, concerns::repertoire);
   field("exclude", examples.exclude, concerns::repertoire);
+  field("take", examples.take, concerns::repertoire);
   field("cycle", examples.cycle, concerns::repertoire, cycle_words);
   field("blend", examples.blendable, concerns::repertoire);
   field("keytimes", examples.keytimes, concerns::repertoire);

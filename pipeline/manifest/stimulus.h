@@ -74,12 +74,14 @@ void fields_of(Field&& field, I& how) {
 /// A motion file shown as it is.
 struct ClipSource {
   std::filesystem::path file;                ///< resolved
+  std::string take;                          ///< of a file with several; empty: its first
   std::optional<std::array<int, 2>> frames;  ///< first and last, counted from 0; all when absent
 };
 
 template <class Field, MaybeConst<ClipSource> C>
 void fields_of(Field&& field, C& clip) {
   field("file", clip.file, concerns::motion | concerns::required | concerns::alone);
+  field("take", clip.take, concerns::motion);
   field("frames", clip.frames, concerns::motion);
 }
 

@@ -38,6 +38,7 @@ std::string asked_of(const Stimulus& stimulus) {
   if (!stimulus.clip)
     return listed(stimulus.adjectives) + listed(stimulus.features) + listed(stimulus.weights);
   std::string text = stimulus.clip->file.filename().string();
+  if (!stimulus.clip->take.empty()) text += " " + stimulus.clip->take;
   if (const auto& frames = stimulus.clip->frames) {
     text += " " + std::to_string((*frames)[0]) + "-" + std::to_string((*frames)[1]);
   }

@@ -204,7 +204,9 @@ motion::Clip excerpt(motion::Clip clip, const ClipSource& source) {
 
 Synthesis as_captured(const Stimulus& stimulus) {
   Synthesis result;
-  const motion::Recording recording = motion::read_motion(stimulus.clip->file);
+  const std::string& take = stimulus.clip->take;
+  const motion::Recording recording =
+      motion::read_motion(stimulus.clip->file, take.empty() ? std::nullopt : std::optional(take));
   const motion::BodyMapping mapping = motion::recognise(recording);
   result.warnings = mapping.warnings;
   const motion::Clip clip = excerpt(motion::to_body(recording, mapping), *stimulus.clip);

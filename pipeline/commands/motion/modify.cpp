@@ -10,6 +10,7 @@
 #include "motion/formats/motion_file.h"
 #include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/motion.h"
+#include "pipeline/commands/take_option.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/manifest/recipes.h"
 #include "pipeline/synthesis/modified_motion.h"
@@ -25,6 +26,7 @@ struct ModifyOptions {
   std::string in;
   std::string out;
   std::string change;
+  std::string take;
   std::string recipes = "builtin";
   std::string on_fault = "warn";
   double fps = 0.0;
@@ -36,8 +38,9 @@ int modify_file(const ModifyOptions& options, const Console& console) {
     throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
   }
   Stimulus stimulus = stimulus_of({options.in, options.change, options.recipes, options.on_fault});
+  stimulus.clip->take = options.take;
   stimulus.output.fps =
-      options.fps > 0.0 ? options.fps : motion::read_motion(options.in).frames_per_second;
+      options.fps > 0.0 ? options.fps : read_take(options.in, options.take).frames_per_second;
   const Synthesis made = synthesize(stimulus, {});
   motion::write_motion(motion::to_recording(made.motion.clip), options.out);
   console.out << fmt::format("{}: {}{}, {} frames\n", options.out, made.modified,
@@ -86,6 +89,7 @@ void add_motion_modify_command(CLI::App& motion, Command& chosen) {
                    "An emotion, or what stands behind `modify:` in a manifest")
       ->required();
   command->add_option("out", options->out, "File to write: .bvh or .glb")->required();
+  add_take_option(*command, options->take);
   command->add_option("--recipes", options->recipes, "builtin, fig29, or a file of recipes")
       ->capture_default_str();
   command->add_option("--on-fault", options->on_fault, "When the change breaks the motion")

@@ -1,12 +1,18 @@
 #include "pipeline/production/option_variants.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "motion/formats/gltf.h"
 #include "motion/formats/motion_file.h"
+#include "motion/gltf_text.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/skeleton/recording.h"
 #include "scenes/skinned_gltf.h"
@@ -116,6 +122,7 @@ const Surroundings surroundings[] = {
     {"examples.expect[].", "{}", R"({"parameter": "quickness", "order": ["sad", "normal"]})"},
     {"stimuli[].features", "{}", "{}"},
     {"stimuli[].clip.frames", "{}", R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].clip.take", "{}", R"({"file": "takes.gltf"})"},
     {"stimuli[].path.script[].walk", "{}", "{}"},
     {"stimuli[].path.script[].turn", "{}", "{}"},
     {"stimuli[].path.script[].stand", "{}", "{}"},
@@ -316,6 +323,8 @@ const Values chosen_values[] = {
     {"stimuli[].weights", R"([{"normal": 1}, {"normal": 1, "sad": 1}])"},
     {"stimuli[].clip.file", R"(["one/normal.bvh", "one/sad.bvh"])"},
     {"stimuli[].clip.frames", "[[0, 8], [0, 9]]"},
+    {"stimuli[].clip.take", R"(["Walk", "Stand"])"},
+    {"examples.set.take", R"(["Walk", "Stand"])"},
     {"stimuli[].clip", R"(["one/normal.bvh", "one/sad.bvh"])"},
     {"modify.emotion", R"(["sad", "tired"])"},
     {"modify.strength", "[0.5, 1]"},
@@ -477,6 +486,26 @@ OptionVariants variants_of(const std::string& path, const json& node) {
   return {with_value(path, two[0]), with_value(path, two[1])};
 }
 
+namespace {
+
+/// A walk as glTF with a second motion, in which only the root moves.
+std::string two_takes(const motion::Recording& walk) {
+  const std::string glb = motion::to_glb(walk);
+  std::uint32_t length = 0;
+  std::memcpy(&length, glb.data() + 12, sizeof length);
+  json document = json::parse(glb.substr(20, length));
+  const std::string_view binary = std::string_view(glb).substr(20 + length + 8);
+  document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(binary);
+  json& takes = document["animations"];
+  takes[0]["name"] = "Walk";
+  takes.push_back(takes[0]);
+  takes[1]["name"] = "Stand";
+  takes[1]["channels"] = json::array({takes[1]["channels"][0]});
+  return document.dump();
+}
+
+}  // namespace
+
 void write_variant_files(const std::filesystem::path& folder) {
   const motion::ExampleSet walks = motion::builtin_examples("walks-10");
   for (const char* name : {"one", "two"}) {
@@ -489,6 +518,8 @@ void write_variant_files(const std::filesystem::path& folder) {
       motion::write_motion(motion::to_recording(clip), folder / name / (label + ".bvh"));
     }
   }
+  std::ofstream(folder / "takes.gltf")
+      << two_takes(motion::to_recording(walks.examples.front().clip));
   std::ofstream(folder / "my.set.yaml") << "background: \"#204060\"\n";
   std::ofstream(folder / "my.scales.yaml") << R"(
 name: mine
