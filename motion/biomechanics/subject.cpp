@@ -11,8 +11,7 @@ namespace mien::motion {
 namespace {
 
 constexpr int laps = 3;
-constexpr double slowest_walk = 0.15;       // m/s
-constexpr double slowest_treadmill = 0.25;  // m/s
+constexpr double slowest_walk = 0.15;  // m/s
 
 /// What passes under the planted feet of a motion that gets nowhere; zero for all others.
 Vec3 floor_under(const Clip& motion) {
@@ -27,9 +26,14 @@ Vec3 floor_under(const Clip& motion) {
   return floor_velocity(round);
 }
 
-Clip on_its_way(Clip motion) {
+/// Zero where that is too slow to be one.
+Vec3 treadmill_under(const Clip& motion) {
   const Vec3 floor = floor_under(motion);
-  if (floor.norm() < slowest_treadmill) return motion;
+  return floor.norm() < slowest_treadmill_m_s ? Vec3::Zero() : floor;
+}
+
+Clip on_its_way(Clip motion, const Vec3& floor) {
+  if (floor.isZero()) return motion;
   const double step_seconds = 1.0 / motion.frames_per_second;
   for (int t = 0; t < motion.frame_count(); ++t) {
     motion.poses[t].root_position -= t * step_seconds * floor;
@@ -57,7 +61,8 @@ LintSubject lint_subject(const Clip& motion) {
   }
   const bool is_human = is_body(motion.body);
   if (is_human) {
-    subject.clip = on_its_way(std::move(subject.clip));
+    subject.floor = treadmill_under(subject.clip);
+    subject.clip = on_its_way(std::move(subject.clip), subject.floor);
     subject.scale = relative_stature(motion.body);
   }
   if (motion.loops) {

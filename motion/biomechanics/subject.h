@@ -6,6 +6,9 @@
 
 namespace mien::motion {
 
+/// A floor that would move more slowly is none: the body sways.
+inline constexpr double slowest_treadmill_m_s = 0.25;
+
 /// A motion as the checks look at it: rotations unit, a loop three times round so that its middle
 /// lap has both neighbours, and travelling, if it walked in place.
 struct LintSubject {
@@ -15,6 +18,8 @@ struct LintSubject {
   bool was_loop = false;
   std::vector<JointTransforms> world;  ///< of every frame of `clip`
   double scale = 1.0;                  ///< stature by 1.75 m; 1 when it is not the canonical body
+  Vec3 floor = Vec3::Zero();           ///< m/s; what the floor would do under the motion as it was
+                                       ///< given, where that walks on the spot
 
   int frame_count() const { return clip.frame_count(); }
   double rate() const { return clip.frames_per_second; }

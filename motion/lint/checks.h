@@ -14,6 +14,20 @@ namespace mien::motion {
 
 using Findings = std::vector<Finding>;
 
+/// Thresholds of what is wrong with a take as a whole; our decisions. Lengths hold for a stature of
+/// 1.75 m. Who stands quietly sways by some millimetres a second (Prieto et al. 1996): nobody
+/// stands as still as what is frozen.
+struct TakeLimits {
+  double frozen_rad_s = 0.001;          ///< no joint turns faster in frozen frames…
+  double frozen_m_s = 0.001;            ///< …nor does the root move faster
+  Levels frozen_seconds = {0.25, 1.0};  ///< as long
+  double calibration_seconds = 0.1;     ///< at the start, in which a take may leap out of a pose
+  int calibration_joints = 3;           ///< more than these leap at once then
+  double drift_seconds = 1.0;           ///< on both feet, at least
+  Levels rise_metres = {0.03, 0.1};     ///< of the whole body over a take
+};
+inline constexpr TakeLimits take_limits;
+
 /// Numbers that are none, rotations that are none and bones that grow, of the clip as it was given.
 Findings find_broken_data(const Clip& clip, const LintOptions& options);
 
@@ -23,6 +37,33 @@ bool is_calculable(const Clip& clip);
 /// Rotations and root positions that step farther between two frames than the mean of the steps
 /// before and after: no body moves so, however fast it is. A loop's seam is left to the next.
 Findings find_jumps(const LintSubject& subject, const LintOptions& options);
+
+/// Whether neither a joint nor the root moves from frame `step` to the next, to within
+/// `frozen_rad_s` and `frozen_m_s`; what the floor under a walk on the spot does counts as nothing.
+bool is_frozen(const LintSubject& subject, int step);
+
+/// Stretches in which everything is frozen, of motions that move elsewhere for `frozen_seconds`.
+Findings find_frozen(const LintSubject& subject, const LintSubject* original);
+
+/// One finding at most: the first frames, where more than `calibration_joints` joints (the root is
+/// one) leap at once out of the pose that they show, as out of the T-pose of a calibration, within
+/// `calibration_seconds` or after nothing has moved. None of loops.
+Findings find_calibration_pose(const LintSubject& subject, const LintOptions& options);
+
+/// Walks on the spot, and how fast the floor would move under them. None of loops, whose place is
+/// wanted, and none where the original walks on the spot too.
+Findings find_walk_on_spot(const LintSubject& subject, const LintSubject* original);
+
+/// Bodies that slide steadily as a whole while both feet bear for `drift_seconds` or more: both
+/// feet go the same way, by the same amount, at a constant velocity. None of loops.
+Findings find_drift(const LintSubject& subject, const LintOptions& options,
+                    const LintSubject* original);
+
+/// Bodies that rise or sink steadily over the whole take: a line through the heights of the lower
+/// sole over time climbs so far and explains half of their variance, and the median climb from
+/// frame to frame is that of the line: who goes up stairs or a slope stands level most of the time.
+/// None of loops.
+Findings find_rise(const LintSubject& subject, const LintSubject* original);
 
 /// The step over a loop's seam, likewise, against what the steps elsewhere in the loop do.
 Findings find_broken_seam(const LintSubject& subject, const LintOptions& options);

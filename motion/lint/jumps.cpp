@@ -122,6 +122,21 @@ std::vector<double> in_degrees(std::vector<double> radians) {
   return radians;
 }
 
+/// How many joints, and the root, leap at each step.
+std::vector<int> leaping_joints(const LintSubject& subject, const LintOptions& options) {
+  const double rate = subject.rate();
+  std::vector<int> counts(std::max(subject.frame_count() - 1, 0), 0);
+  const auto add = [&](const std::vector<double>& leaps, double level) {
+    for (size_t i = 0; i < leaps.size(); ++i) counts[i] += leaps[i] > level ? 1 : 0;
+  };
+  for (int j = 0; j < subject.clip.body.size(); ++j) {
+    add(in_degrees(leaps_of_joint(turns(subject.clip, j), rate)),
+        sparse(rate) * flick(subject, j) * options.jump_degrees.warning);
+  }
+  add(leaps_of_body(root_steps(subject.clip)), sparse(rate) * options.jump_metres.warning);
+  return counts;
+}
+
 /// The step over the seam at the end of the middle lap beyond twice what the loop does elsewhere.
 double seam_excess(const LintSubject& subject, const std::vector<double>& steps) {
   std::vector<double> elsewhere;
@@ -165,6 +180,30 @@ Findings find_jumps(const LintSubject& subject, const LintOptions& options) {
       {"jump", "", "m", widened(options.jump_metres, sparse(subject.rate())), 0, 1, sentence},
       without_seams(subject, leaps_of_body(root_steps(subject.clip))));
   return findings;
+}
+
+Findings find_calibration_pose(const LintSubject& subject, const LintOptions& options) {
+  if (subject.was_loop || subject.frame_count() < 4) return {};
+  const std::vector<int> leaping = leaping_joints(subject, options);
+  const int few = std::max(3, static_cast<int>(take_limits.calibration_seconds * subject.rate()));
+  bool has_moved = false;
+  for (int i = 0; i + 2 < static_cast<int>(leaping.size()); ++i) {
+    if (i >= few && has_moved) break;
+    if (leaping[i] > take_limits.calibration_joints) {
+      Finding finding;
+      finding.check = "calibration-pose";
+      finding.last = i;
+      finding.measured = leaping[i];
+      finding.threshold = take_limits.calibration_joints;
+      finding.unit = "joints";
+      finding.severity = Severity::error;
+      finding.sentence = std::string("The take begins with another pose, as for calibration: ") +
+                         std::to_string(leaping[i]) + " joints leap at once after it.";
+      return {finding};
+    }
+    has_moved = has_moved || !is_frozen(subject, i);
+  }
+  return {};
 }
 
 Findings find_broken_seam(const LintSubject& subject, const LintOptions& options) {

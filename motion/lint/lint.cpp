@@ -13,12 +13,16 @@ const std::vector<LintCheck>& lint_checks() {
       {"non-finite", "numbers that are none"},
       {"rotation-not-unit", "rotations that are none"},
       {"bone-length", "bones that grow or shrink"},
+      {"calibration-pose", "another pose before the motion, as a T-pose"},
+      {"frozen", "stretches in which nothing moves at all"},
       {"jump", "poses that leap from one frame to the next"},
       {"loop-seam", "a loop's end that does not meet its start"},
       {"joint-limit", "joints beyond their range"},
       {"joint-speed", "joints that turn too fast"},
       {"jerk", "jerkier hands, feet or head than the original's", true},
       {"self-intersection", "parts of the body in each other"},
+      {"on-the-spot", "walks on the spot, and how fast the floor would move"},
+      {"drift", "a whole body that slides, rises or sinks steadily"},
       {"foot-skate", "planted feet that slide"},
       {"penetration", "feet below the floor"},
       {"floating", "a body that hangs above the floor"},
@@ -33,18 +37,33 @@ const std::vector<LintCheck>& lint_checks() {
 
 namespace {
 
+/// Feet that slide because the whole body does are no fault of their own.
+Findings not_of_drift(Findings slips, const Findings& drift) {
+  std::erase_if(slips, [&](const Finding& slip) {
+    return std::any_of(drift.begin(), drift.end(), [&](const Finding& whole) {
+      return slip.first <= whole.last && slip.last >= whole.first;
+    });
+  });
+  return slips;
+}
+
 void check_motion(const LintSubject& subject, const LintOptions& options,
                   const LintSubject* original, Findings& findings) {
   const auto add = [&findings](const Findings& more) {
     findings.insert(findings.end(), more.begin(), more.end());
   };
+  add(find_frozen(subject, original));
   add(find_jumps(subject, options));
   add(find_broken_seam(subject, options));
   if (!is_body(subject.clip.body)) return;
   add(find_joints_beyond_limits(subject, options, original));
   add(find_fast_joints(subject, options, original));
   add(find_self_intersections(subject, options, original));
-  add(find_skating_feet(subject, options, original));
+  const Findings drift = find_drift(subject, options, original);
+  add(find_walk_on_spot(subject, original));
+  add(drift);
+  add(find_rise(subject, original));
+  add(not_of_drift(find_skating_feet(subject, options, original), drift));
   add(find_sunken_feet(subject, options, original));
   add(find_floating(subject, options, original));
   if (original) {
@@ -58,6 +77,24 @@ void check_motion(const LintSubject& subject, const LintOptions& options,
   add(find_lost_balance(subject, body, options, original, original_body));
   add(find_unnatural_forces(subject, body, options, original, original_body));
   add(find_unnatural_torques(subject, body, options, original, original_body));
+}
+
+/// A motion from where it moves on: without the pose of a calibration at its start, which would be
+/// found at fault by every check.
+struct MovingPart {
+  LintSubject subject;
+  int first = 0;  ///< of its frames, in the motion
+  std::optional<Finding> calibration;
+};
+
+MovingPart moving_part(const Clip& clip, const LintOptions& options) {
+  LintSubject whole = lint_subject(clip);
+  const Findings found = find_calibration_pose(whole, options);
+  if (found.empty()) return {std::move(whole), 0, std::nullopt};
+  const int first = found[0].last + 1;
+  Clip rest = clip;
+  rest.poses.erase(rest.poses.begin(), rest.poses.begin() + first);
+  return {lint_subject(rest), first, found[0]};
 }
 
 size_t rank_of(const Finding& finding) {
@@ -82,9 +119,17 @@ std::vector<Finding> lint(const Clip& clip, const LintOptions& options, const Cl
   if (is_calculable(clip)) {
     std::optional<LintSubject> before;
     if (original && is_body(original->body) && is_calculable(*original)) {
-      before = lint_subject(*original);
+      before = moving_part(*original, options).subject;
     }
-    check_motion(lint_subject(clip), options, before ? &*before : nullptr, findings);
+    const MovingPart part = moving_part(clip, options);
+    Findings of_part;
+    check_motion(part.subject, options, before ? &*before : nullptr, of_part);
+    for (Finding& finding : of_part) {
+      finding.first += part.first;
+      finding.last += part.first;
+    }
+    findings.insert(findings.end(), of_part.begin(), of_part.end());
+    if (part.calibration) findings.push_back(*part.calibration);
   }
   put_in_order(findings);
   return findings;

@@ -26,7 +26,7 @@ Vec3 slide(const SolePoints& from, const SolePoints& to) {
 
 }  // namespace
 
-double planted_slip(const LintSubject& subject, const FootPlant& plant) {
+std::vector<Vec3> planted_track(const LintSubject& subject, const FootPlant& plant) {
   const int ends = static_cast<int>(std::lround(ends_seconds * subject.rate()));
   std::vector<Vec3> track(1, Vec3::Zero());
   const auto sole = [&](int t) {
@@ -36,6 +36,11 @@ double planted_slip(const LintSubject& subject, const FootPlant& plant) {
   for (int t = plant.first + ends; t < last; ++t) {
     track.push_back(track.back() + slide(sole(t), sole(t + 1)));
   }
+  return track;
+}
+
+double planted_slip(const LintSubject& subject, const FootPlant& plant) {
+  const std::vector<Vec3> track = planted_track(subject, plant);
   double farthest = 0.0;
   for (size_t a = 0; a < track.size(); ++a) {
     for (size_t b = 0; b < a; ++b) farthest = std::max(farthest, (track[a] - track[b]).norm());

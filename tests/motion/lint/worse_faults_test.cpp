@@ -104,7 +104,7 @@ TEST_F(WorseFault, DriftOfAStandingBody) {
     drift(clip, Vec3(speed, 0, 0));
     return lint(clip);
   };
-  expect_never_better("foot-skate", verdict, {0.005, 0.02, 0.1, 0.2, 0.3, 0.5, 1.0}, "standing");
+  expect_never_better("drift", verdict, {0.005, 0.02, 0.1, 0.2, 0.3, 0.5, 1.0}, "standing");
 }
 
 TEST_F(WorseFault, HeightAboveTheFloor) {
