@@ -19,6 +19,7 @@ constexpr double clearance = 0.015;     // metres; a foot that swings higher is 
 constexpr double lift_seconds = 0.05;   // over which the lift of a foot comes and goes
 constexpr double onset_seconds = 0.06;  // after and before a plant without full lift
 constexpr int most_locks = 6;           // of the original
+constexpr double sinks = 0.005;         // metres; a foot that sinks less is on the floor
 constexpr double still = 5e-4;          // metres; a foot that drifts less stands
 
 double lowest(const SolePoints& sole) {
@@ -69,6 +70,19 @@ std::vector<double> lifts(const Clip& clip, const Clip& original,
   return lift;
 }
 
+/// How far the foot has to be raised where it sinks deeper into the floor than in the original.
+std::vector<double> sunk(const Clip& clip, const Clip& original, bool left) {
+  const std::vector<SolePoints> now = sole_paths(clip, left);
+  const std::vector<SolePoints> before = sole_paths(original, left);
+  std::vector<double> needed;
+  for (size_t f = 0; f < now.size(); ++f) {
+    needed.push_back(std::max(0.0, std::min(lowest(before[f]), 0.0) - lowest(now[f]) - sinks));
+  }
+  const int half_width =
+      std::max(1, static_cast<int>(std::lround(lift_seconds * clip.frames_per_second)));
+  return smooth_envelope(needed, half_width, clip.loops);
+}
+
 /// Raises the ankle of one pose; the foot keeps its direction in the world.
 void lift_foot(Pose& pose, const Skeleton& body, const LegJoints& leg, double height) {
   const JointTransforms world = world_transforms(body, pose);
@@ -111,6 +125,23 @@ PlacedStretch carried_over(const FootPath& path, const FootPath& known, const Fo
   return stretch;
 }
 
+/// Toes bend as they do in `settled` while their foot stands there: a foot that rolls off over
+/// toes which bend otherwise goes through the floor with them. Around the plants that fades.
+void carry_toes_over(Clip& clip, const Clip& settled, const std::vector<FootPlant>& plants,
+                     double fade_seconds) {
+  for (const bool left : {true, false}) {
+    const auto toe = static_cast<size_t>(leg_joints(left).toe);
+    const std::vector<int> away = frames_from_plant(plants, left, clip.frame_count(), clip.loops);
+    for (size_t f = 0; f < clip.poses.size(); ++f) {
+      const double x = std::min(1.0, away[f] / (fade_seconds * clip.frames_per_second + 1.0));
+      if (x == 1.0) continue;
+      const double share = 1.0 - x * x * (3.0 - 2.0 * x);
+      Quat& bend = clip.poses[f].rotations[toe];
+      bend = slerp(bend, settled.poses[f].rotations[toe], share);
+    }
+  }
+}
+
 Clip with_plants_of(const Clip& clip, const Clip& settled, const std::vector<FootPlant>& plants) {
   std::vector<PlacedStretch> stretches;
   for (const bool left : {true, false}) {
@@ -122,7 +153,9 @@ Clip with_plants_of(const Clip& clip, const Clip& settled, const std::vector<Foo
   }
   FootLockOptions options;
   options.keep_velocity = true;
-  return with_feet_placed(clip, stretches, options);
+  Clip placed = with_feet_placed(clip, stretches, options);
+  carry_toes_over(placed, settled, plants, options.blend_seconds);
+  return placed;
 }
 
 }  // namespace
@@ -139,6 +172,18 @@ Clip with_still_feet(const Clip& original, const std::vector<FootPlant>& plants)
     best = settled;
   }
   return best;
+}
+
+Clip with_feet_above_floor(const Clip& clip, const Clip& original) {
+  Clip result = clip;
+  for (const bool left : {true, false}) {
+    const std::vector<double> lift = sunk(clip, original, left);
+    for (size_t f = 0; f < lift.size(); ++f) {
+      if (lift[f] < 1e-6) continue;
+      lift_foot(result.poses[f], clip.body, leg_joints(left), lift[f]);
+    }
+  }
+  return result;
 }
 
 Clip with_toe_clearance(const Clip& clip, const Clip& original,
@@ -171,7 +216,8 @@ Clip with_repaired_feet(const Clip& clip, const Clip& original,
       break;
   }
   if (plants.empty()) return clip;
-  return with_plants_carried_over(clip, with_still_feet(original, plants), plants);
+  const Clip still_feet = with_feet_above_floor(with_still_feet(original, plants), original);
+  return with_plants_carried_over(clip, still_feet, plants);
 }
 
 }  // namespace mien::motion

@@ -25,6 +25,11 @@ Clip with_plants_carried_over(const Clip& clip, const Clip& still,
 Clip with_repaired_feet(const Clip& clip, const Clip& original,
                         const std::vector<FootPlant>& plants, FootRepair repair);
 
+/// The clip with its feet raised, smoothly, where they sink by more than 5 mm deeper into the floor
+/// than in the original: a foot that rolls off over the tip of its toes is put through the floor by
+/// a lock that holds its ball down.
+Clip with_feet_above_floor(const Clip& clip, const Clip& original);
+
 /// The clip with swinging feet raised, smoothly, as far as they are lower than in `original` and
 /// lower than 15 mm above the floor. Plants stay as they are.
 Clip with_toe_clearance(const Clip& clip, const Clip& original,

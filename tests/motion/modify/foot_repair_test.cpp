@@ -103,6 +103,34 @@ TEST(FootRepair, LetsPlantedFeetStandInTheirOwnRoll) {
   }
 }
 
+// Rolling off over toes that stay straight, or bend twice as far, a foot would go through the
+// floor.
+TEST(FootRepair, BendsToesOfPlantedFeetAsTheyStood) {
+  const Clip clip = ordinary();
+  const auto plants = foot_plants(clip);
+  const Clip still = with_still_feet(clip, plants);
+  for (const double bend : {0.0, 0.5, 2.0}) {
+    Clip changed = clip;
+    for (Pose& pose : changed.poses) {
+      for (const BodyJoint toe : {LeftToe, RightToe}) {
+        pose.rotations[toe] = exp(bend * log(pose.rotations[toe]));
+      }
+    }
+    const Clip repaired = with_plants_carried_over(changed, still, plants);
+    double deepest = 0.0;
+    for (const FootPlant& plant : plants) {
+      const auto was = sole_paths(still, plant.left);
+      const auto is = sole_paths(repaired, plant.left);
+      for (int f = plant.first; f <= plant.last; ++f) {
+        const auto t = static_cast<size_t>(f % clip.frame_count());
+        deepest = std::max(deepest, was[t].tip.y() - is[t].tip.y());
+      }
+    }
+    EXPECT_LT(deepest, 0.002) << bend;
+    EXPECT_LT(largest_second_difference(repaired), 3.0 * largest_second_difference(clip) + 0.005);
+  }
+}
+
 TEST(FootRepair, TurnsFeetInwardsWithTheLegs) {
   Clip clip = ordinary();
   const auto plants = foot_plants(clip);
@@ -161,6 +189,24 @@ TEST(FootRepair, OfNoneLeavesTheClip) {
             0.0);
   EXPECT_EQ(largest_distance(with_repaired_feet(changed, clip, {}, FootRepair::plants), changed),
             0.0);
+}
+
+TEST(FootRepair, RaisesFeetThatSinkDeeperThanTheyDid) {
+  const Clip clip = ordinary();
+  EXPECT_EQ(largest_distance(with_feet_above_floor(clip, clip), clip), 0.0);
+  Clip pointed = clip;  // the toes of the left foot point down all along
+  for (Pose& pose : pointed.poses) {
+    pose.rotations[LeftAnkle] = pose.rotations[LeftAnkle] * exp(Vec3(0.25, 0, 0));
+  }
+  const Clip raised = with_feet_above_floor(pointed, clip);
+  double deepest = 0.0;
+  for (size_t f = 0; f < clip.poses.size(); ++f) {
+    deepest = std::max(deepest, -lowest_sole(pointed, true, f));
+    EXPECT_GE(lowest_sole(raised, true, f), std::min(lowest_sole(clip, true, f), 0.0) - 0.0051);
+    EXPECT_EQ(raised.poses[f].rotations[RightAnkle].coeffs(),
+              pointed.poses[f].rotations[RightAnkle].coeffs());
+  }
+  EXPECT_GT(deepest, 0.02);
 }
 
 TEST(FootRepair, LiftsToesThatWouldScrapeTheFloor) {
