@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -12,6 +10,7 @@
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
+#include "pipeline/synthesis/blend_warnings.h"
 #include "pipeline/synthesis/repertoire.h"
 #include "pipeline/synthesis/synthesis.h"
 
@@ -37,25 +36,6 @@ void refuse_unknown(const NamedValues& weights, const std::vector<std::string>& 
   }
 }
 
-/// Feet that slide, sink or float in what was made: of each check and foot the worst.
-std::vector<std::string> warnings_of_feet(const Synthesis& synthesis) {
-  std::map<std::pair<std::string, std::string>, const motion::Finding*> worst;
-  for (const motion::Finding& finding : synthesis.findings) {
-    if (finding.check != "foot-skate" && finding.check != "penetration" &&
-        finding.check != "floating") {
-      continue;
-    }
-    const motion::Finding*& known = worst[{finding.check, finding.joint}];
-    if (!known || std::abs(finding.measured) > std::abs(known->measured)) known = &finding;
-  }
-  std::vector<std::string> warnings;
-  for (const auto& [place, finding] : worst) {
-    warnings.push_back(fmt::format("{} ({}, frames {}–{})", finding->sentence, finding->check,
-                                   finding->first, finding->last));
-  }
-  return warnings;
-}
-
 int blend(const BlendCommandOptions& options, const Console& console) {
   Manifest manifest;
   manifest.examples = parse_examples(options.examples);
@@ -72,10 +52,8 @@ int blend(const BlendCommandOptions& options, const Console& console) {
   const Synthesis synthesis = synthesize(stimulus, repertoire);
   const motion::Clip shown = shown_clip(synthesis, stimulus.output);
   motion::write_motion(motion::to_recording(shown), options.out);
-  for (const auto& warnings :
-       {repertoire.warnings, synthesis.warnings, warnings_of_feet(synthesis)}) {
-    for (const std::string& warning : warnings) console.err << "warning: " << warning << '\n';
-  }
+  for (const std::string& warning : blend_warnings(repertoire, synthesis))
+    console.err << "warning: " << warning << '\n';
   console.out << options.out << ": " << shown.frame_count() << " frames\n";
   return exit_done;
 }
