@@ -6,9 +6,11 @@
 #include <string>
 #include <system_error>
 
+#include "motion/formats/motion_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/documents/fault_list.h"
+#include "pipeline/manifest/example_files.h"
 
 namespace mien::pipeline {
 
@@ -19,6 +21,15 @@ void check_folder(const Examples& examples, FaultList& list) {
   if (examples.folder.empty() || std::filesystem::is_directory(examples.folder, error)) return;
   list.add("examples.set.folder", "there is no folder " + examples.folder.string(),
            "correct the path; it is taken from the manifest's folder");
+}
+
+void check_takes(const Examples& examples, FaultList& list) {
+  std::error_code error;
+  if (examples.take.empty() || !std::filesystem::is_directory(examples.folder, error)) return;
+  if (std::ranges::any_of(motion::example_files(example_folder(examples)), motion::may_hold_takes))
+    return;
+  list.add("examples.set.take", "none of the files can hold several motions",
+           "leave take out; glTF files (.gltf, .glb) may hold several");
 }
 
 void check_keytimes(const Examples& examples, FaultList& list) {
@@ -66,6 +77,7 @@ void check_scales(const Manifest& manifest, FaultList& list) {
 std::vector<Fault> check_examples(const Manifest& manifest) {
   FaultList list(manifest.places);
   check_folder(manifest.examples, list);
+  check_takes(manifest.examples, list);
   check_keytimes(manifest.examples, list);
   check_ratings(manifest, list);
   check_scales(manifest, list);

@@ -12,6 +12,7 @@
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/checks/path_checks.h"
+#include "pipeline/checks/take_checks.h"
 #include "pipeline/documents/fault_list.h"
 
 namespace mien::pipeline {
@@ -164,12 +165,7 @@ void check_clip(const Stimulus& stimulus, FaultList& list) {
                "use .bvh, .amc, .gltf or .glb");
     }
   }
-  if (!clip.take.empty() && motion::is_motion_file(clip.file) &&
-      !motion::may_hold_takes(clip.file)) {
-    list.add(member_path(path, "take"),
-             "a file of " + clip.file.extension().string() + " holds one motion",
-             "leave take out; glTF files (.gltf, .glb) may hold several");
-  }
+  check_take(member_path(path, "take"), clip.file, clip.take, list);
   if (clip.frames && (*clip.frames)[0] > (*clip.frames)[1]) {
     list.add(member_path(path, "frames"), "the first frame comes after the last",
              "exchange the two");

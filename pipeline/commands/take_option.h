@@ -1,9 +1,14 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include "motion/error.h"
 #include "motion/formats/motion_file.h"
 
 namespace mien::pipeline {
@@ -17,6 +22,43 @@ inline void add_take_option(CLI::App& command, std::string& take) {
 /// The motion of a file; the first of several where no take is named.
 inline motion::Recording read_take(const std::string& file, const std::string& take) {
   return motion::read_motion(file, take.empty() ? std::nullopt : std::optional(take));
+}
+
+/// The take that the recording is, where its file holds several; else empty.
+inline std::string chosen_take(const motion::Recording& recording) {
+  return recording.takes.size() > 1 ? recording.take : "";
+}
+
+/// `--take` of a command that compares two files: of both, or of each by its own.
+inline void add_takes_option(CLI::App& command, std::vector<std::string>& takes) {
+  command
+      .add_option("--take", takes,
+                  "Of glTF files with several motions: which (mien motion info lists them); given "
+                  "twice, of the first file and of the second")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+/// The takes of two files that are compared. One name alone is of both, as far as both may hold
+/// several. Throws mien::Error for more names than files, and for a name that no file can have.
+inline std::array<std::string, 2> takes_of(const std::vector<std::string>& takes,
+                                           const std::array<std::string, 2>& files) {
+  if (takes.size() > 2) {
+    throw Error(fmt::format("--take was given {} times for two files", takes.size()),
+                "give it once for both, or once for each in their order");
+  }
+  if (takes.size() == 2) return {takes[0], takes[1]};
+  if (takes.empty()) return {};
+  std::array<std::string, 2> result;
+  bool is_of_any = false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!motion::may_hold_takes(files[i])) continue;
+    result[i] = takes[0];
+    is_of_any = true;
+  }
+  // The reader of the first file says why not.
+  if (!is_of_any) result[0] = takes[0];
+  return result;
 }
 
 }  // namespace mien::pipeline

@@ -1,5 +1,6 @@
 #include "pipeline/comparison/compared_motions.h"
 
+#include <optional>
 #include <string>
 
 #include "motion/error.h"
@@ -11,6 +12,16 @@
 namespace mien::pipeline {
 
 namespace {
+
+/// The first of several motions where no take is named.
+motion::Recording read_take(const std::string& file, const std::string& take) {
+  return motion::read_motion(file, take.empty() ? std::nullopt : std::optional(take));
+}
+
+/// The take that the recording is, where its file holds several; else empty.
+std::string several_take(const motion::Recording& recording) {
+  return recording.takes.size() > 1 ? recording.take : "";
+}
 
 /// Where these frames hold no whole cycle (of a take that holds half a one), as it is by itself.
 motion::PreparedExample prepared_alike(const motion::Clip& clip,
@@ -38,10 +49,14 @@ std::vector<motion::FeatureDifference> features_of(const motion::Clip& before,
 }  // namespace
 
 ComparedMotions compared_motion_files(const std::string& before, const std::string& now,
-                                      const motion::MotionTolerance& tolerance) {
-  const motion::ComparedRecordings recordings =
-      motion::compared_recordings(motion::read_motion(before), motion::read_motion(now));
-  ComparedMotions result{before, now, motion::motion_difference(recordings), tolerance, {}};
+                                      const motion::MotionTolerance& tolerance,
+                                      const std::array<std::string, 2>& takes) {
+  const motion::Recording was = read_take(before, takes[0]);
+  const motion::Recording is = read_take(now, takes[1]);
+  const motion::ComparedRecordings recordings = motion::compared_recordings(was, is);
+  ComparedMotions result{
+      before,    now, several_take(was), several_take(is), motion::motion_difference(recordings),
+      tolerance, {}};
   if (recordings.body_before && recordings.body_now) {
     try {
       result.difference.features = features_of(*recordings.body_before, *recordings.body_now);

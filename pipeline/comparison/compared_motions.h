@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace mien::pipeline {
 struct ComparedMotions {
   std::string before;  ///< files
   std::string now;
+  std::string take_before;  ///< where the file holds several
+  std::string take_now;     ///< likewise
   motion::MotionDifference difference;
   motion::MotionTolerance tolerance;
   std::vector<motion::Excess> excesses;
@@ -21,9 +24,11 @@ struct ComparedMotions {
 };
 
 /// Reads two motion files, as they are, and compares them; features as `mien motion features` has
-/// them. Throws Error for what cannot be read or compared.
+/// them; of files with several motions the takes of these names, or their first where a name is
+/// empty. Throws Error for what cannot be read or compared.
 ComparedMotions compared_motion_files(const std::string& before, const std::string& now,
-                                      const motion::MotionTolerance& tolerance);
+                                      const motion::MotionTolerance& tolerance,
+                                      const std::array<std::string, 2>& takes = {});
 
 /// For people: a verdict, the largest change in a sentence, then level by level; centimetres and
 /// degrees. Ends with a newline.

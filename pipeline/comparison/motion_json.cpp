@@ -159,6 +159,8 @@ ordered_json as_json(const ComparedMotions& motions) {
   ordered_json result = {
       {"before", motions.before},
       {"now", motions.now},
+      {"take_before", motions.take_before},
+      {"take_now", motions.take_now},
       {"alike", motions.are_alike()},
       {"identical", difference.identical},
       {"largest_change", motion::largest_change(difference)},

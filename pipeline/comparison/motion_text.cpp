@@ -203,6 +203,16 @@ std::string headline(const ComparedMotions& motions) {
   return fmt::format("{}; beyond the limits: {}", text, fmt::join(measures, ", "));
 }
 
+/// Which motions were taken of files that hold several.
+std::string takes_told(const ComparedMotions& motions) {
+  std::string text;
+  if (!motions.take_before.empty())
+    text += fmt::format("  take before: {} of {}\n", motions.take_before, motions.before);
+  if (!motions.take_now.empty())
+    text += fmt::format("  take now: {} of {}\n", motions.take_now, motions.now);
+  return text;
+}
+
 std::string verdict(const ComparedMotions& motions) {
   if (motions.difference.identical) return "identical";
   return motions.are_alike() ? "alike" : "differs";
@@ -213,7 +223,8 @@ std::string verdict(const ComparedMotions& motions) {
 std::string as_text(const ComparedMotions& motions) {
   const MotionDifference& difference = motions.difference;
   const std::string head =
-      fmt::format("{}: {} ({})\n", motions.now, verdict(motions), headline(motions));
+      fmt::format("{}: {} ({})\n", motions.now, verdict(motions), headline(motions)) +
+      takes_told(motions);
   if (difference.identical) return head;
   if (difference.whole.kind == motion::WholeChange::scaled) {  // all else follows from that
     std::string text = head;

@@ -498,6 +498,29 @@ TEST(CommandLine, LeavesWhatIsNoHumanUnscaledAndSaysSo) {
   EXPECT_NEAR(document["nodes"][1]["translation"][1].get<double>(), 170.0, 1e-6);
 }
 
+/// A manifest with so many keys that nobody knows.
+std::string with_unknown_keys(int count) {
+  std::string text = small_manifest;
+  for (int i = 0; i < count; ++i) text += "unknown_" + std::to_string(i) + ": 1\n";
+  return text;
+}
+
+TEST(CommandLine, CountsTheFaultsThatJsonLeavesOut) {
+  const Scratch scratch;
+  const std::string file = (scratch.path() / "m.yaml").string();
+  for (const int count : {3, 1000, 1203}) {
+    std::ofstream(file) << with_unknown_keys(count);
+    const Ended ended = run_mien({"check", file, "--json"});
+    EXPECT_EQ(ended.code, 2);
+    const json found = json::parse(ended.output);
+    EXPECT_EQ(found["faults"].size(), std::min(count, 1000));
+    EXPECT_EQ(found.contains("left_out"), count > 1000);
+    if (count > 1000) {
+      EXPECT_EQ(found["left_out"], count - 1000);
+    }
+  }
+}
+
 TEST(CommandLine, TakesTheMotionOfAFileThatIsNamed) {
   const Scratch scratch;
   const fs::path glb = scratch.path() / "walk.glb";
@@ -513,11 +536,25 @@ TEST(CommandLine, TakesTheMotionOfAFileThatIsNamed) {
   EXPECT_EQ(unknown.code, 2);
   EXPECT_NE(unknown.errors.find("there is no take \"Jump\"; it holds " + take), std::string::npos)
       << unknown.errors;
+  EXPECT_EQ(run_mien({"motion", "info", glb.string()}).output.find("is shown"), std::string::npos);
   const fs::path bvh = scratch.path() / "walk.bvh";
   ASSERT_EQ(run_mien({"motion", "convert", glb.string(), bvh.string(), "--take", take}).code, 0);
   const Ended single = run_mien({"motion", "info", bvh.string(), "--take", take});
   EXPECT_EQ(single.code, 2);
   EXPECT_NE(single.errors.find("holds one motion"), std::string::npos) << single.errors;
+  for (const std::vector<std::string>& comparison :
+       {std::vector<std::string>{"motion", "compare"}, std::vector<std::string>{"regress"}}) {
+    const auto of_takes = [&](const std::vector<std::string>& takes) {
+      std::vector<std::string> arguments = comparison;
+      arguments.insert(arguments.end(), {glb.string(), bvh.string()});
+      for (const std::string& one : takes) arguments.insert(arguments.end(), {"--take", one});
+      return run_mien(arguments);
+    };
+    EXPECT_LT(of_takes({take}).code, 2);  // of the file that may hold several
+    EXPECT_EQ(of_takes({"Jump"}).code, 2);
+    EXPECT_EQ(of_takes({take, take}).code, 2);  // the second file holds one
+    EXPECT_EQ(of_takes({take, "", ""}).code, 2);
+  }
 }
 
 /// The BVH with a frame of half a second later in its middle.

@@ -1,5 +1,6 @@
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/measures/distance.h"
 #include "pipeline/commands/motion/motion.h"
+#include "pipeline/commands/take_option.h"
 
 namespace mien::pipeline {
 
@@ -19,6 +21,7 @@ using nlohmann::ordered_json;
 struct CompareOptions {
   std::string target;
   std::string created;
+  std::vector<std::string> takes;
   std::string align = "pelvis";
   bool as_captured = false;
   bool json = false;
@@ -37,6 +40,8 @@ const char* basis_of(const motion::Example& example) {
 struct Basis {
   std::string target;
   std::string created;
+  std::string target_take;  ///< where its file holds several
+  std::string created_take;
 
   std::string warning() const {
     if (target == created) return "";
@@ -61,8 +66,15 @@ ordered_json as_json(const motion::Distance& distance, const Basis& basis) {
           {"per_joint", per_joint},
           {"per_time", distance.by_time()},
           {"basis", {{"target", basis.target}, {"created", basis.created}}},
+          {"takes", {{"target", basis.target_take}, {"created", basis.created_take}}},
           {"warnings", basis.warning().empty() ? ordered_json::array()
                                                : ordered_json::array({basis.warning()})}};
+}
+
+/// Which motions were taken of files that hold several.
+void show_takes(const Basis& basis, const Console& console) {
+  if (!basis.target_take.empty()) console.out << "target   take " << basis.target_take << '\n';
+  if (!basis.created_take.empty()) console.out << "other    take " << basis.created_take << '\n';
 }
 
 void show_text(const motion::Distance& distance, const Basis& basis, const Console& console) {
@@ -73,6 +85,7 @@ void show_text(const motion::Distance& distance, const Basis& basis, const Conso
                              1000.0 * distance.mpjpe);
   console.out << fmt::format("over     {} of the target, {} of the other\n", basis.target,
                              basis.created);
+  show_takes(basis, console);
   if (!basis.warning().empty()) console.out << "warning: " << basis.warning() << '\n';
   const auto by_joint = distance.by_joint();
   for (std::size_t j = 0; j < by_joint.size(); ++j) {
@@ -84,17 +97,18 @@ void show_text(const motion::Distance& distance, const Basis& basis, const Conso
   }
 }
 
-motion::Example example_in(const std::string& file, const CompareOptions& options) {
-  return motion::compared_example(motion::read_motion(file), !options.as_captured);
-}
-
 int compare(const CompareOptions& options, const Console& console) {
   const auto alignment =
       options.align == "world" ? motion::Alignment::world : motion::Alignment::pelvis;
-  const motion::Example target = example_in(options.target, options);
-  const motion::Example created = example_in(options.created, options);
+  const auto [target_take, created_take] =
+      takes_of(options.takes, {options.target, options.created});
+  const motion::Recording target_file = read_take(options.target, target_take);
+  const motion::Recording created_file = read_take(options.created, created_take);
+  const motion::Example target = motion::compared_example(target_file, !options.as_captured);
+  const motion::Example created = motion::compared_example(created_file, !options.as_captured);
   const motion::Distance distance = motion::distance(target, created, alignment);
-  const Basis basis{basis_of(target), basis_of(created)};
+  const Basis basis{basis_of(target), basis_of(created), chosen_take(target_file),
+                    chosen_take(created_file)};
   if (options.json) {
     console.out << as_json(distance, basis).dump(2) << '\n';
   } else {
@@ -110,6 +124,7 @@ void add_motion_compare_command(CLI::App& motion, Command& chosen) {
   const auto options = std::make_shared<CompareOptions>();
   command->add_option("target", options->target, "Motion file that was to be matched")->required();
   command->add_option("created", options->created, "Motion file that was made")->required();
+  add_takes_option(*command, options->takes);
   command
       ->add_option("--align", options->align,
                    "pelvis: place and heading removed in every frame; world: at the start only")

@@ -98,7 +98,7 @@ void show_cycles(const motion::MotionSummary& summary, const Console& console) {
 void show_text(const motion::MotionSummary& summary, const Console& console) {
   console.out << fmt::format("frames   {} at {:.4g} frames per second, {:.2f} s\n", summary.frames,
                              summary.frames_per_second, summary.duration_seconds);
-  if (!summary.takes.empty()) {
+  if (summary.takes.size() > 1) {
     console.out << fmt::format("takes    {} ({} is shown)\n", fmt::join(summary.takes, ", "),
                                summary.take);
   }

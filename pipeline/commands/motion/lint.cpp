@@ -29,6 +29,7 @@ using nlohmann::ordered_json;
 struct LintCommand {
   std::vector<std::string> files;
   std::string original;
+  std::string original_take;
   std::string timeline;
   std::string take;
   double mass_kg = motion::LintOptions().body_mass_kg;
@@ -63,8 +64,8 @@ motion::Clip as_loop(motion::Clip clip) {
   return clip;
 }
 
-motion::Clip clip_in(const std::string& file, bool loop) {
-  const motion::Clip clip = clip_of(motion::read_motion(file));
+motion::Clip clip_in(const std::string& file, const std::string& take, bool loop) {
+  const motion::Clip clip = clip_of(read_take(file, take));
   return loop ? as_loop(clip) : clip;
 }
 
@@ -186,7 +187,7 @@ int show_findings(const LintCommand& command, const Console& console) {
   require_timeline(command);
   std::optional<motion::Clip> original;
   if (!command.original.empty()) {
-    original = clip_in(command.original, command.loop);
+    original = clip_in(command.original, command.original_take, command.loop);
     if (!motion::is_body(original->body)) {
       throw Error(fmt::format("no human was recognised in \"{}\"", command.original),
                   "the original must be a motion of a human");
@@ -232,9 +233,12 @@ void add_motion_lint_command(CLI::App& motion, Command& chosen) {
   const auto options = std::make_shared<LintCommand>();
   command->add_option("files", options->files, "Motion files")->required();
   add_take_option(*command, options->take);
-  command->add_option("--original", options->original,
-                      "The motion before it was modified: what it did already counts less, and "
-                      "timing is compared");
+  CLI::Option* original =
+      command->add_option("--original", options->original,
+                          "The motion before it was modified: what it did already counts less, "
+                          "and timing is compared");
+  command->add_option("--original-take", options->original_take, "Likewise of the original")
+      ->needs(original);
   command
       ->add_option("--mass", options->mass_kg,
                    "Of the body, kg; joints of heavier bodies may give more torque")

@@ -10,6 +10,7 @@
 #include "motion/formats/motion_file.h"
 #include "motion/math/geometry.h"
 #include "pipeline/commands/regress/regress_study.h"
+#include "pipeline/commands/take_option.h"
 #include "pipeline/comparison/compared_media.h"
 #include "pipeline/documents/failure_text.h"
 #include "pipeline/tasks/task_graph.h"
@@ -64,8 +65,11 @@ int regress_files(const RegressOptions& options, const Console& console) {
   require_file(options.now);
   if (both([](const std::string& file) { return motion::is_motion_file(file); }))
     return regress_motion_files(options, console);
-  if (both([](const std::string& file) { return is_media(file); }))
+  if (both([](const std::string& file) { return is_media(file); })) {
+    if (!options.takes.empty())
+      throw Error({"--take"}, "is for motions, not for pictures and videos", "leave it out");
     return regress_media_files(options, console);
+  }
   throw Error({options.now}, "cannot be compared with " + options.before,
               "motion files can (BVH, Acclaim, glTF), and pictures (PNG, EXR, JPEG, TIFF), folders "
               "of them and videos");
@@ -227,6 +231,7 @@ void add_regress_command(CLI::App& app, Command& chosen) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str()
       ->group(study_group);
+  add_takes_option(*command, options->takes);
   add_tolerances(*command, options->tolerance);
   command
       ->add_option("--perceptual", options->perceptual,
@@ -243,8 +248,11 @@ void add_regress_command(CLI::App& app, Command& chosen) {
     if (options->now.empty()) {
       study->production.manifest = options->before;
       study->production.json = options->json;
-      chosen = [command, study](const Console& console) {
+      chosen = [command, options, study](const Console& console) {
         refuse_lone_file(study->production.manifest);
+        if (!options->takes.empty())
+          throw Error({"--take"}, "is for two motion files, not for a study",
+                      "set take: in the manifest");
         refuse_options(*command, files_group, "set regression: in the manifest");
         return compared([&](const Console& where) { return regress_study(*study, where); },
                         console);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "motion/measures/motion_tolerance.h"
 #include "pipeline/commands/cli.h"
@@ -10,8 +11,9 @@ namespace mien::pipeline {
 
 /// What `mien regress` was asked to do.
 struct RegressOptions {
-  std::string before;  ///< what was approved
-  std::string now;     ///< what is to be judged
+  std::string before;              ///< what was approved
+  std::string now;                 ///< what is to be judged
+  std::vector<std::string> takes;  ///< of motion files: of both, or of each
   motion::MotionTolerance tolerance;
   double perceptual = 0.0;  ///< mean ꟻLIP that pictures may have
   bool json = false;

@@ -15,6 +15,7 @@
 #include "pipeline/analysis/feature_regression.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
+#include "pipeline/commands/take_option.h"
 #include "pipeline/documents/csv.h"
 #include "pipeline/documents/files.h"
 #include "pipeline/synthesis/parameter_label.h"
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 struct PredictOptions {
   StudySubject subject;
   std::vector<std::string> motions;
+  std::string take;
   std::string out;
 };
 
@@ -39,8 +41,9 @@ struct Unrated {
 };
 
 /// On the examples' body, as the examples were measured.
-motion::FeatureValues features_of(const std::string& file, const Repertoire& repertoire) {
-  motion::Example example = motion::make_example(motion::to_body(motion::read_motion(file)));
+motion::FeatureValues features_of(const std::string& file, const std::string& take,
+                                  const Repertoire& repertoire) {
+  motion::Example example = motion::make_example(motion::to_body(read_take(file, take)));
   const motion::Skeleton& body = repertoire.examples.examples.front().clip.body;
   example.clip = motion::retarget(example.clip, body);
   return motion::measure_features(example);
@@ -50,7 +53,9 @@ std::vector<Unrated> predicted_motions(const PredictOptions& options, const Repe
                                        const FeatureRegression& regression) {
   std::vector<Unrated> all;
   for (const std::string& file : options.motions) {
-    Unrated one{fs::path(file).stem().string(), features_of(file, repertoire), {}};
+    Unrated one{fs::path(file).stem().string(),
+                features_of(file, motion::may_hold_takes(file) ? options.take : "", repertoire),
+                {}};
     try {
       one.predictions = predict(regression, one.features);
     } catch (const Error& error) {
@@ -158,6 +163,7 @@ void add_study_predict_command(CLI::App& study, Command& chosen) {
   const auto options = std::make_shared<PredictOptions>();
   add_subject_options(*command, options->subject);
   command->add_option("--motions", options->motions, "Motion files that nobody rated");
+  add_take_option(*command, options->take);
   command->add_option("-o,--output", options->out, "Folder for the tables (CSV)");
   command->footer(
       "\nA ridge regression from the motion features to every parameter of the ratings. It is "

@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "motion/procedural/builtin_sets.h"
+#include "motion/two_takes.h"
+#include "pipeline/documents/files.h"
 #include "pipeline/temporary_folder.h"
 
 #include "real_data.h"
@@ -66,6 +69,28 @@ TEST_F(ComparedMotionFiles, OfAnyRateNameWhatDiffersBesideIt) {
   const std::string head = text.substr(0, text.find('\n'));
   EXPECT_TRUE(contains_words(head, "left forearm")) << head;
   EXPECT_FALSE(contains_words(head, "a second")) << head;
+}
+
+TEST_F(ComparedMotionFiles, OfSeveralTakesAreComparedTakeByTake) {
+  write(walk_, "walk.bvh");
+  write_file(in("takes.gltf"), test::two_takes(motion::read_motion(in("walk.bvh"))));
+  const std::string file = in("takes.gltf");
+  EXPECT_TRUE(compared_motion_files(file, file, {}).are_alike());
+  EXPECT_TRUE(compared_motion_files(file, in("walk.bvh"), {}, {"Walk", ""}).are_alike());
+  const ComparedMotions others = compared_motion_files(file, file, {}, {"Walk", "Stand"});
+  EXPECT_FALSE(others.are_alike());
+  const std::string text = as_text(others);
+  EXPECT_TRUE(contains_words(text, "take before: Walk of " + file)) << text;
+  EXPECT_TRUE(contains_words(text, "take now: Stand of " + file)) << text;
+  EXPECT_EQ(as_json(others)["take_now"], "Stand");
+  EXPECT_THROW(compared_motion_files(file, file, {}, {"", "Jump"}), Error);
+}
+
+TEST_F(ComparedMotionFiles, OfOneTakeAreNotSaidToBeOfOne) {
+  write(walk_, "walk.glb");
+  const ComparedMotions same = compared_motion_files(in("walk.glb"), in("walk.glb"), {});
+  EXPECT_TRUE(same.take_before.empty());
+  EXPECT_TRUE(same.take_now.empty());
 }
 
 TEST_F(ComparedMotionFiles, OfHalfACycleAreCompared) {

@@ -1,8 +1,6 @@
 #include "pipeline/production/option_variants.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -10,11 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/formats/gltf.h"
 #include "motion/formats/motion_file.h"
-#include "motion/gltf_text.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/skeleton/recording.h"
+#include "motion/two_takes.h"
 #include "scenes/skinned_gltf.h"
 
 namespace mien::test {
@@ -116,6 +113,7 @@ const Surroundings surroundings[] = {
     {"recipes",
      R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})",
      "{}"},
+    {"examples.set.take", with_folder, R"({"folder": "takes", "cycle": "whole"})"},
     {"examples.set.", with_folder, R"({"folder": "one", "cycle": "whole"})"},
     {"examples.set", with_a_folder_or_set, "{}"},
     {"examples.scales", R"({"examples": {"ratings": "simulated"}})", "{}"},
@@ -486,28 +484,9 @@ OptionVariants variants_of(const std::string& path, const json& node) {
   return {with_value(path, two[0]), with_value(path, two[1])};
 }
 
-namespace {
-
-/// A walk as glTF with a second motion, in which only the root moves.
-std::string two_takes(const motion::Recording& walk) {
-  const std::string glb = motion::to_glb(walk);
-  std::uint32_t length = 0;
-  std::memcpy(&length, glb.data() + 12, sizeof length);
-  json document = json::parse(glb.substr(20, length));
-  const std::string_view binary = std::string_view(glb).substr(20 + length + 8);
-  document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(binary);
-  json& takes = document["animations"];
-  takes[0]["name"] = "Walk";
-  takes.push_back(takes[0]);
-  takes[1]["name"] = "Stand";
-  takes[1]["channels"] = json::array({takes[1]["channels"][0]});
-  return document.dump();
-}
-
-}  // namespace
-
 void write_variant_files(const std::filesystem::path& folder) {
   const motion::ExampleSet walks = motion::builtin_examples("walks-10");
+  std::filesystem::create_directories(folder / "takes");
   for (const char* name : {"one", "two"}) {
     std::filesystem::create_directories(folder / name);
     for (const motion::Example& example : walks.examples) {
@@ -516,6 +495,7 @@ void write_variant_files(const std::filesystem::path& folder) {
       motion::Clip clip = example.clip;
       if (std::string(name) == "two") clip.poses.pop_back();
       motion::write_motion(motion::to_recording(clip), folder / name / (label + ".bvh"));
+      std::ofstream(folder / "takes" / (label + ".gltf")) << two_takes(motion::to_recording(clip));
     }
   }
   std::ofstream(folder / "takes.gltf")
