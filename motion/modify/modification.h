@@ -28,8 +28,8 @@ struct PathGains {
 /// Where motion that speeds up and slows down more is to do so.
 enum class AccelerationPlace {
   pauses,    ///< at the limb's slow moments, all along
-  contacts,  ///< only within 0.2 s of the feet's contacts, or without steps of the limb's slowest
-             ///< moments
+  contacts,  ///< only within 0.2 s of when a foot comes to the floor; nowhere where no foot comes
+             ///< down
 };
 
 /// The parts of the body whose timing is changed, each by itself: arms with their clavicles, legs.
