@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/comparison/mirroring.h"
+#include "pipeline/documents/files.h"
 #include "pipeline/temporary_folder.h"
 #include "render/image/image_io.h"
 #include "render/video/video.h"
@@ -181,6 +182,17 @@ TEST_F(ComparedMediaFiles, TellNamesOfFramesBesideTheirNumbers) {
   const std::string text = as_text(compared_media(in("then"), in("today"), 0.0));
   EXPECT_TRUE(contains(text, "frame 4 (f5.png): mean")) << text;
   EXPECT_TRUE(contains(text, "frame 11 (f12.png) is missing")) << text;
+}
+
+/// What macOS and editors put beside files.
+TEST_F(ComparedMediaFiles, LeavesHiddenFilesInAFolderOut) {
+  for (const char* folder : {"then", "today"}) {
+    fs::create_directories(in(folder));
+    for (const char* name : {"1.png", "2.png"}) render::write_png(in(folder) / name, disc(1));
+  }
+  for (const char* hidden : {"._1.png", ".2.png.swp", ".hidden.png"})
+    write_file(in("today") / hidden, "no picture");
+  EXPECT_TRUE(compared_media(in("then"), in("today"), 0.0).are_alike());
 }
 
 TEST_F(ComparedMediaFiles, NamesThePictureOfAnotherSize) {
