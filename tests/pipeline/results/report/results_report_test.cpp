@@ -170,7 +170,9 @@ TEST(ResultsReport, NamesTheFiguresOfTheThesisThatItsOwnAreLike) {
   const CsvTable list = parse_csv(usual_report().at("figures.csv"), "figures.csv");
   std::map<std::string, std::string> files;  // by number; of files without one nothing is claimed
   for (const auto& row : list.rows)
-    if (!row[2].text.empty()) EXPECT_TRUE(files.emplace(row[2].text, row[0].text).second);
+    if (!row[2].text.empty()) {
+      EXPECT_TRUE(files.emplace(row[2].text, row[0].text).second);
+    }
   const std::map<std::string, std::string> expected = {
       {"31", "results/comparisons.csv"},
       {"32", "figures/histograms-best-seen"},
