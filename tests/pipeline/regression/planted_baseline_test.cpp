@@ -101,7 +101,7 @@ TEST_F(PlantedBaseline, WithANameInAnyFieldLeavesItsSurroundingsAlone) {
     const std::string other = read_file(folder_ / "baseline.json");
     const std::vector<std::string> names = test::planted_names(scratch_.path() / "thesis");
     test::each_planted(json::parse(text), names, [&](const json& planted, const std::string& at) {
-      write_file(file, planted.dump(-1, ' ', false, json::error_handler_t::replace));
+      motion::write_in_place(file, planted.dump(-1, ' ', false, json::error_handler_t::replace));
       ++trials;
       try {
         check_files(read_baseline(folder_));
@@ -110,8 +110,8 @@ TEST_F(PlantedBaseline, WithANameInAnyFieldLeavesItsSurroundingsAlone) {
       }
       if (trials % 5 == 0) approve_gone({"none", "../../../planted", "..", "blend/../../b"});
       EXPECT_TRUE(fs::exists(scratch_.path() / "thesis" / "thesis.tex")) << at;
-      write_file(folder_ / "baseline.json", other);
-      write_file(file, text);
+      motion::write_in_place(folder_ / "baseline.json", other);
+      motion::write_in_place(file, text);
     });
   }
   EXPECT_EQ(beside(), before);
