@@ -44,6 +44,10 @@ Recording read_motion(const std::filesystem::path& path, const std::optional<std
               "BVH (.bvh), Acclaim (.amc) and glTF (.gltf, .glb) can");
 }
 
+Recording read_take(const std::filesystem::path& path, const std::string& take) {
+  return read_motion(path, take.empty() ? std::nullopt : std::optional(take));
+}
+
 void write_motion(const Recording& recording, const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".bvh") return write_bvh(recording, path);

@@ -17,6 +17,9 @@ bool is_motion_file(const std::filesystem::path& path);
 Recording read_motion(const std::filesystem::path& path,
                       const std::optional<std::string>& take = std::nullopt);
 
+/// As `read_motion`, where an empty name stands for the first of several motions.
+Recording read_take(const std::filesystem::path& path, const std::string& take);
+
 /// Whether a file of this extension may hold several motions to choose a take from.
 bool may_hold_takes(const std::filesystem::path& path);
 

@@ -8,6 +8,7 @@
 
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
+#include "pipeline/checks/take_checks.h"
 #include "pipeline/documents/fault_list.h"
 
 namespace mien::pipeline {
@@ -91,6 +92,11 @@ class StepChecker : FaultList {
     if (!pose.file.empty())
       check_file(path, pose.file, "the name of an example or a motion file",
                  motion::most_of_recording);
+    check_take(member_path(path, "take"), pose.file, pose.take, *this);
+    if (!pose.example.empty() && !pose.take.empty()) {
+      add(member_path(path, "take"), motion::in_quotes(pose.example) + " is an example, one motion",
+          "leave take out, or name a motion file");
+    }
     if (!pose.example.empty() && !was_given("examples")) {
       add(path, "there are no examples to take " + motion::in_quotes(pose.example) + " from",
           "add examples:, or name a motion file");

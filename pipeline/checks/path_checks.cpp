@@ -10,6 +10,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/checks/take_checks.h"
 
 namespace mien::pipeline {
 
@@ -149,12 +150,14 @@ void check_points(const std::string& path, const WalkPath& walk, FaultList& list
 void check_graph(const std::string& path, const WalkPath& walk, FaultList& list) {
   const std::string graph = member_path(path, "graph");
   for (std::size_t i = 0; i < walk.graph.size(); ++i) {
-    const std::string at = element_path(graph, i);
-    list.check_file(at, walk.graph[i], "a motion file (.bvh, .amc, .gltf, .glb)",
-                    motion::most_of_recording);
-    if (motion::is_motion_file(walk.graph[i])) continue;
-    list.add(at,
-             motion::in_quotes(walk.graph[i].extension().string()) + " is no kind of motion file",
+    const std::string element = element_path(graph, i);
+    const std::string own = member_path(element, "file");
+    const std::string at = list.was_given(own) ? own : element;
+    const auto& [file, take] = walk.graph[i];
+    list.check_file(at, file, "a motion file (.bvh, .amc, .gltf, .glb)", motion::most_of_recording);
+    check_take(member_path(element, "take"), file, take, list);
+    if (motion::is_motion_file(file)) continue;
+    list.add(at, motion::in_quotes(file.extension().string()) + " is no kind of motion file",
              "use .bvh, .amc, .gltf or .glb");
   }
   const auto refuse = [&](const std::string& at) {

@@ -70,10 +70,12 @@ std::vector<Fault> check_sources(const Manifest& manifest, const fs::path& folde
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.clip)
       checker.check_file_of(member_path(stimulus.path, "clip"), "file", stimulus.clip->file);
-    const std::vector<fs::path> graph =
-        stimulus.walk ? stimulus.walk->graph : std::vector<fs::path>();
-    for (std::size_t i = 0; i < graph.size(); ++i)
-      checker.check(element_path(member_path(stimulus.path, "path.graph"), i), graph[i]);
+    const std::vector<GraphMotion> graph =
+        stimulus.walk ? stimulus.walk->graph : std::vector<GraphMotion>();
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+      checker.check_file_of(element_path(member_path(stimulus.path, "path.graph"), i), "file",
+                            graph[i].file);
+    }
     for (const ModificationStep& step : stimulus.modify) {
       if (!step.pose) continue;
       const std::string pose = member_path(step.path, "pose");

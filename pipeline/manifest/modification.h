@@ -19,6 +19,7 @@ namespace mien::pipeline {
 struct PoseSource {
   std::string example;         ///< empty: a file
   std::filesystem::path file;  ///< resolved
+  std::string take;            ///< of a file with several; empty: its first
   int frame = 0;
 
   friend bool operator==(const PoseSource&, const PoseSource&) = default;
@@ -34,6 +35,7 @@ template <class Field, MaybeConst<PoseSource> P>
 void fields_of(Field&& field, P& pose) {
   field.by("motion", pose, concerns::motion | concerns::required | concerns::alone,
            PoseMotionForm());
+  field("take", pose.take, concerns::motion);
   field("frame", pose.frame, concerns::motion);
 }
 

@@ -57,6 +57,20 @@ void fields_of(Field&& field, C& change) {
 /// A place on the floor, metres: to the left of where the world's +Z goes, and along it.
 using FloorPoint = std::array<double, 2>;
 
+/// A motion of a graph.
+struct GraphMotion {
+  std::filesystem::path file;  ///< resolved
+  std::string take;            ///< of a file with several; empty: its first
+
+  friend bool operator==(const GraphMotion&, const GraphMotion&) = default;
+};
+
+template <class Field, MaybeConst<GraphMotion> M>
+void fields_of(Field&& field, M& motion) {
+  field("file", motion.file, concerns::motion | concerns::required | concerns::alone);
+  field("take", motion.take, concerns::motion);
+}
+
 /// What a walker under control (motion/steered_walk/scripted_walk.h) is to do, from standing to
 /// standing on a path, or step by step; or what is to be found for it among motions of files
 /// (motion/motion_graph/guided_walk.h), which have their own moods and speeds. Exactly one of
@@ -68,8 +82,8 @@ struct WalkPath {
   std::vector<WalkStep> script;
   std::vector<FloorPoint> points;  ///< of a path along straight lines, whose corners are rounded
   std::vector<MoodChange> moods;   ///< along the points, by time
-  std::vector<std::filesystem::path> graph;  ///< motion files, resolved; none: the walker walks
-  double threshold_m = 0.06;                 ///< of the graph (motion/motion_graph/motion_graph.h)
+  std::vector<GraphMotion> graph;  ///< none: the walker walks
+  double threshold_m = 0.06;       ///< of the graph (motion/motion_graph/motion_graph.h)
 
   friend bool operator==(const WalkPath&, const WalkPath&) = default;
 };

@@ -96,7 +96,7 @@ std::vector<fs::path> uncopied_files(const Manifest& manifest) {
   for (const Stimulus* film : films_of(manifest)) {
     if (film->clip) add_motion_file(files, film->clip->file);
     if (film->walk) {
-      for (const fs::path& file : film->walk->graph) add_motion_file(files, file);
+      for (const GraphMotion& motion : film->walk->graph) add_motion_file(files, motion.file);
     }
     for (const ModificationStep& step : film->modify) {
       if (!step.pose) continue;

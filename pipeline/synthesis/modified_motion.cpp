@@ -30,7 +30,7 @@ motion::Pose pose_of(const PoseSource& source, const Repertoire& repertoire) {
     }
     clip = found->clip;
   } else {
-    clip = clip_of(motion::read_motion(source.file));
+    clip = clip_of(motion::read_take(source.file, source.take));
   }
   if (source.frame >= clip.frame_count()) {
     throw Error(

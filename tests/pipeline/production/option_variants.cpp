@@ -47,6 +47,8 @@ constexpr char with_a_folder_or_set[] =
     R"({"stimuli": [{"id": "a", "features": {"step-length": 0.5}}, {"id": "b", "clip": "one/sad.bvh"}]})";
 constexpr char with_points[] =
     R"({"stimuli": [{"id": "a", "path": {"points": [[0, 0], [0, 1]]}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_graph[] =
+    R"({"stimuli": [{"id": "a", "path": {"graph": [{}], "script": [{"walk": 1}]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
 constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
 
@@ -103,6 +105,8 @@ const Surroundings surroundings[] = {
     {"modify.limbs", "{}", R"({"acceleration": 0.5})"},
     {"modify.signal", "{}", R"({"paths": 0.5})"},
     {"modify.seed", "{}", R"({"variation": 0.5})"},
+    {"modify.pose.neutral.take", "{}", R"({"motion": "takes.gltf"})"},
+    {"modify.pose.posed.take", "{}", R"({"motion": "takes.gltf"})"},
     {"modify.pose.neutral.", "{}", R"({"motion": "normal"})"},
     {"modify.pose.posed.", "{}", R"({"motion": "sad"})"},
     {"modify.pose.neutral", "{}", R"({"posed": "sad"})"},
@@ -127,6 +131,8 @@ const Surroundings surroundings[] = {
     {"stimuli[].path.script[].", "{}", R"({"walk": 1})"},
     {"stimuli[].path.script", "{}", "{}"},
     {"stimuli[].path.points", "{}", "{}"},
+    {"stimuli[].path.graph[].take", with_graph, R"({"file": "takes.gltf"})"},
+    {"stimuli[].path.graph[].file", with_graph, "{}"},
     {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}]})"},
     {"stimuli[].path.threshold_m", "{}",
      R"({"graph": ["one/normal.bvh", "one/sad.bvh"], "script": [{"walk": 1}]})"},
@@ -167,6 +173,8 @@ const Values chosen_values[] = {
     {"stimuli[].path.script[].turn", "[30, -30]"},
     {"stimuli[].path.script[].stand", "[0.5, 1]"},
     {"stimuli[].path.script[].pace", "[0.5, 1]"},
+    {"stimuli[].path.graph[].take", R"(["Walk", "Stand"])"},
+    {"stimuli[].path.graph[].file", R"(["one/normal.bvh", "one/sad.bvh"])"},
     {"stimuli[].path.graph", R"([["one/normal.bvh"], ["one/normal.bvh", "one/sad.bvh"]])"},
     {"stimuli[].path.threshold_m", "[0.1, 0.2]"},
     {"stimuli[].path.points", "[[[0, 0], [0, 1]], [[0, 0], [0.5, 1]]]"},
@@ -331,6 +339,8 @@ const Values chosen_values[] = {
     {"modify.gains", R"([{"low": 1.2}, {"low": 0.8}])"},
     {"modify.posture.", "[4, 8]"},
     {"modify.posture", R"([{"head-flexion": 4}, {"head-flexion": 8}])"},
+    {"modify.pose.neutral.take", R"(["Walk", "Stand"])"},
+    {"modify.pose.posed.take", R"(["Walk", "Stand"])"},
     {"modify.pose.neutral.motion", R"(["sad", "tired"])"},
     {"modify.pose.posed.motion", R"(["sad", "tired"])"},
     {"modify.pose.neutral.frame", "[0, 5]"},

@@ -164,13 +164,13 @@ class WalkedGraph : public testing::Test {
   void SetUp() override {
     for (const motion::Clip& clip :
          motion::walker_motions(motion::WalkStyle{}, 30.0, motion::standard_body())) {
-      files_.push_back(folder_.path() / (clip.name + ".bvh"));
-      motion::write_motion(motion::to_recording(clip), files_.back());
+      files_.push_back({folder_.path() / (clip.name + ".bvh"), ""});
+      motion::write_motion(motion::to_recording(clip), files_.back().file);
     }
   }
 
   test::TemporaryFolder folder_;
-  std::vector<std::filesystem::path> files_;
+  std::vector<GraphMotion> files_;
 };
 
 TEST_F(WalkedGraph, TurnsAsFarAsItIsTold) {
