@@ -126,13 +126,18 @@ std::vector<FieldEntry> study_entries(const Manifest& manifest) {
   return entries;
 }
 
-/// What the options of a set's lights, walls, boxes and belt are where its file does not say.
+/// What the options of a set's lights, walls, boxes and belt, and of the steps of a modification,
+/// are where nothing is said.
 std::map<std::string, std::string> usual_values() {
   std::map<std::string, std::string> usual;
   const auto add = [&](const std::string& path, const auto& prototype) {
     for (const FieldEntry& entry : entries_of(prototype, {.for_key = true}))
-      usual[path + entry.path] = entry.value.dump();
+      if (!entry.value.is_null()) usual[path + entry.path] = entry.value.dump();
   };
+  for (const char* step : {"modify.", "modify[]."}) {
+    add(step, motion::Modification{});
+    usual[std::string(step) + "strength"] = OrderedJson(ModificationStep{}.strength).dump();
+  }
   add("set.lights[].", scenes::KeyLight{});
   add("set.walls[].", scenes::Wall{});
   add("set.boxes[].", scenes::Box{});
@@ -140,16 +145,25 @@ std::map<std::string, std::string> usual_values() {
   return usual;
 }
 
-/// "set.lights[" … "]." or "set.belt.": where what an option belongs to stands. Its length; 0 for
-/// other options.
+/// "set.lights[" … "].", "set.belt." or "modify.": where what an option belongs to stands. Its
+/// length; 0 for other options.
 std::size_t owner_length(const std::string& path) {
-  if (path.starts_with("set.belt.")) return std::string("set.belt.").size();
+  for (const std::string_view owner : {"set.belt.", "modify."}) {
+    if (path.starts_with(owner)) return owner.size();
+  }
   const std::size_t end = path.find("].");
-  return path.starts_with("set.") && end != std::string::npos ? end + 2 : 0;
+  const bool is_listed = path.starts_with("set.") || path.starts_with("modify[");
+  return is_listed && end != std::string::npos ? end + 2 : 0;
 }
 
-/// What an option was where nothing is said of it, though something is said of the light or wall
-/// that it belongs to; empty where that is not there at all.
+/// A step with an emotion has what its recipe says, in place of what is usual.
+bool has_recipe(const std::string& owner, const std::vector<Setting>& settings) {
+  return owner.starts_with("modify") &&
+         std::ranges::find(settings, owner + "emotion", &Setting::path) != settings.end();
+}
+
+/// What an option was where nothing is said of it, though something is said of the light, wall or
+/// step that it belongs to; empty where that is not there at all.
 std::string usual_value(const std::string& path, const std::vector<Setting>& settings) {
   static const std::map<std::string, std::string> usual = usual_values();
   const std::size_t length = owner_length(path);
@@ -157,7 +171,7 @@ std::string usual_value(const std::string& path, const std::vector<Setting>& set
   const bool is_there = length != 0 && std::ranges::any_of(settings, [&](const Setting& one) {
                           return one.path.starts_with(owner);
                         });
-  if (!is_there) return "";
+  if (!is_there || (has_recipe(owner, settings) && !path.ends_with(".strength"))) return "";
   const std::size_t open = owner.find('[');
   const std::string kind = open == std::string::npos ? owner : owner.substr(0, open) + "[].";
   const auto found = usual.find(kind + path.substr(length));

@@ -54,7 +54,8 @@ struct SettingChange {
 };
 
 /// In the order of `before`, then what is new. What a set's file does not say of a light, wall, box
-/// or belt that is there is what it is by default.
+/// or belt that is there is what it is by default, and so is what is not said of a step of
+/// `modify`, unless a recipe says it.
 std::vector<SettingChange> changes_between(const std::vector<Setting>& before,
                                            const std::vector<Setting>& now);
 

@@ -104,6 +104,31 @@ TEST(Settings, OfALightThatIsAddedAreNew) {
   EXPECT_EQ(change_text(changes[0]), "set.lights[1].strength 0.2 is new");
 }
 
+/// Of a step without an emotion; else the recipe says what it was.
+TEST(Settings, OfAStepAreToldFromTheDefaultUnlessItHasARecipe) {
+  const auto told = [](const std::string& step, const Setting& first, const Setting& added) {
+    const std::vector<Setting> before = {{step + first.path, Aspect::motion, first.value}};
+    std::vector<Setting> now = before;
+    now.push_back({step + added.path, Aspect::motion, added.value});
+    std::string texts;
+    for (const SettingChange& change : changes_between(before, now)) texts += change_text(change);
+    for (const SettingChange& change : changes_between(now, before))
+      texts += "; " + change_text(change);
+    return texts;
+  };
+  const Setting paths = {"paths", Aspect::motion, "0.7"};
+  const Setting sad = {"emotion", Aspect::motion, "\"sad\""};
+  for (const std::string step : {"modify.", "modify[1]."}) {
+    EXPECT_EQ(told(step, paths, {"tempo", Aspect::motion, "1.2"}),
+              step + "tempo 1 → 1.2; " + step + "tempo 1.2 → 1");
+    for (const Setting& first : {paths, sad})
+      EXPECT_EQ(told(step, first, {"strength", Aspect::motion, "0.5"}),
+                step + "strength 1 → 0.5; " + step + "strength 0.5 → 1");
+    EXPECT_NE(told(step, sad, paths).find("paths 0.7 is new"), std::string::npos)
+        << told(step, sad, paths);
+  }
+}
+
 TEST(Settings, NameTheFilesThatAreOthers) {
   EXPECT_EQ(change_text({"examples content", Aspect::motion,
                          R"({"calm.bvh":"01","old.bvh":"02","sad.bvh":"03"})",
