@@ -150,11 +150,11 @@ TEST(ModifiedMotion, TakesPosesFromExamples) {
   Repertoire repertoire;
   repertoire.examples = motion::builtin_examples("actors");
   Stimulus stimulus = stimulus_with({}, OnFault::warn);
-  stimulus.modify[0].pose = {{"man-stand-neutral", {}, 0}, {"man-stand-sad", {}, 0}};
+  stimulus.modify[0].pose = {{.example = "man-stand-neutral"}, {.example = "man-stand-sad"}};
   EXPECT_GT(moved(modify_motion(normal_walk(), stimulus, repertoire).motion), 0.003);
   stimulus.modify[0].pose->posed.frame = 1000;
   EXPECT_THROW(modify_motion(normal_walk(), stimulus, repertoire), Error);
-  stimulus.modify[0].pose->posed = {"nobody", {}, 0};
+  stimulus.modify[0].pose->posed = {.example = "nobody"};
   EXPECT_THROW(modify_motion(normal_walk(), stimulus, repertoire), Error);
 }
 
