@@ -9,15 +9,15 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/file_contents.h"
-#include "pipeline/checks/checked_manifest.h"
-#include "pipeline/checks/document_checks.h"
-#include "pipeline/checks/session_checks.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/checks/document_checks.h"
+#include "pipeline/manifest/checks/session_checks.h"
 #include "pipeline/manifest/repetitions.h"
-#include "pipeline/production/rehearsal.h"
-#include "pipeline/production/rehearsal_sample.h"
-#include "pipeline/synthesis/wish.h"
+#include "pipeline/production/run/rehearsal.h"
+#include "pipeline/production/run/rehearsal_sample.h"
+#include "pipeline/production/synthesis/wish.h"
 
 namespace mien::pipeline {
 

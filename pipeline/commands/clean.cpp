@@ -8,16 +8,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/archive/keep.h"
-#include "pipeline/archive/not_kept.h"
-#include "pipeline/archive/study_contents.h"
-#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
 #include "pipeline/commands/verification_text.h"
 #include "pipeline/commands/word_choice.h"
-#include "pipeline/production/run.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/archive/keep.h"
+#include "pipeline/production/archive/not_kept.h"
+#include "pipeline/production/archive/study_contents.h"
+#include "pipeline/production/run/run.h"
 #include "pipeline/tasks/stale.h"
 
 namespace mien::pipeline {

@@ -12,8 +12,8 @@
 #include "motion/error.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/base/documents/failure_text.h"
 #include "pipeline/commands/command_line_fault.h"
-#include "pipeline/documents/failure_text.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/task_graph.h"
 

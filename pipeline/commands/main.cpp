@@ -8,10 +8,10 @@
 #include <malloc.h>
 #endif
 
+#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/base/documents/printable_stream.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/standard_output.h"
-#include "pipeline/documents/failure_text.h"
-#include "pipeline/documents/printable_stream.h"
 #include "pipeline/tasks/interruption.h"
 
 namespace {

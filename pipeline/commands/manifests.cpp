@@ -12,9 +12,9 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "motion/text/shell_word.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
-#include "pipeline/documents/files.h"
 
 namespace mien::pipeline {
 

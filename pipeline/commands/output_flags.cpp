@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/documents/environment.h"
-#include "pipeline/reading/field_reader.h"
-#include "pipeline/reading/option_document.h"
-#include "pipeline/reading/schema.h"
+#include "pipeline/base/documents/environment.h"
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/option_document.h"
+#include "pipeline/base/reading/schema.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "pipeline/documents/places.h"
+#include "pipeline/base/documents/places.h"
 #include "pipeline/manifest/output.h"
 
 namespace mien::pipeline {

@@ -1,4 +1,4 @@
-#include "pipeline/archive/pack.h"
+#include "pipeline/production/archive/pack.h"
 
 #include <algorithm>
 #include <memory>

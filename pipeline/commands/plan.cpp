@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/repetitions.h"
-#include "pipeline/production/run.h"
-#include "pipeline/synthesis/wish.h"
+#include "pipeline/production/run/run.h"
+#include "pipeline/production/synthesis/wish.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {

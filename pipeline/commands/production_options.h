@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/commands/cli.h"
-#include "pipeline/production/production.h"
+#include "pipeline/production/run/production.h"
 
 namespace CLI {
 class App;

@@ -6,8 +6,8 @@
 
 #include "motion/error.h"
 #include "motion/text/excerpt.h"
-#include "pipeline/checks/film_checks.h"
-#include "pipeline/reading/option_document.h"
+#include "pipeline/base/reading/option_document.h"
+#include "pipeline/manifest/checks/film_checks.h"
 #include "render/video/video_kind.h"
 
 namespace mien::pipeline {

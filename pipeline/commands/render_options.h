@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "pipeline/commands/output_flags.h"
-#include "pipeline/film/film.h"
-#include "pipeline/look/look.h"
-#include "pipeline/look/look_options.h"
+#include "pipeline/manifest/look/look.h"
+#include "pipeline/manifest/look/look_options.h"
+#include "pipeline/production/film/film.h"
 #include "scenes/stage/layout.h"
 
 namespace mien::pipeline {

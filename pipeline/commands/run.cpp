@@ -1,4 +1,4 @@
-#include "pipeline/production/run.h"
+#include "pipeline/production/run/run.h"
 
 #include <map>
 #include <memory>
@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/checks/checked_manifest.h"
-#include "pipeline/checks/study_record.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
-#include "pipeline/production/provenance.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/checks/study_record.h"
+#include "pipeline/production/run/provenance.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {

@@ -7,7 +7,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/commands/cli.h"
-#include "pipeline/look/set_file.h"
+#include "pipeline/manifest/look/set_file.h"
 
 namespace mien::pipeline {
 

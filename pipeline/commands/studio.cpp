@@ -11,15 +11,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/base/documents/environment.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/installed_manifests.h"
-#include "pipeline/documents/environment.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/live/live_script.h"
-#include "pipeline/page/page_bundle.h"
-#include "pipeline/server/http_server.h"
-#include "pipeline/studio/open_browser.h"
-#include "pipeline/studio/studio_service.h"
+#include "pipeline/study/live/live_script.h"
+#include "pipeline/study/page/page_bundle.h"
+#include "pipeline/study/server/http_server.h"
+#include "pipeline/study/studio/open_browser.h"
+#include "pipeline/study/studio/studio_service.h"
 
 namespace mien::pipeline {
 

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/archive/verify.h"
 #include "pipeline/commands/cli.h"
+#include "pipeline/production/archive/verify.h"
 
 namespace mien::pipeline {
 

@@ -1,4 +1,4 @@
-#include "pipeline/archive/verify.h"
+#include "pipeline/production/archive/verify.h"
 
 #include <algorithm>
 #include <memory>
@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/archive/redraw.h"
-#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/base/documents/environment.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/verification_text.h"
-#include "pipeline/documents/environment.h"
-#include "pipeline/production/provenance.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/archive/redraw.h"
+#include "pipeline/production/run/provenance.h"
 #include "pipeline/tasks/progress_bar.h"
 
 namespace mien::pipeline {

@@ -6,10 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/archive/tar_archive.h"
 #include "pipeline/commands/cli.h"
-#include "pipeline/server/database.h"
-#include "pipeline/server/http_server.h"
+#include "pipeline/production/archive/tar_archive.h"
+#include "pipeline/study/server/database.h"
+#include "pipeline/study/server/http_server.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {

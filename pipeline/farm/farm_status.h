@@ -10,7 +10,7 @@
 
 #include "pipeline/farm/job_troubles.h"
 #include "pipeline/farm/worker_reports.h"
-#include "pipeline/production/production.h"
+#include "pipeline/production/run/production.h"
 
 namespace mien::pipeline {
 

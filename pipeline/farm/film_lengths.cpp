@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/documents/files.h"
-#include "pipeline/synthesis/motion_record.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/production/synthesis/motion_record.h"
 
 namespace mien::pipeline {
 

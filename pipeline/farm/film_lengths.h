@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "pipeline/production/production.h"
+#include "pipeline/production/run/production.h"
 
 namespace mien::pipeline {
 

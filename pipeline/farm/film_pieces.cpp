@@ -7,7 +7,7 @@
 
 #include "pipeline/farm/resumption.h"
 #include "pipeline/farm/task_list.h"
-#include "pipeline/film/film_task.h"
+#include "pipeline/production/film/film_task.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/artifact_key.h"
 
 namespace mien::pipeline {

@@ -13,7 +13,7 @@
 
 #include "motion/text/result_file.h"
 #include "motion/text/safe_name.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 
 namespace mien::pipeline {
 

@@ -14,7 +14,7 @@
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "motion/text/shell_word.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/farm/work_item.h"
 #include "pipeline/farm/worker_codes.h"
 

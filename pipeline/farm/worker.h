@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/production/production.h"
+#include "pipeline/production/run/production.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {

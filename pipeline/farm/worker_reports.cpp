@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/worker_record.h"
 
 namespace mien::pipeline {

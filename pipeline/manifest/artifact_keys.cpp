@@ -6,10 +6,10 @@
 #include <variant>
 #include <vector>
 
-#include "pipeline/look/point_form.h"
-#include "pipeline/look/set_fields.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/reading/field_writer.h"
+#include "pipeline/manifest/look/point_form.h"
+#include "pipeline/manifest/look/set_fields.h"
 #include "pipeline/tasks/code_identity.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"

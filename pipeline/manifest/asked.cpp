@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/ratings/emotion_scales.h"
+#include "pipeline/manifest/ratings/emotion_scales.h"
 
 namespace mien::pipeline {
 

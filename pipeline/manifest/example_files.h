@@ -6,7 +6,7 @@
 
 #include "motion/examples/example_set.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/ratings/impressions.h"
+#include "pipeline/manifest/ratings/impressions.h"
 
 namespace mien::pipeline {
 

@@ -7,9 +7,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/documents/concerns.h"
-#include "pipeline/ratings/expectation.h"
-#include "pipeline/ratings/scales.h"
+#include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/ratings/expectation.h"
+#include "pipeline/manifest/ratings/scales.h"
 
 namespace mien::pipeline {
 

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/documents/csv.h"
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/reading/field_reader.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/reading/field_reader.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/documents/concerns.h"
+#include "pipeline/base/documents/concerns.h"
 
 namespace mien::pipeline {
 

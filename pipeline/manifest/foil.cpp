@@ -4,7 +4,7 @@
 
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
-#include "pipeline/documents/fault_list.h"
+#include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/manifest.h"
 
 namespace mien::pipeline {

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/documents/concerns.h"
-#include "pipeline/documents/fault.h"
-#include "pipeline/documents/words.h"
+#include "pipeline/base/documents/concerns.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/words.h"
 
 namespace mien::pipeline {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/reading/field_reader.h"
-#include "pipeline/reading/field_writer.h"
 
 namespace mien::pipeline {
 

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/documents/places.h"
+#include "pipeline/base/documents/places.h"
 #include "pipeline/manifest/examples.h"
 #include "pipeline/manifest/matching.h"
 #include "pipeline/manifest/output.h"

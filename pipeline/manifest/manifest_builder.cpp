@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "pipeline/look/point_form.h"
-#include "pipeline/reading/field_reader.h"
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/manifest/look/point_form.h"
 
 namespace mien::pipeline {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/recipes.h"
-#include "pipeline/reading/field_reader.h"
-#include "pipeline/reading/field_writer.h"
 #include "scenes/figures/figure.h"
 
 namespace mien::pipeline {

@@ -3,8 +3,8 @@
 #include <cctype>
 #include <set>
 
-#include "pipeline/look/point_form.h"
-#include "pipeline/reading/field_writer.h"
+#include "pipeline/base/reading/field_writer.h"
+#include "pipeline/manifest/look/point_form.h"
 
 namespace mien::pipeline {
 

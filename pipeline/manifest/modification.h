@@ -10,7 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "motion/modify/modification.h"
-#include "pipeline/documents/concerns.h"
+#include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/style_step.h"
 
 namespace mien::pipeline {

@@ -1,10 +1,10 @@
 #include <algorithm>
 
 #include "motion/formats/motion_file.h"
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/modification.h"
 #include "pipeline/manifest/stimulus.h"
-#include "pipeline/reading/field_reader.h"
-#include "pipeline/reading/field_writer.h"
 
 namespace mien::pipeline {
 

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/documents/concerns.h"
+#include "pipeline/base/documents/concerns.h"
 #include "render/image/window.h"
 #include "render/video/video_kind.h"
 

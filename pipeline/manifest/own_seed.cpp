@@ -1,6 +1,6 @@
 #include "pipeline/manifest/own_seed.h"
 
-#include "pipeline/statistics/named_random.h"
+#include "pipeline/base/statistics/named_random.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/documents/concerns.h"
+#include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/questionnaire_forms.h"
 
 namespace mien::pipeline {

@@ -1,7 +1,7 @@
 #include "pipeline/manifest/questionnaire_forms.h"
 
-#include "pipeline/reading/field_reader.h"
-#include "pipeline/reading/field_writer.h"
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/field_writer.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/documents/fault.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/manifest.h"
 
 namespace mien::pipeline {

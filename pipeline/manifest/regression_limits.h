@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/documents/concerns.h"
+#include "pipeline/base/documents/concerns.h"
 
 namespace mien::pipeline {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/documents/fault.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/manifest.h"
 
 namespace mien::pipeline {

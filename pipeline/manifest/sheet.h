@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/documents/concerns.h"
+#include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/stimulus.h"
 #include "scenes/stage/layout.h"
 

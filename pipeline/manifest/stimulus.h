@@ -10,12 +10,12 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "motion/interpolation/synthesis_options.h"
-#include "pipeline/documents/concerns.h"
-#include "pipeline/look/look.h"
-#include "pipeline/look/look_fields.h"
+#include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/factors.h"
 #include "pipeline/manifest/foil.h"
 #include "pipeline/manifest/hold.h"
+#include "pipeline/manifest/look/look.h"
+#include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/modification.h"
 #include "pipeline/manifest/output.h"
 #include "pipeline/manifest/regression_limits.h"

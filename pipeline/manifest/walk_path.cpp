@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "motion/procedural/builtin_sets.h"
-#include "pipeline/documents/csv.h"
-#include "pipeline/ratings/scales.h"
-#include "pipeline/reading/field_reader.h"
-#include "pipeline/reading/field_writer.h"
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/field_writer.h"
+#include "pipeline/manifest/ratings/scales.h"
 
 namespace mien::pipeline {
 

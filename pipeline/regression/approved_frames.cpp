@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "motion/formats/motion_file.h"
-#include "pipeline/documents/fault.h"
+#include "pipeline/base/documents/fault.h"
 #include "render/image/image_io.h"
 
 namespace mien::pipeline {

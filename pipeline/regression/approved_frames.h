@@ -3,8 +3,8 @@
 #include <string>
 
 #include "motion/skeleton/clip.h"
-#include "pipeline/comparison/noise_test.h"
 #include "pipeline/regression/baseline.h"
+#include "pipeline/regression/comparison/noise_test.h"
 #include "render/image/image.h"
 
 namespace mien::pipeline {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/film/film_record.h"
 #include "pipeline/manifest/regression_limits.h"
 #include "pipeline/manifest/stimulus.h"
+#include "pipeline/production/film/film_record.h"
 #include "pipeline/regression/settings.h"
 #include "pipeline/tasks/hash.h"
 

@@ -8,8 +8,8 @@
 #include "motion/text/json_depth.h"
 #include "motion/text/lfs_pointer.h"
 #include "motion/text/safe_name.h"
-#include "pipeline/documents/fault.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/regression/baseline.h"
 
 namespace mien::pipeline {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "render/image/image_io.h"
 
 namespace mien::pipeline {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "motion/measures/motion_difference.h"
-#include "pipeline/comparison/frame_comparison.h"
-#include "pipeline/documents/words.h"
+#include "pipeline/base/documents/words.h"
+#include "pipeline/regression/comparison/frame_comparison.h"
 #include "pipeline/regression/settings.h"
 
 namespace mien::pipeline {

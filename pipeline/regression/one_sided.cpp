@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "motion/text/shell_word.h"
+#include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/regression/approved_frames.h"
-#include "pipeline/synthesis/motion_record.h"
 
 namespace mien::pipeline {
 

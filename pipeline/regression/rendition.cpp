@@ -4,10 +4,10 @@
 #include <array>
 #include <utility>
 
-#include "pipeline/film/film.h"
-#include "pipeline/film/film_shot.h"
 #include "pipeline/manifest/own_seed.h"
-#include "pipeline/synthesis/motion_task.h"
+#include "pipeline/production/film/film.h"
+#include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/synthesis/motion_task.h"
 #include "pipeline/tasks/parallel.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/image/tone.h"

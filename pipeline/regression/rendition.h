@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "motion/skeleton/clip.h"
-#include "pipeline/comparison/noise_test.h"
-#include "pipeline/film/film.h"
-#include "pipeline/film/film_equalized.h"
 #include "pipeline/manifest/artifact_keys.h"
-#include "pipeline/synthesis/motions.h"
+#include "pipeline/production/film/film.h"
+#include "pipeline/production/film/film_equalized.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/regression/comparison/noise_test.h"
 #include "pipeline/tasks/hash.h"
 #include "render/image/image.h"
 #include "scenes/stage/shot.h"

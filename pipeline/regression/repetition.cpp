@@ -4,7 +4,7 @@
 #include <map>
 #include <thread>
 
-#include "pipeline/archive/scratch_folder.h"
+#include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/regression/stimulus_facts.h"
 

@@ -4,10 +4,10 @@
 #include <map>
 #include <utility>
 
-#include "pipeline/look/point_form.h"
-#include "pipeline/look/set_fields.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/reading/field_writer.h"
+#include "pipeline/manifest/look/point_form.h"
+#include "pipeline/manifest/look/set_fields.h"
 #include "pipeline/tasks/artifact_key.h"
 #include "scenes/cameras/camera_settings.h"
 #include "scenes/character/character.h"

@@ -10,7 +10,7 @@
 
 #include "motion/math/rotation.h"
 #include "motion/measures/motion_tolerance.h"
-#include "pipeline/comparison/told_apart.h"
+#include "pipeline/regression/comparison/told_apart.h"
 
 namespace mien::pipeline {
 

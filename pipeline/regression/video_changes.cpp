@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/comparison/told_apart.h"
+#include "pipeline/regression/comparison/told_apart.h"
 
 namespace mien::pipeline {
 

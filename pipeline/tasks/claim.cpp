@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/hash.h"
 
 namespace mien::pipeline {

@@ -18,7 +18,7 @@ function(hash_sources name)
     endif()
     list(APPEND sources ${found})
   endforeach()
-  list(FILTER sources EXCLUDE REGEX "^pipeline/(archive|commands)/")
+  list(FILTER sources EXCLUDE REGEX "^pipeline/(commands|production/archive)/")
   list(SORT sources)
   list(REMOVE_DUPLICATES sources)
   set(text "")
@@ -34,7 +34,7 @@ endfunction()
 
 hash_sources(motion motion)
 # Pictures: also what reads looks and sets, and what a picture's size is.
-hash_sources(film motion render scenes pipeline/documents pipeline/reading pipeline/look pipeline/drawing pipeline/film
+hash_sources(film motion render scenes pipeline/base/documents pipeline/base/reading pipeline/manifest/look pipeline/base/drawing pipeline/production/film
              pipeline/manifest/output.h pipeline/manifest/output.cpp)
 hash_sources(pipeline pipeline)
 file(WRITE ${OUTPUT}.new

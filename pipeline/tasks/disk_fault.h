@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 
 namespace mien::pipeline {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/store.h"
 #include "pipeline/tasks/store_state.h"
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 
 namespace mien::pipeline {
 

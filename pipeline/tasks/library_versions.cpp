@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <xxhash.h>
 
-#include "pipeline/drawing/page_libraries.h"
+#include "pipeline/base/drawing/page_libraries.h"
 #include "pipeline/tasks/code_identity.h"
 #include "render/image/image_io.h"
 #include "render/image/png_file.h"

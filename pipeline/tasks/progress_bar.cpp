@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/documents/printable_stream.h"
+#include "pipeline/base/documents/printable_stream.h"
 
 namespace mien::pipeline {
 

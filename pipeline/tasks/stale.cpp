@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "motion/text/safe_name.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 
 namespace mien::pipeline {
 

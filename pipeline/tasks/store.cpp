@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/disk_fault.h"
 #include "pipeline/tasks/remains.h"
 #include "pipeline/tasks/store_state.h"

@@ -9,7 +9,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/disk_fault.h"
 #include "pipeline/tasks/remains.h"
 

@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "motion/error.h"
-#include "pipeline/documents/failure_text.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/disk_fault.h"
 #include "pipeline/tasks/task_graph.h"
 

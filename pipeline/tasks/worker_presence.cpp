@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {

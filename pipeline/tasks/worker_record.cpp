@@ -19,7 +19,7 @@
 #include <unistd.h>
 
 #include "motion/text/safe_name.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "render/tracer/tracer.h"
 
 namespace mien::pipeline {

@@ -16,9 +16,9 @@
 #include <stdlib.h>
 
 #include "motion/procedural/builtin_sets.h"
-#include "pipeline/film/film.h"
-#include "pipeline/film/shot_files.h"
-#include "pipeline/look/set_file.h"
+#include "pipeline/manifest/look/set_file.h"
+#include "pipeline/production/film/film.h"
+#include "pipeline/production/film/shot_files.h"
 #include "render/image/tone.h"
 #include "render/video/video_check.h"
 

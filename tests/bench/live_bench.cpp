@@ -5,8 +5,8 @@
 
 #include "motion/live/live_answer.h"
 #include "motion/live/live_core.h"
-#include "pipeline/checks/manifest_reader.h"
-#include "pipeline/live/live_bundle_writer.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/study/live/live_bundle_writer.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "pipeline/comparison/frame_comparison.h"
-#include "pipeline/comparison/noise_test.h"
+#include "pipeline/regression/comparison/frame_comparison.h"
+#include "pipeline/regression/comparison/noise_test.h"
 #include "pipeline/tasks/parallel.h"
 
 namespace {

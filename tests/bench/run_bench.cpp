@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <sys/resource.h>
 
-#include "pipeline/checks/checked_manifest.h"
-#include "pipeline/production/run.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/run/run.h"
 
 namespace {
 

@@ -18,10 +18,10 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
-#include "pipeline/checks/checked_manifest.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/film/film_record.h"
-#include "pipeline/production/run.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/film/film_record.h"
+#include "pipeline/production/run/run.h"
 
 namespace {
 

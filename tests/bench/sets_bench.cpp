@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "motion/procedural/builtin_sets.h"
-#include "pipeline/film/film.h"
-#include "pipeline/look/set_file.h"
+#include "pipeline/manifest/look/set_file.h"
+#include "pipeline/production/film/film.h"
 #include "render/tracer/tracer.h"
 
 #include "processor_time.h"

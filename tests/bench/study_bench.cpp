@@ -5,8 +5,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "pipeline/analysis/analysis.h"
-#include "pipeline/analysis/analysis_tables.h"
+#include "pipeline/study/analysis/analysis.h"
+#include "pipeline/study/analysis/analysis_tables.h"
 
 namespace {
 

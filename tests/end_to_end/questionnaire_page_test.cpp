@@ -314,7 +314,7 @@ TEST_F(QuestionnairePage, SendsPhonesAwayAndKeepsNothingOfWhoRefuses) {
 
 /// That C++ makes the same rows of the same records is tested beside the file.
 TEST_F(QuestionnairePage, MakesTheRowsThatAreExpected) {
-  const fs::path there = fs::path(MIEN_SOURCE_DIR) / "tests/pipeline/questionnaire";
+  const fs::path there = fs::path(MIEN_SOURCE_DIR) / "tests/pipeline/study/questionnaire";
   const Ended ended = run_program(
       {"node", (page_tests() / "rows.mjs").string(), (there / "page_session.json").string()});
   EXPECT_EQ(ended.output, text_of(there / "page_answers.csv")) << ended.errors;

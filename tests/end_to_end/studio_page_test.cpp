@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/server/raw_client.h"
+#include "pipeline/study/server/raw_client.h"
 
 #include "end_to_end/browser.h"
 #include "end_to_end/program.h"

@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/checks/manifest_checks.h"
-#include "pipeline/checks/manifest_reader.h"
-#include "pipeline/checks/name_checks.h"
-#include "pipeline/documents/fault.h"
-#include "pipeline/ratings/scales.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/manifest/checks/manifest_checks.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/checks/name_checks.h"
+#include "pipeline/manifest/ratings/scales.h"
 
 using namespace mien::pipeline;
 

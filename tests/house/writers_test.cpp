@@ -19,7 +19,7 @@ const std::set<std::string> writers = {"motion/text/result_file.cpp",
                                        "pipeline/tasks/claim.cpp",
                                        "pipeline/tasks/frame_store.cpp",
                                        "pipeline/farm/submission_journal.cpp",
-                                       "pipeline/studio/open_browser.cpp",
+                                       "pipeline/study/studio/open_browser.cpp",
                                        "pipeline/commands/motion/motion_sink.h"};
 
 bool opens_for_writing(const std::string& text) {
@@ -32,8 +32,9 @@ bool opens_for_writing(const std::string& text) {
 /// Sources that put files in their places themselves: the writer of all results; records that do
 /// not wait for the disk; and folders, which are put in their places whole.
 const std::set<std::string> movers = {
-    "motion/text/result_file.cpp", "pipeline/documents/files.cpp", "pipeline/tasks/store_state.cpp",
-    "pipeline/tasks/frame_store.cpp", "pipeline/regression/approval.cpp"};
+    "motion/text/result_file.cpp", "pipeline/base/documents/files.cpp",
+    "pipeline/tasks/store_state.cpp", "pipeline/tasks/frame_store.cpp",
+    "pipeline/regression/approval.cpp"};
 
 bool moves_files(const std::string& text) { return text.find("::rename(") != std::string::npos; }
 

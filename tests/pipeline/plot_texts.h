@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/drawing/plot.h"
+#include "pipeline/base/drawing/plot.h"
 
 namespace mien::test {
 

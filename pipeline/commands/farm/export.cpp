@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/farm/submission_options.h"
-#include "pipeline/documents/files.h"
 #include "pipeline/farm/open_job_description.h"
 
 namespace mien::pipeline {

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include "motion/text/shell_word.h"
-#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
 
 namespace mien::pipeline {
 

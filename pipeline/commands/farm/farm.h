@@ -5,7 +5,7 @@
 
 #include "pipeline/commands/cli.h"
 #include "pipeline/farm/batch_script.h"
-#include "pipeline/production/production.h"
+#include "pipeline/production/run/production.h"
 
 namespace mien::pipeline {
 

@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/base/documents/printable_stream.h"
 #include "pipeline/commands/farm/farm.h"
-#include "pipeline/documents/printable_stream.h"
 #include "pipeline/farm/farm_status.h"
 #include "pipeline/farm/slurm.h"
 

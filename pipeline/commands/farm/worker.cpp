@@ -10,16 +10,16 @@
 #include <fmt/format.h>
 
 #include "motion/text/shell_word.h"
-#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/base/documents/failure_text.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
-#include "pipeline/documents/failure_text.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/task_list.h"
 #include "pipeline/farm/work_item.h"
 #include "pipeline/farm/worker_codes.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/tasks/disk_fault.h"
 #include "pipeline/tasks/progress.h"
 

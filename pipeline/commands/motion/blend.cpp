@@ -10,9 +10,9 @@
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
-#include "pipeline/synthesis/blend_warnings.h"
-#include "pipeline/synthesis/repertoire.h"
-#include "pipeline/synthesis/synthesis.h"
+#include "pipeline/production/synthesis/blend_warnings.h"
+#include "pipeline/production/synthesis/repertoire.h"
+#include "pipeline/production/synthesis/synthesis.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/checks/manifest_reader.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
 
 namespace mien::pipeline {
 

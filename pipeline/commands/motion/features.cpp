@@ -13,9 +13,9 @@
 #include "motion/formats/motion_file.h"
 #include "motion/measures/motion_features.h"
 #include "motion/rig/body_mapping.h"
+#include "pipeline/base/documents/csv.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/commands/take_option.h"
-#include "pipeline/documents/csv.h"
 
 namespace mien::pipeline {
 

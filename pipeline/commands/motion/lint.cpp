@@ -13,11 +13,11 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/rig/recording_clip.h"
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/commands/take_option.h"
-#include "pipeline/documents/csv.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/report/lint_timeline.h"
+#include "pipeline/production/report/lint_timeline.h"
 
 namespace mien::pipeline {
 

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/commands/take_option.h"
-#include "pipeline/documents/files.h"
 #include "pipeline/manifest/recipes.h"
-#include "pipeline/synthesis/modified_motion.h"
-#include "pipeline/synthesis/synthesis.h"
+#include "pipeline/production/synthesis/modified_motion.h"
+#include "pipeline/production/synthesis/synthesis.h"
 
 namespace mien::pipeline {
 

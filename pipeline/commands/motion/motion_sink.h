@@ -7,7 +7,7 @@
 #include <string>
 
 #include "motion/formats/bvh_text.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 
 namespace mien::pipeline {
 

@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/formats/motion_file.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/live_stream.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/commands/motion/motion_source.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/synthesis/modified_motion.h"
+#include "pipeline/production/synthesis/modified_motion.h"
 
 namespace mien::pipeline {
 

@@ -1,5 +1,5 @@
 #include "pipeline/commands/regress/regress.h"
-#include "pipeline/comparison/compared_media.h"
+#include "pipeline/regression/comparison/compared_media.h"
 
 namespace mien::pipeline {
 

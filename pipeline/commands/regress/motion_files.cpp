@@ -1,6 +1,6 @@
 #include "pipeline/commands/regress/regress.h"
 #include "pipeline/commands/take_option.h"
-#include "pipeline/comparison/compared_motions.h"
+#include "pipeline/regression/comparison/compared_motions.h"
 
 namespace mien::pipeline {
 

@@ -9,10 +9,10 @@
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "motion/math/geometry.h"
+#include "pipeline/base/documents/failure_text.h"
 #include "pipeline/commands/regress/regress_study.h"
 #include "pipeline/commands/take_option.h"
-#include "pipeline/comparison/compared_media.h"
-#include "pipeline/documents/failure_text.h"
+#include "pipeline/regression/comparison/compared_media.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "motion/text/shell_word.h"
-#include "pipeline/documents/fault.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/regression/baseline.h"
 #include "pipeline/tasks/command_run.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "pipeline/archive/scratch_folder.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/archive/scratch_folder.h"
 
 namespace mien::pipeline {
 

@@ -10,18 +10,18 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/safe_name.h"
-#include "pipeline/analysis/analysis_report.h"
-#include "pipeline/analysis/analysis_tables.h"
-#include "pipeline/analysis/calibration_chart.h"
-#include "pipeline/analysis/cluster_names.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/kept_scales.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/commands/word_choice.h"
-#include "pipeline/documents/files.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
-#include "pipeline/synthesis/repertoire.h"
+#include "pipeline/production/synthesis/repertoire.h"
+#include "pipeline/study/analysis/analysis_report.h"
+#include "pipeline/study/analysis/analysis_tables.h"
+#include "pipeline/study/analysis/calibration_chart.h"
+#include "pipeline/study/analysis/cluster_names.h"
 
 namespace mien::pipeline {
 

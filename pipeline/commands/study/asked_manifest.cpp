@@ -1,9 +1,9 @@
 #include "pipeline/commands/study/asked_manifest.h"
 
-#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/base/documents/environment.h"
 #include "pipeline/commands/installed_manifests.h"
-#include "pipeline/documents/environment.h"
 #include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
 
 namespace mien::pipeline {
 

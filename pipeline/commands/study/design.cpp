@@ -8,18 +8,18 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "pipeline/checks/session_checks.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/frozen_archive.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/production/study_inputs.h"
-#include "pipeline/questionnaire/balance.h"
-#include "pipeline/questionnaire/power.h"
-#include "pipeline/questionnaire/session_duration.h"
+#include "pipeline/manifest/checks/session_checks.h"
+#include "pipeline/production/run/study_inputs.h"
+#include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/power.h"
+#include "pipeline/study/questionnaire/session_duration.h"
 
 namespace mien::pipeline {
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/safe_name.h"
+#include "pipeline/base/documents/p_value.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/documents/p_value.h"
-#include "pipeline/matching/matching_tables.h"
+#include "pipeline/study/matching/matching_tables.h"
 
 namespace mien::pipeline {
 

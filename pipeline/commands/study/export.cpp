@@ -1,4 +1,4 @@
-#include "pipeline/questionnaire/experiment/export.h"
+#include "pipeline/study/questionnaire/experiment/export.h"
 
 #include <filesystem>
 #include <memory>
@@ -11,10 +11,10 @@
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/live/live_script.h"
-#include "pipeline/matching/experiment/matching_export.h"
-#include "pipeline/page/page_bundle.h"
-#include "pipeline/questionnaire/simulated_sessions.h"
+#include "pipeline/study/live/live_script.h"
+#include "pipeline/study/matching/experiment/matching_export.h"
+#include "pipeline/study/page/page_bundle.h"
+#include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {
 

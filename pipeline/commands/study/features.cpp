@@ -8,13 +8,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "pipeline/analysis/feature_clusters.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/commands/word_choice.h"
-#include "pipeline/documents/files.h"
 #include "pipeline/manifest/example_source.h"
-#include "pipeline/synthesis/repertoire.h"
+#include "pipeline/production/synthesis/repertoire.h"
+#include "pipeline/study/analysis/feature_clusters.h"
 
 namespace mien::pipeline {
 

@@ -2,11 +2,11 @@
 
 #include <system_error>
 
-#include "pipeline/archive/zip_archive.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/documents/places.h"
-#include "pipeline/questionnaire/frozen_design.h"
-#include "pipeline/results/report/results_report.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/places.h"
+#include "pipeline/production/archive/zip_archive.h"
+#include "pipeline/study/questionnaire/frozen_design.h"
+#include "pipeline/study/results/report/results_report.h"
 
 namespace mien::pipeline {
 

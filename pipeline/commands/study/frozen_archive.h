@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/questionnaire/session_plan.h"
+#include "pipeline/study/questionnaire/session_plan.h"
 
 namespace mien::pipeline {
 

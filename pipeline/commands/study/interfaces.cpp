@@ -8,12 +8,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/method_names.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/matching/simulated_chart.h"
-#include "pipeline/matching/simulated_evaluation.h"
+#include "pipeline/study/matching/simulated_chart.h"
+#include "pipeline/study/matching/simulated_evaluation.h"
 
 namespace mien::pipeline {
 

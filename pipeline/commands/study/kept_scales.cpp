@@ -1,8 +1,8 @@
 #include "pipeline/commands/study/kept_scales.h"
 
-#include "pipeline/checks/manifest_reader.h"
-#include "pipeline/checks/study_record.h"
-#include "pipeline/documents/environment.h"
+#include "pipeline/base/documents/environment.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/checks/study_record.h"
 
 namespace mien::pipeline {
 

@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/production/run.h"
-#include "pipeline/questionnaire/shown_media.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/run/run.h"
+#include "pipeline/study/questionnaire/shown_media.h"
 #include "pipeline/tasks/progress.h"
 #include "pipeline/tasks/task_graph.h"
 

@@ -7,8 +7,8 @@
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/production_options.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/questionnaire/experiment/media.h"
-#include "pipeline/questionnaire/session_plan.h"
+#include "pipeline/study/questionnaire/experiment/media.h"
+#include "pipeline/study/questionnaire/session_plan.h"
 
 namespace mien::pipeline {
 

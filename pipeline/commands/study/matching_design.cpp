@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/new_tables.h"
-#include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/matching/experiment/matching_plan.h"
-#include "pipeline/matching/experiment/starting_distance.h"
-#include "pipeline/production/study_inputs.h"
-#include "pipeline/questionnaire/balance.h"
-#include "pipeline/questionnaire/latin_square.h"
+#include "pipeline/production/run/study_inputs.h"
+#include "pipeline/study/matching/experiment/matching_plan.h"
+#include "pipeline/study/matching/experiment/starting_distance.h"
+#include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/latin_square.h"
 
 namespace mien::pipeline {
 

@@ -4,7 +4,7 @@
 
 #include "pipeline/commands/cli.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/matching/experiment/matching_study.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
 
 namespace mien::pipeline {
 

@@ -7,12 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/method_names.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/matching/method_comparison.h"
-#include "pipeline/matching/primary_parameters.h"
+#include "pipeline/study/matching/method_comparison.h"
+#include "pipeline/study/matching/primary_parameters.h"
 
 namespace mien::pipeline {
 

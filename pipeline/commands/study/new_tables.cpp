@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <system_error>
 
-#include "pipeline/documents/csv.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/documents/places.h"
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/places.h"
 
 namespace mien::pipeline {
 

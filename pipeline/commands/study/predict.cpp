@@ -12,13 +12,13 @@
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
-#include "pipeline/analysis/feature_regression.h"
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/commands/take_option.h"
-#include "pipeline/documents/csv.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/synthesis/parameter_label.h"
+#include "pipeline/production/synthesis/parameter_label.h"
+#include "pipeline/study/analysis/feature_regression.h"
 
 namespace mien::pipeline {
 

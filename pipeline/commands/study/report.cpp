@@ -15,16 +15,16 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/excerpt.h"
-#include "pipeline/archive/zip_archive.h"
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/questionnaire/frozen_design.h"
-#include "pipeline/questionnaire/simulated_sessions.h"
-#include "pipeline/ratings/answers_of_files.h"
-#include "pipeline/results/answer_files.h"
-#include "pipeline/results/people_counted.h"
-#include "pipeline/results/report/results_report.h"
+#include "pipeline/manifest/ratings/answers_of_files.h"
+#include "pipeline/production/archive/zip_archive.h"
+#include "pipeline/study/questionnaire/frozen_design.h"
+#include "pipeline/study/questionnaire/simulated_sessions.h"
+#include "pipeline/study/results/answer_files.h"
+#include "pipeline/study/results/people_counted.h"
+#include "pipeline/study/results/report/results_report.h"
 
 namespace mien::pipeline {
 

@@ -10,17 +10,17 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/excerpt.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/matching/experiment/matching_study.h"
-#include "pipeline/page/page_bundle.h"
-#include "pipeline/questionnaire/service/collected_answers.h"
-#include "pipeline/questionnaire/service/service.h"
-#include "pipeline/questionnaire/simulated_sessions.h"
-#include "pipeline/server/http_server.h"
+#include "pipeline/study/matching/experiment/matching_study.h"
+#include "pipeline/study/page/page_bundle.h"
+#include "pipeline/study/questionnaire/service/collected_answers.h"
+#include "pipeline/study/questionnaire/service/service.h"
+#include "pipeline/study/questionnaire/simulated_sessions.h"
+#include "pipeline/study/server/http_server.h"
 
 namespace mien::pipeline {
 

@@ -6,17 +6,17 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/documents/files.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/example_source.h"
-#include "pipeline/matching/experiment/simulated_matching.h"
-#include "pipeline/production/study_inputs.h"
-#include "pipeline/questionnaire/simulated_sessions.h"
-#include "pipeline/synthesis/repertoire.h"
+#include "pipeline/production/run/study_inputs.h"
+#include "pipeline/production/synthesis/repertoire.h"
+#include "pipeline/study/matching/experiment/simulated_matching.h"
+#include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {
 

@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "pipeline/analysis/scales_yaml.h"
 #include "pipeline/manifest/example_source.h"
+#include "pipeline/study/analysis/scales_yaml.h"
 
 namespace mien::pipeline {
 

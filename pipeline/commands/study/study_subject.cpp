@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "pipeline/checks/checked_manifest.h"
+#include "pipeline/base/documents/environment.h"
 #include "pipeline/commands/installed_manifests.h"
-#include "pipeline/documents/environment.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/example_source.h"
 
 namespace mien::pipeline {

@@ -8,13 +8,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
 #include "pipeline/commands/word_choice.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/matching/experiment/starting_distance.h"
-#include "pipeline/matching/primary_parameters.h"
-#include "pipeline/matching/target_manifest.h"
+#include "pipeline/study/matching/experiment/starting_distance.h"
+#include "pipeline/study/matching/primary_parameters.h"
+#include "pipeline/study/matching/target_manifest.h"
 
 namespace mien::pipeline {
 

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "pipeline/base/documents/files.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/word_choice.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/ratings/word_answers.h"
+#include "pipeline/manifest/ratings/word_answers.h"
 
 namespace mien::pipeline {
 

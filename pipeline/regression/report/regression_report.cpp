@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/documents/html.h"
+#include "pipeline/base/documents/html.h"
 #include "pipeline/regression/report/regression_texts.h"
 #include "pipeline/regression/report/report_pictures.h"
 #include "pipeline/regression/report/report_stimulus.h"

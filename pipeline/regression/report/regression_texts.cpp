@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "motion/measures/difference_sentence.h"
-#include "pipeline/documents/html.h"
+#include "pipeline/base/documents/html.h"
 
 namespace mien::pipeline {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "pipeline/archive/scratch_folder.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/documents/html.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/html.h"
+#include "pipeline/production/archive/scratch_folder.h"
 #include "render/image/image_io.h"
 #include "render/image/resize.h"
 

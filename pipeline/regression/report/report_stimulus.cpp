@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/documents/html.h"
+#include "pipeline/base/documents/html.h"
 #include "pipeline/regression/approved_frames.h"
 
 namespace mien::pipeline {

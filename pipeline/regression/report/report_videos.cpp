@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/documents/fault.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/documents/html.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/html.h"
 #include "pipeline/regression/approval.h"
 
 namespace mien::pipeline {

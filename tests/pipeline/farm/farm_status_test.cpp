@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/farm/element_logs.h"
 #include "pipeline/farm/submission.h"
-#include "pipeline/production/run.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/run/run.h"
 #include "pipeline/tasks/task_graph.h"
 #include "pipeline/tasks/worker_record.h"
 #include "pipeline/temporary_folder.h"

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/checks/checked_manifest.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/worker.h"
-#include "pipeline/production/run.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/run/run.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
-#include "pipeline/checks/checked_manifest.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/farm/work_item.h"
 #include "pipeline/farm/worker_codes.h"
-#include "pipeline/production/run.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/run/run.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/checks/manifest_reader.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
 
 namespace mien::pipeline {
 namespace {

@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/checks/manifest_reader.h"
-#include "pipeline/look/point_form.h"
-#include "pipeline/look/set_fields.h"
+#include "pipeline/base/reading/field_names.h"
+#include "pipeline/base/reading/field_writer.h"
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/look/point_form.h"
+#include "pipeline/manifest/look/set_fields.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/recipes.h"
 #include "pipeline/manifest/schema_paths.h"
-#include "pipeline/reading/field_names.h"
-#include "pipeline/reading/field_writer.h"
-#include "pipeline/reading/schema.h"
 
 namespace mien::pipeline {
 namespace {

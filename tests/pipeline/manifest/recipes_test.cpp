@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/checks/manifest_reader.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/reading/schema.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

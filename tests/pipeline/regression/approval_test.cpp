@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/documents/files.h"
-#include "pipeline/production/study_inputs.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approved_study.h"
 
 namespace mien::pipeline {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/documents/fault.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/regression/approved_study.h"
 

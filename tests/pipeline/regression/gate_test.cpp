@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/comparison/noise_test.h"
 #include "pipeline/regression/approved_study.h"
+#include "pipeline/regression/comparison/noise_test.h"
 
 namespace mien::pipeline {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/checks/checked_manifest.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

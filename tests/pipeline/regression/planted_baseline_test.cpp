@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/planted_names.h"
-#include "pipeline/production/study_inputs.h"
+#include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approval.h"
 #include "pipeline/regression/approved_study.h"
 

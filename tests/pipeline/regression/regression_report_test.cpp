@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/comparison/frame_comparison.h"
-#include "pipeline/documents/fault.h"
-#include "pipeline/documents/files.h"
-#include "pipeline/documents/html.h"
-#include "pipeline/film/film_tables.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/html.h"
+#include "pipeline/production/film/film_tables.h"
+#include "pipeline/regression/comparison/frame_comparison.h"
 #include "pipeline/regression/report/report_pictures.h"
 #include "pipeline/temporary_folder.h"
 #include "render/image/image_io.h"

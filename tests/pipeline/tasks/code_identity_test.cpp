@@ -31,7 +31,8 @@ bool is_source(const fs::path& file) {
 
 /// No artifact depends on them.
 bool is_about_finished_studies(const std::string& source) {
-  return source.starts_with("pipeline/archive/") || source.starts_with("pipeline/commands/");
+  return source.starts_with("pipeline/production/archive/") ||
+         source.starts_with("pipeline/commands/");
 }
 
 /// All C++ sources of the modules, relative to the tree.

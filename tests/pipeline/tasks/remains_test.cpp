@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/store.h"
 #include "pipeline/tasks/worker_record.h"
 #include "pipeline/temporary_folder.h"

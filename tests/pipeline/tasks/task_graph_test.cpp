@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "pipeline/documents/files.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -1,0 +1,303 @@
+#include "pipeline/base/documents/csv.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <unordered_set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+#include "motion/text/file_contents.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/formula_mark.h"
+#include "pipeline/base/documents/utf8.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Reads fields one after the other and keeps count of lines and columns (in characters).
+class CsvScanner {
+ public:
+  CsvScanner(std::string_view text, const std::string& file) : text_(text), file_(file) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+  }
+
+  bool at_end() const { return position_ == text_.size(); }
+
+  /// The fields up to the end of the line; nothing for an empty line.
+  std::vector<CsvField> row() {
+    std::vector<CsvField> fields;
+    if (skip_line_end()) return fields;
+    while (true) {
+      fields.push_back(field());
+      if (at_end() || skip_line_end()) return fields;
+      take();  // the comma
+    }
+  }
+
+ private:
+  char peek() const { return text_[position_]; }
+
+  char take() {
+    const char c = text_[position_++];
+    if (c == '\n') {
+      ++line_;
+      column_ = 1;
+    } else if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) {
+      ++column_;
+    }
+    return c;
+  }
+
+  bool at_line_end() const {
+    return peek() == '\n' || text_.substr(position_, 2) == "\r\n" ||
+           (peek() == '\r' && position_ + 1 == text_.size());
+  }
+
+  bool skip_line_end() {
+    if (at_end() || !at_line_end()) return false;
+    if (take() == '\r' && !at_end()) take();
+    return true;
+  }
+
+  CsvField field() {
+    CsvField field = written_field();
+    field.text = without_formula_mark(std::move(field.text));
+    return field;
+  }
+
+  CsvField written_field() {
+    CsvField field{"", line_, column_};
+    if (!at_end() && peek() == '"') {
+      quoted(field);
+    } else {
+      while (!at_end() && peek() != ',' && !at_line_end()) {
+        refuse_quote();
+        field.text += take();
+      }
+    }
+    return field;
+  }
+
+  void quoted(CsvField& field) {
+    take();
+    while (true) {
+      if (at_end()) {
+        throw Error({file_, field.line, field.column}, "a quote that is not closed",
+                    "add the closing \"");
+      }
+      const char c = take();
+      if (c != '"') {
+        field.text += c;
+      } else if (!at_end() && peek() == '"') {
+        field.text += take();
+      } else {
+        break;
+      }
+    }
+    if (at_end() || peek() == ',' || at_line_end()) return;
+    throw Error({file_, line_, column_}, "text after a closing quote",
+                "write a quote inside a quoted field as \"\"");
+  }
+
+  void refuse_quote() const {
+    if (peek() != '"') return;
+    throw Error({file_, line_, column_}, "a quote in the middle of a field",
+                "quote the whole field and write the quote as \"\"");
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  std::size_t position_ = 0;
+  int line_ = 1;
+  int column_ = 1;
+};
+
+/// Spreadsheets of some languages write ; where others write a comma.
+void refuse_other_separators(const CsvTable& table) {
+  if (table.header.size() > 1) return;
+  for (const auto& [sign, name] : {std::pair{';', ";"}, std::pair{'\t', "tabs"}})
+    if (std::ranges::count(table.header.front().text, sign) > 1)
+      throw Error(place_of(table, table.header.front()),
+                  fmt::format("is separated by {}, not by commas", name),
+                  "save it as CSV separated by commas");
+}
+
+void refuse_repeated_columns(const CsvTable& table) {
+  std::unordered_set<std::string_view> met;
+  for (const CsvField& field : table.header) {
+    if (met.insert(field.text).second) continue;
+    throw Error(place_of(table, field),
+                "the column " + motion::in_quotes(field.text) + " is there twice",
+                "rename one of the two");
+  }
+}
+
+/// As it comes about where files are joined as they are.
+void refuse_header(const CsvTable& table, const std::vector<CsvField>& row) {
+  if (row.size() == 1 ||
+      !std::ranges::equal(row, table.header, {}, &CsvField::text, &CsvField::text))
+    return;
+  throw Error(place_of(table, row.front()), "the header stands here again",
+              "keep the first one alone");
+}
+
+bool needs_quotes(const std::string& field) {
+  return field.find_first_of(",\"\r\n") != std::string::npos || field.starts_with(' ') ||
+         field.ends_with(' ');
+}
+
+std::string quoted(const std::string& field) {
+  std::string text = "\"";
+  for (const char c : field) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + "\"";
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_table);
+  if (reading.bytes) return *std::move(reading.bytes);
+  throw Error({file.string(), 0, 0}, reading.hindrance, "name a CSV file");
+}
+
+}  // namespace
+
+CsvTable read_csv(const std::filesystem::path& file) {
+  return parse_csv(read_text(file), file.string());
+}
+
+CsvTable parse_csv(std::string_view text, const std::string& file) {
+  if (const auto position = first_invalid_utf8(text)) {
+    throw Error({file, position->line, position->column}, "not UTF-8 text", "save it as UTF-8");
+  }
+  CsvTable table;
+  table.file = file;
+  CsvScanner scanner(text, table.file);
+  while (!scanner.at_end()) {
+    std::vector<CsvField> row = scanner.row();
+    if (row.empty()) continue;
+    if (table.header.empty()) {
+      table.header = std::move(row);
+      refuse_other_separators(table);
+      refuse_repeated_columns(table);
+    } else if (row.size() == table.header.size()) {
+      refuse_header(table, row);
+      table.rows.push_back(std::move(row));
+    } else {
+      throw Error(place_of(table, row.front()),
+                  fmt::format("{} fields where the header has {}", row.size(), table.header.size()),
+                  "give every row as many fields as the header");
+    }
+  }
+  if (table.header.empty()) {
+    throw Error({file, 1, 1}, "the table is empty", "begin with a line of column names");
+  }
+  return table;
+}
+
+int find_column(const CsvTable& table, std::string_view name) {
+  for (std::size_t i = 0; i < table.header.size(); ++i) {
+    if (table.header[i].text == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+int require_column(const CsvTable& table, std::string_view name) {
+  const int column = find_column(table, name);
+  if (column >= 0) return column;
+  std::vector<std::string> names;
+  for (const CsvField& field : table.header) names.push_back(field.text);
+  throw Error(place_of(table, table.header.front()),
+              "there is no column " + motion::in_quotes(name),
+              "the columns are " + motion::listed(names));
+}
+
+Place place_of(const CsvTable& table, const CsvField& field) {
+  return {table.file, field.line, field.column};
+}
+
+double number_in(const CsvTable& table, const CsvField& field) {
+  const char* begin = field.text.data();
+  const char* end = begin + field.text.size();
+  if (begin != end && *begin == '+') ++begin;
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+    throw Error(place_of(table, field), motion::in_quotes(field.text) + " is not a number",
+                "write a finite decimal number");
+  }
+  return value;
+}
+
+double number_of(const std::filesystem::path& file, std::string_view column,
+                 std::string_view stimulus) {
+  const std::string text = read_file(file);
+  const std::string begin = "\n" + std::string(stimulus) + ",";
+  const std::size_t before = text.find(begin);
+  if (before == std::string::npos) {
+    throw Error(file.string() + ": no row of " + motion::in_quotes(stimulus),
+                "delete the file and run again");
+  }
+  const std::string header = text.substr(0, text.find('\n') + 1);
+  const std::size_t row = before + 1;
+  const CsvTable table =
+      parse_csv(header + text.substr(row, text.find('\n', row) - row), file.string());
+  const auto number = static_cast<std::size_t>(require_column(table, column));
+  return number_in(table, table.rows.front()[number]);
+}
+
+StimulusNumbers::StimulusNumbers(const std::filesystem::path& file,
+                                 const std::vector<std::string>& columns)
+    : file_(file.string()) {
+  const CsvTable table = read_csv(file);
+  const auto name = static_cast<std::size_t>(require_column(table, "stimulus"));
+  std::vector<std::size_t> indices;
+  for (const std::string& column : columns)
+    indices.push_back(static_cast<std::size_t>(require_column(table, column)));
+  for (const auto& row : table.rows) {
+    std::vector<double>& numbers = numbers_[row[name].text];
+    for (const std::size_t index : indices) numbers.push_back(number_in(table, row[index]));
+  }
+}
+
+const std::vector<double>& StimulusNumbers::of(const std::string& stimulus) const {
+  const auto found = numbers_.find(stimulus);
+  if (found != numbers_.end()) return found->second;
+  throw Error(file_ + ": no row of " + motion::in_quotes(stimulus),
+              "delete the file and run again");
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  // Adding zero turns −0 into 0.
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
+  assert(error == std::errc{});
+  return {text.data(), end};
+}
+
+std::string shortest_measured(double value) {
+  constexpr double roundings = 1e-12;
+  return shortest(std::abs(value) < roundings ? 0.0 : value);
+}
+
+CsvWriter::CsvWriter(std::vector<std::string> header) : width_(header.size()) { row(header); }
+
+void CsvWriter::row(const std::vector<std::string>& fields) {
+  assert(fields.size() == width_);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i > 0) text_ += ',';
+    const std::string field = with_formula_mark(fields[i]);
+    text_ += needs_quotes(field) ? quoted(field) : field;
+  }
+  // A row of one empty field must not read back as an empty line.
+  if (width_ == 1 && fields.front().empty()) text_ += "\"\"";
+  text_ += '\n';
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,66 @@
+#include "pipeline/base/documents/fault.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "motion/text/excerpt.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+auto reading_order(const Fault& fault) {
+  return std::tie(fault.place.file, fault.place.line, fault.place.column, fault.path, fault.wrong,
+                  fault.remedy);
+}
+
+/// More than any sentence of ours has, whatever it lists.
+constexpr std::size_t longest_sentence = 1000;
+
+std::string sentence(std::string_view text) {
+  return motion::excerpt(text, longest_sentence, motion::LineEnds::kept);
+}
+
+std::string wrong_with_path(const Fault& fault) {
+  const std::string wrong = sentence(fault.wrong);
+  return fault.path.empty() ? wrong : motion::excerpt(fault.path) + ": " + wrong;
+}
+
+Place shown_place(const Place& place) {
+  return {motion::printable(place.file), place.line, place.column};
+}
+
+}  // namespace
+
+std::string to_string(const Fault& fault) {
+  return Error(shown_place(fault.place), wrong_with_path(fault), sentence(fault.remedy)).what();
+}
+
+std::string fault_lines(const std::vector<Fault>& faults, std::string_view beginning) {
+  std::string text;
+  for (std::size_t i = 0; i < faults.size() && i < most_told_faults; ++i) {
+    if (i > 0) text += '\n';
+    text.append(beginning).append(to_string(faults[i]));
+  }
+  if (faults.size() <= most_told_faults) return text;
+  return text + "\nand " + std::to_string(faults.size() - most_told_faults) + " more";
+}
+
+std::vector<Fault> in_reading_order(std::vector<Fault> faults) {
+  std::sort(faults.begin(), faults.end(), [](const Fault& left, const Fault& right) {
+    return reading_order(left) < reading_order(right);
+  });
+  const auto same = [](const Fault& left, const Fault& right) {
+    return reading_order(left) == reading_order(right);
+  };
+  faults.erase(std::unique(faults.begin(), faults.end(), same), faults.end());
+  return faults;
+}
+
+Faults::Faults(std::vector<Fault> faults)
+    : Error(faults.front().place, wrong_with_path(faults.front()), faults.front().remedy),
+      faults_(in_reading_order(std::move(faults))),
+      text_(fault_lines(faults_)) {}
+
+}  // namespace mien::pipeline

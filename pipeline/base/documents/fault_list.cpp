@@ -1,0 +1,46 @@
+#include "pipeline/base/documents/fault_list.h"
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "motion/text/excerpt.h"
+#include "motion/text/file_contents.h"
+#include "motion/text/nearest_word.h"
+
+namespace mien::pipeline {
+
+void append(std::vector<Fault>& faults, std::vector<Fault> more) {
+  faults.insert(faults.end(), std::make_move_iterator(more.begin()),
+                std::make_move_iterator(more.end()));
+}
+
+void FaultList::add(const std::string& path, std::string wrong, std::string remedy) {
+  faults_.push_back({place_of(places_, path), path, std::move(wrong), std::move(remedy)});
+}
+
+void FaultList::add_at_key(const std::string& path, std::string wrong, std::string remedy) {
+  faults_.push_back({key_place_of(places_, path), path, std::move(wrong), std::move(remedy)});
+}
+
+void FaultList::check_word(const std::string& path, const std::string& name,
+                           const std::string& what, const std::vector<std::string>& known) {
+  if (known.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
+  // Looking for the nearest of many names takes a while: nobody reads so many remedies.
+  constexpr std::size_t most_remedies = 1000;
+  add(path, "unknown " + what + " " + motion::in_quotes(name),
+      faults_.size() < most_remedies ? motion::did_you_mean(name, known) : "");
+}
+
+void FaultList::check_file(const std::string& path, const std::filesystem::path& file,
+                           const std::string& expected, std::uintmax_t most_bytes) {
+  const std::string hindrance = motion::hindrance_of(file, most_bytes);
+  if (hindrance.empty()) return;
+  std::error_code unknown;
+  const bool is_there = std::filesystem::exists(file, unknown);
+  add(path, is_there ? file.string() + " " + hindrance : "there is no file " + file.string(),
+      "give " + expected + "; paths are taken from the manifest's folder");
+}
+
+}  // namespace mien::pipeline

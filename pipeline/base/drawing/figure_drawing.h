@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "motion/skeleton/pose.h"
+#include "pipeline/base/drawing/canvas.h"
+#include "pipeline/base/drawing/palette.h"
+
+namespace mien::pipeline {
+
+// Stick figures on a page, as sheets show them.
+
+/// A point of a figure as the page sees it, metres: right, up and away. Orthographic, level, from
+/// the figure's right and a little ahead of it: who walks forward (+Z) walks to the right of the
+/// page.
+struct Seen {
+  double right;
+  double up;
+  double away;
+};
+
+/// Bones in a row that are drawn in one stroke, or the head.
+struct Limb {
+  std::vector<Seen> joints;
+  double width;  ///< metres
+  bool left = false;
+  bool head = false;
+
+  double away() const {
+    double sum = 0.0;
+    for (const Seen& p : joints) sum += p.away;
+    // A head is a ball, whose front hides the neck that goes into it.
+    return sum / static_cast<double>(joints.size()) - (head ? 0.1 : 0.0);
+  }
+};
+
+/// Limbs, the farthest first.
+using Figure = std::vector<Limb>;
+
+Figure figure_of(const motion::Skeleton& body, const motion::Pose& pose);
+
+struct FigureStyle {
+  MotionColours colours;
+  double thickness = 1.0;  ///< relative
+  bool halo = true;        ///< a rim of paper where one limb passes in front of another
+};
+
+/// What all figures cover, metres.
+struct FigureExtent {
+  double left = 0.0;
+  double right = 0.0;
+  double bottom = 0.0;
+  double top = 1.0;
+
+  void include(const Figure& figure);
+};
+
+/// From metres to the page.
+struct FigureScale {
+  double points_per_metre;
+  Point origin;  ///< below the pelvis, on the floor
+
+  Point at(const Seen& p) const {
+    return {origin.x + points_per_metre * p.right, origin.y - points_per_metre * p.up};
+  }
+};
+
+void draw_figure(Canvas& canvas, const Figure& figure, const FigureStyle& style,
+                 const FigureScale& scale);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "pipeline/base/drawing/canvas.h"
+
+namespace mien::pipeline {
+
+/// A drawing of one page that does not mind what it is drawn on.
+struct Plot {
+  std::string title;   ///< of the PDF
+  double width = 0.0;  ///< points
+  double height = 0.0;
+  std::function<void(Canvas&)> draw;
+};
+
+std::string as_pdf(const Plot& plot);
+std::string as_svg(const Plot& plot);
+std::string as_png(const Plot& plot, double dots_per_inch = 200.0);
+
+/// Writes name.pdf, name.svg and name.png, the latter of 200 dots an inch or, for very large
+/// plots, of 3 million pixels. Throws Error when no font has Japanese letters, std::system_error
+/// when a file cannot be written.
+void write_plot(const Plot& plot, const std::filesystem::path& folder, const std::string& name);
+
+inline constexpr std::string_view simulated_ratings_mark = "Simulated ratings  模擬評定";
+
+/// The mark of pages that rest on what nobody answered or did: a pill with its right top corner at
+/// `corner`, text of `size` points. Returns its box.
+Box draw_simulated_mark(Canvas& canvas, Point corner,
+                        std::string_view words = simulated_ratings_mark, double size = 8.5);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "pipeline/base/reading/field_values.h"
+
+namespace mien::pipeline {
+
+/// Collects the paths of all options that a list knows and what they concern, elements of arrays as
+/// "[]": "stimuli[].output.presentation.card.text".
+class FieldNames {
+ public:
+  explicit FieldNames(std::string prefix = "", unsigned inherited = concerns::nothing)
+      : prefix_(std::move(prefix)), inherited_(inherited) {}
+
+  /// Path → what it concerns. Of a map that stands around others it is nothing by itself.
+  const std::map<std::string, unsigned>& names() const { return names_; }
+
+  template <class Value>
+  void operator()(const char* key, Value&, unsigned concerned) {
+    add(key, concerned);
+    walk<std::remove_const_t<Value>>(key, concerned);
+  }
+
+  template <class Enum>
+  void operator()(const char* key, Enum&, unsigned concerned, Words<std::remove_const_t<Enum>>) {
+    add(key, concerned);
+  }
+
+  template <class Walk>
+  void group(const char* key, Walk&& walk_group) {
+    add(key, concerns::nothing);
+    nested(key, inherited_, walk_group);
+  }
+
+  template <class Value>
+  void whole(const char* key, Value& value, unsigned concerned) {
+    (*this)(key, value, concerned);
+  }
+
+  template <class Element, class Prototype>
+  void each(const char* key, std::vector<Element>&, unsigned concerned, Prototype&&) {
+    add(key, concerned);
+    walk<Element>(std::string(key) + "[]", concerned);
+  }
+
+  template <class Value, class Form>
+  void by(const char* key, Value&, unsigned concerned, Form) {
+    add(key, concerned);
+    if constexpr (requires(FieldNames & inner) { Form::walk(inner); })
+      nested(key, concerned, [](FieldNames& inner) { Form::walk(inner); });
+  }
+
+  template <class Value, class Form>
+  void inside(Value&, unsigned, Form) {
+    Form::walk(*this);
+  }
+
+  void add(const std::string& key, unsigned concerned) { names_[prefix_ + key] |= concerned; }
+  /// What concerns the same as the option around it.
+  void add(const std::string& key) { add(key, inherited_); }
+
+  /// The options of a struct, as if they stood here.
+  template <class Value>
+  void of() {
+    Value value{};
+    fields_of(*this, value);
+  }
+
+ private:
+  template <class Value>
+  struct ElementOf {};
+  template <class Value>
+  struct ElementOf<std::vector<Value>> {
+    using Type = Value;
+    static constexpr const char* mark = "[]";
+  };
+  template <class Value>
+  struct ElementOf<std::optional<Value>> {
+    using Type = Value;
+    static constexpr const char* mark = "";
+  };
+
+  template <class Walk>
+  void nested(const std::string& key, unsigned concerned, Walk&& walk_inner) {
+    FieldNames inner(prefix_ + key + ".", concerned);
+    walk_inner(inner);
+    for (const auto& [path, concern] : inner.names_) names_[path] |= concern;
+  }
+
+  template <class Value>
+  void walk(const std::string& key, unsigned concerned) {
+    if constexpr (HasFields<Value>) {
+      nested(key, concerned, [](FieldNames& inner) { inner.of<Value>(); });
+    } else if constexpr (requires { typename ElementOf<Value>::Type; }) {
+      walk<typename ElementOf<Value>::Type>(key + ElementOf<Value>::mark, concerned);
+    }
+  }
+
+  std::string prefix_;
+  unsigned inherited_;
+  std::map<std::string, unsigned> names_;
+};
+
+}  // namespace mien::pipeline

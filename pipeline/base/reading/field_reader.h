@@ -1,0 +1,91 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/base/reading/field_values.h"
+#include "pipeline/base/reading/value_forms.h"
+
+namespace mien::pipeline {
+
+/// Lays a map over a struct: what it does not name stays as it is.
+class FieldReader {
+ public:
+  explicit FieldReader(const Given& given) : given_(given) {}
+
+  template <class Value>
+  void operator()(const char* key, Value& value, unsigned concerned) {
+    with(key, concerned, [&](const Given& member) { read(member, value); });
+  }
+
+  template <class Enum>
+  void operator()(const char* key, Enum& value, unsigned concerned, Words<Enum> words) {
+    with(key, concerned, [&](const Given& member) { assign(&member.value, value, words); });
+  }
+
+  template <class Walk>
+  void group(const char* key, Walk&& walk) {
+    with(key, concerns::nothing, [&](const Given& member) {
+      FieldReader inner(member);
+      walk(inner);
+    });
+  }
+
+  template <class Value>
+  void whole(const char* key, Value& value, unsigned concerned) {
+    with(key, concerned, [&](const Given& member) {
+      value = Value{};
+      read(member, value);
+    });
+  }
+
+  template <class Element, class Prototype>
+  void each(const char* key, std::vector<Element>& list, unsigned concerned,
+            Prototype&& prototype) {
+    with(key, concerned, [&](const Given& member) {
+      if (!member.value.is_array()) return;
+      list.clear();
+      for (std::size_t i = 0; i < member.value.size(); ++i) {
+        list.push_back(prototype());
+        read({member.value[i], element_path(member.path, i), member.context}, list.back());
+      }
+    });
+  }
+
+  template <class Value, class Form>
+  void by(const char* key, Value& value, unsigned concerned, Form) {
+    with(key, concerned, [&](const Given& member) { Form::read(member, value); });
+  }
+
+  template <class Value, class Form>
+  void inside(Value& value, unsigned, Form) {
+    Form::read(given_, value);
+  }
+
+ private:
+  template <class Use>
+  void with(const char* key, unsigned concerned, Use&& use) {
+    if (!given_.value.is_object()) {
+      if ((concerned & concerns::alone) != 0) use(given_);
+      return;
+    }
+    const auto found = given_.value.find(key);
+    if (found != given_.value.end()) use({*found, member_path(given_.path, key), given_.context});
+  }
+
+  const Given& given_;
+};
+template <class Value>
+void read(const Given& given, Value& value) {
+  if constexpr (HasFields<Value>) {
+    FieldReader reader(given);
+    fields_of(reader, value);
+  } else if constexpr (HasForm<Value>) {
+    ValueForm<Value>::read(given, value);
+  } else {
+    assign(&given.value, value);
+  }
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/base/reading/field_values.h"
+#include "pipeline/base/reading/value_forms.h"
+
+namespace mien::pipeline {
+
+/// What a struct says of one option.
+struct FieldEntry {
+  std::string path;  ///< within the struct: "presentation.card.text"
+  unsigned concerns = concerns::nothing;
+  OrderedJson value;                         ///< null where it says nothing
+  std::vector<std::filesystem::path> files;  ///< for a key: that it names
+};
+
+/// Writes down everything that a struct says, option by option.
+class FieldWriter {
+ public:
+  /// Adds what it writes to `entries`.
+  FieldWriter(const Writing& how, std::vector<FieldEntry>& entries, std::string prefix = "")
+      : how_(how), entries_(entries), prefix_(std::move(prefix)) {}
+
+  template <class Value>
+  void operator()(const char* key, const Value& value, unsigned concerns) {
+    if constexpr (HasFields<const Value>) {
+      nested(key, [&](FieldWriter& inner) { fields_of(inner, value); });
+    } else {
+      add(key, concerns, [&](const Writing& how) { return written(value, how); });
+    }
+  }
+
+  template <class Enum>
+  void operator()(const char* key, const Enum& value, unsigned concerns, Words<Enum> words) {
+    for (const auto& [word, meaning] : words) {
+      if (meaning == value) add(key, concerns, [&](const Writing&) { return OrderedJson(word); });
+    }
+  }
+
+  template <class Walk>
+  void group(const char* key, Walk&& walk) {
+    nested(key, walk);
+  }
+
+  template <class Value>
+  void whole(const char* key, const Value& value, unsigned concerns) {
+    add(key, concerns, [&](const Writing& how) { return written(value, how); });
+  }
+
+  template <class Element, class Prototype>
+  void each(const char* key, const std::vector<Element>& list, unsigned concerns,
+            Prototype&& prototype);
+
+  template <class Value, class Form>
+  void by(const char* key, const Value& value, unsigned concerns, Form) {
+    add(key, concerns, [&](const Writing& how) { return Form::write(value, how); });
+  }
+
+  template <class Value, class Form>
+  void inside(const Value& value, unsigned concerns, Form) {
+    if (!is_asked(concerns)) return;
+    const OrderedJson map = Form::write(value, of_members());
+    for (const auto& [key, member] : map.items())
+      entries_.push_back({prefix_ + key, concerns, member, {}});
+  }
+
+ private:
+  template <class Walk>
+  void nested(const char* key, Walk&& walk) {
+    FieldWriter inner(how_, entries_, prefix_ + key + ".");
+    walk(inner);
+  }
+
+  bool is_asked(unsigned concerns) const {
+    return how_.concerned == concerns::everything || (concerns & how_.concerned) != 0;
+  }
+
+  /// What concerns something does so with all that it holds.
+  Writing of_members() const {
+    Writing how = how_;
+    how.concerned = concerns::everything;
+    return how;
+  }
+
+  template <class Write>
+  void add(const char* key, unsigned concerns, Write&& write) {
+    if (!is_asked(concerns)) return;
+    FieldEntry entry{prefix_ + key, concerns, {}, {}};
+    Writing how = of_members();
+    how.files = &entry.files;
+    entry.value = write(how);
+    entries_.push_back(std::move(entry));
+  }
+
+  const Writing& how_;
+  std::vector<FieldEntry>& entries_;
+  std::string prefix_;
+};
+
+template <class Value>
+std::vector<FieldEntry> entries_of(const Value& value, const Writing& how) {
+  constexpr std::size_t usual_count = 64;
+  std::vector<FieldEntry> entries;
+  entries.reserve(usual_count);
+  FieldWriter writer(how, entries);
+  fields_of(writer, value);
+  return entries;
+}
+
+/// The entries in which one list says something else than the other, which is of the same struct,
+/// and those that are always written. Quick where both are in the same order.
+std::vector<FieldEntry> differences(std::vector<FieldEntry> entries,
+                                    const std::vector<FieldEntry>& base);
+
+/// Entries as a map of maps.
+OrderedJson nested_map(const std::vector<FieldEntry>& entries);
+
+/// What is to be written so that `value` is read when it is laid over the value of which `base` are
+/// the entries.
+template <class Value>
+OrderedJson written_over(const Value& value, const std::vector<FieldEntry>& base,
+                         const Writing& how) {
+  const std::vector<FieldEntry> entries = differences(entries_of(value, how), base);
+  if (how.files != nullptr) {
+    for (const FieldEntry& entry : entries)
+      how.files->insert(how.files->end(), entry.files.begin(), entry.files.end());
+  }
+  return nested_map(entries);
+}
+
+template <class Value>
+OrderedJson written(const Value& value, const Writing& how) {
+  if constexpr (HasFields<const Value>) {
+    return written_over(value, entries_of(Value{}, how), how);
+  } else if constexpr (HasForm<Value>) {
+    return ValueForm<Value>::write(value, how);
+  } else {
+    static_assert(std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string> ||
+                  std::is_same_v<Value, std::array<int, 2>> ||
+                  std::is_same_v<Value, std::array<double, 2>> ||
+                  std::is_same_v<Value, std::array<int, 4>>);
+    return value;
+  }
+}
+template <class Element, class Prototype>
+void FieldWriter::each(const char* key, const std::vector<Element>& list, unsigned concerns,
+                       Prototype&& prototype) {
+  add(key, concerns, [&](const Writing& how) {
+    OrderedJson array;
+    const std::vector<FieldEntry> base = entries_of(Element(prototype()), how);
+    for (const Element& one : list) array.push_back(written_over(one, base, how));
+    return array;
+  });
+}
+
+}  // namespace mien::pipeline

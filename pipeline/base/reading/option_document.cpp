@@ -1,0 +1,45 @@
+#include "pipeline/base/reading/option_document.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/base/reading/yaml_tree.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+const std::string options_name = "options";
+
+/// "in_place" is written --in-place; what follows a dot is a manifest's word.
+std::string option_of(const std::string& path) {
+  std::string name = path.substr(0, path.find_first_of(".["));
+  std::ranges::replace(name, '_', '-');
+  return "--" + name + path.substr(name.size());
+}
+
+}  // namespace
+
+JsonReading read_options(const std::string& yaml, const nlohmann::json& schema,
+                         const Environment& environment) {
+  std::vector<Fault> faults;
+  const YamlNode tree = read_yaml(yaml, options_name, faults);
+  if (!faults.empty()) throw as_options(std::move(faults));
+  JsonReading reading = to_json(tree, root_of(schema), environment, faults);
+  for (Fault& fault : check_schema(reading.document, schema, reading.places))
+    faults.push_back(std::move(fault));
+  if (!faults.empty()) throw as_options(std::move(faults));
+  return reading;
+}
+
+Faults as_options(std::vector<Fault> faults) {
+  for (Fault& fault : faults) {
+    if (!fault.place.file.empty() && fault.place.file != options_name) continue;
+    fault.place = {};
+    if (!fault.path.empty()) fault.path = option_of(fault.path);
+  }
+  return Faults(std::move(faults));
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/base/reading/field_values.h"
+#include "pipeline/base/reading/json_assign.h"
+#include "pipeline/base/reading/yaml_json.h"
+
+namespace mien::pipeline {
+
+/// How a type that has neither fields nor an `assign` (json_assign.h) stands in documents.
+template <class Value>
+struct ValueForm;
+
+template <>
+struct ValueForm<std::filesystem::path> {
+  static void read(const Given& given, std::filesystem::path& value) {
+    std::string text;
+    assign(&given.value, text);
+    if (!text.empty()) value = given.context.resolve(text);
+  }
+  static OrderedJson write(const std::filesystem::path& value, const Writing& how) {
+    if (value.empty()) return {};
+    if (how.for_key) {
+      if (how.files != nullptr) how.files->push_back(value);
+      return value.filename().generic_string();
+    }
+    if (how.folder.empty()) return value.generic_string();
+    return std::filesystem::proximate(std::filesystem::absolute(value),
+                                      std::filesystem::absolute(how.folder))
+        .generic_string();
+  }
+};
+
+/// Numbers by name, in the order of the document.
+template <class Value>
+struct ValueForm<std::vector<std::pair<std::string, Value>>> {
+  static void read(const Given& given, std::vector<std::pair<std::string, Value>>& value) {
+    if (!given.value.is_object()) return;
+    value.clear();
+    for (const std::string& key : written_order(given.value, given.path, given.context.places)) {
+      const Given member{given.value[key], member_path(given.path, key), given.context};
+      Value read_value{};
+      pipeline::read(member, read_value);
+      value.emplace_back(key, std::move(read_value));
+    }
+  }
+  static OrderedJson write(const std::vector<std::pair<std::string, Value>>& value,
+                           const Writing& how) {
+    if (value.empty()) return {};
+    OrderedJson map = OrderedJson::object();
+    for (const auto& [key, one] : value) map[key] = written(one, how);
+    return map;
+  }
+};
+
+/// Unset where the document says nothing.
+template <class Value>
+struct ValueForm<std::optional<Value>> {
+  static void read(const Given& given, std::optional<Value>& value) {
+    const nlohmann::json& json = given.value;
+    if (std::is_arithmetic_v<Value> && !json.is_number() && !json.is_boolean()) return;
+    Value read_value{};
+    pipeline::read(given, read_value);
+    value = std::move(read_value);
+  }
+  static OrderedJson write(const std::optional<Value>& value, const Writing& how) {
+    return value ? written(*value, how) : OrderedJson();
+  }
+};
+
+/// An array in place of what was there.
+template <class Value>
+struct ValueForm<std::vector<Value>> {
+  static void read(const Given& given, std::vector<Value>& value) {
+    if (!given.value.is_array()) return;
+    value.clear();
+    for (std::size_t i = 0; i < given.value.size(); ++i) {
+      value.emplace_back();
+      pipeline::read({given.value[i], element_path(given.path, i), given.context}, value.back());
+    }
+  }
+  static OrderedJson write(const std::vector<Value>& value, const Writing& how) {
+    if (value.empty()) return {};
+    OrderedJson array = OrderedJson::array();
+    for (const Value& one : value) array.push_back(written(one, how));
+    return array;
+  }
+};
+
+/// A struct of truth values as an array of the names of those that are true.
+template <class Flags>
+struct WordSet {
+  static void read(const Given& given, Flags& flags) {
+    if (!given.value.is_array()) return;
+    fields_of(
+        [&](const char* word, bool& flag, unsigned) {
+          flag = std::find(given.value.begin(), given.value.end(), word) != given.value.end();
+        },
+        flags);
+  }
+  static OrderedJson write(const Flags& flags, const Writing&) {
+    OrderedJson words = OrderedJson::array();
+    fields_of(
+        [&](const char* word, bool flag, unsigned) {
+          if (flag) words.push_back(word);
+        },
+        flags);
+    return words;
+  }
+};
+
+template <class Value>
+concept HasForm = requires(const Given& given, Value& value) {
+  ValueForm<Value>::read(given, value);
+};
+
+}  // namespace mien::pipeline

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/base/documents/fault.h"
+
+namespace mien::pipeline {
+
+/// A YAML value and where it was written. Aliases are resolved and merge keys (`<<`) merged.
+struct YamlNode {
+  enum class Kind { null, scalar, sequence, map };
+
+  Kind kind = Kind::null;
+  std::string text;     ///< of a scalar
+  bool quoted = false;  ///< a scalar that is text whatever it looks like
+  Place place;
+  std::vector<YamlNode> keys;      ///< of a map: scalars, each once
+  std::vector<YamlNode> children;  ///< elements of a sequence, or a map's values beside its keys
+};
+
+/// Reads one YAML document. Faults of the text are added to `faults`: not UTF-8, syntax, a tab in
+/// the indentation, a second document, a key that occurs twice, a key that is not a scalar, an
+/// unknown alias, aliases that unfold to more than 1,000,000 values, nesting deeper than 100, more
+/// than 16 MiB. After a fault of syntax the tree is null.
+YamlNode read_yaml(std::string_view text, const std::string& file, std::vector<Fault>& faults);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,76 @@
+#include "pipeline/base/statistics/t_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/distributions/students_t.hpp>
+
+#include "pipeline/base/statistics/exact_number.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// Exactly 0 where nothing but roundings differ.
+double variance_of(const std::vector<double>& values) {
+  if (all_alike(values)) return 0.0;
+  const double mean = exact_mean(values);
+  double sum = 0.0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return sum / static_cast<double>(values.size() - 1);
+}
+
+TTest finished(TTest test) {
+  test.t = test.mean / test.standard_error;
+  if (std::isnan(test.t)) return test;  // nothing differs
+  test.p = std::isinf(test.t) ? 0.0
+                              : 2.0 * cdf(boost::math::students_t(test.degrees), -std::abs(test.t));
+  return test;
+}
+
+double margin(const TTest& test, double confidence) {
+  if (!(test.degrees > 0.0)) return not_known;
+  return quantile(boost::math::students_t(test.degrees), 0.5 + 0.5 * confidence) *
+         test.standard_error;
+}
+
+}  // namespace
+
+double TTest::low(double confidence) const { return mean - margin(*this, confidence); }
+double TTest::high(double confidence) const { return mean + margin(*this, confidence); }
+
+bool all_alike(const std::vector<double>& values) {
+  if (values.empty()) return true;
+  const auto [least, most] = std::ranges::minmax(values);
+  return most - least <= 1e-12 * std::max({1.0, std::abs(least), std::abs(most)});
+}
+
+TTest paired_t_test(const std::vector<double>& differences) {
+  if (differences.size() < 2) {
+    return {differences.empty() ? not_known : differences[0], not_known, 0.0, not_known, not_known};
+  }
+  const auto n = static_cast<double>(differences.size());
+  return finished({exact_mean(differences), std::sqrt(variance_of(differences) / n), n - 1.0});
+}
+
+TTest welch_t_test(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() < 2 || b.size() < 2) return {not_known, not_known, 0.0, not_known, not_known};
+  const auto n = static_cast<double>(a.size());
+  const auto m = static_cast<double>(b.size());
+  const double of_a = variance_of(a) / n;
+  const double of_b = variance_of(b) / m;
+  const double both = of_a + of_b;
+  const double degrees =
+      both > 0.0 ? both * both / (of_a * of_a / (n - 1.0) + of_b * of_b / (m - 1.0)) : n + m - 2.0;
+  return finished({exact_mean(a) - exact_mean(b), std::sqrt(both), degrees});
+}
+
+double cohens_dz(const std::vector<double>& differences) {
+  if (differences.size() < 2) return not_known;
+  return exact_mean(differences) / std::sqrt(variance_of(differences));
+}
+
+}  // namespace mien::pipeline

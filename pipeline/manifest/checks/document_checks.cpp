@@ -1,0 +1,86 @@
+#include "pipeline/manifest/checks/document_checks.h"
+
+#include <cassert>
+#include <string>
+#include <utility>
+
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/base/reading/yaml_tree.h"
+#include "pipeline/manifest/look/set_file.h"
+#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/recipes.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// How many of the keys a schema knows; those that it asks for count twice.
+int keys_known(const YamlNode& map, const nlohmann::json& schema) {
+  int known = 0;
+  for (const YamlNode& key : map.keys) {
+    known += schema["properties"].contains(key.text);
+    for (const nlohmann::json& required : schema["required"]) known += required == key.text;
+  }
+  return known;
+}
+
+DocumentKind kind_by_name(const std::filesystem::path& name) {
+  const std::string file = name.filename().string();
+  if (file.ends_with(".scales.yaml")) return DocumentKind::scales;
+  if (file.ends_with(".set.yaml")) return DocumentKind::set;
+  if (file.ends_with(".recipes.yaml")) return DocumentKind::recipes;
+  return DocumentKind::manifest;
+}
+
+/// What a document that a manifest may name holds, and how it is named there.
+struct NamedDocument {
+  std::string holds;
+  std::string as_named;
+};
+
+NamedDocument named_document(DocumentKind kind, const std::string& file) {
+  if (kind == DocumentKind::scales) return {"scales", "examples: {scales: " + file + "}"};
+  if (kind == DocumentKind::set) return {"a set", "look: {scene: " + file + "}"};
+  assert(kind == DocumentKind::recipes);
+  return {"recipes", "recipes: " + file};
+}
+
+}  // namespace
+
+DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name) {
+  std::vector<Fault> told_later;
+  const YamlNode tree = read_yaml(yaml, name.string(), told_later);
+  std::pair best{0, kind_by_name(name)};
+  const auto consider = [&](DocumentKind kind, const nlohmann::json& schema) {
+    const int known = keys_known(tree, schema);
+    if (known > best.first) best = {known, kind};
+  };
+  consider(DocumentKind::manifest, manifest_schema());
+  consider(DocumentKind::scales, scales_schema());
+  consider(DocumentKind::set, set_schema());
+  consider(DocumentKind::recipes, recipes_schema());
+  return best.second;
+}
+
+Fault told_as_no_manifest(DocumentKind kind, const std::filesystem::path& file) {
+  const NamedDocument document = named_document(kind, file.filename().string());
+  return {{file.string(), 1, 1},
+          "",
+          "holds " + document.holds + ", and is no manifest",
+          "name it in one, as " + document.as_named + "; mien check alone takes it as it is"};
+}
+
+std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file) {
+  try {
+    if (kind == DocumentKind::scales) read_scales(file);
+    if (kind == DocumentKind::set) read_set(file.string(), file);
+    if (kind == DocumentKind::recipes) read_recipes(file.string(), file);
+  } catch (const Faults& faults) {
+    return faults.list();
+  } catch (const Error& error) {
+    return {{{}, "", error.what(), ""}};
+  }
+  return {};
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+/// What a schema cannot say: ids that occur twice, files that are missing, sizes that no encoder
+/// takes, values that need examples or ratings where there are none, sheets of one motion.
+std::vector<Fault> check_meaning(const Manifest& manifest);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,152 @@
+#include "pipeline/manifest/checks/modification_checks.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "motion/text/excerpt.h"
+#include "motion/text/file_contents.h"
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/take_checks.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+class StepChecker : FaultList {
+ public:
+  using FaultList::FaultList;
+  using FaultList::take;
+
+  void check_step(const ModificationStep& step) {
+    check_style(step);
+    if (step.edit.names("paths") && step.edit.names("gains")) {
+      add(member_path(step.path, "gains"), "paths says already how bands are weighted",
+          "give paths or gains");
+    }
+    if (step.edit.pose) {
+      check_pose(member_path(step.path, "pose.neutral"), step.edit.pose->neutral);
+      check_pose(member_path(step.path, "pose.posed"), step.edit.pose->posed);
+    } else if (step.pose) {
+      check_recipe_pose(step, step.pose->neutral);
+      check_recipe_pose(step, step.pose->posed);
+    }
+  }
+
+  void names(const Stimulus& stimulus, const Vocabulary& vocabulary) {
+    for (const ModificationStep& step : stimulus.modify) {
+      if (step.style) check_style_examples(step, vocabulary);
+      if (!step.edit.pose) continue;
+      const std::string path = member_path(step.path, "pose");
+      for (const auto& [key, pose] : {std::pair("neutral", step.edit.pose->neutral),
+                                      std::pair("posed", step.edit.pose->posed)}) {
+        if (pose.example.empty()) continue;
+        check_word(member_path(path, key), pose.example, "example", vocabulary.examples);
+      }
+    }
+  }
+
+ private:
+  /// Keys of a step, each with the older method that it is for; none for all of them.
+  void check_style(const ModificationStep& step) {
+    static const std::map<std::string, std::optional<StyleMethod>> keys = {
+        {"neutral", {}},
+        {"styled", {}},
+        {"harmonics", StyleMethod::unuma},
+        {"order", StyleMethod::hsu},
+        {"inputs", StyleMethod::hsu},
+        {"components", StyleMethod::shapiro},
+        {"swap", StyleMethod::shapiro}};
+    for (const auto& [key, method] : keys) {
+      const std::string path = member_path(step.path, key);
+      const bool is_for = step.style && (!method || step.style->method == *method);
+      if (!was_given(path) || is_for) continue;
+      add(path,
+          "only " + (method ? "method: " + std::string(name_of(*method)) : "a method") +
+              " has this",
+          "leave it out");
+    }
+    if (!step.style) return;
+    for (const char* key : {"neutral", "styled"}) {
+      if (was_given(member_path(step.path, key))) continue;
+      add(member_path(step.path, "method"),
+          "a style is the difference of two examples, and " + std::string(key) + " is missing",
+          "add neutral: and styled:");
+    }
+    if (!was_given("examples")) {
+      add(member_path(step.path, "method"), "there are no examples to take a style from",
+          "add examples:");
+    }
+    for (const char* key :
+         {"emotion", "paths", "gains", "signal", "acceleration", "acceleration_at", "limbs",
+          "posture", "pose", "tempo", "variation", "soft_limits"}) {
+      if (!was_given(member_path(step.path, key))) continue;
+      add(member_path(step.path, key), "a step with a method has no other changes",
+          "make a list of two steps");
+    }
+  }
+
+  void check_pose(const std::string& path, const PoseSource& pose) {
+    if (!pose.file.empty())
+      check_file(path, pose.file, "the name of an example or a motion file",
+                 motion::most_of_recording);
+    check_take(member_path(path, "take"), pose.file, pose.take, *this);
+    if (!pose.example.empty() && !pose.take.empty()) {
+      add(member_path(path, "take"), motion::in_quotes(pose.example) + " is an example, one motion",
+          "leave take out, or name a motion file");
+    }
+    if (!pose.example.empty() && !was_given("examples")) {
+      add(path, "there are no examples to take " + motion::in_quotes(pose.example) + " from",
+          "add examples:, or name a motion file");
+    }
+  }
+
+  /// Its paths are taken from the folder of the recipes.
+  void check_recipe_pose(const ModificationStep& step, const PoseSource& pose) {
+    const std::string path = member_path(step.path, "emotion");
+    const std::string hindrance =
+        pose.file.empty() ? "" : motion::hindrance_of(pose.file, motion::most_of_recording);
+    if (!hindrance.empty()) {
+      add(path, "its recipe names a pose of " + pose.file.string() + ": " + hindrance,
+          "correct the recipe; paths are taken from its file's folder");
+    }
+    if (!pose.example.empty() && !was_given("examples")) {
+      add(path,
+          "its recipe takes a pose of " + motion::in_quotes(pose.example) +
+              ", and there are no examples",
+          "add examples:");
+    }
+  }
+
+  void check_style_examples(const ModificationStep& step, const Vocabulary& vocabulary) {
+    for (const auto& [key, name] :
+         {std::pair("neutral", step.style->neutral), std::pair("styled", step.style->styled)}) {
+      if (name.empty()) continue;
+      check_word(member_path(step.path, key), name, "example", vocabulary.examples);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<Fault> check_modifications(const Manifest& manifest) {
+  StepChecker checker(manifest.places);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.foil) continue;
+    for (const ModificationStep& step : stimulus.modify) checker.check_step(step);
+  }
+  return checker.take();
+}
+
+std::vector<Fault> check_modification_names(const Manifest& manifest,
+                                            const Vocabulary& vocabulary) {
+  StepChecker checker(manifest.places);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (!stimulus.foil) checker.names(stimulus, vocabulary);
+  }
+  return checker.take();
+}
+
+}  // namespace mien::pipeline

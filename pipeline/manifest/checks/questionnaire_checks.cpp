@@ -1,0 +1,289 @@
+#include "pipeline/manifest/checks/questionnaire_checks.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+#include "motion/text/file_contents.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/base/documents/utf8.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/checks/session_checks.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string at(const char* key) { return member_path("questionnaire", key); }
+
+std::vector<Fault> complete_own_scales(ScaleChoice& scales, const Places& places) {
+  FaultList list(places);
+  if (scales.file.empty()) return {};
+  const std::string path = member_path(at("scales"), "file");
+  list.check_file(path, scales.file, "a scales file (YAML)", motion::most_of_document);
+  std::vector<Fault> faults = list.take();
+  if (!faults.empty()) return faults;
+  try {
+    scales.own = read_scales(scales.file);
+  } catch (const Faults& wrong) {
+    return wrong.list();
+  }
+  return {};
+}
+
+/// Holds a questionnaire against the manifest around it.
+class QuestionnaireCheck {
+ public:
+  explicit QuestionnaireCheck(const Manifest& manifest)
+      : manifest_(manifest), asked_(*manifest.questionnaire), list_(manifest.places) {
+    for (const Stimulus& stimulus : manifest.stimuli) ids_.push_back(stimulus.id);
+    factors_ = factors_of(manifest);
+  }
+
+  std::vector<Fault> faults() {
+    check_stimuli();
+    check_scales();
+    check_answers();
+    check_trials();
+    check_order();
+    check_numbers();
+    check_demographics();
+    check_view();
+    return list_.take();
+  }
+
+ private:
+  void check_ids(const std::string& path, const Names& names, const char* what,
+                 const Names& known) {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      list_.check_word(element_path(path, i), names[i], what, known);
+      if (!taken.insert(names[i]).second)
+        list_.add(element_path(path, i), motion::in_quotes(names[i]) + " stands here twice",
+                  "name it once");
+    }
+  }
+
+  void check_factor(const std::string& path, const std::string& factor) {
+    if (factors_.empty())
+      return list_.add(path, "the stimuli have no factors", "give them some: factors: {actor: …}");
+    list_.check_word(path, factor, "factor", factors_);
+  }
+
+  Names levels_of_factor(const std::string& factor) const {
+    Names levels;
+    for (const Stimulus& stimulus : manifest_.stimuli) {
+      const std::string level = level_of(stimulus, factor);
+      if (!level.empty() && std::ranges::find(levels, level) == levels.end())
+        levels.push_back(level);
+    }
+    return levels;
+  }
+
+  bool are_levels_known() const {
+    return std::ranges::all_of(asked_.stimuli.levels, [&](const auto& wanted) {
+      const Names known = levels_of_factor(wanted.first);
+      return std::ranges::all_of(wanted.second, [&](const std::string& level) {
+        return std::ranges::find(known, level) != known.end();
+      });
+    });
+  }
+
+  void check_stimuli() {
+    const std::string path = at("stimuli");
+    check_ids(path, asked_.stimuli.ids, "stimulus", ids_);
+    for (const auto& [factor, levels] : asked_.stimuli.levels) {
+      const std::string place = member_path(path, factor);
+      if (std::ranges::find(factors_, factor) == factors_.end()) {
+        list_.add_at_key(place, "unknown factor", motion::did_you_mean(factor, factors_));
+      } else {
+        check_ids(place, levels, "level", levels_of_factor(factor));
+      }
+    }
+    check_ids(at("practice"), asked_.practice, "stimulus", ids_);
+    if (!asked_.reference.empty())
+      list_.check_word(at("reference"), asked_.reference, "stimulus", ids_);
+    if (!ids_.empty() && are_levels_known() && asked_stimuli(manifest_).empty())
+      list_.add(path, "no stimulus has these levels", "name levels that go together");
+  }
+
+  void check_scales() {
+    const ScaleChoice& choice = asked_.scales;
+    const bool is_asked = choice.all || choice.emotions || !choice.ids.empty();
+    if (!is_asked && asked_.trials != TrialForm::emotion && !list_.was_given(at("scales"))) {
+      list_.add("questionnaire", "asks on no scales",
+                "add scales: all, scales: emotions or scales: [sad-happy]");
+    }
+    Names known;
+    for (const Scale& scale : scales_to_choose(manifest_).scales) known.push_back(scale.id);
+    const std::string path = choice.file.empty() ? at("scales") : member_path(at("scales"), "ask");
+    check_ids(path, choice.ids, "scale", known);
+  }
+
+  void check_answers() {
+    const AnswerSettings& answer = asked_.answer;
+    const std::string path = at("answer");
+    const auto one_of = [&](bool chosen, const char* key, const char* other) {
+      if (chosen && list_.was_given(member_path(path, key)))
+        list_.add_at_key(member_path(path, key), std::string("goes with no ") + other,
+                         "keep one of them");
+    };
+    one_of(answer.slider, "points", "slider");
+    one_of(answer.words, "points", "free words");
+    if (answer.slider) one_of(answer.words, "words", "slider");
+    if (answer.starts_at != StartsAt::middle) return;
+    const std::string start = member_path(path, "default");
+    if (answer.words) list_.add(start, "free words have no middle", "write none");
+    if (!answer.words && !answer.slider && answer.points % 2 == 0) {
+      list_.add(start, fmt::format("{} points have no middle", answer.points),
+                "ask for an odd number of points, or write none");
+    }
+  }
+
+  void check_trials() {
+    if (asked_.trials != TrialForm::emotion && !asked_.choices.empty())
+      list_.add_at_key(at("choices"), "only emotion trials have choices", "add trials: emotion");
+    if (asked_.trials != TrialForm::pair && !asked_.pairs.empty())
+      list_.add_at_key(at("pairs"), "only pair trials have pairs", "add trials: pair");
+    if (asked_.trials == TrialForm::emotion && asked_.choices.empty() &&
+        asked_choices(manifest_).size() < 2) {
+      list_.add(at("trials"), "there are no two emotions to choose from",
+                "add choices: [sad, happy], or the factor emotion to the stimuli");
+    }
+    if (asked_.trials == TrialForm::pair && !asked_.reference.empty())
+      list_.add(at("reference"), "a pair stands beside each other already", "leave it out");
+    if (asked_.trials == TrialForm::pair && asked_.answer.words)
+      list_.add(member_path(at("answer"), "words"), "one of two is chosen without words",
+                "leave it out");
+    if (asked_.trials == TrialForm::pair && asked_.practice.size() % 2 == 1)
+      list_.add(at("practice"), "stimuli of pairs are practised two by two",
+                "name an even number of them");
+    for (std::size_t i = 0; i < asked_.pairs.size(); ++i)
+      check_ids(element_path(at("pairs"), i), asked_.pairs[i], "stimulus", ids_);
+  }
+
+  void check_order() {
+    for (std::size_t i = 0; i < asked_.apart.size(); ++i)
+      check_factor(element_path(at("apart"), i), asked_.apart[i]);
+    const TrialOrder& order = asked_.order;
+    if (order.kind == TrialOrder::Kind::blocked) {
+      check_factor(member_path(at("order"), "blocked"), order.factor);
+      for (std::size_t i = 0; i < asked_.apart.size(); ++i) {
+        if (asked_.apart[i] == order.factor)
+          list_.add(element_path(at("apart"), i), "a block is of one level of this factor",
+                    "leave it out, or do not block by it");
+      }
+    }
+    const bool is_given =
+        order.kind == TrialOrder::Kind::fixed || order.kind == TrialOrder::Kind::latin;
+    if (!asked_.apart.empty() && is_given) {
+      list_.add_at_key(at("apart"), "the order says already what follows what",
+                       "leave it out, or choose order: full");
+    }
+  }
+
+  /// Nobody looks at so many, and laying them out would take all memory.
+  bool are_too_many_pairs() {
+    constexpr std::size_t most_pairs = 5000;
+    const std::size_t count = asked_stimuli(manifest_).size();
+    if (asked_.trials != TrialForm::pair || !asked_.pairs.empty()) return false;
+    if (count * (count - 1) / 2 <= most_pairs || count == 0) return false;
+    list_.add(at("trials"),
+              fmt::format("all pairs of {} stimuli are more than {}", count, most_pairs),
+              "name those that are asked about: pairs: [[a, b], …]");
+    return true;
+  }
+
+  void check_numbers() {
+    if (are_too_many_pairs()) return;
+    const std::size_t trials = asked_.trials == TrialForm::pair ? asked_pairs(manifest_).size()
+                                                                : asked_stimuli(manifest_).size();
+    if (trials == 0 || ids_.empty()) return;
+    const int all = static_cast<int>(trials);
+    const int own = asked_.per_participant == 0 ? all : std::min(asked_.per_participant, all);
+    const auto at_most = [&](const std::string& path, int number, int most) {
+      if (number > most)
+        list_.add(path, fmt::format("there are {} to choose from", most),
+                  fmt::format("write {} at most", most));
+    };
+    at_most(at("per_participant"), asked_.per_participant, all);
+    at_most(at("warm_up"), asked_.warm_up, all);
+    at_most(member_path(at("catch"), "repeat"), asked_.repeated, own);
+  }
+
+  void check_demographics() {
+    const std::set<std::string> others = {"participant", "session", "design", "consented_at",
+                                          "finished"};
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < asked_.demographics.size(); ++i) {
+      const std::string& id = asked_.demographics[i].id;
+      const std::string path = member_path(element_path(at("demographics"), i), "id");
+      if (others.contains(id))
+        list_.add(path, "the table of participants has a column of that name", "name it otherwise");
+      if (!id.empty() && !taken.insert(id).second)
+        list_.add(path, motion::in_quotes(id) + " is already the id of a question",
+                  "give each its own");
+    }
+  }
+
+  void check_view() {
+    if (asked_.view != ShownAs::turn) return;
+    for (const std::string& id : asked_stimuli(manifest_)) {
+      const auto found = std::ranges::find(manifest_.stimuli, id, &Stimulus::id);
+      if (found == manifest_.stimuli.end() || found->output.clips.glb) continue;
+      return list_.add(at("view"),
+                       "the motion of " + motion::in_quotes(id) + " is not written in 3-D",
+                       "add output: {clips: [bvh, glb]}");
+    }
+  }
+
+  const Manifest& manifest_;
+  const Questionnaire& asked_;
+  FaultList list_;
+  Names ids_;
+  Names factors_;
+};
+
+}  // namespace
+
+void complete_text(const std::string& path, TextSource& source, FaultList& list) {
+  if (source.file.empty()) return;
+  const motion::FileReading read = motion::bytes_of_file(source.file, motion::most_of_document);
+  if (!read.bytes) {
+    list.check_file(member_path(path, "file"), source.file, "a text file",
+                    motion::most_of_document);
+  } else if (first_invalid_utf8(*read.bytes)) {
+    list.add(member_path(path, "file"), source.file.string() + " is not UTF-8", "save it as UTF-8");
+  } else {
+    source.text = *read.bytes;
+  }
+}
+
+std::vector<Fault> complete_questionnaire(Manifest& manifest) {
+  if (!manifest.questionnaire) return {};
+  Questionnaire& asked = *manifest.questionnaire;
+  FaultList list(manifest.places);
+  complete_text(at("consent"), asked.consent, list);
+  complete_text(at("instructions"), asked.instructions, list);
+  complete_text(at("ending"), asked.ending, list);
+  complete_text(member_path(at("analysis"), "plan"), asked.analysis.plan, list);
+  std::vector<Fault> faults = list.take();
+  append(faults, complete_own_scales(asked.scales, manifest.places));
+  return faults;
+}
+
+std::vector<Fault> check_questionnaire(const Manifest& manifest) {
+  if (!manifest.questionnaire) return {};
+  std::vector<Fault> faults = QuestionnaireCheck(manifest).faults();
+  append(faults, check_shown_videos(manifest));
+  return faults;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,89 @@
+#include "pipeline/manifest/checks/session_checks.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/asked.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Ids of those that somebody sees; all pairs of stimuli are not laid out for it.
+std::set<std::string> seen_stimuli(const Manifest& manifest) {
+  const Questionnaire& asked = *manifest.questionnaire;
+  std::set<std::string> seen(asked.practice.begin(), asked.practice.end());
+  seen.insert(asked.reference);
+  if (asked.trials == TrialForm::pair && !asked.pairs.empty()) {
+    for (const auto& pair : asked.pairs) seen.insert(pair.begin(), pair.end());
+  } else {
+    const std::vector<std::string> stimuli = asked_stimuli(manifest);
+    seen.insert(stimuli.begin(), stimuli.end());
+  }
+  return seen;
+}
+
+bool is_played_by_browsers(render::VideoKind kind) {
+  using render::VideoKind;
+  return kind == VideoKind::mp4 || kind == VideoKind::webm || kind == VideoKind::webm_av1;
+}
+
+/// How many trials the main part of a session has, warm-up and repeated ones among them.
+int main_trials(const Manifest& manifest) {
+  const Questionnaire& asked = *manifest.questionnaire;
+  const int all =
+      static_cast<int>(asked.trials == TrialForm::pair ? asked_pairs(manifest).size()
+                                                       : asked_stimuli(manifest).size());
+  const int own = asked.per_participant == 0 ? all : std::min(asked.per_participant, all);
+  return own + asked.repeated + asked.warm_up;
+}
+
+}  // namespace
+
+std::vector<Fault> check_shown_videos(const Manifest& manifest) {
+  if (!manifest.questionnaire || manifest.questionnaire->view != ShownAs::video) return {};
+  const std::set<std::string> seen = seen_stimuli(manifest);
+  const Stimulus* first = nullptr;
+  int others = -1;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (!seen.contains(stimulus.id)) continue;
+    if (std::ranges::any_of(stimulus.output.video, is_played_by_browsers)) continue;
+    if (++others == 0) first = &stimulus;
+  }
+  if (first == nullptr) return {};
+  FaultList list(manifest.places);
+  const char* of_all = "output.video";
+  list.add(list.was_given(of_all) ? of_all : first->path,
+           fmt::format("{}{} shown by the questionnaire, in no kind of video that browsers play",
+                       first->id, others == 0 ? " is" : fmt::format(" and {} more are", others)),
+           "add mp4 or webm to output: video:");
+  return list.take();
+}
+
+std::vector<Fault> questionnaire_warnings(const Manifest& manifest) {
+  if (!manifest.questionnaire || manifest.questionnaire->attention_every == 0) return {};
+  const Questionnaire& asked = *manifest.questionnaire;
+  const int trials = main_trials(manifest);
+  const int checks = (trials - 1) / asked.attention_every;  // none comes after the last trial
+  const int failed = asked.analysis.most_failed;
+  if (checks > failed) return {};
+  FaultList list(manifest.places);
+  const std::string path = "questionnaire.attention.every";
+  if (checks == 0) {
+    list.add(path, fmt::format("a session of {} trials has no attention check", trials),
+             "write a smaller number, or leave it out");
+  } else {
+    list.add(path,
+             fmt::format("attention checks leave nobody out: a session of {} trials has {}, and "
+                         "analysis.most_failed lets {} be failed",
+                         trials, checks, failed),
+             "write a smaller number, or analysis: {most_failed: 0}");
+  }
+  return list.take();
+}
+
+}  // namespace mien::pipeline

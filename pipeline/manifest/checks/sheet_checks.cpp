@@ -1,0 +1,69 @@
+#include "pipeline/manifest/checks/sheet_checks.h"
+
+#include <string>
+#include <variant>
+
+#include "pipeline/base/documents/fault_list.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr char other_figure[] = "give it another look: {figure: stick}";
+
+void check_figure(const Overlay& overlay, FaultList& list) {
+  const Stimulus& film = overlay.film;
+  const std::string own = member_path(film.path, "look.figure");
+  const std::string path = list.was_given(own) ? own : film.path;
+  if (std::holds_alternative<scenes::TrailOptions>(film.look.figure))
+    list.add(path, "a trail is of one motion alone", other_figure);
+  if (std::holds_alternative<scenes::PointLightOptions>(film.look.figure))
+    list.add(path, "the point lights of several motions cannot be told apart", other_figure);
+}
+
+void check_layout(const Overlay& overlay, FaultList& list) {
+  if (overlay.layout != scenes::Layout::side_by_side) return;
+  const std::string opacity = member_path(overlay.film.path, "opacity");
+  if (list.was_given(opacity)) {
+    list.add_at_key(opacity, "figures side by side are not seen through",
+                    "leave it out, or layout: superimposed");
+  }
+  if (!scenes::looks_along_lanes(overlay.film.look.camera)) return;
+  list.add(member_path(overlay.film.path, "layout"),
+           "side by side, figures hide each other from a camera at their side",
+           "choose camera: front, three-quarter or follow");
+}
+
+void check_pair(const std::string& path, const std::string& target, const std::string& created,
+                FaultList& list) {
+  if (target.empty() || target != created) return;
+  list.add(member_path(path, "created"), "the same motion as the target", "name another one");
+}
+
+}  // namespace
+
+std::vector<Fault> check_overlays(const Manifest& manifest) {
+  FaultList list(manifest.places);
+  for (const Overlay& overlay : manifest.overlays) {
+    if (overlay.target.empty() || overlay.created.empty()) continue;
+    check_pair(overlay.film.path, overlay.target, overlay.created, list);
+    check_layout(overlay, list);
+    check_figure(overlay, list);
+  }
+  return list.take();
+}
+
+std::vector<Fault> check_sheets(const Manifest& manifest) {
+  FaultList list(manifest.places);
+  for (const Sheet& sheet : manifest.sheets) {
+    const std::string columns = member_path(sheet.path, "columns");
+    if (sheet.stills.empty() && list.was_given(columns)) {
+      list.add_at_key(columns, "only stills stand in columns",
+                      "remove it, or make the sheet of stills");
+    }
+    check_pair(member_path(sheet.path, "compare"), sheet.target, sheet.created, list);
+  }
+  return list.take();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,89 @@
+#include "pipeline/manifest/checks/source_checks.h"
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+
+#include "pipeline/base/documents/fault_list.h"
+#include "scenes/figures/figure.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Links followed, whether or not it is there yet.
+fs::path resolved(const fs::path& path) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path, error), error);
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+class SourceChecker : public FaultList {
+ public:
+  SourceChecker(const Manifest& manifest, const fs::path& folder)
+      : FaultList(manifest.places), study_(manifest.study), folder_(resolved(folder)) {}
+
+  void check(const std::string& path, const fs::path& source) {
+    if (source.empty() || !is_inside(resolved(source))) return;
+    add(path, source.string() + " lies where the results of this study go",
+        "copy it elsewhere, or give the study another name than " + study_);
+  }
+
+  /// What is given there, and not taken from elsewhere.
+  void check_look(const std::string& path, const Look& look) {
+    if (!was_given(path)) return;
+    check(member_path(path, "scene"), look.scene_file);
+    if (const auto* character = scenes::character_in(look.figure))
+      check(member_path(path, "figure"), character->file);
+  }
+
+  /// A value that is a map with a file, or that file alone.
+  void check_file_of(const std::string& path, const char* key, const fs::path& source) {
+    const std::string own = member_path(path, key);
+    check(was_given(own) ? own : path, source);
+  }
+
+ private:
+  /// But for the copies of inputs, which a study that is made again reads.
+  bool is_inside(const fs::path& source) const {
+    const auto [rest_of_folder, rest] = std::ranges::mismatch(folder_, source);
+    return rest_of_folder == folder_.end() && (rest == source.end() || *rest != "inputs");
+  }
+
+  std::string study_;
+  fs::path folder_;
+};
+
+}  // namespace
+
+std::vector<Fault> check_sources(const Manifest& manifest, const fs::path& folder) {
+  SourceChecker checker(manifest, folder);
+  checker.check("examples.set.folder", manifest.examples.folder);
+  checker.check("examples.ratings", manifest.ratings.file);
+  checker.check("examples.scales", manifest.scales.file);
+  checker.check("recipes", manifest.recipes.file);
+  checker.check_look("look", manifest.look);
+  for (const Stimulus* film : films_of(manifest))
+    checker.check_look(member_path(film->path, "look"), film->look);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.clip)
+      checker.check_file_of(member_path(stimulus.path, "clip"), "file", stimulus.clip->file);
+    const std::vector<GraphMotion> graph =
+        stimulus.walk ? stimulus.walk->graph : std::vector<GraphMotion>();
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+      checker.check_file_of(element_path(member_path(stimulus.path, "path.graph"), i), "file",
+                            graph[i].file);
+    }
+    for (const ModificationStep& step : stimulus.modify) {
+      if (!step.pose) continue;
+      const std::string pose = member_path(step.path, "pose");
+      checker.check_file_of(member_path(pose, "neutral"), "motion", step.pose->neutral.file);
+      checker.check_file_of(member_path(pose, "posed"), "motion", step.pose->posed.file);
+    }
+  }
+  return checker.take();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,179 @@
+#include "pipeline/manifest/look/look_checks.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "motion/text/excerpt.h"
+#include "motion/text/file_contents.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/look/set_file.h"
+#include "scenes/character/character.h"
+#include "scenes/stage/trail_figure.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+void read_scene(Look& look, const std::string& path, FaultList& list, std::vector<Fault>& faults,
+                LookFiles& files) {
+  const std::pair named(scene_of(look), look.scene_file);
+  if (const auto read = files.sets.find(named); read != files.sets.end()) {
+    look.set = read->second;
+    return;
+  }
+  std::error_code unknown;
+  if (!look.scene_file.empty() && !std::filesystem::exists(look.scene_file, unknown)) {
+    const std::string names = motion::did_you_mean(look.scene, set_names());
+    list.add(path, motion::in_quotes(look.scene) + " is neither a set nor a file", names);
+    return;
+  }
+  try {
+    look.set = read_set(named.first, named.second);
+    files.sets.emplace(named, look.set);
+  } catch (const Faults& wrong) {
+    faults.insert(faults.end(), wrong.list().begin(), wrong.list().end());
+  } catch (const Error& wrong) {
+    list.add(path, wrong.what(), "name another file");
+  }
+}
+
+void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
+                const std::vector<std::string>& joints, FaultList& list) {
+  for (std::size_t i = 0; i < dots.joints.size(); ++i) {
+    list.check_word(element_path(member_path(path, "joints"), i), dots.joints[i], "joint", joints);
+  }
+  if (dots.scrambled && dots.lifetime > 0) {
+    list.add(member_path(path, "lifetime"),
+             "scrambled dots have no limbs to spend a limited lifetime on",
+             "leave scrambled or lifetime out");
+  }
+}
+
+void check_trail(const scenes::TrailOptions& trail, const std::string& path,
+                 const std::vector<std::string>& joints, FaultList& list) {
+  constexpr int most_poses = 29;  // figures of a picture, less the present pose and the traces
+  if (scenes::most_ghosts(trail) > most_poses) {
+    list.add(path, "too many poses for one picture", "show at most 29 besides the present one");
+  }
+  std::vector<std::string> known = joints;
+  if (!known.empty()) known.insert(known.end(), {"feet", "hands", "head", "pelvis"});
+  for (std::size_t i = 0; i < trail.traces.size(); ++i) {
+    list.check_word(element_path(member_path(path, "traces"), i), trail.traces[i], "joint", known);
+  }
+}
+
+void check_character(const scenes::CharacterOptions& character, const std::string& path,
+                     FaultList& list, LookFiles& files) {
+  if (files.characters.contains(character.file)) return;
+  list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)",
+                  motion::most_of_recording);
+  if (!motion::hindrance_of(character.file, motion::most_of_recording).empty()) return;
+  try {
+    scenes::read_character(character.file);
+    files.characters.insert(character.file);
+  } catch (const Error& wrong) {
+    list.add(path, wrong.what(), "name another file");
+  }
+}
+
+/// Contrast is that of dots and background, which a set may have already.
+void check_contrast(const Look& look, const std::string& path, FaultList& list) {
+  const auto& dots = std::get<scenes::PointLightOptions>(look.figure);
+  if (look.scene.empty() || !dots.background.empty()) return;
+  const bool has_background = !look.background.empty() || look.scene != "void";
+  for (const char* key : {"contrast", "polarity"}) {
+    const std::string at = member_path(path, key);
+    if (!has_background || !list.was_given(at)) continue;
+    list.add_at_key(at, "the set says already what is behind the dots",
+                    "leave it out, or scene out");
+  }
+}
+
+void check_figure(const Look& look, const std::string& path, const std::vector<std::string>& joints,
+                  FaultList& list, LookFiles& files) {
+  if (const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure)) {
+    check_character(*character, member_path(path, "character"), list, files);
+  }
+  if (const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure)) {
+    check_dots(*dots, member_path(path, "point-light"), joints, list);
+    check_contrast(look, member_path(path, "point-light"), list);
+  }
+  if (const auto* trail = std::get_if<scenes::TrailOptions>(&look.figure)) {
+    if (const auto* character = std::get_if<scenes::CharacterOptions>(&trail->figure)) {
+      check_character(*character, member_path(path, "trail.figure.character"), list, files);
+    }
+    check_trail(*trail, member_path(path, "trail"), joints, list);
+  }
+}
+
+/// A camera needs a direction, and an up that is not along it.
+void check_axis(const motion::Vec3& position, const motion::Vec3& target, const std::string& path,
+                FaultList& list) {
+  const motion::Vec3 axis = target - position;
+  if (axis.norm() < 1e-6) {
+    list.add(path, "the camera would look at itself", "name another point than position");
+  } else if (axis.cross(motion::Vec3::UnitY()).norm() < 1e-5 * axis.norm()) {
+    list.add(path, "the camera would look straight up or down",
+             "name a point that is not above or below position");
+  }
+}
+
+void check_camera(const Look& look, const std::string& path, FaultList& list) {
+  const scenes::CameraSettings& camera = look.camera;
+  if (camera.position.has_value() != camera.target.has_value()) {
+    const std::string missing = camera.position ? "target" : "position";
+    list.add(path, missing + " is missing", "give position and target");
+  }
+  if (camera.position && camera.target) {
+    check_axis(*camera.position, *camera.target, member_path(path, "target"), list);
+  }
+  for (std::size_t i = 0; i < camera.path.size(); ++i) {
+    check_axis(camera.path[i].position, camera.path[i].target,
+               member_path(element_path(member_path(path, "path"), i), "target"), list);
+  }
+  if (!camera.path.empty() && (camera.position || list.was_given(member_path(path, "view")))) {
+    list.add(member_path(path, "path"), "a path says already where the camera is",
+             "leave view, position and target out");
+  }
+  for (std::size_t i = 1; i < camera.path.size(); ++i) {
+    if (camera.path[i].seconds > camera.path[i - 1].seconds) continue;
+    list.add(member_path(element_path(member_path(path, "path"), i), "at"),
+             "the times of a path do not ascend", "write seconds in the order in which they come");
+  }
+  if (camera.orthographic && (camera.fov_degrees || camera.stereo_separation_m)) {
+    list.add(path, "an orthographic camera has neither an angle of view nor two eyes",
+             "leave orthographic, or fov and stereo, out");
+  }
+  if (camera.figure_px && (camera.screen || camera.position || !camera.path.empty())) {
+    list.add(member_path(path, "figure_px"),
+             std::string(camera.screen ? "the screen" : "its place") +
+                 " says already how large the figure is seen",
+             "leave figure_px out, or give a view alone");
+  }
+  if (camera.screen && camera.orthographic) {
+    list.add(member_path(path, "screen"), "an orthographic camera has no place before a screen",
+             "leave orthographic or screen out");
+  }
+  if (camera.screen && camera.fov_degrees) {
+    list.add(member_path(path, "fov"), "the screen says already how wide the camera sees",
+             "leave fov or screen out");
+  }
+}
+
+}  // namespace
+
+std::vector<Fault> complete_look(Look& look, const std::string& path, const Places& places,
+                                 const std::vector<std::string>& joints, LookFiles& files) {
+  FaultList list(places);
+  std::vector<Fault> faults;
+  read_scene(look, member_path(path, "scene"), list, faults, files);
+  check_figure(look, member_path(path, "figure"), joints, list, files);
+  check_camera(look, member_path(path, "camera"), list);
+  for (Fault& fault : list.take()) faults.push_back(std::move(fault));
+  return faults;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/look/look.h"
+
+namespace mien::pipeline {
+
+// What `look:` of a manifest says. All of it concerns the picture. Figure and camera are replaced
+// as a whole; of a scene, so is the background.
+
+template <class Field, MaybeConst<scenes::MannequinOptions> M>
+void fields_of(Field&& field, M& mannequin) {
+  field("build", mannequin.build, concerns::picture);
+  field("sex", mannequin.sex, concerns::picture);
+}
+
+/// `joints:` of point lights: a word, or a list.
+struct JointsForm {
+  static void read(const Given& given, scenes::PointLightOptions& dots);
+  static nlohmann::ordered_json write(const scenes::PointLightOptions& dots, const Writing& how);
+};
+
+inline constexpr Words<bool> polarity_words = {{"light-on-dark", false}, {"dark-on-light", true}};
+
+template <class Field, MaybeConst<scenes::PointLightOptions> P>
+void fields_of(Field&& field, P& dots) {
+  field.by("joints", dots, concerns::picture, JointsForm());
+  field("size", dots.size_px, concerns::picture);
+  field("size_m", dots.size_m, concerns::picture);
+  field("polarity", dots.dark_on_light, concerns::picture, polarity_words);
+  field("contrast", dots.contrast, concerns::picture);
+  field("colour", dots.colour, concerns::picture);
+  field("background", dots.background, concerns::picture);
+  field("lifetime", dots.lifetime, concerns::picture);
+  field("inverted", dots.inverted, concerns::picture);
+  field("mirrored", dots.mirrored, concerns::picture);
+  field("rotated", dots.rotated_degrees, concerns::picture);
+  field("scrambled", dots.scrambled, concerns::picture);
+  field("reversed", dots.reversed, concerns::picture);
+  field("constant_speed", dots.constant_speed, concerns::picture);
+  field("phase_scrambled", dots.phase_scrambled, concerns::picture);
+  field("noise", dots.noise, concerns::picture);
+  field("mask", dots.mask, concerns::picture);
+  field("seed", dots.seed, concerns::picture);
+}
+
+/// A figure with a surface: a name, or a map of one figure.
+struct BodyFigureForm {
+  static void read(const Given& given, scenes::BodyFigure& figure);
+  static nlohmann::ordered_json write(const scenes::BodyFigure& figure, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    scenes::MannequinOptions mannequin;
+    names("mannequin", mannequin, concerns::picture);
+    names.add("character");
+  }
+};
+
+template <class Field, MaybeConst<scenes::TrailOptions> T>
+void fields_of(Field&& field, T& trail) {
+  field.by("figure", trail.figure, concerns::picture, BodyFigureForm());
+  field("poses", trail.poses, concerns::picture);
+  field("before", trail.before, concerns::picture);
+  field("after", trail.after, concerns::picture);
+  field("every", trail.every_s, concerns::picture);
+  field("faintest", trail.faintest, concerns::picture);
+  field("traces", trail.traces, concerns::picture);
+  field("trace_width", trail.trace_width_m, concerns::picture);
+}
+
+/// `figure:` a name, or a map of one figure.
+struct FigureForm {
+  static void read(const Given& given, scenes::Figure& figure);
+  static nlohmann::ordered_json write(const scenes::Figure& figure, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.add("stick");
+    BodyFigureForm::walk(names);
+    scenes::PointLightOptions dots;
+    names("point-light", dots, concerns::picture);
+    scenes::TrailOptions trail;
+    names("trail", trail, concerns::picture);
+  }
+};
+
+template <class Field, MaybeConst<scenes::CameraKey> K>
+void fields_of(Field&& field, K& key) {
+  field("at", key.seconds, concerns::picture | concerns::required);
+  field("position", key.position, concerns::picture | concerns::required);
+  field("target", key.target, concerns::picture | concerns::required);
+}
+
+template <class Field, MaybeConst<scenes::ScreenSettings> S>
+void fields_of(Field&& field, S& screen) {
+  field("distance_cm", screen.distance_cm, concerns::picture | concerns::required);
+  field("width_cm", screen.width_cm, concerns::picture | concerns::required);
+  field("degrees", screen.degrees, concerns::picture);
+}
+
+template <class Field, MaybeConst<scenes::DepthOfField> D>
+void fields_of(Field&& field, D& lens) {
+  field("aperture", lens.aperture_m, concerns::picture);
+  field("focus", lens.focus_m, concerns::picture);
+}
+
+/// `stereo: {separation: 0.063}`, in metres; that much where it is not said.
+struct StereoForm {
+  static void read(const Given& given, std::optional<double>& separation_m);
+  static nlohmann::ordered_json write(const std::optional<double>& separation_m, const Writing&);
+  template <class Names>
+  static void walk(Names& names) {
+    names.add("separation");
+  }
+};
+
+template <class Field, MaybeConst<scenes::CameraSettings> C>
+void fields_of(Field&& field, C& camera) {
+  field("view", camera.view, concerns::picture | concerns::alone);
+  field("orthographic", camera.orthographic, concerns::picture);
+  field("fov", camera.fov_degrees, concerns::picture);
+  field("position", camera.position, concerns::picture);
+  field("target", camera.target, concerns::picture);
+  field("path", camera.path, concerns::picture);
+  field.by("stereo", camera.stereo_separation_m, concerns::picture, StereoForm());
+  field("screen", camera.screen, concerns::picture);
+  field("figure_px", camera.figure_px, concerns::picture);
+  field("depth_of_field", camera.depth_of_field, concerns::picture);
+}
+
+/// `scene:` a set or a file, or {set, background}.
+struct SceneForm {
+  static void read(const Given& given, Look& look);
+  static nlohmann::ordered_json write(const Look& look, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.add("set");
+    names.add("background");
+  }
+};
+
+inline constexpr Words<Colours> colours_words = {{"neutral", Colours::neutral},
+                                                 {"role", Colours::role}};
+
+template <class Field, MaybeConst<Look> L>
+void fields_of(Field&& field, L& look) {
+  field.by("scene", look, concerns::picture, SceneForm());
+  field.by("figure", look.figure, concerns::picture, FigureForm());
+  field.whole("camera", look.camera, concerns::picture);
+  field("colours", look.colours, concerns::picture, colours_words);
+}
+
+}  // namespace mien::pipeline

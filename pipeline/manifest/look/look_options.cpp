@@ -1,0 +1,71 @@
+#include "pipeline/manifest/look/look_options.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "pipeline/base/documents/environment.h"
+#include "pipeline/base/reading/field_reader.h"
+#include "pipeline/base/reading/option_document.h"
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/manifest/look/look_checks.h"
+#include "pipeline/manifest/look/look_fields.h"
+#include "pipeline/manifest/look/point_form.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+bool is_character(const std::string& figure) {
+  if (figure.starts_with('{') || figure.starts_with("character:")) return false;
+  const std::string ending = fs::path(figure).extension().string();
+  return ending == ".glb" || ending == ".gltf" || ending == ".vrm";
+}
+
+bool is_map(const std::string& text) {
+  return text.starts_with('{') || text.find(": ") != std::string::npos;
+}
+
+/// Options without their braces get them.
+std::string in_braces(const std::string& text) {
+  return is_map(text) && !text.starts_with('{') ? "{" + text + "}" : text;
+}
+
+/// Names of files are variables in it: whatever stands in them, YAML does not see it.
+std::string yaml_of(const LookOptions& options) {
+  const std::string scene = is_map(options.scene) ? in_braces(options.scene) : "'${MIEN_SCENE}'";
+  const std::string figure =
+      is_character(options.figure) ? "{character: '${MIEN_FIGURE}'}" : in_braces(options.figure);
+  const std::string given_scene = options.scene.empty() ? "" : "scene: " + scene + "\n";
+  return given_scene + "figure: " + figure + "\ncamera: " + in_braces(options.camera) + "\n";
+}
+
+json look_schema() {
+  const json& manifest = manifest_schema();
+  json schema = manifest["definitions"]["look"];
+  schema["definitions"] = manifest["definitions"];
+  return schema;
+}
+
+}  // namespace
+
+Look look_of(const LookOptions& options) {
+  const Environment environment = [&](const std::string& name) -> std::optional<std::string> {
+    if (name == "MIEN_SCENE") return options.scene;
+    if (name == "MIEN_FIGURE") return options.figure;
+    return process_environment()(name);
+  };
+  const JsonReading reading = read_options(yaml_of(options), look_schema(), environment);
+  const ReadingContext context{reading.places, [](const std::string& path) { return path; }};
+  Look look;
+  read({reading.document, "", context}, look);
+  LookFiles files;
+  std::vector<Fault> faults = complete_look(look, "", reading.places, {}, files);
+  if (!faults.empty()) throw as_options(std::move(faults));
+  return look;
+}
+
+}  // namespace mien::pipeline

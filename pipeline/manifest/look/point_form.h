@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+
+#include "motion/math/geometry.h"
+#include "pipeline/base/reading/value_forms.h"
+#include "pipeline/manifest/look/colour_json.h"
+#include "render/math/vector.h"
+
+namespace mien::pipeline {
+
+/// [x, y, z]
+template <>
+struct ValueForm<motion::Vec3> {
+  static void read(const Given& given, motion::Vec3& point) {
+    if (!given.value.is_array() || given.value.size() != 3) return;
+    for (int axis = 0; axis < 3; ++axis)
+      assign(&given.value[static_cast<std::size_t>(axis)], point[axis]);
+  }
+  static OrderedJson write(const motion::Vec3& point, const Writing&) {
+    return {point.x(), point.y(), point.z()};
+  }
+};
+
+/// "#rrggbb", or [r, g, b] in linear light
+template <>
+struct ValueForm<render::Color> {
+  static void read(const Given& given, render::Color& colour) { assign(&given.value, colour); }
+  static OrderedJson write(const render::Color& colour, const Writing&) {
+    return {colour[0], colour[1], colour[2]};
+  }
+};
+
+}  // namespace mien::pipeline

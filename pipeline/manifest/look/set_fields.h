@@ -1,0 +1,115 @@
+#pragma once
+
+#include <optional>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/base/documents/concerns.h"
+#include "scenes/sets/set_plan.h"
+
+namespace mien::pipeline {
+
+// What a file of a set says. All of it concerns the picture.
+
+inline constexpr Words<scenes::Side> side_words = {{"left", scenes::Side::left},
+                                                   {"right", scenes::Side::right},
+                                                   {"front", scenes::Side::front},
+                                                   {"back", scenes::Side::back}};
+
+/// `background:` one colour, or those of horizon and zenith.
+struct BackgroundForm {
+  static void read(const Given& given, render::Sky& sky);
+  static nlohmann::ordered_json write(const render::Sky& sky, const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.add("horizon");
+    names.add("zenith");
+  }
+};
+
+/// `fade: [from, to]`
+struct FadeForm {
+  static void read(const Given& given, render::Ground& ground);
+  static nlohmann::ordered_json write(const render::Ground& ground, const Writing&);
+};
+
+template <class Field, MaybeConst<render::Ground> G>
+void fields_of(Field&& field, G& ground) {
+  field("colour", ground.albedo, concerns::picture);
+  field.group("lines", [&](auto& lines) {
+    lines("colour", ground.line_albedo, concerns::picture);
+    lines("every", ground.line_spacing, concerns::picture);
+    lines("width", ground.line_width, concerns::picture);
+    lines("major_every", ground.major_every, concerns::picture);
+    lines("major_colour", ground.major_albedo, concerns::picture);
+  });
+  field.by("fade", ground, concerns::picture, FadeForm());
+}
+
+/// A ground is without lines unless its map says so.
+struct GroundForm {
+  static void read(const Given& given, std::optional<render::Ground>& ground);
+  static nlohmann::ordered_json write(const std::optional<render::Ground>& ground,
+                                      const Writing& how);
+  template <class Names>
+  static void walk(Names& names) {
+    names.template of<render::Ground>();
+  }
+};
+
+template <class Field, MaybeConst<scenes::KeyLight> L>
+void fields_of(Field&& field, L& light) {
+  field("azimuth", light.azimuth_degrees, concerns::picture);
+  field("elevation", light.elevation_degrees, concerns::picture);
+  field("distance", light.distance_m, concerns::picture);
+  field("size", light.side_m, concerns::picture);
+  field("strength", light.strength, concerns::picture);
+  field("colour", light.colour, concerns::picture);
+}
+
+template <class Field, MaybeConst<scenes::Wall> W>
+void fields_of(Field&& field, W& wall) {
+  field("at", wall.side, concerns::picture | concerns::required, side_words);
+  field("distance", wall.distance_m, concerns::picture);
+  field("height", wall.height_m, concerns::picture);
+  field("length", wall.length_m, concerns::picture);
+  field("colour", wall.albedo, concerns::picture);
+}
+
+template <class Field, MaybeConst<scenes::Box> B>
+void fields_of(Field&& field, B& box) {
+  field("centre", box.centre, concerns::picture | concerns::required);
+  field("size", box.size, concerns::picture | concerns::required);
+  field("colour", box.albedo, concerns::picture);
+}
+
+template <class Field, MaybeConst<scenes::Belt> B>
+void fields_of(Field&& field, B& belt) {
+  field("width", belt.width_m, concerns::picture);
+  field("length", belt.length_m, concerns::picture);
+  field("colour", belt.albedo, concerns::picture);
+  field.group("stripes", [&](auto& stripes) {
+    stripes("colour", belt.stripe_albedo, concerns::picture);
+    stripes("every", belt.stripe_every_m, concerns::picture);
+    stripes("width", belt.stripe_width_m, concerns::picture);
+  });
+}
+
+template <class Field, MaybeConst<scenes::SetPlan> S>
+void fields_of(Field&& field, S& set) {
+  field("name", set.name, concerns::nothing);
+  field("in_place", set.in_place, concerns::picture);
+  field.by("background", set.sky, concerns::picture, BackgroundForm());
+  field.group("sky", [&](auto& sky) {
+    sky("zenith", set.sky.zenith, concerns::picture);
+    sky("horizon", set.sky.horizon, concerns::picture);
+    sky("below", set.sky.below, concerns::picture);
+  });
+  field.by("ground", set.ground, concerns::picture, GroundForm());
+  field("lights", set.lights, concerns::picture);
+  field("walls", set.walls, concerns::picture);
+  field("boxes", set.boxes, concerns::picture);
+  field("belt", set.belt, concerns::picture);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,117 @@
+#include "pipeline/production/archive/keep.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <set>
+#include <system_error>
+
+#include "motion/error.h"
+#include "motion/text/file_contents.h"
+#include "pipeline/production/archive/not_kept.h"
+#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/store.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<ArtifactKind> kind_of(const std::string& path) {
+  const std::string first = path.substr(0, path.find('/'));
+  for (const ArtifactKindName& one : artifact_kinds) {
+    if (one.name == first) return one.kind;
+  }
+  return std::nullopt;
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code unknown;
+  return fs::exists(fs::symlink_status(path, unknown));
+}
+
+std::vector<ArtifactRecord> records_of(const std::vector<Receipt>& artifacts) {
+  std::vector<ArtifactRecord> records;
+  for (const Receipt& artifact : artifacts)
+    records.push_back(
+        {artifact.path, artifact.hash, artifact.size, static_cast<int>(artifact.frames.size())});
+  return records;
+}
+
+/// Values of an attribute, `href="` say, in a page.
+template <class Call>
+void each_value(std::string_view page, std::string_view attribute, const Call& call) {
+  for (std::size_t at = page.find(attribute); at != std::string_view::npos;
+       at = page.find(attribute, at)) {
+    at += attribute.size();
+    const std::size_t end = page.find('"', at);
+    if (end == std::string_view::npos) return;
+    call(page.substr(at, end - at));
+    at = end;
+  }
+}
+
+}  // namespace
+
+int dead_links(const fs::path& folder, const Cleaning& cleaning) {
+  const motion::FileReading page =
+      motion::bytes_of_file(folder / "report.html", motion::most_of_table);
+  if (!page.bytes) return 0;
+  std::set<std::string, std::less<>> gone;
+  for (const Receipt& artifact : cleaning.removed) gone.insert(artifact.path);
+  int links = 0;
+  const auto count = [&](std::string_view target) {
+    const std::size_t last = target.rfind('/');
+    const bool is_frame = last != std::string_view::npos && gone.contains(target.substr(0, last));
+    links += is_frame || gone.contains(target) ? 1 : 0;
+  };
+  for (const char* attribute : {"href=\"", "src=\"", "poster=\""})
+    each_value(*page.bytes, attribute, count);
+  return links;
+}
+
+Cleaning all_but(const fs::path& folder, const std::vector<ArtifactKind>& kept) {
+  if (!is_there(folder)) {
+    throw Error({folder.string()}, "there is no such study",
+                "name a manifest that was run, or the folder of its study");
+  }
+  if (!is_there(folder / ".mien" / "receipts")) {
+    throw Error({folder.string()}, "has no receipts of what mien made (.mien/receipts)",
+                "clean a study where it was made; a copy is cleaned by hand");
+  }
+  Cleaning cleaning;
+  for (Receipt& artifact : stale_artifacts(folder, {}, {})) {
+    const std::optional<ArtifactKind> kind = kind_of(artifact.path);
+    if (!kind || std::ranges::find(kept, *kind) != kept.end()) continue;
+    if (!is_there(folder / artifact.path)) continue;
+    if (is_removable(folder, artifact)) {
+      cleaning.bytes += artifact.size;
+      cleaning.removed.push_back(std::move(artifact));
+    } else {
+      cleaning.changed.push_back(std::move(artifact));
+    }
+  }
+  return cleaning;
+}
+
+Cleaning remove_all_but(const fs::path& folder, const std::vector<ArtifactKind>& kept) {
+  Cleaning planned = all_but(folder, kept);
+  if (planned.removed.empty()) return planned;
+  // Told before it is done: what is told and still there is no fault.
+  note_not_kept(folder, records_of(planned.removed));
+  const Store store(folder, Sharing::exclusive);
+  Cleaning cleaning;
+  cleaning.changed = std::move(planned.changed);
+  for (Receipt& artifact : planned.removed) {
+    if (remove_artifact(store, artifact)) {
+      cleaning.bytes += artifact.size;
+      cleaning.removed.push_back(std::move(artifact));
+    } else {
+      cleaning.changed.push_back(std::move(artifact));
+    }
+  }
+  return cleaning;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,167 @@
+#include "pipeline/production/archive/pack.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include "motion/error.h"
+#include "motion/text/file_contents.h"
+#include "pipeline/production/archive/tar_archive.h"
+#include "pipeline/tasks/task_graph.h"
+#include "render/video/sha256.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Collects files, those behind links too.
+class Payload {
+ public:
+  explicit Payload(const fs::path& folder) : folder_(folder) {}
+
+  void add(const std::string& path) {
+    const fs::path file = folder_ / path;
+    if (const std::string hindrance = motion::hindrance_of(file, motion::any_size);
+        !hindrance.empty())
+      throw Error({file.string()}, hindrance, "remove it: an archive holds files");
+    sizes_[path] = fs::file_size(file);
+  }
+
+  /// All in a folder of the study; `path` is empty for its own.
+  void add_below(const std::string& path) {
+    for (auto entry = fs::recursive_directory_iterator(folder_ / path);
+         entry != fs::recursive_directory_iterator(); ++entry) {
+      const std::string found = entry->path().lexically_relative(folder_).generic_string();
+      std::error_code unknown;
+      const bool is_folder = entry->is_directory(unknown) && !entry->is_symlink(unknown);
+      if (is_bookkeeping(found)) {
+        if (is_folder) entry.disable_recursion_pending();
+      } else if (!is_folder && !followed_.contains(found)) {
+        add(found);
+      }
+    }
+  }
+
+  /// A sequence of frames may lie elsewhere, behind a link.
+  void add_frames(const std::string& path) {
+    std::error_code unknown;
+    if (!fs::is_symlink(folder_ / path, unknown) || !fs::is_directory(folder_ / path, unknown))
+      return;
+    followed_.insert(path);
+    add_below(path + "/");
+  }
+
+  std::vector<PayloadFile> take() const {
+    std::vector<PayloadFile> files;
+    for (const auto& [path, size] : sizes_) files.push_back({path, size});
+    return files;
+  }
+
+ private:
+  const fs::path& folder_;
+  std::map<std::string, std::uint64_t> sizes_;
+  std::set<std::string> followed_;
+};
+
+/// Writes the parts of a bag in the order of their names.
+class BagWriter {
+ public:
+  BagWriter(const StudyContents& contents, TarArchive& tar)
+      : root_(contents.study + "/"), folder_(contents.folder), tar_(tar) {}
+
+  /// A file beside data/.
+  void add_tag_file(const std::string& name, const std::string& text) {
+    put(name, text);
+    render::Sha256 sha;
+    sha.add(text);
+    tag_manifest_ += bag_manifest_line(sha.finish(), name);
+  }
+
+  void add_payload(const PayloadFile& file) {
+    const std::string path = "data/" + file.path;
+    tar_.begin(root_ + path, file.size);
+    std::ifstream stream(folder_ / file.path, std::ios::binary);
+    render::Sha256 sha;
+    std::string piece(1 << 20, '\0');
+    std::uint64_t read = 0;
+    while (stream) {
+      stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+      const std::string_view bytes(piece.data(), static_cast<std::size_t>(stream.gcount()));
+      tar_.add(bytes);
+      sha.add(bytes);
+      read += bytes.size();
+    }
+    if (stream.bad() || read != file.size)
+      throw std::runtime_error((folder_ / file.path).string() + ": changed while it was packed");
+    manifest_ += bag_manifest_line(sha.finish(), path);
+  }
+
+  void finish() {
+    add_tag_file("manifest-sha256.txt", manifest_);
+    put("tagmanifest-sha256.txt", tag_manifest_);
+    tar_.finish();
+  }
+
+ private:
+  void put(const std::string& name, const std::string& text) {
+    tar_.begin(root_ + name, text.size());
+    tar_.add(text);
+  }
+
+  std::string root_;
+  const fs::path& folder_;
+  TarArchive& tar_;
+  std::string manifest_;
+  std::string tag_manifest_;
+};
+
+}  // namespace
+
+std::vector<PayloadFile> payload_of(const StudyContents& contents) {
+  Payload payload(contents.folder);
+  for (const ArtifactRecord& record : contents.artifacts) {
+    if (record.frames > 0) payload.add_frames(record.path);
+  }
+  payload.add_below("");
+  return payload.take();
+}
+
+void refuse_archive(const StudyContents& contents, const fs::path& archive) {
+  (void)compression_of(archive);
+  std::error_code unknown;
+  const fs::path place = fs::weakly_canonical(fs::absolute(archive), unknown);
+  const fs::path below = place.lexically_relative(fs::weakly_canonical(contents.folder, unknown));
+  if (!below.empty() && *below.begin() != "..") {
+    throw Error({archive.string()}, "lies in the folder of the study, which it would then hold",
+                "write it elsewhere");
+  }
+  if (fs::is_directory(archive, unknown))
+    throw Error({archive.string()}, "is a folder", "name a file");
+}
+
+void pack(const StudyContents& contents, const std::vector<PayloadFile>& payload,
+          const BagInfo& info, const fs::path& archive, const std::stop_token& stop,
+          const ShareDone& done) {
+  refuse_archive(contents, archive);
+  TarArchive tar(archive, compression_of(archive));
+  BagWriter bag(contents, tar);
+  bag.add_tag_file("bag-info.txt", bag_info_text(contents, payload, info));
+  bag.add_tag_file("bagit.txt", bagit_text());
+  std::uint64_t total = 1;
+  for (const PayloadFile& file : payload) total += file.size;
+  std::uint64_t packed = 0;
+  for (const PayloadFile& file : payload) {
+    if (stop.stop_requested()) throw Interrupted{};
+    bag.add_payload(file);
+    packed += file.size;
+    if (done) done(static_cast<double>(packed) / static_cast<double>(total), file.path);
+  }
+  bag.finish();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/tasks/task_graph.h"
+#include "scenes/stage/shot.h"
+
+namespace mien::pipeline {
+
+/// Where the dots of a shot's point-light figures are (film_table_forms.h).
+std::string dots_csv(const scenes::Shot& shot);
+
+/// Whether a stimulus is shown as dots.
+bool has_dots(const Stimulus& stimulus);
+
+/// The task "dots:<id>", whose product is clips/<id>.dots.csv.
+Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equalize,
+               const SharedDeterminants& shared, Motions& motions);
+
+}  // namespace mien::pipeline

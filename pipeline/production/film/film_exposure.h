@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/production/film/film.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/tasks/task_graph.h"
+#include "render/image/film.h"
+#include "render/image/tone.h"
+
+namespace mien::pipeline {
+
+/// Brings the films of a study to one mean luminance.
+///
+/// A few small frames of each film are drawn in draft quality. Their mean luminance as a display
+/// shows it, tone curve and all, rises with the exposure, so for each film there is one exposure at
+/// which it is the geometric mean of the means of all films, or of all with such a figure.
+///
+/// Point lights with equally many dots of one size and colour on one set share an exposure, at
+/// which the mean of all of them is that: a scrambled figure's dots, of which fewer hide each
+/// other, would else be darker than those of its original.
+
+/// The stops, −8 … 8, that added to the tone's bring the mean over films of `mean_luminance` to
+/// `wanted`; the nearest end where none does.
+float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted);
+
+/// metrics/exposure.csv (film_table_forms.h). Figures are as tall and stand
+/// where film_framing.h found it if size or place is equalized too. Throws Faults when no exposure
+/// brings a film, or the films that share one, within 1 %; where it is far from there, after a
+/// quick look.
+std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
+                         TaskRun& run);
+
+/// A fault for each stimulus that no exposure brings near the others' light, as a quick look at
+/// small pictures shows; what is out of reach by less than 5 % is left to exposure_csv. Throws
+/// Error.
+std::vector<Fault> faults_in_light(const Manifest& manifest, Motions& motions);
+
+/// What the table has for a stimulus, in the store's folder. Throws Error.
+float exposure_stops_of(const std::filesystem::path& folder, const std::string& stimulus);
+
+}  // namespace mien::pipeline

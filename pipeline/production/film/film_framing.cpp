@@ -1,0 +1,230 @@
+#include "pipeline/production/film/film_framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/places.h"
+#include "pipeline/production/film/film_table_forms.h"
+#include "scenes/cameras/figure_place.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Vector2d;
+
+constexpr const char* sizes_path = "metrics/sizes.csv";
+constexpr const char* places_path = "metrics/places.csv";
+
+using SizesById = std::map<std::string, double>;
+
+/// In steps of 1/64 pixel: no machine's arithmetic shows.
+double step_below(double pixels) { return std::floor(64.0 * pixels) / 64.0; }
+double nearest_step(double pixels) { return std::round(64.0 * pixels) / 64.0; }
+
+std::string in_hundredths(double pixels) { return shortest(std::round(100.0 * pixels) / 100.0); }
+
+/// Called with the share of the stimuli that were looked at.
+using Between = std::function<void(double share)>;
+
+Between between_stimuli_of(TaskRun& run) {
+  return [&run](double share) {
+    if (run.stop.stop_requested()) throw Interrupted{};
+    run.progress(share);
+  };
+}
+
+/// What is found of each stimulus, by its id.
+template <class Find>
+auto found_of_all(const Manifest& manifest, const Find& find, const Between& between) {
+  std::map<std::string, decltype(find(manifest.stimuli.front()))> all;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    all.emplace(stimulus.id, find(stimulus));
+    between(static_cast<double>(all.size()) / static_cast<double>(manifest.stimuli.size()));
+  }
+  return all;
+}
+
+SizesById framed_sizes(const Manifest& manifest, Motions& motions, const Between& between) {
+  const auto size_of = [&](const Stimulus& stimulus) {
+    return scenes::figure_pixels(shot_of(stimulus, motions, manifest.seed).cameras);
+  };
+  return found_of_all(manifest, size_of, between);
+}
+
+SizesById common_sizes(const Manifest& manifest, const SizesById& framed) {
+  SizesById common;
+  for (const auto& group : alike(manifest.stimuli, *manifest.equalize.size)) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Stimulus* stimulus : group) least = std::min(least, framed.at(stimulus->id));
+    for (const Stimulus* stimulus : group) common[stimulus->id] = step_below(least);
+  }
+  return common;
+}
+
+/// Where a figure stands, and where it could without leaving its picture.
+struct Standing {
+  Vector2d framed;
+  Eigen::AlignedBox2d possible;
+};
+
+using StandingsById = std::map<std::string, Standing>;
+
+Standing standing_of(const scenes::Shot& shot) {
+  const auto [right, below] = scenes::figure_place(shot.cameras).value();
+  const Eigen::AlignedBox2d taken = scenes::taken_part(shot.cameras, shot.action);
+  const render::Camera& camera = shot.cameras.cameras.front();
+  const Vector2d half = 0.5 * Vector2d(camera.width, camera.height);
+  Standing standing{{right, below}, {}};
+  const Vector2d least = standing.framed - half - taken.min();
+  const Vector2d most = standing.framed + half - taken.max();
+  const double endless = std::numeric_limits<double>::infinity();
+  standing.possible = {Vector2d::Constant(-endless), Vector2d::Constant(endless)};
+  for (int axis = 0; axis < 2; ++axis) {
+    // What its own camera cuts may be cut elsewhere, too.
+    if (standing.framed[axis] < least[axis] || standing.framed[axis] > most[axis]) continue;
+    standing.possible.min()[axis] = least[axis];
+    standing.possible.max()[axis] = most[axis];
+  }
+  return standing;
+}
+
+/// Of all stimuli; their figures are as tall as `sizes` says, or, where that is empty, as their
+/// cameras do.
+StandingsById standings_at(const SizesById& sizes, const Manifest& manifest, Motions& motions,
+                           const Between& between) {
+  const auto standing = [&](const Stimulus& stimulus) {
+    Framing framing;
+    if (!sizes.empty()) framing.figure_px = sizes.at(stimulus.id);
+    return standing_of(shot_of(stimulus, motions, manifest.seed, framing));
+  };
+  return found_of_all(manifest, standing, between);
+}
+
+/// The stimulus among the group for which something is greatest.
+template <class Measure>
+const Stimulus& greatest(const std::vector<const Stimulus*>& group, const Measure& measure) {
+  return **std::max_element(group.begin(), group.end(), [&](const auto* a, const auto* b) {
+    return measure(*a) < measure(*b);
+  });
+}
+
+Vector2d common_place(const std::vector<const Stimulus*>& group, const StandingsById& standings) {
+  Vector2d mean = Vector2d::Zero();
+  for (const Stimulus* stimulus : group) mean += standings.at(stimulus->id).framed;
+  mean /= static_cast<double>(group.size());
+  Vector2d place;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto least = [&](const Stimulus& of) { return standings.at(of.id).possible.min()[axis]; };
+    const auto most = [&](const Stimulus& of) { return -standings.at(of.id).possible.max()[axis]; };
+    const Stimulus& one = greatest(group, least);
+    const Stimulus& other = greatest(group, most);
+    if (least(one) > -most(other)) {
+      throw Error("equalize: \"" + one.id + "\" and \"" + other.id +
+                      "\" cannot stand at the same place of the picture and be seen whole",
+                  "equalize size too, place: {by: figure}, or leave place out");
+    }
+    place[axis] = nearest_step(std::clamp(mean[axis], least(one), -most(other)));
+  }
+  return place;
+}
+
+/// Throws Error when there is none.
+std::map<std::string, Vector2d> common_places(const Manifest& manifest,
+                                              const StandingsById& standings) {
+  std::map<std::string, Vector2d> common;
+  for (const auto& group : alike(manifest.stimuli, *manifest.equalize.place)) {
+    const Vector2d place = common_place(group, standings);
+    for (const Stimulus* stimulus : group) common[stimulus->id] = place;
+  }
+  return common;
+}
+
+/// Tells what cannot be where the manifest asks for it.
+template <class Find>
+auto placed_in(const Manifest& manifest, const Find& find) {
+  try {
+    return find();
+  } catch (const Error& error) {
+    throw Error(place_of(manifest.places, "equalize"), error.what(), "");
+  }
+}
+
+}  // namespace
+
+std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
+  const SizesById framed = framed_sizes(manifest, motions, between_stimuli_of(run));
+  const SizesById common = common_sizes(manifest, framed);
+  CsvWriter table = table_of(sizes_form);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    table.row(
+        {stimulus.id, in_hundredths(framed.at(stimulus.id)), shortest(common.at(stimulus.id))});
+  }
+  return table.text();
+}
+
+std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
+  SizesById sizes;
+  if (manifest.equalize.size) {
+    const StimulusNumbers found(run.store.folder() / sizes_path, {"figure_px"});
+    for (const Stimulus& stimulus : manifest.stimuli) sizes[stimulus.id] = found.of(stimulus.id)[0];
+  }
+  const StandingsById standings = standings_at(sizes, manifest, motions, between_stimuli_of(run));
+  const auto common = placed_in(manifest, [&] { return common_places(manifest, standings); });
+  CsvWriter table = table_of(places_form);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Vector2d& framed = standings.at(stimulus.id).framed;
+    const Vector2d& place = common.at(stimulus.id);
+    table.row({stimulus.id, in_hundredths(framed.x()), in_hundredths(framed.y()),
+               shortest(place.x()), shortest(place.y())});
+  }
+  return table.text();
+}
+
+void check_places(const Manifest& manifest, Motions& motions) {
+  const Between quietly = [](double) {};
+  SizesById sizes;
+  if (manifest.equalize.size)
+    sizes = common_sizes(manifest, framed_sizes(manifest, motions, quietly));
+  common_places(manifest, standings_at(sizes, manifest, motions, quietly));
+}
+
+Framings::Framings(const Equalize& equalize, const fs::path& folder) {
+  if (equalize.size) sizes_.emplace(folder / sizes_path, std::vector<std::string>{"figure_px"});
+  if (equalize.place)
+    places_.emplace(folder / places_path, std::vector<std::string>{"x_px", "y_px"});
+}
+
+Framing Framings::of(const std::string& stimulus) const {
+  Framing framing;
+  if (sizes_) framing.figure_px = sizes_->of(stimulus)[0];
+  if (places_) {
+    const std::vector<double>& place = places_->of(stimulus);
+    framing.figure_place = {place[0], place[1]};
+  }
+  return framing;
+}
+
+Framing equalized_framing(const Equalize& equalize, const fs::path& folder,
+                          const std::string& stimulus) {
+  Framing framing;
+  if (equalize.size) framing.figure_px = number_of(folder / sizes_path, "figure_px", stimulus);
+  if (equalize.place) {
+    const fs::path places = folder / places_path;
+    framing.figure_place = {number_of(places, "x_px", stimulus),
+                            number_of(places, "y_px", stimulus)};
+  }
+  return framing;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,72 @@
+#include "pipeline/production/film/film_recorder.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "render/error.h"
+
+namespace mien::pipeline {
+
+FilmRecorder::FilmRecorder(const FilmSettings& settings, int film_frames)
+    : settings_(settings),
+      presenter_(settings.output, film_frames, settings.eyes),
+      sketch_(settings.output.shown_size()[0], settings.output.shown_size()[1], row_step()) {}
+
+int FilmRecorder::row_step() const {
+  int least = std::numeric_limits<int>::max();
+  for (const render::VideoKind kind : settings_.output.video)
+    least = std::min(least, render::checked_row_step(format_of(kind)));
+  return settings_.output.video.empty() ? 1 : least;
+}
+
+render::VideoFormat FilmRecorder::format_of(render::VideoKind kind) const {
+  const Output& output = settings_.output;
+  const auto [width, height] = output.shown_size();
+  return {.width = width,
+          .height = height,
+          .rate = render::frame_rate(output.fps),
+          .kind = kind,
+          .effort = output.quality == Quality::draft ? render::VideoEffort::fast
+                                                     : render::VideoEffort::thorough,
+          .loops = settings_.loops};
+}
+
+void FilmRecorder::open(const std::filesystem::path& file, render::VideoKind kind) {
+  files_.emplace(kind, file);
+}
+
+// When a first frame is there: while it is encoded, others are drawn.
+void FilmRecorder::begin_files() {
+  for (const auto& [kind, file] : files_)
+    writers_.emplace(kind, render::VideoWriter(file, format_of(kind)));
+  files_.clear();
+}
+
+void FilmRecorder::take(const render::Image8& picture) {
+  const Stopwatch::Running encoding(settings_.drawing);
+  begin_files();
+  presenter_.take(picture, [&](const render::Image8& shown) {
+    sketch_.add(shown);
+    for (auto& [kind, writer] : writers_) writer.write(shown);
+  });
+}
+
+void FilmRecorder::close() {
+  const Stopwatch::Running encoding(settings_.drawing);
+  if (static_cast<int>(sketch_.frames.size()) != presenter_.frames().all()) {
+    throw render::Error("a video was closed before its film was over");
+  }
+  for (auto& [kind, writer] : writers_) {
+    writer.finish();
+    receipts_[kind] = writer.receipt();
+  }
+  writers_.clear();
+}
+
+const render::VideoCheck& FilmRecorder::check(const std::filesystem::path& file,
+                                              render::VideoKind kind) {
+  return checks_[kind] = render::check_video(file, format_of(kind), sketch_, &receipts_.at(kind),
+                                             settings_.threads);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,88 @@
+#include "pipeline/production/film/film_shot.h"
+
+#include "motion/skeleton/clip.h"
+#include "pipeline/manifest/look/look.h"
+#include "pipeline/manifest/own_seed.h"
+#include "pipeline/production/synthesis/synthesis.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
+  const Output& output = film.output;
+  return {.set = staged_set(film.look),
+          .figure = film.look.figure,
+          .camera = film.look.camera,
+          .role = film_role(film),
+          .size = output.whole_size(),
+          .window = output.window(),
+          .pixel_scale = output.scale,
+          .seed = own_seed(seed, "dots of " + film.id)};
+}
+
+/// What is shown of a motion that was made for another film, which may have another frame rate.
+motion::Clip clip_at_rate(Synthesis made, const Output& output) {
+  made.motion.clip = motion::resampled(made.motion.clip, output.fps);
+  return shown_clip(made, output);
+}
+
+/// Output of a clip for a set: one that goes under the figure needs to know how fast it goes.
+Output output_for(Output output, const scenes::SetPlan& set) {
+  if (set.in_place) output.in_place = false;
+  return output;
+}
+
+}  // namespace
+
+scenes::Role staged_role(Role role) {
+  switch (role) {
+    case Role::target:
+      return scenes::Role::target;
+    case Role::reference:
+      return scenes::Role::reference;
+    default:
+      return scenes::Role::created;
+  }
+}
+
+scenes::Role film_role(const Stimulus& stimulus) {
+  return stimulus.look.colours == Colours::role ? staged_role(stimulus.role)
+                                                : scenes::Role::neutral;
+}
+
+motion::Clip staged_clip(const Stimulus& stimulus, Motions& motions) {
+  Stimulus shown = stimulus;
+  shown.output = output_for(shown.output, staged_set(stimulus.look));
+  return motions.shown(shown);
+}
+
+scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed,
+                     const Framing& framing) {
+  return shot_of(stimulus, staged_clip(stimulus, motions), seed, framing);
+}
+
+scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::uint64_t seed,
+                     const Framing& framing) {
+  scenes::Look look = look_of(stimulus, seed);
+  if (framing.figure_px) look.camera.figure_px = *framing.figure_px / look.pixel_scale;
+  look.figure_place = framing.figure_place;
+  return scenes::stage(clip, look);
+}
+
+scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t seed) {
+  scenes::Look look = look_of(overlay.film, seed);
+  look.layout = overlay.layout;
+  const Output output = output_for(overlay.film.output, look.set);
+  const bool is_clear = overlay.layout == scenes::Layout::side_by_side;
+  std::vector<scenes::Performance> performances;
+  for (const auto& [role, name] : motions_on(overlay)) {
+    performances.push_back({.name = name,
+                            .clip = clip_at_rate(motions.of(name), output),
+                            .role = staged_role(role),
+                            .opacity = is_clear ? 1.0f : static_cast<float>(overlay.opacity)});
+  }
+  return scenes::stage(performances, look);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/base/documents/table.h"
+#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/tasks/task_graph.h"
+
+namespace mien::pipeline {
+
+/// The task "films": what the films' records say, as tidy CSV: metrics/luminance.csv, videos.csv
+/// and views.csv (film_table_forms.h). It reads the products of all film tasks. `manifest` outlives
+/// it. Overlays have rows like stimuli.
+Task films_task(const Manifest& manifest, const SharedDeterminants& shared);
+
+/// The tables of "films".
+std::vector<TableForm> film_table_forms();
+
+/// Where a film's record lies in the store.
+std::string film_record_path(const std::string& stimulus);
+
+}  // namespace mien::pipeline

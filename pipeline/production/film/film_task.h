@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/film/film.h"
+#include "pipeline/production/film/film_equalized.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/tasks/artifact_key.h"
+#include "pipeline/tasks/task_graph.h"
+#include "scenes/stage/shot.h"
+
+namespace mien::pipeline {
+
+/// What a film is made of.
+struct FilmSubject {
+  const Stimulus& film;              ///< what it is called, its look and output
+  std::vector<std::string> motions;  ///< stimuli and examples that are in it
+  KeyBuilder stage;                  ///< what else decides how they are staged
+  Equalize equalize;                 ///< what it has in common with the study's other films
+  std::function<scenes::Shot(const Equalized&)> make_shot;
+};
+
+/// The frames that are kept of a film: those that its output asks for, or those that are needed
+/// only until it is encoded.
+struct KeptSequence {
+  std::string path;  ///< "frames/walk"
+  Hash key;
+};
+
+/// Of the task of a film, once the products of its inputs are known.
+KeptSequence kept_sequence(const Task& film, const Hash& task_key);
+
+/// Film of a stimulus, or of motions together. All that is passed outlives it. Overlays take no
+/// part in what is equalized.
+FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest, Motions& motions);
+FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions& motions,
+                       const SharedDeterminants& shared);
+
+/// The task "film:<id>": stages the motions, draws them and encodes the frames while they are
+/// drawn. Its products are what the output asks for, a contact sheet, and a record of what was
+/// drawn and checked. It reads the products of the tasks "motion:<id>" of its stimuli, and those of
+/// the tasks that find what is equalized. What `subject` refers to outlives it.
+Task film_task(const FilmSubject& subject, const FilmSettings& settings,
+               const SharedDeterminants& shared, Motions& motions);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,150 @@
+#include "pipeline/production/film/kept_light.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/tasks/artifact_key.h"
+#include "pipeline/tasks/code_identity.h"
+#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/task_graph.h"
+#include "render/error.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* light_folder = ".mien/light";
+constexpr auto pause_between_looks = std::chrono::milliseconds(200);
+
+// Width and height as 32 bits each, then the channels as floats, all as the machine has them: what
+// was written by another kind of machine has another key.
+constexpr std::size_t head_bytes = 2 * sizeof(std::int32_t);
+
+std::string bytes_of(const render::Film& light) {
+  const std::array<std::int32_t, 2> size{light.width, light.height};
+  const std::size_t channels = light.channels.size() * sizeof(float);
+  std::string bytes(head_bytes + channels, '\0');
+  std::memcpy(bytes.data(), size.data(), head_bytes);
+  std::memcpy(bytes.data() + head_bytes, light.channels.data(), channels);
+  return bytes;
+}
+
+std::optional<render::Film> light_of(std::string_view bytes) {
+  std::array<std::int32_t, 2> size{};
+  if (bytes.size() < head_bytes) return std::nullopt;
+  std::memcpy(size.data(), bytes.data(), head_bytes);
+  const auto [width, height] = size;
+  const std::size_t values = (bytes.size() - head_bytes) / sizeof(float);
+  if (width < 1 || height < 1 ||
+      values != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    return std::nullopt;
+  render::Film light(width, height);
+  std::memcpy(light.channels.data(), bytes.data() + head_bytes, values * sizeof(float));
+  return light;
+}
+
+Hash key_of_light(const std::string& name) {
+  KeyBuilder key;
+  key.add("set", name).add("code", film_code());
+  key.add("order of bytes", std::int64_t{std::endian::native == std::endian::little});
+  for (const auto& [library, version] : library_versions()) key.add(library, version);
+  return key.key();
+}
+
+/// Removes the light that was used longest ago until no more than `most` bytes are left.
+void keep_within(const Store& store, std::uintmax_t most) {
+  struct Kept {
+    fs::file_time_type used;
+    std::uintmax_t bytes;
+    fs::path file;
+  };
+  std::vector<Kept> all;
+  std::uintmax_t bytes = 0;
+  std::error_code gone;  // another process may be faster
+  for (fs::directory_iterator entry(store.folder() / light_folder, gone);
+       !gone && entry != fs::directory_iterator(); entry.increment(gone)) {
+    std::error_code unknown;
+    const Kept kept{entry->last_write_time(unknown), entry->file_size(unknown), entry->path()};
+    if (unknown) continue;
+    bytes += kept.bytes;
+    all.push_back(kept);
+  }
+  std::ranges::sort(all, {}, &Kept::used);
+  for (auto oldest = all.begin(); oldest != all.end() && bytes > most; ++oldest) {
+    const std::string path = oldest->file.lexically_relative(store.folder()).generic_string();
+    const auto receipt = read_receipt(store.folder(), path);
+    if (receipt) remove_artifact(store, *receipt);
+    fs::remove(oldest->file, gone);
+    bytes -= oldest->bytes;
+  }
+}
+
+class LightKeeper {
+ public:
+  LightKeeper(Store& store, std::stop_token stop, std::uintmax_t most_bytes)
+      : store_(&store), stop_(std::move(stop)), most_bytes_(most_bytes) {}
+
+  render::Film operator()(const std::string& name,
+                          const std::function<render::Film()>& draw) const {
+    const std::string path = std::string(light_folder) + "/" + name;
+    const Hash key = key_of_light(name);
+    for (;;) {
+      if (auto light = found(path, key)) return *std::move(light);
+      if (const auto claim = store_->claim("light " + name)) {
+        if (auto light = found(path, key)) return *std::move(light);
+        return drawn(path, key, draw);
+      }
+      if (stop_.stop_requested()) throw Interrupted{};
+      std::this_thread::sleep_for(pause_between_looks);
+    }
+  }
+
+ private:
+  std::optional<render::Film> found(const std::string& path, const Hash& key) const {
+    if (!store_->find(path, key)) return std::nullopt;
+    const fs::path file = store_->folder() / path;
+    try {
+      auto light = light_of(read_file(file));
+      std::error_code ignored;
+      fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
+      return light;
+    } catch (const std::exception&) {
+      return std::nullopt;  // removed in this moment, to keep within bounds
+    }
+  }
+
+  render::Film drawn(const std::string& path, const Hash& key,
+                     const std::function<render::Film()>& draw) const {
+    const render::Film light = draw();
+    store_->put(
+        path, key, [&](const fs::path& file) { write_file(file, bytes_of(light)); },
+        [&](const fs::path& file) {
+          if (light_of(read_file(file)) != light)
+            throw render::Error(file.string() + ": is not what was written");
+        });
+    keep_within(*store_, most_bytes_);
+    return light;
+  }
+
+  Store* store_;
+  std::stop_token stop_;
+  std::uintmax_t most_bytes_;
+};
+
+}  // namespace
+
+render::KeepLight kept_light(Store& store, const std::stop_token& stop, std::uintmax_t most_bytes) {
+  return LightKeeper(store, stop, most_bytes);
+}
+
+}  // namespace mien::pipeline

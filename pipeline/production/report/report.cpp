@@ -1,0 +1,128 @@
+#include "pipeline/production/report/report.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/html.h"
+#include "pipeline/manifest/repetitions.h"
+#include "pipeline/production/report/report_ratings.h"
+#include "pipeline/production/report/report_sections.h"
+#include "pipeline/production/report/report_style.h"
+#include "pipeline/tasks/code_identity.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// The table of warnings has all.
+constexpr std::size_t most_warnings_of_one_kind = 100;
+
+bool rests_on_simulated_ratings(const Manifest& manifest, Motions& motions) {
+  const bool any = std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
+                               [](const Stimulus& s) { return !s.adjectives.empty(); });
+  return any && motions.repertoire().simulated_ratings;
+}
+
+std::string page_header(const Manifest& manifest, Motions& motions) {
+  std::string header = "<header><h1>" + html_escaped(manifest.study) + "</h1>\n";
+  if (rests_on_simulated_ratings(manifest, motions)) {
+    header +=
+        "<p class=\"simulated\"><strong>Simulated ratings.</strong> No person has rated the "
+        "example motions: what is shown for an adjective is what made-up raters would say.</p>\n";
+  }
+  return header + "</header>\n";
+}
+
+std::string methods_section(const Methods& methods) {
+  return titled_section(
+      "Methods",
+      methods_html(methods.markdown) +
+          "<p>The same as text, with citations: <a href=\"methods.md\">methods.md</a>, <a "
+          "href=\"references.bib\">references.bib</a>.</p>\n");
+}
+
+std::string page_footer(const Manifest& manifest) {
+  return fmt::format(
+      "<footer><p>mien {} · seed {} · manifest {} · {}numbers in <a "
+      "href=\"metrics/\">metrics/</a>, "
+      "their columns in <a href=\"metrics/codebook.json\">codebook.json</a> · settings of all "
+      "stimuli and hashes of all inputs and artifacts in "
+      "<a href=\"provenance.json\">provenance.json</a></p></footer>\n",
+      program_version(), manifest.seed, html_escaped(manifest.file.filename().string()),
+      manifest.command.empty() ? ""
+                               : "made by <code>" + html_escaped(manifest.command) + "</code> · ");
+}
+
+std::string links_to_neighbours(const std::vector<ReportPart>& parts, std::size_t which,
+                                const Manifest& manifest) {
+  const auto link = [](const std::string& path, const std::string& text) {
+    return fmt::format("<a href=\"{}\">{}</a>", path, text);
+  };
+  std::vector<std::string> links = {link("report.html", html_escaped(manifest.study))};
+  if (which > 0) links.push_back("← " + link(parts[which - 1].path(), parts[which - 1].title()));
+  if (which + 1 < parts.size())
+    links.push_back(link(parts[which + 1].path(), parts[which + 1].title()) + " →");
+  return fmt::format("<nav>{}</nav>\n", fmt::join(links, " · "));
+}
+
+/// Of examples and of stimuli among each other; cards tell those of one stimulus.
+std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& motions) {
+  std::vector<std::string> warnings;
+  if (blends_examples(manifest)) warnings = motions.repertoire().warnings;
+  std::vector<std::string> repetitions = told_repetitions(manifest);
+  const std::size_t shown = std::min(repetitions.size(), most_warnings_of_one_kind);
+  warnings.insert(warnings.end(), repetitions.begin(),
+                  repetitions.begin() + static_cast<std::ptrdiff_t>(shown));
+  if (shown < repetitions.size()) {
+    warnings.push_back(fmt::format("so it is of {} others: metrics/warnings.csv has all",
+                                   repetitions.size() - shown));
+  }
+  return warnings;
+}
+
+}  // namespace
+
+std::string report(const Manifest& manifest, Motions& motions, const Methods& methods) {
+  std::string body = page_header(manifest, motions) + "<main>\n";
+  body += html_list("warnings", warnings_of_all(manifest, motions));
+  const std::vector<ReportPart> parts = report_parts(manifest);
+  body += findings_section(manifest, motions);
+  if (parts.empty()) {
+    body += comparisons_section("Comparisons", comparisons_in(manifest), motions) +
+            stills_section(manifest, motions) +
+            stimuli_section("Stimuli", manifest.stimuli, manifest, motions) +
+            overlays_section("Overlays", manifest.overlays, manifest, motions);
+  } else {
+    body += parts_section(parts, manifest) + stills_section(manifest, motions);
+  }
+  if (blends_examples(manifest)) body += ratings_section(manifest, motions.repertoire());
+  body += methods_section(methods) + "</main>\n" + page_footer(manifest);
+  return html_page(manifest.study + " · mien", report_style, body);
+}
+
+std::string report_part(const std::vector<ReportPart>& parts, std::size_t which,
+                        const Manifest& manifest, Motions& motions) {
+  const ReportPart& part = parts[which];
+  const std::size_t count = part.end - part.first;
+  std::string cards;
+  if (part.kind == CardKind::stimulus) {
+    cards = stimuli_section(part.title(), std::span(manifest.stimuli).subspan(part.first, count),
+                            manifest, motions);
+  } else if (part.kind == CardKind::overlay) {
+    cards = overlays_section(part.title(), std::span(manifest.overlays).subspan(part.first, count),
+                             manifest, motions);
+  } else {
+    const std::vector<const Sheet*> all = comparisons_in(manifest);
+    cards = comparisons_section(part.title(), std::span(all).subspan(part.first, count), motions);
+  }
+  const std::string links = links_to_neighbours(parts, which, manifest);
+  const std::string body = page_header(manifest, motions) + links + "<main>\n" + cards +
+                           "</main>\n" + links + page_footer(manifest);
+  return html_page(manifest.study + " · " + part.title() + " · mien", report_style, body, "../");
+}
+
+}  // namespace mien::pipeline

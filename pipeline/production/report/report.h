@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/report/methods.h"
+#include "pipeline/production/report/report_parts.h"
+#include "pipeline/production/synthesis/motions.h"
+
+namespace mien::pipeline {
+
+/// report.html: the whole study on one page that works from disk without a network. Videos, contact
+/// sheets and comparison sheets are linked by paths relative to the study's folder; style is
+/// inline. Of a large study (report_parts.h) the page tells what concerns all, and links the
+/// others.
+std::string report(const Manifest& manifest, Motions& motions, const Methods& methods);
+
+/// One of the study's parts, as a page of the same kind.
+std::string report_part(const std::vector<ReportPart>& parts, std::size_t which,
+                        const Manifest& manifest, Motions& motions);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,144 @@
+#include "pipeline/production/report/report_sections.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/html.h"
+#include "pipeline/production/report/report_cards.h"
+#include "pipeline/production/report/report_tables.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// What the films of a study have in common because it asks for that, and among which.
+std::string alike(const Equalize& equalize) {
+  std::vector<std::string> in_all, by_figure;
+  const auto add = [&](const std::optional<Among>& among, const std::string& what) {
+    if (among) (*among == Among::figure ? by_figure : in_all).push_back(what);
+  };
+  if (equalize.duration) {
+    in_all.emplace_back(
+        "length (as the shortest: <a href=\"metrics/durations.csv\">durations.csv</a>)");
+  }
+  add(equalize.size,
+      "height of the standing figure in pixels (as the smallest: "
+      "<a href=\"metrics/sizes.csv\">sizes.csv</a>)");
+  add(equalize.place, "place in the picture (<a href=\"metrics/places.csv\">places.csv</a>)");
+  add(equalize.luminance,
+      "mean luminance (by exposure: <a href=\"metrics/exposure.csv\">exposure.csv</a>)");
+  std::string text;
+  if (!in_all.empty())
+    text += fmt::format("<p>Made alike in all stimuli: {}.</p>\n", fmt::join(in_all, ", "));
+  if (!by_figure.empty()) {
+    text += fmt::format("<p>Made alike among the stimuli with the same kind of figure: {}.</p>\n",
+                        fmt::join(by_figure, ", "));
+  }
+  return text;
+}
+
+/// The one that participants are spoken to in.
+InterfaceLanguage language_of(const Manifest& manifest) {
+  if (manifest.questionnaire) return manifest.questionnaire->language;
+  if (manifest.matching) return manifest.matching->language;
+  return InterfaceLanguage::english;
+}
+
+std::string card_grid(const std::string& cards) {
+  return "<div class=\"cards\">\n" + cards + "</div>";
+}
+
+/// The ids of a page's stimuli, folded away, for a reader who looks for one.
+std::string linked_stimuli(const ReportPart& part, const Manifest& manifest) {
+  std::string links;
+  for (std::size_t i = part.first; i < part.end; ++i) {
+    const Stimulus& stimulus = manifest.stimuli[i];
+    links += fmt::format("<a href=\"{}\">{}</a>\n", link_to(stimulus, manifest),
+                         html_escaped(stimulus.id));
+  }
+  return "<details><summary>which</summary>\n" + links + "</details>\n";
+}
+
+}  // namespace
+
+std::string titled_section(const std::string& title, const std::string& content) {
+  return "<section><h2>" + title + "</h2>\n" + content + "</section>\n";
+}
+
+std::string stimuli_section(const std::string& title, std::span<const Stimulus> stimuli,
+                            const Manifest& manifest, Motions& motions) {
+  std::string films;
+  for (const Stimulus& stimulus : stimuli)
+    films += stimulus_card(stimulus, motions, language_of(manifest));
+  const std::string foils = foil_table(stimuli, motions);
+  return titled_section(title, alike(manifest.equalize) + card_grid(films)) +
+         (foils.empty() ? "" : titled_section("Foils", foils));
+}
+
+std::string overlays_section(const std::string& title, std::span<const Overlay> overlays,
+                             const Manifest& manifest, Motions& motions) {
+  std::string films;
+  for (const Overlay& overlay : overlays) films += overlay_card(overlay, manifest, motions);
+  return films.empty() ? "" : titled_section(title, card_grid(films));
+}
+
+std::string findings_section(const Manifest& manifest, Motions& motions) {
+  std::string rows;
+  std::size_t count = 0;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const Synthesis& made = motions.of(stimulus.id);
+    int errors = 0;
+    std::string first = made.warnings.empty() ? "" : made.warnings.front();
+    for (const motion::Finding& finding : made.findings) {
+      if (finding.severity != motion::Severity::error) continue;
+      if (errors++ == 0) first = finding.sentence;
+    }
+    if (made.findings.empty() && made.warnings.empty()) continue;
+    ++count;
+    rows += fmt::format(
+        "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+        link_to(stimulus, manifest), html_escaped(stimulus.id), errors,
+        static_cast<int>(made.findings.size()) - errors + static_cast<int>(made.warnings.size()),
+        html_escaped(first));
+  }
+  if (rows.empty()) return "";
+  constexpr std::size_t most_open = 12;
+  const std::string table = html_table({"stimulus", "errors", "warnings", "first"}, rows);
+  return titled_section(
+      "Findings",
+      count <= most_open
+          ? table
+          : fmt::format("<details><summary>{} stimuli</summary>\n{}</details>\n", count, table));
+}
+
+std::string stills_section(const Manifest& manifest, Motions& motions) {
+  std::string stills;
+  for (const Sheet& sheet : manifest.sheets) {
+    if (!sheet.stills.empty()) stills += sheet_card(sheet, motions);
+  }
+  return stills.empty() ? "" : titled_section("Pictures", stills);
+}
+
+std::string comparisons_section(const std::string& title, std::span<const Sheet* const> sheets,
+                                Motions& motions) {
+  if (sheets.empty()) return "";
+  std::string cards;
+  for (const Sheet* sheet : sheets) cards += sheet_card(*sheet, motions);
+  return titled_section(
+      title, distance_table(sheets, motions) + feature_agreement_table(sheets, motions) + cards);
+}
+
+std::string parts_section(const std::vector<ReportPart>& parts, const Manifest& manifest) {
+  std::string list;
+  for (const ReportPart& part : parts) {
+    list += fmt::format("<li><a href=\"{}\">{}</a>\n{}</li>\n", part.path(), part.title(),
+                        part.kind == CardKind::stimulus ? linked_stimuli(part, manifest) : "");
+  }
+  return titled_section("Pages",
+                        alike(manifest.equalize) + "<ul class=\"parts\">\n" + list + "</ul>\n");
+}
+
+}  // namespace mien::pipeline

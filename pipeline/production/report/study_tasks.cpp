@@ -1,0 +1,114 @@
+#include "pipeline/production/report/study_tasks.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/ratings/impression_table.h"
+#include "pipeline/production/report/foils.h"
+#include "pipeline/production/report/report.h"
+#include "pipeline/production/report/table_forms.h"
+#include "pipeline/production/report/tables.h"
+#include "pipeline/tasks/code_identity.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double tables_cost_seconds = 0.05;
+constexpr double report_cost_seconds = 0.01;
+
+struct Table {
+  const TableForm& form;
+  std::string (*make)(const Manifest&, Motions&);
+};
+
+constexpr Table tables[] = {{distances_form, distances_csv},
+                            {joint_distances_form, joint_distances_csv},
+                            {weights_form, weights_csv},
+                            {clips_form, clips_csv},
+                            {parameters_form, parameters_csv},
+                            {examples_form, examples_csv},
+                            {impressions_form, impressions_csv},
+                            {expectations_form, expectations_csv},
+                            {findings_form, findings_csv},
+                            {feature_changes_form, feature_changes_csv},
+                            {foils_form, foils_csv}};
+
+void put_page(TaskRun& run, std::size_t product, const std::string& text) {
+  run.store.put(
+      run.task.products[product].path, run.keys[product],
+      [&](const fs::path& file) { write_file(file, text); },
+      [&](const fs::path& file) {
+        if (read_file(file) != text) throw std::runtime_error(file.string() + " is not complete");
+      });
+}
+
+}  // namespace
+
+Hash study_key(const Manifest& manifest, const SharedDeterminants& shared, const TaskGraph& graph) {
+  KeyBuilder key;
+  key.add("libraries", shared.libraries).add("repertoire", shared.repertoire);
+  key.add("motion", motion_code()).add("pipeline", pipeline_code());
+  key.add("film", film_code());
+  key.add("manifest", shared.files.of(manifest.file));
+  key.add("command", manifest.command);
+  add_page(key, manifest);
+  key.add("made of", key_of(graph));
+  return key.key();
+}
+
+std::vector<TableForm> study_table_forms() {
+  std::vector<TableForm> forms;
+  for (const Table& table : tables) forms.push_back(table.form);
+  return forms;
+}
+
+Task tables_task(const Manifest& manifest, Motions& motions, const Hash& study) {
+  Task task;
+  task.id = "tables";
+  task.kind = "tables";
+  task.determinants.add("study", study);
+  for (const Stimulus& stimulus : manifest.stimuli) task.inputs.push_back("motion:" + stimulus.id);
+  for (const Table& table : tables) task.products.push_back({std::string(table.form.path), {}});
+  task.cost_seconds = tables_cost_seconds;
+  task.make = [&manifest, &motions](TaskRun& run) {
+    for (std::size_t i = 0; i < run.keys.size(); ++i) {
+      const std::string text = tables[i].make(manifest, motions);
+      run.store.put(
+          run.task.products[i].path, run.keys[i],
+          [&](const fs::path& file) { write_file(file, text); },
+          [](const fs::path& file) { read_csv(file); });
+    }
+  };
+  return task;
+}
+
+Task report_task(const Manifest& manifest, Motions& motions, const Hash& study,
+                 const TaskGraph& graph) {
+  Task task;
+  task.id = "report";
+  task.kind = "report";
+  task.determinants.add("study", study);
+  for (const Task& other : graph.tasks) task.inputs.push_back(other.id);
+  task.products = {{"report.html", {}}, {"methods.md", {}}, {"references.bib", {}}};
+  const std::vector<ReportPart> parts = report_parts(manifest);
+  for (const ReportPart& part : parts) task.products.push_back({part.path(), {}});
+  task.cost_seconds = report_cost_seconds * static_cast<double>(1 + parts.size());
+  task.make = [&manifest, &motions, parts](TaskRun& run) {
+    const Methods methods = methods_of(manifest, motions);
+    put_page(run, 0, report(manifest, motions, methods));
+    put_page(run, 1, methods.markdown);
+    put_page(run, 2, methods.bibtex);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (run.stop.stop_requested()) throw Interrupted{};
+      put_page(run, 3 + i, report_part(parts, i, manifest, motions));
+    }
+  };
+  return task;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,87 @@
+#include "pipeline/production/run/codebook.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/production/film/film_dots.h"
+#include "pipeline/production/film/film_table_forms.h"
+#include "pipeline/production/film/film_tables.h"
+#include "pipeline/production/report/study_tasks.h"
+#include "pipeline/production/run/stimuli_table.h"
+#include "pipeline/production/synthesis/durations_task.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::vector<TableForm> forms_of_every_study() {
+  std::vector<TableForm> forms = {stimuli_form};
+  for (const TableForm& form : study_table_forms()) forms.push_back(form);
+  for (const TableForm& form : film_table_forms()) forms.push_back(form);
+  forms.push_back(warnings_form);
+  return forms;
+}
+
+ordered_json as_json(const Column& column, const std::string& name) {
+  ordered_json json = {{"name", name}};
+  if (!column.unit.empty()) json["unit"] = column.unit;
+  json["meaning"] = column.meaning;
+  return json;
+}
+
+ordered_json as_json(const TableForm& form, const std::vector<std::string>& factors) {
+  ordered_json columns = ordered_json::array();
+  for (const Column& column : form.columns) {
+    const TableForm alone{form.path, form.rows, {&column, 1}};
+    for (const std::string& name : header_of(alone, factors))
+      columns.push_back(as_json(column, name));
+  }
+  return {{"file", form.path}, {"row", form.rows}, {"columns", columns}};
+}
+
+}  // namespace
+
+std::vector<TableForm> all_table_forms() {
+  std::vector<TableForm> forms = forms_of_every_study();
+  forms.insert(forms.end(), {durations_form, sizes_form, places_form, exposure_form, dots_form});
+  return forms;
+}
+
+std::vector<TableForm> table_forms_of(const Manifest& manifest) {
+  std::vector<TableForm> forms = forms_of_every_study();
+  if (manifest.equalize.duration) forms.push_back(durations_form);
+  if (manifest.equalize.size) forms.push_back(sizes_form);
+  if (manifest.equalize.place) forms.push_back(places_form);
+  if (manifest.equalize.luminance) forms.push_back(exposure_form);
+  if (std::ranges::any_of(manifest.stimuli, has_dots)) forms.push_back(dots_form);
+  return forms;
+}
+
+std::string codebook_json(const Manifest& manifest) {
+  const std::vector<std::string> factors = factors_of(manifest);
+  ordered_json tables = ordered_json::array();
+  for (const TableForm& form : table_forms_of(manifest)) tables.push_back(as_json(form, factors));
+  const ordered_json book = {{"study", manifest.study},
+                             {"empty", "a field is empty where there is nothing to tell"},
+                             {"tables", tables}};
+  return book.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string codebook_markdown() {
+  std::string text;
+  for (const TableForm& form : all_table_forms()) {
+    text += fmt::format("## {}\n\nA row {}.\n\n| column | unit | meaning |\n|---|---|---|\n",
+                        form.path, form.rows);
+    for (const Column& column : form.columns)
+      text += fmt::format("| `{}` | {} | {} |\n", column.name, column.unit, column.meaning);
+    text += "\n";
+  }
+  text.pop_back();
+  return text;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/base/documents/table.h"
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+/// Every table that a run can leave.
+std::vector<TableForm> all_table_forms();
+
+/// Those that this study leaves.
+std::vector<TableForm> table_forms_of(const Manifest& manifest);
+
+/// metrics/codebook.json: what the rows and columns of the study's tables are, factors by their
+/// names.
+std::string codebook_json(const Manifest& manifest);
+
+/// The same of all tables, as manifests/TABLES.md has it.
+std::string codebook_markdown();
+
+}  // namespace mien::pipeline

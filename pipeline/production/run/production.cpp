@@ -1,0 +1,177 @@
+#include "pipeline/production/run/production.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "motion/text/excerpt.h"
+#include "motion/text/nearest_word.h"
+#include "motion/text/shell_word.h"
+#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/production/film/film_dots.h"
+#include "pipeline/production/film/film_equalized.h"
+#include "pipeline/production/film/film_tables.h"
+#include "pipeline/production/film/film_task.h"
+#include "pipeline/production/report/study_tasks.h"
+#include "pipeline/production/run/design_task.h"
+#include "pipeline/production/run/study_inputs.h"
+#include "pipeline/production/sheets/sheet_task.h"
+#include "pipeline/production/sheets/stills_task.h"
+#include "pipeline/production/synthesis/motion_task.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// "mien run study.yaml --quality draft". One that a provenance.json tells stays as it is.
+std::string command_of(const Manifest& manifest, const std::optional<Quality>& quality) {
+  if (!quality && !manifest.command.empty()) return manifest.command;
+  std::string command = "mien run " + motion::shell_path(manifest.file.filename().string());
+  if (quality) command += " --quality " + std::string(name_of(*quality));
+  return command;
+}
+
+Manifest with_quality(Manifest manifest, const std::optional<Quality>& quality) {
+  manifest.command = command_of(manifest, quality);
+  if (!quality) return manifest;
+  manifest.output.quality = *quality;
+  for (Stimulus& stimulus : manifest.stimuli) stimulus.output.quality = *quality;
+  for (Overlay& overlay : manifest.overlays) overlay.film.output.quality = *quality;
+  return manifest;
+}
+
+void refuse_unknown_ids(const Manifest& manifest, const std::vector<std::string>& only) {
+  if (only.empty()) return;
+  std::vector<std::string> ids;
+  std::set<std::string> known;
+  const auto add = [&](const std::string& id) {  // a sheet may have a stimulus' name
+    if (known.insert(id).second) ids.push_back(id);
+  };
+  for (const Stimulus* film : films_of(manifest)) add(film->id);
+  for (const Sheet& sheet : manifest.sheets) add(sheet.id);
+  for (const std::string& id : only) {
+    if (known.contains(id)) continue;
+    throw Error("--only: there is no stimulus, overlay or sheet " + motion::in_quotes(id),
+                motion::did_you_mean(id, ids));
+  }
+}
+
+}  // namespace
+
+Production::Production(Manifest manifest, ProductionOptions options)
+    : manifest_(with_quality(std::move(manifest), options.quality)),
+      options_(std::move(options)),
+      motions_(manifest_),
+      wanted_(options_.only.begin(), options_.only.end()) {
+  refuse_unknown_ids(manifest_, options_.only);
+  FileKeys files;
+  const SharedDeterminants shared = shared_determinants(manifest_, files);
+  add_motions(shared);
+  add_stimuli(shared);
+  add_overlays(shared);
+  add_sheets(shared);
+  if (!is_whole()) return;
+  add_study(shared);
+  inputs_ = hashes_of_inputs(manifest_);
+}
+
+/// The motions, and what films need to know of all of them to be alike.
+void Production::add_motions(const SharedDeterminants& shared) {
+  for (const Stimulus& stimulus : manifest_.stimuli) {
+    graph_.add(motion_task(stimulus, shared, motions_));
+  }
+  const FilmSettings settings{.seed = manifest_.seed, .threads = threads(), .sets = &sets_};
+  for (Task& task : equalizing_tasks(manifest_, shared, settings, motions_)) {
+    graph_.add(std::move(task));
+  }
+}
+
+void Production::add_stimuli(const SharedDeterminants& shared) {
+  const Equalize& equalize = manifest_.equalize;
+  for (const Stimulus& stimulus : manifest_.stimuli) {
+    if (!is_wanted(stimulus.id)) continue;
+    if (stimulus.output.clips.bvh || stimulus.output.clips.glb) {
+      add(clip_task(stimulus, equalize, shared, motions_), equalize);
+    }
+    if (has_dots(stimulus)) {
+      add(dots_task(stimulus, manifest_.seed, equalize, shared, motions_), equalize);
+    }
+    add_film(subject_of(stimulus, manifest_, motions_), shared);
+  }
+}
+
+void Production::add_overlays(const SharedDeterminants& shared) {
+  for (const Overlay& overlay : manifest_.overlays) {
+    if (is_wanted(overlay)) add_film(subject_of(overlay, manifest_, motions_, shared), shared);
+  }
+}
+
+void Production::add_sheets(const SharedDeterminants& shared) {
+  for (const Sheet& sheet : manifest_.sheets) {
+    if (!is_wanted(sheet)) continue;
+    if (sheet.stills.empty()) {
+      graph_.add(sheet_task(sheet, manifest_, shared, motions_));
+    } else {
+      add(stills_task(sheet, manifest_, film_settings({}), shared, motions_), manifest_.equalize);
+    }
+  }
+}
+
+/// What covers the whole study.
+void Production::add_study(const SharedDeterminants& shared) {
+  const Hash study = study_key(manifest_, shared, graph_);
+  graph_.add(tables_task(manifest_, motions_, study));
+  graph_.add(films_task(manifest_, shared));
+  graph_.add(design_task(manifest_, motions_, study, graph_));
+  graph_.add(report_task(manifest_, motions_, study, graph_));
+}
+
+void Production::add_film(const FilmSubject& subject, const SharedDeterminants& shared) {
+  const FilmSettings settings = film_settings(subject.film.output);
+  add(film_task(subject, settings, shared, motions_), subject.equalize);
+}
+
+/// A task that shows motions. It waits until is known that all can be made alike: else the clips of
+/// a study would be made whose films cannot be.
+void Production::add(Task task, const Equalize& equalize) {
+  task.after = equalizing_task_ids(equalize);
+  graph_.add(std::move(task));
+}
+
+int Production::threads() const {
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return std::min(options_.jobs, processors);
+}
+
+FilmSettings Production::film_settings(const Output& output) {
+  return {.output = output,
+          .seed = manifest_.seed,
+          .threads = threads(),
+          .drawing = options_.drawing,
+          .sets = &sets_};
+}
+
+bool Production::is_wanted(const std::string& id) const {
+  return wanted_.empty() || wanted_.contains(id);
+}
+
+bool Production::is_wanted_motion(const std::string& name) const {
+  return motions_.stimulus(name) == nullptr || is_wanted(name);
+}
+
+/// A sheet or overlay is wanted when it is named, or when the stimuli that it shows all are.
+bool Production::is_wanted(const Sheet& sheet) const {
+  const std::vector<std::string> motions = motions_on(sheet);
+  return is_wanted(sheet.id) || std::all_of(motions.begin(), motions.end(), [&](const auto& name) {
+           return is_wanted_motion(name);
+         });
+}
+
+bool Production::is_wanted(const Overlay& overlay) const {
+  const auto motions = motions_on(overlay);
+  return is_wanted(overlay.film.id) ||
+         std::all_of(motions.begin(), motions.end(),
+                     [&](const auto& one) { return is_wanted_motion(one.second); });
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/film/film_task.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/tasks/stopwatch.h"
+#include "pipeline/tasks/task_graph.h"
+#include "render/tracer/standing_sets.h"
+
+namespace mien::pipeline {
+
+/// What the command line changes about a manifest.
+struct ProductionOptions {
+  std::optional<Quality> quality;  ///< of all stimuli
+  std::vector<std::string> only;   ///< ids of stimuli, overlays and sheets; everything when empty
+  int jobs = 1;
+  Stopwatch* drawing = nullptr;  ///< if any, runs while frames are traced or encoded
+};
+
+/// The manifest as the tasks of a run:
+///
+///   motion  examples, weights → motion      (its digest)
+///   clip    motion → file                   clips/<id>.bvh, .glb
+///   film    motions → shot → frames, video   frames/<id>/, videos/<id>.mp4,
+///                                           sheets/contact/<id>.png
+///                                           metrics/films/<id>.json
+///   sheet   two motions → distance → page   sheets/<id>.pdf, .png
+///           motions → shots → stills → page
+///   durations motions → numbers             metrics/durations.csv: what equalizing them needs
+///   sizes     motions → shots → numbers     metrics/sizes.csv: what equalizing size needs
+///   places    motions → shots → numbers     metrics/places.csv: and place
+///   exposure  motions → shots → numbers     metrics/exposure.csv: and luminance
+///   tables  motions → numbers               metrics/*.csv
+///   films   films → numbers                 metrics/luminance.csv, videos.csv, views.csv
+///   design  all films → factors, files   metrics/stimuli.csv, warnings.csv, codebook.json
+///   report  all of it → page, methods       report.html, methods.md, references.bib
+///
+/// With `only`, nothing is made that covers the whole study (tables, report, provenance).
+class Production {
+ public:
+  /// Throws Error when `only` names what the manifest does not have.
+  Production(Manifest manifest, ProductionOptions options);
+  Production(const Production&) = delete;
+  Production& operator=(const Production&) = delete;
+
+  const Manifest& manifest() const { return manifest_; }
+  const TaskGraph& graph() const { return graph_; }
+  Motions& motions() { return motions_; }
+  bool is_whole() const { return options_.only.empty(); }
+
+  /// Of a whole production: the files that it rests on as they were when it was planned
+  /// (hashes_of_inputs).
+  const std::map<std::string, Hash>& inputs() const { return inputs_; }
+
+ private:
+  void add_motions(const SharedDeterminants& shared);
+  void add_stimuli(const SharedDeterminants& shared);
+  void add_overlays(const SharedDeterminants& shared);
+  void add_sheets(const SharedDeterminants& shared);
+  void add_study(const SharedDeterminants& shared);
+  void add_film(const FilmSubject& subject, const SharedDeterminants& shared);
+  void add(Task task, const Equalize& equalize);
+  int threads() const;
+  FilmSettings film_settings(const Output& output);
+  bool is_wanted(const std::string& id) const;
+  bool is_wanted_motion(const std::string& name) const;
+  bool is_wanted(const Sheet& sheet) const;
+  bool is_wanted(const Overlay& overlay) const;
+
+  Manifest manifest_;
+  ProductionOptions options_;
+  Motions motions_;
+  render::StandingSets sets_;  ///< of all films
+  TaskGraph graph_;
+  std::set<std::string> wanted_;  ///< options_.only
+  std::map<std::string, Hash> inputs_;
+};
+
+}  // namespace mien::pipeline

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/synthesis/motions.h"
+
+namespace mien::pipeline {
+
+/// What only shows when motions are made and staged, found before a frame is drawn for a film:
+/// examples that cannot be blended, clips that hold no human or not the frames asked for, films
+/// shorter than their fades, figures that no place of the picture suits, and light that no exposure
+/// makes alike. The manifest itself is without faults (checked_manifest.h). Takes as long as the
+/// motions of a run, and a little more where luminance is equalized.
+std::vector<Fault> rehearse(const Manifest& manifest);
+
+/// The same with the manifest's motions, for who needs them afterwards.
+std::vector<Fault> rehearse(const Manifest& manifest, Motions& motions);
+
+}  // namespace mien::pipeline

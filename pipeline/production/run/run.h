@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "pipeline/production/run/production.h"
+#include "pipeline/tasks/progress.h"
+#include "pipeline/tasks/stale.h"
+#include "pipeline/tasks/store.h"
+
+namespace mien::pipeline {
+
+/// How a run ended.
+struct RunResult {
+  std::vector<TaskOutcome> outcomes;  ///< one a task of the production's graph
+  std::vector<Nondeterminism> nondeterminism;
+  std::vector<std::string> repairs;   ///< what was found damaged or in the way, and made good
+  std::vector<std::string> warnings;  ///< about design, motions, films: "guess-1: …"
+  bool was_interrupted = false;
+
+  int count(TaskState state) const;
+  bool is_complete() const;  ///< every task was cached or made
+};
+
+/// Artifacts in `folder` that the manifest no longer makes. Nothing of a production of some stimuli
+/// only: the others are no less wanted.
+std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production);
+
+/// Makes what is not in `folder` yet, together with other runs of the study that work there, and
+/// writes provenance.json and inputs/ when everything is there. Throws StoreBusy when another
+/// process works in the folder and it or this one is to be alone, and Error when a run of another
+/// state of the study replaced artifacts in the meantime.
+RunResult run(Production& production, const std::filesystem::path& folder, int jobs,
+              const std::stop_token& stop, const RunObserver& observer,
+              Sharing sharing = Sharing::shared);
+
+}  // namespace mien::pipeline

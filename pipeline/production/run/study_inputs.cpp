@@ -1,0 +1,156 @@
+#include "pipeline/production/run/study_inputs.h"
+
+#include <algorithm>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/example_files.h"
+#include "pipeline/manifest/manifest_yaml.h"
+#include "scenes/character/character.h"
+#include "scenes/figures/figure.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Calls `visit` with each path of a manifest that names a file of which a copy is kept.
+template <MaybeConst<Manifest> M, class Visit>
+void for_each_document(M& manifest, const Visit& visit) {
+  if (!manifest.scales.file.empty()) visit(manifest.scales.file);
+  if (!manifest.recipes.file.empty()) visit(manifest.recipes.file);
+  if (manifest.ratings.source == Ratings::Source::file) visit(manifest.ratings.file);
+  const auto visit_set = [&](auto& look) {
+    if (!look.scene_file.empty()) visit(look.scene_file);
+  };
+  if (manifest.questionnaire) {
+    auto& asked = *manifest.questionnaire;
+    for (auto* text : {&asked.consent, &asked.instructions, &asked.ending, &asked.analysis.plan}) {
+      if (!text->file.empty()) visit(text->file);
+    }
+    if (!asked.scales.file.empty()) visit(asked.scales.file);
+  }
+  if (manifest.matching) {
+    auto& matching = *manifest.matching;
+    for (auto* text : {&matching.consent, &matching.instructions, &matching.ending}) {
+      if (!text->file.empty()) visit(text->file);
+    }
+  }
+  visit_set(manifest.look);
+  for (auto& stimulus : manifest.stimuli) visit_set(stimulus.look);
+  for (auto& overlay : manifest.overlays) visit_set(overlay.film.look);
+}
+
+/// Where a copy lies below inputs/: as it lies below the manifest's folder, or by its name alone.
+fs::path place_of(const fs::path& file, const fs::path& folder) {
+  const fs::path below = fs::proximate(file, folder.empty() ? "." : folder);
+  const bool is_outside = below.is_absolute() || below.empty() || *below.begin() == "..";
+  return is_outside ? file.filename() : below;
+}
+
+bool is_taken(const std::vector<InputCopy>& copies, const std::string& path) {
+  return path == as_run_path || std::ranges::find(copies, path, &InputCopy::path) != copies.end();
+}
+
+void add_copy(std::vector<InputCopy>& copies, const fs::path& file, const fs::path& folder) {
+  if (std::ranges::find(copies, file, &InputCopy::source) != copies.end()) return;
+  const fs::path place = place_of(file, folder);
+  std::string path = "inputs/" + place.generic_string();
+  for (int number = 2; is_taken(copies, path); ++number) {
+    const std::string name = std::to_string(number) + "-" + place.filename().string();
+    path = "inputs/" + (place.parent_path() / name).generic_string();
+  }
+  copies.push_back({file, path});
+}
+
+/// The manifest as it can be run from its copies in `folder`.
+Manifest as_run(Manifest manifest, const std::vector<InputCopy>& copies, const fs::path& folder) {
+  for_each_document(manifest, [&](fs::path& file) {
+    const auto copy = std::ranges::find(copies, file, &InputCopy::source);
+    if (copy != copies.end()) file = folder / copy->path;
+  });
+  return manifest;
+}
+
+void put_text(Store& store, const std::string& path, const std::string& text) {
+  const Hash key = hash_of(text);
+  if (store.find(path, key)) return;
+  store.put(
+      path, key, [&](const fs::path& file) { write_file(file, text); }, [](const fs::path&) {});
+}
+
+std::string name_with_folder(const fs::path& file) {
+  return (fs::absolute(file).parent_path().filename() / file.filename()).generic_string();
+}
+
+void add_motion_file(std::vector<fs::path>& files, const fs::path& file) {
+  if (file.empty()) return;
+  files.push_back(file);
+  for (const fs::path& part : motion_parts(file)) files.push_back(part);
+}
+
+/// Motions and characters, with the files that belong to them, each once.
+std::vector<fs::path> uncopied_files(const Manifest& manifest) {
+  std::vector<fs::path> files;
+  for (const fs::path& file : repertoire_files(manifest)) add_motion_file(files, file);
+  for (const Stimulus* film : films_of(manifest)) {
+    if (film->clip) add_motion_file(files, film->clip->file);
+    if (film->walk) {
+      for (const GraphMotion& motion : film->walk->graph) add_motion_file(files, motion.file);
+    }
+    for (const ModificationStep& step : film->modify) {
+      if (!step.pose) continue;
+      add_motion_file(files, step.pose->neutral.file);
+      add_motion_file(files, step.pose->posed.file);
+    }
+    if (const auto* character = scenes::character_in(film->look.figure)) {
+      files.push_back(character->file);
+      for (const auto& part : scenes::parts_of_character(character->file)) files.push_back(part);
+    }
+  }
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
+}  // namespace
+
+std::vector<InputCopy> input_copies(const Manifest& manifest) {
+  const fs::path folder = manifest.file.parent_path();
+  std::vector<InputCopy> copies;
+  add_copy(copies, manifest.file, folder);
+  for_each_document(manifest, [&](const fs::path& file) { add_copy(copies, file, folder); });
+  return copies;
+}
+
+void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_read,
+                Store& store) {
+  for (const auto& [name, hash] : hashes_of_inputs(manifest)) {
+    const auto before = as_read.find(name);
+    if (before != as_read.end() && before->second == hash) continue;
+    throw Error(name + " was changed while the study was made of it",
+                "run it again: what does not rest on the change is there already");
+  }
+  const std::vector<InputCopy> copies = input_copies(manifest);
+  for (const InputCopy& copy : copies) put_text(store, copy.path, read_file(copy.source));
+  const Manifest again = as_run(manifest, copies, store.folder());
+  const fs::path folder = (store.folder() / as_run_path).parent_path();
+  put_text(store, as_run_path, manifest_yaml(again, folder));
+}
+
+std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest) {
+  std::map<std::string, Hash> hashes;
+  const std::vector<InputCopy> copies = input_copies(manifest);
+  for (const InputCopy& copy : copies) hashes[copy.path] = hash_of_file(copy.source);
+  for (const fs::path& file : uncopied_files(manifest)) {
+    if (std::ranges::find(copies, file, &InputCopy::source) != copies.end()) continue;
+    const std::string plain = name_with_folder(file);
+    std::string name = plain;
+    for (int number = 2; hashes.contains(name); ++number)
+      name = plain + " (" + std::to_string(number) + ")";
+    hashes[name] = hash_of_file(file);
+  }
+  return hashes;
+}
+
+}  // namespace mien::pipeline

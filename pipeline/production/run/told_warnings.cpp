@@ -1,0 +1,36 @@
+#include "pipeline/production/run/told_warnings.h"
+
+#include <algorithm>
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::size_t most_names_told = 6;
+
+std::string names_told(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most_names_told); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > most_names_told)
+    text += " and " + std::to_string(names.size() - most_names_told) + " more";
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> told_warnings(
+    const std::vector<std::pair<std::string, std::string>>& said) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  for (const auto& [name, warning] : said) {
+    auto group = std::ranges::find(groups, warning, [](const auto& one) { return one.first; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {warning, {}});
+    if (std::ranges::find(group->second, name) == group->second.end())
+      group->second.push_back(name);
+  }
+  std::vector<std::string> told;
+  for (const auto& [warning, names] : groups) told.push_back(names_told(names) + ": " + warning);
+  return told;
+}
+
+}  // namespace mien::pipeline

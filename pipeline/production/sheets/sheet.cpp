@@ -1,0 +1,77 @@
+#include "pipeline/production/sheets/sheet.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/production/sheets/sheet_layout.h"
+#include "pipeline/production/sheets/sheet_parts.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr int pixels_wide = 3508;  // A4 at 300 dots an inch
+
+void draw_page(Canvas& canvas, const SheetContent& content) {
+  const SheetLayout page = sheet_layout();
+  draw_header(canvas, content, page.header);
+  draw_verdict(canvas, content, page.verdict);
+  draw_settings(canvas, content, page.settings);
+  draw_figures(canvas, content, page.figures);
+  draw_heat_map(canvas, content, page.heat_map);
+  draw_joint_bars(canvas, content, page.joint_bars);
+  draw_curves(canvas, content, page.curves);
+  draw_footer(canvas, content, page.footer);
+}
+
+}  // namespace
+
+std::string verdict(const motion::Distance& distance) {
+  const double threshold = motion::distance_threshold_m;
+  // Rounded to millimetres a distance just below the threshold would read as the threshold.
+  int digits = 3;
+  const auto printed = [&] { return std::stod(fmt::format("{:.{}f}", distance.mean, digits)); };
+  while (digits < 12 && (printed() < threshold) != distance.matches()) ++digits;
+  return fmt::format("{} the adjective paper's threshold: D = {:.{}f} m {} {:g} m",
+                     distance.matches() ? "Below" : "Not below", distance.mean, digits,
+                     distance.matches() ? "<" : "≥", threshold);
+}
+
+std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
+                           const motion::Example& created) {
+  const auto by_joint = distance.by_joint();
+  const auto worst = std::max_element(by_joint.begin(), by_joint.end());
+  std::string joint = spoken_name(motion::BodyJoint(worst - by_joint.begin() + 1));
+  joint[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(joint[0])));
+  const double wanted = target.clip.duration_seconds();
+  const double came = created.clip.duration_seconds();
+  return fmt::format("most: {}, {:.3f} m  ·  {:.2f} s against {:.2f} s ({:+.2f} s)", joint, *worst,
+                     came, wanted, came - wanted);
+}
+
+std::string sheet_as_pdf(const SheetContent& content) {
+  const SheetLayout page = sheet_layout();
+  Canvas canvas = Canvas::pdf(page.width, page.height,
+                              content.created.id + " compared with " + content.target.id);
+  draw_page(canvas, content);
+  return canvas.finish();
+}
+
+std::string sheet_as_png(const SheetContent& content) {
+  const SheetLayout page = sheet_layout();
+  Canvas canvas = Canvas::png(page.width, page.height, pixels_wide);
+  draw_page(canvas, content);
+  return canvas.finish();
+}
+
+void draw_sheet(const SheetContent& content, const std::filesystem::path& pdf,
+                const std::filesystem::path& png) {
+  write_file(pdf, sheet_as_pdf(content));
+  write_file(png, sheet_as_png(content));
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/sheets/gallery.h"
+#include "pipeline/production/sheets/sheet.h"
+#include "pipeline/production/synthesis/motions.h"
+
+namespace mien::pipeline {
+
+/// What a comparison sheet of the manifest shows: makes its motions and measures their distance.
+SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions& motions);
+
+/// What a gallery shows.
+GalleryContent gallery_content(const Sheet& sheet, const Manifest& manifest, Motions& motions);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,76 @@
+#include "pipeline/production/sheets/sheet_task.h"
+
+#include <stdexcept>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/production/sheets/sheet.h"
+#include "pipeline/production/sheets/sheet_content.h"
+#include "pipeline/tasks/code_identity.h"
+#include "render/image/image_io.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double sheet_cost_seconds = 2.0;
+
+void verify_pdf(const fs::path& file) {
+  const std::string bytes = read_file(file);
+  if (bytes.starts_with("%PDF-") && bytes.find("%%EOF", bytes.size() - 16) != std::string::npos) {
+    return;
+  }
+  throw std::runtime_error(file.string() + " is no complete PDF");
+}
+
+}  // namespace
+
+std::vector<Product> sheet_products(const Sheet& sheet) {
+  return {{"sheets/" + sheet.id + ".pdf", {}}, {"sheets/" + sheet.id + ".png", {}}};
+}
+
+void put_sheet(TaskRun& run, const std::string& pdf, const std::string& png) {
+  run.store.put(
+      run.task.products[0].path, run.keys[0], [&](const fs::path& file) { write_file(file, pdf); },
+      verify_pdf);
+  run.store.put(
+      run.task.products[1].path, run.keys[1], [&](const fs::path& file) { write_file(file, png); },
+      [](const fs::path& file) { render::check_image(file); });
+}
+
+Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
+                Motions& motions) {
+  Task task;
+  task.id = "sheet:" + sheet.id;
+  task.kind = "sheet";
+  task.determinants.add("libraries", shared.libraries);
+  task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
+  task.determinants.add("study", manifest.study).add("manifest", manifest.file.filename().string());
+  bool uses_examples = false;
+  for (const std::string& name : motions_on(sheet)) {
+    task.determinants.add("motion", name);
+    const Stimulus* stimulus = motions.stimulus(name);
+    if (stimulus != nullptr) task.inputs.push_back("motion:" + name);
+    uses_examples = uses_examples || stimulus == nullptr || is_blend(*stimulus);
+  }
+  if (uses_examples) {
+    task.determinants.add("repertoire", shared.repertoire).add("made at", manifest.output.fps);
+    add_interpolation(task.determinants, manifest.interpolation);
+  }
+  task.products = sheet_products(sheet);
+  task.cost_seconds = sheet_cost_seconds;
+  task.make = [&sheet, &manifest, &motions](TaskRun& run) {
+    if (sheet.gallery.empty()) {
+      const SheetContent content = sheet_content(sheet, manifest, motions);
+      put_sheet(run, sheet_as_pdf(content), sheet_as_png(content));
+    } else {
+      const GalleryContent content = gallery_content(sheet, manifest, motions);
+      put_sheet(run, gallery_as_pdf(content), gallery_as_png(content));
+    }
+  };
+  return task;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/manifest/artifact_keys.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/tasks/task_graph.h"
+
+namespace mien::pipeline {
+
+/// The task "sheet:<id>": compares two motions on a page, as PDF and PNG. Sheet,
+/// manifest and motions outlive it.
+Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
+                Motions& motions);
+
+/// What every task of a sheet makes: sheets/<id>.pdf and sheets/<id>.png, in this order.
+std::vector<Product> sheet_products(const Sheet& sheet);
+
+/// Stores the bytes of both, once they have been read back.
+void put_sheet(TaskRun& run, const std::string& pdf, const std::string& png);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,82 @@
+#include "pipeline/production/sheets/stills_task.h"
+
+#include <string>
+#include <utility>
+
+#include "pipeline/production/film/film_equalized.h"
+#include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/film/kept_light.h"
+#include "pipeline/production/sheets/sheet_task.h"
+#include "pipeline/production/sheets/stills.h"
+#include "pipeline/tasks/code_identity.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr double still_cost_seconds = 1.0;
+
+render::Image8 still_of(const Stimulus& stimulus, FilmSettings settings, Motions& motions,
+                        const Equalized& alike, const std::stop_token& stop) {
+  settings.output = stimulus.output;
+  scenes::Shot shot = shot_of(stimulus, motions, settings.seed, alike.framing);
+  shot.tone.exposure_stops += alike.exposure_stops;
+  render::Image8 still;
+  draw_frames(
+      shot, {shot.frame_count() / 2}, settings, nullptr,
+      [&](int, const render::Image8& picture) { still = picture; }, stop, [](double) {});
+  return still;
+}
+
+StillsContent stills_content(const Sheet& sheet, const Manifest& manifest,
+                             const FilmSettings& settings, Motions& motions, TaskRun& run) {
+  StillsContent content{manifest.study,
+                        sheet.id,
+                        {},
+                        sheet.columns,
+                        {{"mien", std::string(program_version())},
+                         {"seed", std::to_string(manifest.seed)},
+                         {"manifest", manifest.file.filename().string()}}};
+  for (const std::string& id : sheet.stills) {
+    const Equalized alike = equalized_film(manifest.equalize, run.store.folder(), id, motions);
+    content.stills.push_back(
+        {id, still_of(*motions.stimulus(id), settings, motions, alike, run.stop)});
+    run.progress(static_cast<double>(content.stills.size()) /
+                 static_cast<double>(sheet.stills.size()));
+  }
+  return content;
+}
+
+}  // namespace
+
+Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSettings& settings,
+                 const SharedDeterminants& shared, Motions& motions) {
+  Task task;
+  task.id = "sheet:" + sheet.id;
+  task.kind = "sheet";
+  task.determinants.add("libraries", shared.libraries);
+  task.determinants.add("film", film_code()).add("pipeline", pipeline_code());
+  task.determinants.add("seed", static_cast<std::int64_t>(settings.seed))
+      .add("study", manifest.study)
+      .add("manifest", manifest.file.filename().string())
+      .add("columns", std::int64_t{sheet.columns})
+      .add("duration", std::int64_t{manifest.equalize.duration});
+  for (const std::string& id : sheet.stills) {
+    task.inputs.push_back("motion:" + id);
+    task.determinants.add("still", id);
+    add_film(task.determinants, *motions.stimulus(id), shared.files);
+  }
+  for (const std::string& other : equalizing_task_ids(manifest.equalize))
+    task.inputs.push_back(other);
+  task.products = sheet_products(sheet);
+  task.cost_seconds = still_cost_seconds * static_cast<double>(sheet.stills.size());
+  task.make = [&sheet, &manifest, &motions, settings](TaskRun& run) {
+    FilmSettings kept = settings;
+    kept.keep_light = kept_light(run.store, run.stop);
+    const StillsContent content = stills_content(sheet, manifest, kept, motions, run);
+    put_sheet(run, stills_as_pdf(content), stills_as_png(content));
+  };
+  return task;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,244 @@
+#include "pipeline/production/synthesis/modified_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/formats/motion_file.h"
+#include "motion/lint/lint.h"
+#include "motion/rig/recording_clip.h"
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/production/synthesis/style_transfer.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr int halvings = 6;  // a sixty-fourth of the strength is less than anyone sees
+
+motion::Pose pose_of(const PoseSource& source, const Repertoire& repertoire) {
+  motion::Clip clip;
+  if (source.file.empty()) {
+    const auto& examples = repertoire.examples.examples;
+    const auto found = std::ranges::find(examples, source.example, &motion::Example::name);
+    if (found == examples.end()) {
+      throw Error(fmt::format("there is no example \"{}\" to take a pose from", source.example),
+                  "name one of the set's examples, or a motion file");
+    }
+    clip = found->clip;
+  } else {
+    clip = clip_of(motion::read_take(source.file, source.take));
+  }
+  if (source.frame >= clip.frame_count()) {
+    throw Error(
+        Place{source.file.string(), 0, 0},
+        fmt::format("{} has {} frames, so frame {} does not exist",
+                    source.file.empty() ? source.example : "it", clip.frame_count(), source.frame),
+        fmt::format("name a frame from 0 to {}", clip.frame_count() - 1));
+  }
+  return clip.poses[static_cast<std::size_t>(source.frame)];
+}
+
+/// One step at a share of its strength.
+void take_step(ModifiedMotion& result, const ModificationStep& step,
+               const motion::Modification& modification, double share,
+               const Repertoire& repertoire) {
+  if (step.style) {
+    RestyledMotion styled = restyled(result.motion, *step.style, share * step.strength, repertoire);
+    result.motion = std::move(styled.motion);
+    result.planted_drift_m = styled.planted_drift_m;
+    for (std::string& note : styled.notes) result.notes.push_back(std::move(note));
+    return;
+  }
+  motion::ModifiedClip modified =
+      motion::modify(result.motion.clip, motion::scaled(modification, share * step.strength));
+  const double before = result.motion.clip.duration_seconds();
+  result.motion.clip = std::move(modified.clip);
+  for (double& keytime : result.motion.keytimes) {
+    keytime *= result.motion.clip.duration_seconds() / before;
+  }
+  result.planted_drift_m = modified.report.drift_after_repair;
+  for (std::string& remark : modified.report.remarks) result.notes.push_back(std::move(remark));
+}
+
+/// The modifications of a stimulus, with what they are made of.
+struct Steps {
+  const Stimulus& stimulus;
+  const Repertoire& repertoire;
+  std::vector<motion::Modification> modifications;
+  motion::Clip shown_original;  ///< at the output's frame rate
+};
+
+motion::Clip at_rate(const motion::Clip& clip, double frames_per_second) {
+  if (clip.frames_per_second == frames_per_second) return clip;
+  return motion::resampled(clip, frames_per_second);
+}
+
+/// Everything at a share of the strengths that were asked for.
+ModifiedMotion at_share(const motion::Example& original, const Steps& steps, double share) {
+  ModifiedMotion result{original, share};
+  for (std::size_t i = 0; i < steps.modifications.size(); ++i) {
+    take_step(result, steps.stimulus.modify[i], steps.modifications[i], share, steps.repertoire);
+  }
+  // Last, so that a change does the same whatever the rate at which it is shown.
+  result.motion.clip = at_rate(result.motion.clip, steps.stimulus.output.fps);
+  result.findings = motion::lint(result.motion.clip, {}, &steps.shown_original);
+  return result;
+}
+
+/// Where something is broken (check and joint), and the worst that was measured there.
+using Breakage = std::map<std::pair<std::string, std::string>, double>;
+
+/// An error of the same kind in the same place counts as new when it is half as bad again.
+constexpr double clearly_worse = 1.5;
+
+void add_breakage(const std::vector<motion::Finding>& findings, Breakage& breakage) {
+  for (const motion::Finding& finding : findings) {
+    if (finding.severity != motion::Severity::error) continue;
+    double& worst = breakage[{finding.check, finding.joint}];
+    worst = std::max(worst, std::abs(finding.measured));
+  }
+}
+
+/// What is broken in the original itself. What the repair of the feet breaks is none of it: what is
+/// delivered is judged.
+Breakage broken_before(const Steps& steps) {
+  Breakage breakage;
+  add_breakage(motion::lint(steps.shown_original), breakage);
+  add_breakage(motion::lint(steps.shown_original, {}, &steps.shown_original), breakage);
+  return breakage;
+}
+
+/// The first error that is not there anyway.
+const motion::Finding* new_error(const ModifiedMotion& modified, const Breakage& own) {
+  for (const motion::Finding& finding : modified.findings) {
+    if (finding.severity != motion::Severity::error) continue;
+    const auto known = own.find({finding.check, finding.joint});
+    if (known == own.end()) return &finding;
+    if (std::abs(finding.measured) > clearly_worse * known->second) return &finding;
+  }
+  return nullptr;
+}
+
+/// The largest share without new errors, by bisection.
+ModifiedMotion reduced(const motion::Example& original, const Steps& steps, const Breakage& own) {
+  double clean = 0.0, broken = 1.0;
+  ModifiedMotion best = at_share(original, steps, clean);
+  for (int i = 0; i < halvings; ++i) {
+    const double share = 0.5 * (clean + broken);
+    ModifiedMotion tried = at_share(original, steps, share);
+    if (new_error(tried, own) != nullptr) {
+      broken = share;
+    } else {
+      clean = share;
+      best = std::move(tried);
+    }
+  }
+  return best;
+}
+
+ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
+                          const motion::Example& original, const Steps& steps,
+                          const Breakage& own) {
+  const Stimulus& stimulus = steps.stimulus;
+  const std::string what =
+      fmt::format("{} ({}, frames {}–{})", fault.sentence, fault.check, fault.first, fault.last);
+  switch (stimulus.on_fault) {
+    case OnFault::warn:
+      whole.warnings.push_back("the modification breaks the motion: " + what);
+      return whole;
+    case OnFault::fail:
+      throw Error(fmt::format("{}: modified by {}, the motion is broken: {}", stimulus.id,
+                              described_modifications(stimulus), what),
+                  "lower the strength, or choose on_fault: warn, revert or reduce");
+    case OnFault::revert: {
+      ModifiedMotion result = at_share(original, steps, 0.0);
+      result.warnings.push_back("left unmodified, because the modification breaks it: " + what);
+      return result;
+    }
+    case OnFault::reduce:
+      break;
+  }
+  ModifiedMotion result = reduced(original, steps, own);
+  result.warnings.push_back(
+      result.share == 0.0
+          ? "left unmodified, because the least of the modification breaks it; at the whole: " +
+                what
+          : fmt::format("modified at {:.0f} % of the strength asked for; at the whole of it: {}",
+                        100.0 * result.share, what));
+  return result;
+}
+
+void append(std::vector<std::string>& parts, const std::string& name,
+            const std::optional<double>& value, const char* unit = "") {
+  if (value) parts.push_back(fmt::format("{} {}{}", name, shortest(*value), unit));
+}
+
+}  // namespace
+
+std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
+                                                   const Repertoire& repertoire) {
+  std::vector<motion::Modification> modifications;
+  for (const ModificationStep& step : stimulus.modify) {
+    modifications.push_back(step.modification);
+    if (!step.pose) continue;
+    modifications.back().pose_difference = motion::pose_difference(
+        pose_of(step.pose->neutral, repertoire), pose_of(step.pose->posed, repertoire));
+  }
+  return modifications;
+}
+
+ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
+                             const Repertoire& repertoire) {
+  const Steps steps{stimulus, repertoire, modifications_of(stimulus, repertoire),
+                    at_rate(original.clip, stimulus.output.fps)};
+  ModifiedMotion whole = at_share(original, steps, 1.0);
+  if (!motion::has_errors(whole.findings)) return whole;
+  const Breakage own = broken_before(steps);
+  const motion::Finding* fault = new_error(whole, own);
+  if (fault == nullptr) {
+    whole.notes.push_back("what the lint finds broken is so without the modification");
+    return whole;
+  }
+  const motion::Finding worst = *fault;
+  return dealt_with(std::move(whole), worst, original, steps, own);
+}
+
+std::string described(const ModificationStep& step) {
+  const ModificationEdit& edit = step.edit;
+  std::vector<std::string> parts;
+  if (!step.emotion.empty()) parts.push_back(step.emotion);
+  if (step.style) {
+    parts.push_back(fmt::format("{} → {} by {}", step.style->neutral, step.style->styled,
+                                name_of(step.style->method)));
+  }
+  if (edit.names("paths")) append(parts, "paths", edit.values.paths);
+  if (edit.names("gains")) parts.emplace_back("gains of bands");
+  if (edit.names("acceleration")) append(parts, "acceleration", edit.values.acceleration);
+  for (const motion::PostureChange& change : edit.values.posture) {
+    append(parts, std::string(motion::name_of(change.unit)), change.degrees, "°");
+  }
+  if (edit.pose) parts.emplace_back("pose");
+  if (edit.names("tempo")) append(parts, "tempo", edit.values.tempo);
+  if (edit.names("variation")) append(parts, "variation", edit.values.variation);
+  std::string text = fmt::format("{}", fmt::join(parts, ", "));
+  if (text.empty()) text = "nothing";
+  return step.strength == 1.0 ? text : fmt::format("{} × {}", text, shortest(step.strength));
+}
+
+std::string share_text(double share) {
+  return share == 1.0 ? "" : fmt::format(" at {:.0f} % of that", 100.0 * share);
+}
+
+std::string described_modifications(const Stimulus& stimulus) {
+  std::vector<std::string> steps;
+  for (const ModificationStep& step : stimulus.modify) steps.push_back(described(step));
+  const std::string text = fmt::format("{}", fmt::join(steps, "; then "));
+  if (!stimulus.foil) return text;
+  return fmt::format("{}, without its change of {}", text, name_of(stimulus.foil->differ));
+}
+
+}  // namespace mien::pipeline

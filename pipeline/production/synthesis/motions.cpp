@@ -1,0 +1,138 @@
+#include "pipeline/production/synthesis/motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/examples/settled_feet.h"
+#include "pipeline/production/synthesis/walked_path.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Where a step of a stimulus's script stands: of what it does, as far as that is known.
+Place place_of_step(const Manifest& manifest, const Stimulus& stimulus, std::size_t step) {
+  const std::string path = member_path(stimulus.path, "path");
+  const std::string map = member_path(path, "script");
+  const bool is_map = manifest.places.values.contains(map);
+  return place_of(manifest.places, member_path(element_path(is_map ? map : path, step), "turn"));
+}
+
+}  // namespace
+
+struct Motions::Entry {
+  std::once_flag once;
+  std::optional<Synthesis> synthesis;
+  std::once_flag measured_once;
+  std::optional<motion::Example> settled;  ///< of a motion file
+};
+
+Motions::Motions(const Manifest& manifest) : manifest_(manifest) {}
+
+Motions::~Motions() = default;
+
+const Repertoire& Motions::repertoire() {
+  std::call_once(repertoire_once_, [this] { repertoire_ = load_repertoire(manifest_); });
+  return *repertoire_;
+}
+
+const Stimulus* Motions::stimulus(const std::string& id) const {
+  std::call_once(stimuli_once_, [this] {
+    for (const Stimulus& one : manifest_.stimuli) stimuli_.emplace(one.id, &one);
+  });
+  const auto found = stimuli_.find(id);
+  return found == stimuli_.end() ? nullptr : found->second;
+}
+
+const Synthesis& Motions::of(const std::string& name) {
+  Entry& found = entry(name);
+  std::call_once(found.once, [&] { found.synthesis = make(name); });
+  return *found.synthesis;
+}
+
+motion::Distance Motions::distance(const std::string& target, const std::string& created) {
+  return motion::distance(measured(target), measured(created));
+}
+
+const motion::Example& Motions::measured(const std::string& name) {
+  const motion::Example& made = of(name).motion;
+  const Stimulus* asked = stimulus(name);
+  const bool is_on_the_spot = made.clip.loops && made.clip.cycle_displacement.isZero(1e-6);
+  if (asked == nullptr || !asked->clip || is_on_the_spot) return made;
+  Entry& found = entry(name);
+  std::call_once(found.measured_once, [&] {
+    found.settled = made;
+    found.settled->clip = motion::with_settled_feet(made.clip);
+  });
+  return *found.settled;
+}
+
+motion::Clip Motions::shown(const Stimulus& stimulus) {
+  motion::Clip clip = shown_clip(of(stimulus.id), stimulus.output);
+  if (!manifest_.equalize.duration) return clip;
+  const auto frames = static_cast<std::size_t>(
+      std::max(1.0, std::round(shortest_seconds() * clip.frames_per_second)));
+  if (clip.poses.size() > frames) clip.poses.resize(frames);
+  return clip;
+}
+
+double Motions::shortest_seconds() {
+  std::call_once(shortest_once_, [this] {
+    shortest_s_ = std::numeric_limits<double>::infinity();
+    for (const Stimulus& one : manifest_.stimuli) {
+      const motion::Clip shown = shown_clip(of(one.id), one.output);
+      shortest_s_ = std::min(shortest_s_, shown.frame_count() / shown.frames_per_second);
+    }
+  });
+  return shortest_s_;
+}
+
+void Motions::know_shortest(double seconds) {
+  std::call_once(shortest_once_, [&] { shortest_s_ = seconds; });
+}
+
+Motions::Entry& Motions::entry(const std::string& name) {
+  const std::lock_guard guard(mutex_);
+  std::unique_ptr<Entry>& found = entries_[name];
+  if (!found) found = std::make_unique<Entry>();
+  return *found;
+}
+
+Synthesis Motions::make(const std::string& name) {
+  const Stimulus* asked = stimulus(name);
+  if (asked == nullptr) {
+    return synthesize_example(name, manifest_.output, manifest_.interpolation, repertoire());
+  }
+  try {
+    return synthesized(*asked);
+  } catch (const UnwalkableStep& fault) {
+    throw fault.at(place_of_step(manifest_, *asked, fault.step()));
+  }
+}
+
+Synthesis Motions::synthesized(const Stimulus& asked) {
+  // A file or a path needs no examples, unless its modifications do; there may be none.
+  if (!is_blend(asked) && !names_examples(asked)) return synthesize(asked, Repertoire{});
+  return synthesize(asked, repertoire());
+}
+
+bool names_examples(const Stimulus& stimulus) {
+  return std::any_of(stimulus.modify.begin(), stimulus.modify.end(), [](const auto& step) {
+    if (step.style) return true;
+    return step.pose && !(step.pose->neutral.example.empty() && step.pose->posed.example.empty());
+  });
+}
+
+bool blends_examples(const Manifest& manifest) {
+  return std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(), is_blend);
+}
+
+const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id) {
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.id == id) return &stimulus;
+  }
+  return nullptr;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "motion/measures/distance.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/synthesis/repertoire.h"
+#include "pipeline/production/synthesis/synthesis.h"
+
+namespace mien::pipeline {
+
+/// The motions of a manifest, each made when it is first asked for and then kept. A run that finds
+/// everything in its store never reads an example. May be used from several threads.
+class Motions {
+ public:
+  /// Keeps a reference to the manifest.
+  explicit Motions(const Manifest& manifest);
+  ~Motions();
+  Motions(const Motions&) = delete;
+  Motions& operator=(const Motions&) = delete;
+
+  const Repertoire& repertoire();
+
+  /// The stimulus of that id, or nullptr. Quick, as the ids of the manifest are taken to stay.
+  const Stimulus* stimulus(const std::string& id) const;
+
+  /// The motion of a stimulus or, if no stimulus is called so, of an example. Throws Error.
+  const Synthesis& of(const std::string& name);
+
+  /// Of two of them (motion/measures/distance.h). Feet of a motion file are settled first
+  /// (settled_feet.h), as those of blends are: captures hang above the floor, and else their height
+  /// would be most of the distance. Throws Error.
+  motion::Distance distance(const std::string& target, const std::string& created);
+
+  /// The clip that is shown of a stimulus (shown_clip); where the study has durations equalized,
+  /// only its beginning, as long as the shortest of all stimuli. Throws Error.
+  motion::Clip shown(const Stimulus& stimulus);
+
+  /// Seconds that the shortest of all clips shown lasts. Makes all motions.
+  double shortest_seconds();
+
+  /// Takes this for the shortest, as found before, so that one clip can be shown without making all
+  /// motions. Without effect once it is known.
+  void know_shortest(double seconds);
+
+ private:
+  struct Entry;
+  Entry& entry(const std::string& name);
+  Synthesis make(const std::string& name);
+  Synthesis synthesized(const Stimulus& asked);
+  const motion::Example& measured(const std::string& name);
+
+  const Manifest& manifest_;
+  mutable std::once_flag stimuli_once_;
+  mutable std::unordered_map<std::string_view, const Stimulus*> stimuli_;  ///< by id
+  std::once_flag repertoire_once_;
+  std::optional<Repertoire> repertoire_;
+  std::mutex mutex_;  ///< of the map; entries stay where they are
+  std::map<std::string, std::unique_ptr<Entry>> entries_;
+  std::once_flag shortest_once_;
+  double shortest_s_ = 0.0;  ///< of the clips shown
+};
+
+/// Whether a modification of the stimulus takes something from an example.
+bool names_examples(const Stimulus& stimulus);
+
+/// Whether anything is made from examples, and not from files or along paths alone.
+bool blends_examples(const Manifest& manifest);
+
+/// The stimulus of that id, or nullptr. Looks at one after the other: for a few ids.
+const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,155 @@
+#include "pipeline/production/synthesis/style_transfer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "motion/error.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
+#include "motion/rig/retarget.h"
+#include "motion/style_transfer/displacement_map.h"
+#include "motion/style_transfer/drives.h"
+#include "motion/style_transfer/emotion_transform.h"
+#include "motion/style_transfer/fourier_style.h"
+#include "motion/style_transfer/lti_style.h"
+#include "motion/style_transfer/motion_warp.h"
+#include "motion/style_transfer/style_components.h"
+#include "motion/style_transfer/waveshape.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// A cycle with less way than this is walked in place, metres; its feet cannot be locked.
+constexpr double least_way = 0.1;
+constexpr double noticeable_drift_m = 0.005;
+
+motion::Example example_like(const motion::Example& motion, const std::string& name,
+                             const Repertoire& repertoire) {
+  const auto& examples = repertoire.settled.examples;
+  const auto found = std::ranges::find(examples, name, &motion::Example::name);
+  if (found == examples.end()) {
+    throw Error(fmt::format("there is no example \"{}\" to take a style from", name),
+                "name one of the set's examples");
+  }
+  motion::Example example = *found;
+  if (motion::leg_length(example.clip.body) != motion::leg_length(motion.clip.body)) {
+    example.clip = motion::retarget(example.clip, motion.clip.body);
+  }
+  const double before = example.clip.duration_seconds();
+  example.clip = motion::resampled(example.clip, motion.clip.frames_per_second);
+  for (double& keytime : example.keytimes) {
+    keytime *= example.clip.duration_seconds() / before;
+  }
+  return example;
+}
+
+motion::Clip displaced_through(const motion::Clip& clip, const motion::Clip& neutral,
+                               const motion::Clip& styled, double strength) {
+  const motion::DisplacementMapOptions window{
+      .amount = strength, .start_seconds = 0.0, .end_seconds = clip.duration_seconds()};
+  return motion::displaced(clip, motion::displacements_between(neutral, styled, window), window);
+}
+
+std::string components_note(const motion::StyleComponents& parts,
+                            const motion::StyleComponentOptions& options) {
+  std::string text = "style components swapped:";
+  for (const int k : motion::swapped_components(parts, options)) {
+    Eigen::Index joint = 0;
+    parts.joint_shares.row(k).maxCoeff(&joint);
+    text += fmt::format(" {} (energy {:.3g}, difference {:.3g}, mostly {})", k, parts.energy[k],
+                        parts.difference[k], motion::name_of(motion::BodyJoint(joint)));
+  }
+  return text;
+}
+
+motion::Clip by_components(const motion::Clip& clip, const motion::Clip& neutral,
+                           const motion::Clip& styled, const StyleStep& step, double strength,
+                           std::vector<std::string>& notes) {
+  const motion::StyleComponentOptions options{
+      .amount = strength, .components = step.components, .seed = step.seed, .swapped = step.swap};
+  const motion::StyleComponents parts = motion::style_components(neutral, styled, options);
+  notes.push_back(components_note(parts, options));
+  return motion::restyled(clip, parts, options);
+}
+
+motion::Clip by_system(const motion::Clip& clip, const motion::Clip& neutral,
+                       const motion::Clip& styled, const StyleStep& step, double strength,
+                       std::vector<std::string>& notes) {
+  const motion::LtiStyleOptions options{
+      .amount = strength, .order = step.order, .inputs = step.inputs};
+  const motion::LtiStyleModel model = motion::fit_lti_style(neutral, styled, options);
+  notes.push_back(fmt::format(
+      "the linear system has {} states and misses the styled motion by {:.1f}° (root mean square)",
+      model.system.order(), model.error_radians / motion::radians_per_degree));
+  return motion::translated(clip, model, options);
+}
+
+motion::Clip restyled_clip(const motion::Example& motion, const motion::Example& neutral,
+                           const motion::Example& styled, const StyleStep& step, double strength,
+                           std::vector<std::string>& notes) {
+  const motion::Clip& clip = motion.clip;
+  switch (step.method) {
+    case StyleMethod::amaya:
+      return motion::emotion_transformed(clip, neutral.clip, styled.clip, {.amount = strength});
+    case StyleMethod::unuma:
+      return motion::fourier_styled(clip, neutral.clip, styled.clip,
+                                    {.amount = strength, .harmonics = step.harmonics});
+    case StyleMethod::hsu:
+      return by_system(clip, neutral.clip, styled.clip, step, strength, notes);
+    case StyleMethod::witkin:
+      return motion::warped_towards(motion, styled, {.amount = strength});
+    case StyleMethod::waveshape:
+      return motion::waveshaped(clip, motion::shapes_between(neutral.clip, styled.clip),
+                                {.amount = strength});
+    case StyleMethod::displacement:
+      return displaced_through(clip, neutral.clip, styled.clip, strength);
+    case StyleMethod::shapiro:
+      return by_components(clip, neutral.clip, styled.clip, step, strength, notes);
+    case StyleMethod::neff:
+      break;
+  }
+  return motion::driven(clip, motion::drives_towards(neutral.clip, styled.clip),
+                        {.amount = strength});
+}
+
+/// The plants of a motion at the same share of another's time.
+std::vector<motion::FootPlant> carried_plants(const motion::Clip& from, const motion::Clip& to) {
+  const double ratio = static_cast<double>(to.frame_count()) / from.frame_count();
+  std::vector<motion::FootPlant> plants = motion::foot_plants(from);
+  for (motion::FootPlant& plant : plants) {
+    plant.first = static_cast<int>(std::lround(plant.first * ratio));
+    plant.last = static_cast<int>(std::lround(plant.last * ratio));
+    if (!to.loops) plant.last = std::min(plant.last, to.frame_count() - 1);
+  }
+  return plants;
+}
+
+}  // namespace
+
+RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, double strength,
+                        const Repertoire& repertoire) {
+  RestyledMotion result{motion};
+  if (strength == 0.0) return result;
+  const motion::Example neutral = example_like(motion, step.neutral, repertoire);
+  const motion::Example styled = example_like(motion, step.styled, repertoire);
+  motion::Clip& clip = result.motion.clip;
+  clip = restyled_clip(motion, neutral, styled, step, strength, result.notes);
+  const bool travels = !clip.loops || clip.cycle_displacement.norm() > least_way;
+  if (step.feet && travels) {
+    const std::vector<motion::FootPlant> plants = carried_plants(motion.clip, clip);
+    clip = motion::foot_locked(clip, plants);
+    result.planted_drift_m = motion::planted_drift(clip, plants);
+    if (result.planted_drift_m > noticeable_drift_m) {
+      result.notes.push_back(fmt::format("standing feet still glide by up to {:.0f} mm",
+                                         1000.0 * result.planted_drift_m));
+    }
+  }
+  const double stretch = clip.duration_seconds() / motion.clip.duration_seconds();
+  for (double& keytime : result.motion.keytimes) keytime *= stretch;
+  return result;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,302 @@
+#include "pipeline/production/synthesis/synthesis.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "motion/error.h"
+#include "motion/formats/motion_file.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
+#include "motion/gait/foot_slide.h"
+#include "motion/interpolation/interpolation.h"
+#include "motion/lint/lint.h"
+#include "motion/live/made_motion.h"
+#include "motion/rig/body_mapping.h"
+#include "pipeline/production/synthesis/modified_motion.h"
+#include "pipeline/production/synthesis/slider_interface.h"
+#include "pipeline/production/synthesis/walked_path.h"
+#include "pipeline/production/synthesis/wish.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// A wish that is missed by more than this is told to the user: of adjectives, which are summed up,
+/// and of features, which are measured of a motion that was made of a sum.
+constexpr double told_difference = 0.02;
+constexpr double told_feature_difference = 0.1;
+
+/// A motion that is nearly one example: its weight is above this, or fewer examples than this would
+/// be mixed if they had equal weights.
+constexpr double nearly_one = 0.8;
+constexpr double nearly_one_example = 1.5;
+
+Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repertoire) {
+  Eigen::VectorXd result =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(repertoire.names.size()));
+  for (const auto& [name, value] : weights) {
+    const auto found =
+        std::find_if(repertoire.names.begin(), repertoire.names.end(),
+                     [&wanted = name](const RatedExample& e) { return e.name == wanted; });
+    if (found == repertoire.names.end()) {
+      throw Error(fmt::format("there is no example \"{}\"", name),
+                  "name one of the set's examples");
+    }
+    result[found - repertoire.names.begin()] = value;
+  }
+  return motion::direct_weights(result);
+}
+
+NamedValues blended(const NamedValues& wishes, const ParameterTable& table,
+                    const Eigen::VectorXd& weights) {
+  NamedValues values;
+  for (const auto& wish : wishes) {
+    const Eigen::Index row = parameter_row(wish.first, table);
+    values.emplace_back(wish.first, table.values.row(row).dot(weights));
+  }
+  return values;
+}
+
+/// Features are measured of the motion; what people would say of it can only be summed.
+NamedValues reached_parameters(const Stimulus& stimulus, const Repertoire& repertoire,
+                               const motion::MadeMotion& made) {
+  const NamedValues& wishes = wishes_of(stimulus);
+  if (stimulus.features.empty()) return blended(wishes, repertoire.parameters, made.found.weights);
+  std::vector<std::string> names;
+  for (const auto& wish : wishes) names.push_back(wish.first);
+  const Eigen::RowVectorXd measured = motion::measured_parameters(
+      names, made, {repertoire.features.scale, repertoire.features.table});
+  NamedValues reached;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    reached.emplace_back(names[i], measured[static_cast<Eigen::Index>(i)]);
+  return reached;
+}
+
+void warn_of_missed_features(const ParameterTable& table, Synthesis& synthesis) {
+  for (size_t i = 0; i < synthesis.asked.size(); ++i) {
+    const auto& [name, value] = synthesis.asked[i];
+    const double reached = synthesis.reached[i].second;
+    if (std::abs(reached - value) <= told_feature_difference) continue;
+    const auto row = table.values.row(parameter_row(name, table));
+    synthesis.warnings.push_back(
+        fmt::format("{} {:.2f} was asked for and the motion has {:.2f}; the examples lie between "
+                    "{:.2f} and {:.2f}",
+                    name, value, reached, row.minCoeff(), row.maxCoeff()));
+  }
+}
+
+void warn_of_missed_adjectives(const Stimulus& stimulus, Synthesis& synthesis) {
+  const auto method = stimulus.interpolation.weights.method;
+  for (size_t i = 0; i < synthesis.asked.size(); ++i) {
+    const auto& [name, value] = synthesis.asked[i];
+    const double reached = synthesis.reached[i].second;
+    if (std::abs(reached - value) <= told_difference) continue;
+    std::string text =
+        fmt::format("{} {:.2f} was asked for and the blend has {:.2f}", name, value, reached);
+    if (i < synthesis.feasible.size()) {
+      const FeasibleParameter& feasible = synthesis.feasible[i];
+      text += "; " + to_sentence(feasible);
+      if (feasible.holds() && method != motion::InterpolationMethod::reach)
+        text += "; interpolation: {method: reach} meets it";
+    }
+    synthesis.warnings.push_back(std::move(text));
+  }
+}
+
+void warn_of_missed_holds(Synthesis& synthesis) {
+  std::size_t missed = 0, worst = 0;
+  const auto miss = [&](std::size_t i) {
+    return std::abs(synthesis.held_reached[i].second - synthesis.held[i].second);
+  };
+  for (std::size_t i = 0; i < synthesis.held.size(); ++i) {
+    if (miss(i) > told_difference) ++missed;
+    if (miss(i) > miss(worst)) worst = i;
+  }
+  if (missed == 0) return;
+  synthesis.warnings.push_back(
+      fmt::format("{} of {} parameters to be held could not be: {} most, {:.2f} instead of {:.2f}",
+                  missed, synthesis.held.size(), synthesis.held[worst].first,
+                  synthesis.held_reached[worst].second, synthesis.held[worst].second));
+}
+
+/// Several examples were to be mixed, and hardly were.
+void note_single_example(const Repertoire& repertoire, Synthesis& synthesis) {
+  Eigen::Index largest = 0;
+  const double weight = synthesis.weights.maxCoeff(&largest);
+  const double count = motion::effective_examples(synthesis.weights);
+  if (weight <= nearly_one && count >= nearly_one_example) return;
+  synthesis.notes.push_back(fmt::format(
+      "nearly one capture: {:.0f} % of it is {}; it mixes as much as {:.1f} examples of equal "
+      "weight would",
+      100.0 * weight, repertoire.names[static_cast<std::size_t>(largest)].name, count));
+}
+
+motion::Making making_of(const Interpolation& interpolation, const Output& output,
+                         const Repertoire& repertoire) {
+  return {examples_for(interpolation, repertoire), interpolation, output.fps};
+}
+
+Synthesis as_synthesis(motion::MadeMotion made) {
+  Synthesis result;
+  result.planted_drift_m = motion::planted_drift(made.motion.clip, made.plants);
+  result.motion = std::move(made.motion);
+  result.weights = std::move(made.found.weights);
+  result.expected_error_m = made.found.expected_error_m;
+  return result;
+}
+
+Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
+                       const Interpolation& interpolation, const Repertoire& repertoire) {
+  return as_synthesis(
+      motion::made_of_weights(weights, making_of(interpolation, output, repertoire)));
+}
+
+/// What was asked for and held, and what became of it.
+void tell_wishes(const Stimulus& stimulus, const Wish& wish, const Repertoire& repertoire,
+                 NamedValues reached, Synthesis& made) {
+  const ParameterTable& table = table_of(stimulus, repertoire);
+  const bool by_features = !stimulus.features.empty();
+  made.asked = wishes_of(stimulus);
+  made.reached = std::move(reached);
+  for (Eigen::Index i = wish.settings.size() - wish.held; i < wish.settings.size(); ++i)
+    made.held.emplace_back(wish.sliders.sliders[static_cast<std::size_t>(i)], wish.settings[i]);
+  made.held_reached = blended(made.held, table, made.weights);
+  const bool is_blend = stimulus.interpolation.weights.method != motion::InterpolationMethod::pca;
+  if (by_features) {
+    warn_of_missed_features(table, made);
+  } else {
+    if (is_blend) made.feasible = feasible_parameters(wish, table);
+    warn_of_missed_adjectives(stimulus, made);
+    warn_of_missed_holds(made);
+  }
+  if (is_blend) note_single_example(repertoire, made);
+}
+
+Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire) {
+  const Interpolation& how = stimulus.interpolation;
+  const Wish wish = wish_of(stimulus, repertoire);
+  const FittedInterface sliders = fit_interface(wish.sliders, how, repertoire, wish.held);
+  motion::MadeMotion made =
+      motion::made_for(sliders, wish.settings, making_of(how, stimulus.output, repertoire),
+                       {repertoire.features.scale, repertoire.features.table});
+  std::vector<std::string> warnings = sliders.interpolator.remarks;
+  warnings.insert(warnings.end(), made.found.remarks.begin(), made.found.remarks.end());
+  NamedValues reached = reached_parameters(stimulus, repertoire, made);
+  Synthesis result = as_synthesis(std::move(made));
+  result.warnings = std::move(warnings);
+  tell_wishes(stimulus, wish, repertoire, std::move(reached), result);
+  return result;
+}
+
+motion::Clip excerpt(motion::Clip clip, const ClipSource& source) {
+  if (!source.frames) return clip;
+  const auto [first, last] = *source.frames;
+  if (last >= clip.frame_count()) {
+    throw Error(Place{source.file.string(), 0, 0},
+                fmt::format("has {} frames, so frame {} does not exist", clip.frame_count(), last),
+                fmt::format("name frames from 0 to {}", clip.frame_count() - 1));
+  }
+  clip.poses = {clip.poses.begin() + first, clip.poses.begin() + last + 1};
+  return clip;
+}
+
+Synthesis as_captured(const Stimulus& stimulus) {
+  Synthesis result;
+  const std::string& take = stimulus.clip->take;
+  const motion::Recording recording =
+      motion::read_motion(stimulus.clip->file, take.empty() ? std::nullopt : std::optional(take));
+  const motion::BodyMapping mapping = motion::recognise(recording);
+  result.warnings = mapping.warnings;
+  const motion::Clip clip = excerpt(motion::to_body(recording, mapping), *stimulus.clip);
+  result.motion.name = stimulus.id;
+  // What is modified stays at its own rate until then.
+  result.motion.clip =
+      stimulus.modify.empty() ? motion::resampled(clip, stimulus.output.fps) : clip;
+  result.motion.keytimes = {0.0, result.motion.clip.duration_seconds()};
+  result.planted_drift_m =
+      motion::planted_drift(result.motion.clip, motion::foot_plants(result.motion.clip));
+  return result;
+}
+
+Synthesis as_walked(const Stimulus& stimulus) {
+  Synthesis result;
+  result.motion.name = stimulus.id;
+  motion::WalkedClip walk = walked(stimulus);
+  result.planted_drift_m = motion::planted_slide(walk.clip, walk.plants);
+  result.motion.clip = std::move(walk.clip);
+  result.motion.keytimes = {0.0, result.motion.clip.duration_seconds()};
+  return result;
+}
+
+Synthesis unmodified(const Stimulus& stimulus, const Repertoire& repertoire) {
+  if (stimulus.clip) return as_captured(stimulus);
+  if (stimulus.walk) return as_walked(stimulus);
+  if (!wishes_of(stimulus).empty()) return from_parameters(stimulus, repertoire);
+  return from_weights(given_weights(stimulus.weights, repertoire), stimulus.output,
+                      stimulus.interpolation, repertoire);
+}
+
+void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
+                         Synthesis& synthesis) {
+  ModifiedMotion modified = modify_motion(synthesis.motion, stimulus, repertoire);
+  synthesis.motion = std::move(modified.motion);
+  synthesis.planted_drift_m = modified.planted_drift_m;
+  synthesis.modified = described_modifications(stimulus);
+  synthesis.modified_share = modified.share;
+  synthesis.findings = std::move(modified.findings);
+  synthesis.notes.insert(synthesis.notes.end(), modified.notes.begin(), modified.notes.end());
+  synthesis.warnings.insert(synthesis.warnings.end(), modified.warnings.begin(),
+                            modified.warnings.end());
+}
+
+}  // namespace
+
+Eigen::VectorXd weights_of(const Stimulus& stimulus, const Repertoire& repertoire) {
+  assert(is_blend(stimulus));
+  if (wishes_of(stimulus).empty()) return given_weights(stimulus.weights, repertoire);
+  // Features are met by trial (with_met_features).
+  if (!stimulus.features.empty()) return from_parameters(stimulus, repertoire).weights;
+  const Wish wish = wish_of(stimulus, repertoire);
+  const FittedInterface sliders =
+      fit_interface(wish.sliders, stimulus.interpolation, repertoire, wish.held);
+  return motion::weights_at(sliders.interpolator, wish.settings).weights;
+}
+
+NamedValues rated_values(const Synthesis& synthesis, const Repertoire& repertoire) {
+  NamedValues values;
+  const ParameterTable& table = repertoire.parameters;
+  if (!synthesis.modified.empty() || synthesis.weights.size() != table.values.cols()) return values;
+  const Eigen::VectorXd blend = table.values * synthesis.weights;
+  for (std::size_t i = 0; i < table.names.size(); ++i)
+    values.emplace_back(table.names[i], blend[static_cast<Eigen::Index>(i)]);
+  return values;
+}
+
+Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
+  Synthesis result = unmodified(stimulus, repertoire);
+  result.motion.name = stimulus.id;
+  result.motion.clip.name = stimulus.id;
+  if (stimulus.modify.empty()) {
+    result.findings = motion::lint(result.motion.clip);
+  } else {
+    apply_modifications(stimulus, repertoire, result);
+  }
+  return result;
+}
+
+Synthesis synthesize_example(const std::string& name, const Output& output,
+                             const Interpolation& interpolation, const Repertoire& repertoire) {
+  Synthesis result =
+      from_weights(given_weights({{name, 1.0}}, repertoire), output, interpolation, repertoire);
+  result.motion.name = name;
+  result.motion.clip.name = name;
+  return result;
+}
+
+motion::Clip shown_clip(const Synthesis& synthesis, const Output& output) {
+  return motion::shown_clip(synthesis.motion.clip, {output.cycles, output.in_place});
+}
+
+}  // namespace mien::pipeline

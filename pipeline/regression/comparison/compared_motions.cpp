@@ -1,0 +1,72 @@
+#include "pipeline/regression/comparison/compared_motions.h"
+
+#include <optional>
+#include <string>
+
+#include "motion/error.h"
+#include "motion/examples/make_example.h"
+#include "motion/formats/motion_file.h"
+#include "motion/measures/motion_features.h"
+#include "motion/measures/recording_difference.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// The first of several motions where no take is named.
+motion::Recording read_take(const std::string& file, const std::string& take) {
+  return motion::read_motion(file, take.empty() ? std::nullopt : std::optional(take));
+}
+
+/// The take that the recording is, where its file holds several; else empty.
+std::string several_take(const motion::Recording& recording) {
+  return recording.takes.size() > 1 ? recording.take : "";
+}
+
+/// Where these frames hold no whole cycle (of a take that holds half a one), as it is by itself.
+motion::PreparedExample prepared_alike(const motion::Clip& clip,
+                                       const motion::ExampleOptions& same_frames) {
+  try {
+    return motion::prepare_example(clip, same_frames);
+  } catch (const Error&) {
+    return motion::prepare_example(clip);
+  }
+}
+
+/// As `mien motion features` measures them; both over the same frames where they have as many, so
+/// that a cycle chosen otherwise is not taken for other walking.
+std::vector<motion::FeatureDifference> features_of(const motion::Clip& before,
+                                                   const motion::Clip& now) {
+  if (before.frame_count() < 2 || now.frame_count() < 2) return {};
+  const motion::PreparedExample was = motion::prepare_example(before);
+  motion::ExampleOptions same_frames;
+  if (was.cycle && now.frame_count() == before.frame_count()) same_frames.frames = was.frames;
+  const motion::PreparedExample is = prepared_alike(now, same_frames);
+  return motion::feature_differences(motion::measure_features(was.example),
+                                     motion::measure_features(is.example));
+}
+
+}  // namespace
+
+ComparedMotions compared_motion_files(const std::string& before, const std::string& now,
+                                      const motion::MotionTolerance& tolerance,
+                                      const std::array<std::string, 2>& takes) {
+  const motion::Recording was = read_take(before, takes[0]);
+  const motion::Recording is = read_take(now, takes[1]);
+  const motion::ComparedRecordings recordings = motion::compared_recordings(was, is);
+  ComparedMotions result{
+      before,    now, several_take(was), several_take(is), motion::motion_difference(recordings),
+      tolerance, {}};
+  if (recordings.body_before && recordings.body_now) {
+    try {
+      result.difference.features = features_of(*recordings.body_before, *recordings.body_now);
+    } catch (const Error& error) {  // the motions are compared nevertheless
+      result.difference.remarks.push_back(std::string("Motion features are not compared: ") +
+                                          error.what());
+    }
+  }
+  result.excesses = motion::excesses(result.difference, tolerance);
+  return result;
+}
+
+}  // namespace mien::pipeline

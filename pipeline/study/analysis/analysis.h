@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/base/statistics/agreement.h"
+#include "pipeline/base/statistics/partition.h"
+#include "pipeline/base/statistics/ward.h"
+#include "pipeline/manifest/ratings/study_answers.h"
+#include "pipeline/study/analysis/quantification.h"
+
+namespace mien::pipeline {
+
+struct AnalysisOptions {
+  Thresholds thresholds;
+  Deviation deviation = Deviation::population;
+  std::optional<int> clusters = 4;  ///< empty: as the largest gap suggests
+  std::vector<std::string> names;   ///< of the clusters along the dendrogram; may be empty
+};
+
+/// Scales that people use alike: a primary parameter.
+struct ScaleCluster {
+  std::string name;
+  std::string japanese;             ///< may be empty
+  std::vector<int> members;         ///< rows of the impressions, nearest to the centroid first
+  std::vector<double> to_centroid;  ///< distance of each member, of the impressions' unit
+  Eigen::RowVectorXd mean;          ///< of the members' rows: a row of A′
+};
+
+/// From answers to primary parameters: the adjective paper, sections 3.1 to 3.3 and 3.5.
+struct Analysis {
+  Impressions impressions;              ///< A, of every scale with answers
+  std::vector<Quantity> quantities;     ///< one a row of A
+  std::vector<Agreement> agreements;    ///< one a row of A
+  std::vector<int> clustered;           ///< rows of A that the tree is of: its leaves
+  bool none_kept = false;               ///< the thresholds remove every scale, so all are clustered
+  std::optional<Thresholds> suggested;  ///< when none is kept
+  Linkage linkage;
+  Partition partition;                 ///< of the leaves
+  int suggested_clusters = 1;          ///< by the largest gap
+  std::vector<ScaleCluster> clusters;  ///< along the dendrogram
+  std::vector<StudyWarning> warnings;  ///< of the answers, then of the analysis
+};
+
+/// Without given names a cluster is called like the group of the scales file that it has most in
+/// common with (each group once, the likest first), and "cluster-2" where there is none.
+///
+/// Throws Error: an example that nobody rated on some scale, more or fewer names than clusters, a
+/// name that is empty, there twice or a scale's.
+Analysis analyse(const StudyAnswers& answers, const ScaleSet& scales,
+                 const std::vector<RatedExample>& examples, const AnalysisOptions& options);
+
+}  // namespace mien::pipeline

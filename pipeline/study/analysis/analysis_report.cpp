@@ -1,0 +1,77 @@
+#include "pipeline/study/analysis/analysis_report.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/ratings/impression_table.h"
+#include "pipeline/study/analysis/analysis_tables.h"
+#include "pipeline/study/analysis/scales_yaml.h"
+#include "pipeline/study/analysis/threshold_chart.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+BilingualName name_of(const Scale& scale) {
+  BilingualName name{scale.low + " – " + scale.high, ""};
+  if (!scale.japanese_low.empty()) name.japanese = scale.japanese_low + "–" + scale.japanese_high;
+  return name;
+}
+
+std::string raters_of(const Analysis& analysis) {
+  int most = 0;
+  for (const Agreement& a : analysis.agreements) most = std::max(most, a.raters);
+  if (most == 0) return "mean ratings";
+  return fmt::format("{} {}", most, analysis.impressions.simulated ? "simulated raters" : "raters");
+}
+
+}  // namespace
+
+Dendrogram dendrogram_of(const Analysis& analysis, const ScaleSet& scales) {
+  Dendrogram d;
+  d.title = "Clusters of " + (scales.name.empty() ? std::string("the scales") : scales.name);
+  const std::string kept =
+      analysis.none_kept
+          ? fmt::format("all {} scales, none within the thresholds", analysis.clustered.size())
+          : fmt::format("{} of {} scales kept", analysis.clustered.size(),
+                        analysis.quantities.size());
+  d.subtitle = fmt::format("{}; {} examples, {}; Ward's method", kept,
+                           analysis.impressions.examples.size(), raters_of(analysis));
+  d.linkage = analysis.linkage;
+  d.partition = analysis.partition;
+  for (const int row : analysis.clustered) {
+    const std::string& id = analysis.impressions.scales[static_cast<size_t>(row)];
+    d.leaves.push_back(name_of(*find_scale(scales, id)));
+  }
+  for (const ScaleCluster& cluster : analysis.clusters) {
+    d.clusters.push_back({cluster.name, cluster.japanese});
+  }
+  d.simulated = analysis.impressions.simulated;
+  return d;
+}
+
+void write_analysis(const Analysis& analysis, const ScaleSet& scales, const Thresholds& thresholds,
+                    const std::filesystem::path& folder) {
+  make_folder(folder);
+  write_file(folder / "quantification.csv", quantification_csv(analysis, scales));
+  write_file(folder / "thresholds.csv", thresholds_csv(analysis, scales, thresholds));
+  write_file(folder / "impressions.csv", impressions_csv(analysis.impressions, scales));
+  write_file(folder / "linkage.csv", linkage_csv(analysis));
+  write_file(folder / "clusters.csv", clusters_csv(analysis));
+  write_file(folder / "primary.csv", primary_csv(analysis));
+  write_file(folder / "agreement.csv", agreement_csv(analysis));
+  write_file(folder / "warnings.csv", warnings_csv(analysis.warnings));
+  write_file(folder / "clusters.scales.yaml", clusters_yaml(analysis, scales));
+  if (const auto published = compare_with_published(analysis); !published.empty()) {
+    write_file(folder / "published.csv", published_csv(published, analysis.impressions.simulated));
+  }
+  write_plot(dendrogram_plot(dendrogram_of(analysis, scales)), folder, "dendrogram");
+  write_plot(
+      threshold_chart(threshold_curve(analysis.quantities, thresholds, scales), thresholds,
+                      static_cast<int>(analysis.quantities.size()), analysis.impressions.simulated),
+      folder, "thresholds");
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/base/statistics/ridge_regression.h"
+#include "pipeline/production/synthesis/repertoire.h"
+
+namespace mien::pipeline {
+
+/// How well the ratings of one parameter follow from the features, found by predicting examples
+/// that had no part in the fit.
+struct PredictionCheck {
+  std::string parameter;
+  std::string left_out;  ///< "example", or "style": all takes of a style together
+  CrossValidation predictions;
+  double rmse = 0.0;       ///< share of the scale
+  double mean_rmse = 0.0;  ///< of predicting the mean of the others
+  double r_squared = 0.0;  ///< 1 − (rmse / mean_rmse)²; below 0: worse than the mean
+};
+
+/// One parameter as a function of the motion features.
+struct ParameterRegression {
+  std::string parameter;
+  RidgeModel model;
+  Eigen::VectorXd observed;             ///< of the examples, share of the scale
+  std::vector<PredictionCheck> checks;  ///< by example and, where styles have several takes, style
+  double error_90 = 0.0;  ///< 90th percentile of the errors of the last, hardest check
+  double mean_leverage = 0.0;
+  double largest_leverage = 0.0;  ///< of the examples
+};
+
+/// Predicts ratings of motions that nobody rated (future work of the adjective paper).
+struct FeatureRegression {
+  std::vector<std::string> features;  ///< ids of those that all examples have
+  std::vector<int> feature_indices;
+  std::vector<std::string> examples;
+  std::vector<int> style_of_example;  ///< examples of one style have the same number
+  std::vector<ParameterRegression> parameters;
+  bool simulated = false;
+};
+
+/// Names of the styles that examples are takes of: "sad" of "sad_001", "sad-2" and "sad 2".
+std::string style_of(const std::string& example);
+
+/// Fits a ridge regression from the features (each standardised) to each parameter of the ratings;
+/// the penalty is the one that predicts left-out styles best. Throws Error when there are no
+/// ratings or fewer than four examples.
+FeatureRegression fit_feature_regression(const Repertoire& repertoire);
+
+/// What people would probably say of a motion, and how sure that is.
+struct Prediction {
+  std::string parameter;
+  double value = 0.0;  ///< share of the scale; not clipped
+  /// 90 % interval: value ± the 90th percentile of the errors on left-out examples (the jackknife
+  /// interval of Barber et al. 2021), widened by √((1 + leverage) / (1 + that of the examples)).
+  double low = 0.0;
+  double high = 0.0;
+  double leverage = 0.0;
+  bool extrapolated = false;  ///< farther from the examples than any of them is from the others
+};
+
+std::vector<Prediction> predict(const FeatureRegression& regression,
+                                const motion::FeatureValues& features);
+
+/// A row a parameter and kind of check: parameter, ratings, left_out, examples, rmse, mean_rmse,
+/// r_squared (Q²), name, name_ja.
+std::string checks_csv(const FeatureRegression& regression, const ScaleSet& scales);
+
+/// A row a parameter, kind of check and example: parameter, ratings, left_out, example, observed,
+/// predicted, mean_predicted, penalty.
+std::string left_out_csv(const FeatureRegression& regression);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,63 @@
+#include "pipeline/study/analysis/published_clusters.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/manifest/ratings/adjective_pairs.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using PublishedCluster = std::optional<Primary> AdjectivePair::*;
+
+PublishedComparison compare(const Analysis& analysis, PublishedCluster table,
+                            const std::string& name) {
+  PublishedComparison result;
+  result.table = name;
+  Partition here{{}, analysis.partition.groups};
+  Partition there{{}, primary_count};
+  int same = 0;
+  for (size_t j = 0; j < analysis.quantities.size(); ++j) {
+    const auto& published = find_adjective_pair(analysis.quantities[j].scale)->*table;
+    const auto leaf = std::ranges::find(analysis.clustered, static_cast<int>(j));
+    const bool kept = leaf != analysis.clustered.end();
+    same += kept == published.has_value();
+    if (kept && published) {
+      here.group.push_back(
+          analysis.partition.group[static_cast<size_t>(leaf - analysis.clustered.begin())]);
+      there.group.push_back(static_cast<int>(*published));
+    }
+    result.kept_only_here += kept && !published;
+    result.kept_only_there += !kept && published;
+  }
+  result.kept_in_both = static_cast<int>(here.group.size());
+  result.kept_agreement = same / static_cast<double>(analysis.quantities.size());
+  result.rand = rand_index(here, there);
+  result.adjusted_rand = adjusted_rand_index(here, there);
+  return result;
+}
+
+}  // namespace
+
+std::vector<PublishedComparison> compare_with_published(const Analysis& analysis) {
+  for (const Quantity& q : analysis.quantities) {
+    if (find_adjective_pair(q.scale) == nullptr) return {};
+  }
+  return {compare(analysis, &AdjectivePair::table_2, "Table 2"),
+          compare(analysis, &AdjectivePair::table_3, "Table 3")};
+}
+
+std::string published_csv(const std::vector<PublishedComparison>& comparisons, bool simulated) {
+  CsvWriter table({"table", "ratings", "kept_in_both", "kept_only_here", "kept_only_there",
+                   "kept_agreement", "rand", "adjusted_rand"});
+  for (const PublishedComparison& c : comparisons) {
+    table.row({c.table, simulated ? "simulated" : "given", std::to_string(c.kept_in_both),
+               std::to_string(c.kept_only_here), std::to_string(c.kept_only_there),
+               shortest(c.kept_agreement), shortest(c.rand), shortest(c.adjusted_rand)});
+  }
+  return table.text();
+}
+
+}  // namespace mien::pipeline

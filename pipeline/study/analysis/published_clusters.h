@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/study/analysis/analysis.h"
+
+namespace mien::pipeline {
+
+/// How an analysis of the adjective pairs compares with the published clusters of the adjective
+/// paper.
+struct PublishedComparison {
+  std::string table;  ///< "Table 2" or "Table 3"
+  int kept_in_both = 0;
+  int kept_only_here = 0;
+  int kept_only_there = 0;
+  double kept_agreement = 0.0;  ///< share of the rated pairs that both keep or both remove
+  double rand = 0.0;            ///< over the pairs kept in both
+  double adjusted_rand = 0.0;
+};
+
+/// Against Tables 2 and 3; nothing unless every scale is an adjective pair of the paper.
+std::vector<PublishedComparison> compare_with_published(const Analysis& analysis);
+
+/// A row a table: table, ratings, kept_in_both, kept_only_here, kept_only_there, kept_agreement,
+/// rand, adjusted_rand.
+std::string published_csv(const std::vector<PublishedComparison>& comparisons, bool simulated);
+
+}  // namespace mien::pipeline

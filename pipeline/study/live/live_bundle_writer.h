@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/live/live_bundle.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/synthesis/motions.h"
+
+namespace mien::pipeline {
+
+/// What of a study's motions is live.
+struct LiveChoice {
+  std::vector<std::string> targets;  ///< stimulus ids; what they are of is not looked at
+  Interpolation interpolation;       ///< of what sliders make
+  Output output;                     ///< its frame rate, and how often and where a clip shows it
+  std::vector<std::string>
+      primary;  ///< adjectives shown at once; empty: the scales' groups, or all
+};
+
+/// As the manifest has it, without targets.
+LiveChoice live_choice(const Manifest& manifest);
+
+/// What a browser needs to make motions of the study's examples: the same as a stimulus of the
+/// manifest with the choice's interpolation and output would have. Throws Error when the examples
+/// cannot be blended, there are none, or there is no such stimulus.
+motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,
+                               const LiveChoice& choice);
+
+}  // namespace mien::pipeline

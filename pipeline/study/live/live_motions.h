@@ -1,0 +1,56 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "motion/live/live_bundle.h"
+#include "motion/live/live_core.h"
+#include "pipeline/study/server/http_message.h"
+
+namespace mien::pipeline {
+
+/// Motions made for pages that a server gives out. For several threads: as many requests at once as
+/// there are processors are worked on, others wait.
+///
+/// Routes below wherever the server puts them; `rest` is what follows there:
+///
+///     GET  info        JSON: what there is to choose from (live_info.h)
+///     GET  bundle      the bundle (motion/live/live_bundle.h), for a module in the browser
+///     POST make        {"kind": "adjectives", "sliders": ["quickness"], "values": [0.7]}
+///     POST distance    the same with "target": "t1"
+///     POST example     {"name": "normal"}
+///     POST target      {"name": "t1"}
+///
+/// Answers to POST are bytes (motion/live/live_answer.h). What cannot be made is answered with 400
+/// or 404 and JSON that says why. How often somebody may ask is the caller's to decide.
+class LiveMotions {
+ public:
+  explicit LiveMotions(motion::LiveBundle bundle, int at_once = 0);
+  LiveMotions(const LiveMotions&) = delete;
+  LiveMotions& operator=(const LiveMotions&) = delete;
+
+  const motion::LiveBundle& bundle() const { return bundle_; }
+
+  HttpResponse answer(const HttpRequest& request, std::span<const std::string> rest);
+
+  /// D of what sliders make, for who keeps records on the server's side. Throws Error.
+  motion::Distance distance(const std::string& target, const motion::LiveSetting& setting);
+
+ private:
+  /// A core that nobody else uses meanwhile.
+  template <class Result>
+  Result with_core(const std::function<Result(motion::LiveCore&)>& ask);
+  HttpResponse posted(const std::string& what, const std::string& body);
+
+  const motion::LiveBundle bundle_;
+  std::mutex mutex_;
+  std::condition_variable free_again_;
+  std::vector<std::unique_ptr<motion::LiveCore>> free_;
+};
+
+}  // namespace mien::pipeline

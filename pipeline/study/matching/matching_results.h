@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/base/documents/csv.h"
+
+namespace mien::pipeline {
+
+/// One trial of a matching session: a person brings a motion as near to a target as he can.
+struct MatchingTrial {
+  std::string participant;
+  std::string target;
+  std::string interface;                ///< "weights", "adjectives", "features", …
+  std::optional<double> first_guess_d;  ///< D of the guess made blind, metres
+  std::optional<double>
+      time_s;            ///< until the match; the limit when there was none; empty if unknown
+  bool success = false;  ///< matched within the limit
+};
+
+struct MatchingResults {
+  std::vector<MatchingTrial> trials;  ///< in the order of the file
+  /// weights, features, adjectives, as far as they occur, then others in the order in which they
+  /// do: which is taken from which must not hang on who came first.
+  std::vector<std::string> interfaces;
+  std::vector<std::string> targets;  ///< likewise
+  double limit_s = 300.0;
+  double threshold_m = 0.06;  ///< D below which motions matched, metres
+  bool simulated = false;
+};
+
+/// What the sessions were run by, where it is known better than from their tables.
+struct MatchingTerms {
+  std::optional<double> limit_s;      ///< seconds allowed for a match
+  std::optional<double> threshold_m;  ///< D below which motions match, metres
+};
+
+/// Reads tidy CSV with the columns participant, target, interface, first_guess_d (metres), time_s,
+/// success (1 or 0) and, optionally, simulated, design, limit_s and threshold_m: one table of all
+/// participants, or as many as there are. Empty or "NA" numbers are unknown; a trial without
+/// success took the limit, whatever its time. The limit is that of the tables, else of `terms`,
+/// else 300 s; the threshold, which decides nothing but which guesses count as near, that of
+/// `terms`, else of the tables, else 0.06 m.
+///
+/// Throws Faults with every fault: a column missing, a number below 0 or none, a success after the
+/// limit or without a time, a success that is neither 0 nor 1, an empty name, a trial that is there
+/// twice; and Error: rows of several designs, limits or thresholds, of people and of nobody,
+/// another limit than the tables', no trial at all.
+MatchingResults read_matching_results(const std::vector<std::filesystem::path>& files,
+                                      const MatchingTerms& terms = {});
+MatchingResults matching_results(const std::vector<CsvTable>& tables,
+                                 const MatchingTerms& terms = {});
+
+}  // namespace mien::pipeline

@@ -1,0 +1,125 @@
+#include "pipeline/study/matching/method_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "motion/interpolation/blend.h"
+#include "motion/interpolation/reach.h"
+#include "motion/measures/distance.h"
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/statistics/named_random.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// What the sliders are set to, and a motion that has it.
+struct TrialWish {
+  Eigen::RowVectorXd settings;
+  motion::Example motion;
+};
+
+/// Three examples, drawn without regard to each other, in random shares.
+Eigen::VectorXd drawn_blend(std::uint64_t seed, int draw, Eigen::Index count) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(count);
+  for (int part = 0; part < 3; ++part) {
+    const double place = uniform(seed, fmt::format("wish {} example {}", draw, part));
+    const auto i = std::min<Eigen::Index>(
+        count - 1, static_cast<Eigen::Index>(place * static_cast<double>(count)));
+    weights[i] += uniform(seed, fmt::format("wish {} share {}", draw, part));
+  }
+  return weights / weights.sum();
+}
+
+/// One method on the sliders, and where its examples lie.
+struct Trial {
+  const FittedInterface& sliders;
+  const Eigen::MatrixXd& places;
+
+  Eigen::VectorXd weights(const Eigen::RowVectorXd& settings) const {
+    return motion::weights_at(sliders.interpolator, settings).weights;
+  }
+};
+
+void add_errors(const Trial& trial, const std::vector<TrialWish>& wishes, MethodTrial& result) {
+  const auto count = static_cast<double>(wishes.size());
+  const auto begun = std::chrono::steady_clock::now();
+  for (const TrialWish& wish : wishes) {
+    const Eigen::VectorXd weights = trial.weights(wish.settings);
+    const double error =
+        (weights.transpose() * trial.places - wish.settings).lpNorm<Eigen::Infinity>();
+    result.mean_error += error / count;
+    result.worst_error = std::max(result.worst_error, error);
+    result.mean_examples += motion::effective_examples(weights) / count;
+  }
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun;
+  result.seconds = spent.count() / count;
+}
+
+double largest_jump(const Trial& trial, const std::vector<TrialWish>& wishes, int steps) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i + 1 < wishes.size(); ++i) {
+    Eigen::VectorXd last = trial.weights(wishes[i].settings);
+    for (int step = 1; step <= steps; ++step) {
+      const double share = static_cast<double>(step) / steps;
+      const Eigen::VectorXd now =
+          trial.weights((1.0 - share) * wishes[i].settings + share * wishes[i + 1].settings);
+      largest = std::max(largest, (now - last).lpNorm<Eigen::Infinity>());
+      last = now;
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<MethodTrial> compare_methods(const Repertoire& repertoire,
+                                         const std::vector<std::string>& parameters,
+                                         const std::vector<motion::InterpolationMethod>& methods,
+                                         const Interpolation& interpolation,
+                                         const MethodTrialOptions& options) {
+  const Eigen::MatrixXd places = places_of_examples(parameters, repertoire.parameters);
+  const motion::ExampleSet& examples = examples_for(interpolation, repertoire);
+  const motion::BlendOptions as_blends{.rotations = interpolation.rotations,
+                                       .warp = interpolation.time_warp};
+  std::vector<TrialWish> wishes;
+  for (int draw = 0; draw < options.wishes; ++draw) {
+    const Eigen::VectorXd weights = drawn_blend(options.seed, draw, places.rows());
+    wishes.push_back({weights.transpose() * places, motion::blend(examples, weights, as_blends)});
+  }
+  std::vector<MethodTrial> results;
+  for (const motion::InterpolationMethod method : methods) {
+    Interpolation how = interpolation;
+    how.weights.method = method;
+    const FittedInterface sliders =
+        fit_interface({InterfaceKind::adjectives, parameters}, how, repertoire);
+    const Trial trial{sliders, places};
+    MethodTrial result{.method = method, .wishes = options.wishes};
+    add_errors(trial, wishes, result);
+    result.jump = largest_jump(trial, wishes, options.steps);
+    for (const TrialWish& wish : wishes) {
+      const motion::Example made = motion_of(sliders, wish.settings, how, repertoire);
+      result.mean_distance += motion::distance(wish.motion, made).mean / options.wishes;
+    }
+    results.push_back(result);
+  }
+  return results;
+}
+
+std::string method_trials_csv(const std::vector<MethodTrial>& trials, bool simulated_ratings) {
+  CsvWriter table({"method", "wishes", "mean_error", "worst_error", "jump", "mean_examples",
+                   "mean_d_m", "ratings"});
+  for (const MethodTrial& trial : trials) {
+    table.row({std::string(motion::name_of(trial.method)), std::to_string(trial.wishes),
+               shortest_measured(trial.mean_error), shortest_measured(trial.worst_error),
+               shortest_measured(trial.jump), shortest(trial.mean_examples),
+               shortest(trial.mean_distance), simulated_ratings ? "simulated" : "given"});
+  }
+  return table.text();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,171 @@
+#include "pipeline/study/matching/simulated_evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/study/matching/primary_parameters.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// A target, and how it was made.
+struct KnownMotion {
+  SampledTarget made_at;
+  motion::Example motion;
+  Eigen::VectorXd weights;
+};
+
+/// Targets are places of the first interface's parameters.
+KnownMotion known_motion(const SampledTarget& target, const FittedInterface& interface,
+                         const Interpolation& interpolation, const Repertoire& repertoire) {
+  return {target, motion_of(interface, target.place, interpolation, repertoire),
+          motion::weights_at(interface.interpolator, target.place).weights};
+}
+
+/// The interface that the target was made with makes it again at the very same place.
+Eigen::RowVectorXd ideal_for(const KnownMotion& target, const FittedInterface& interface,
+                             InterfaceKind target_kind, const Repertoire& repertoire) {
+  if (interface.sliders.kind == target_kind) return target.made_at.place;
+  return ideal_settings(interface.sliders, target.motion, target.weights, repertoire);
+}
+
+void try_target(const KnownMotion& target, const FittedInterface& interface,
+                const Eigen::RowVectorXd& ideal, const Interpolation& interpolation,
+                const Repertoire& repertoire, const EvaluationOptions& options,
+                std::vector<InterfaceResult>& results) {
+  const std::string& id = target.made_at.id;
+  const InterfaceKind kind = interface.sliders.kind;
+  const SliderDistance distance_at = [&](const Eigen::RowVectorXd& settings) {
+    return motion::distance(target.motion,
+                            motion_of(interface, settings, interpolation, repertoire))
+        .mean;
+  };
+  for (const double step : options.steps) {
+    const double distance = distance_at(rounded(ideal, step));
+    const bool matches = distance < options.threshold;
+    results.push_back(
+        {interpolation.weights.method, id, kind, step, 0, distance, distance, 1, matches, matches});
+  }
+  for (int u = 1; u <= options.users; ++u) {
+    const SimulatedUser user = {.seed = options.seed,
+                                .name = fmt::format("{} {} user {}", id, name_of(kind), u),
+                                .threshold = options.threshold};
+    const SimulatedTrial trial = try_interface(ideal, user, distance_at);
+    results.push_back({interpolation.weights.method, id, kind, 0.0, u, trial.first_distance,
+                       trial.distance, trial.looks, trial.first_distance < options.threshold,
+                       trial.matched});
+  }
+}
+
+bool belongs_to(const InterfaceSummary& s, const InterfaceResult& r) {
+  return s.method == r.method && s.kind == r.kind && s.step == r.step;
+}
+
+InterfaceSummary summary_of(const std::vector<InterfaceResult>& results,
+                            const InterfaceResult& first) {
+  InterfaceSummary s{first.method, first.kind, first.step};
+  const auto belongs = [&](const InterfaceResult& r) { return belongs_to(s, r); };
+  const auto n = static_cast<double>(std::count_if(results.begin(), results.end(), belongs));
+  s.count = static_cast<int>(n);
+  for (const InterfaceResult& r : results) {
+    if (!belongs(r)) continue;
+    s.mean_first += r.first_distance / n;
+    s.mean_last += r.distance / n;
+    s.mean_looks += r.looks / n;
+    s.first_success += (r.first_matches ? 1.0 : 0.0) / n;
+    s.failure += (r.matches ? 0.0 : 1.0) / n;
+  }
+  if (n < 2) return s;
+  for (const InterfaceResult& r : results) {
+    if (!belongs(r)) continue;
+    s.sd_first += std::pow(r.first_distance - s.mean_first, 2) / (n - 1);
+    s.sd_last += std::pow(r.distance - s.mean_last, 2) / (n - 1);
+  }
+  s.sd_first = std::sqrt(s.sd_first);
+  s.sd_last = std::sqrt(s.sd_last);
+  return s;
+}
+
+std::string way_of(double step) { return step > 0.0 ? "nearest" : "user"; }
+std::string step_text(double step) { return step > 0.0 ? shortest(step) : ""; }
+
+}  // namespace
+
+std::vector<SliderInterface> interfaces_of(const Repertoire& repertoire) {
+  std::vector<SliderInterface> interfaces;
+  if (!repertoire.parameters.names.empty()) {
+    interfaces.push_back({InterfaceKind::adjectives, primary_adjectives(repertoire)});
+  }
+  interfaces.push_back({InterfaceKind::features, primary_features()});
+  std::vector<std::string> examples;
+  for (const RatedExample& example : repertoire.names) examples.push_back(example.name);
+  interfaces.push_back({InterfaceKind::weights, std::move(examples)});
+  return interfaces;
+}
+
+std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
+                                                 const std::vector<SampledTarget>& targets,
+                                                 const Interpolation& interpolation,
+                                                 const EvaluationOptions& options) {
+  const std::vector<SliderInterface> interfaces = interfaces_of(repertoire);
+  std::vector<InterfaceResult> results;
+  Interpolation how = interpolation;
+  std::vector<motion::InterpolationMethod> methods = options.methods;
+  if (methods.empty()) methods.push_back(interpolation.weights.method);
+  for (const motion::InterpolationMethod method : methods) {
+    how.weights.method = method;
+    std::vector<FittedInterface> fitted;
+    for (const SliderInterface& interface : interfaces) {
+      fitted.push_back(fit_interface(interface, how, repertoire));
+    }
+    for (const SampledTarget& target : targets) {
+      const KnownMotion known = known_motion(target, fitted.front(), how, repertoire);
+      for (const FittedInterface& interface : fitted) {
+        const Eigen::RowVectorXd ideal =
+            ideal_for(known, interface, fitted.front().sliders.kind, repertoire);
+        try_target(known, interface, ideal, how, repertoire, options, results);
+      }
+    }
+  }
+  return results;
+}
+
+std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& results) {
+  std::vector<InterfaceSummary> summaries;
+  for (const InterfaceResult& r : results) {
+    const auto same = [&r](const InterfaceSummary& s) { return belongs_to(s, r); };
+    if (std::any_of(summaries.begin(), summaries.end(), same)) continue;
+    summaries.push_back(summary_of(results, r));
+  }
+  return summaries;
+}
+
+std::string results_csv(const std::vector<InterfaceResult>& results) {
+  CsvWriter table({"method", "target", "interface", "way", "step", "user", "first_d_m", "d_m",
+                   "looks", "matched", "simulated"});
+  for (const InterfaceResult& r : results) {
+    table.row({std::string(motion::name_of(r.method)), r.target, name_of(r.kind), way_of(r.step),
+               step_text(r.step), r.user > 0 ? std::to_string(r.user) : "",
+               shortest(r.first_distance), shortest(r.distance), std::to_string(r.looks),
+               r.matches ? "1" : "0", "1"});
+  }
+  return table.text();
+}
+
+std::string summary_csv(const std::vector<InterfaceSummary>& summaries) {
+  CsvWriter table({"method", "interface", "way", "step", "count", "mean_first_d_m", "sd_first_d_m",
+                   "first_success", "mean_d_m", "sd_d_m", "failure", "mean_looks", "simulated"});
+  for (const InterfaceSummary& s : summaries) {
+    table.row({std::string(motion::name_of(s.method)), name_of(s.kind), way_of(s.step),
+               step_text(s.step), std::to_string(s.count), shortest(s.mean_first),
+               shortest(s.sd_first), shortest(s.first_success), shortest(s.mean_last),
+               shortest(s.sd_last), shortest(s.failure), shortest(s.mean_looks), "1"});
+  }
+  return table.text();
+}
+
+}  // namespace mien::pipeline

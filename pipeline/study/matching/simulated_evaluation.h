@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/study/matching/simulated_trial.h"
+#include "pipeline/study/matching/target_sampling.h"
+
+namespace mien::pipeline {
+
+struct EvaluationOptions {
+  /// Of interpolation, tried one after the other; each makes the targets its own way, at the same
+  /// places. Empty: the one that the interpolation names.
+  std::vector<motion::InterpolationMethod> methods;
+  std::vector<double> steps = {0.1, 0.25};  ///< slider grids whose nearest settings are tried
+  int users = 10;                           ///< simulated, per target and interface
+  std::uint64_t seed = 0;
+  double threshold = motion::distance_threshold_m;  ///< D below which motions match, metres
+};
+
+/// One way to a target.
+struct InterfaceResult {
+  motion::InterpolationMethod method = motion::InterpolationMethod::cardinal;
+  std::string target;
+  InterfaceKind kind = InterfaceKind::adjectives;
+  double step = 0.0;            ///< of the grid; 0: a simulated user
+  int user = 0;                 ///< from 1; 0: the nearest setting of the grid
+  double first_distance = 0.0;  ///< D, metres: the nearest setting, or the user's first guess
+  double distance = 0.0;        ///< D in the end, metres
+  int looks = 1;                ///< motions made
+  bool first_matches = false;
+  bool matches = false;  ///< in the end
+};
+
+/// Sliders for all primary adjectives, all primary features, and all examples. Adjectives are left
+/// out when nobody rated the examples.
+std::vector<SliderInterface> interfaces_of(const Repertoire& repertoire);
+
+/// Tries every interface on every target: targets are places of the primary adjectives,
+/// or of the primary features without ratings. No person is involved.
+std::vector<InterfaceResult> evaluate_interfaces(const Repertoire& repertoire,
+                                                 const std::vector<SampledTarget>& targets,
+                                                 const Interpolation& interpolation,
+                                                 const EvaluationOptions& options);
+
+/// What the results of one interface have in common.
+struct InterfaceSummary {
+  motion::InterpolationMethod method = motion::InterpolationMethod::cardinal;
+  InterfaceKind kind = InterfaceKind::adjectives;
+  double step = 0.0;  ///< of the grid; 0: simulated users
+  int count = 0;
+  double mean_first = 0.0;     ///< D, metres
+  double sd_first = 0.0;       ///< n − 1
+  double first_success = 0.0;  ///< share of first guesses below the threshold
+  double mean_last = 0.0;
+  double sd_last = 0.0;
+  double failure = 0.0;  ///< share that never came below the threshold
+  double mean_looks = 0.0;
+};
+
+/// In the order of the results: an entry an interface and way.
+std::vector<InterfaceSummary> summarise(const std::vector<InterfaceResult>& results);
+
+/// A row a result: method (of interpolation), target, interface, way (nearest, user), step, user,
+/// first_d_m, d_m, looks, matched, simulated (always 1).
+std::string results_csv(const std::vector<InterfaceResult>& results);
+
+/// A row a summary: method, interface, way, step, count, mean_first_d_m, sd_first_d_m,
+/// first_success, mean_d_m, sd_d_m, failure, mean_looks, simulated.
+std::string summary_csv(const std::vector<InterfaceSummary>& summaries);
+
+}  // namespace mien::pipeline

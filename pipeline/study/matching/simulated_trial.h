@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "motion/measures/distance.h"
+#include "pipeline/production/synthesis/slider_interface.h"
+
+namespace mien::pipeline {
+
+/// Somebody who looks at target and created motion and moves one slider at a time.
+struct SimulatedUser {
+  std::uint64_t seed = 0;
+  std::string name;             ///< part of the names of the random numbers
+  double reading_error = 0.15;  ///< SD of reading a slider's value off the target
+  double seeing_error = 0.1;    ///< SD of the distance as seen, share of it
+  int most_looks = 100;         ///< after so many tries the user gives up
+  double threshold = motion::distance_threshold_m;  ///< D below which the motion matches, metres
+};
+
+struct SimulatedTrial {
+  Eigen::RowVectorXd first_guess;  ///< slider settings
+  double first_distance = 0.0;     ///< D of it, metres
+  double distance = 0.0;           ///< D of the motion left when the user stopped
+  int looks = 0;                   ///< motions made and looked at
+  bool matched = false;            ///< the distance is below the threshold
+};
+
+/// Distance from the target of the motion at slider settings, metres.
+using SliderDistance = std::function<double(const Eigen::RowVectorXd&)>;
+
+/// First guess: the ideal settings with the reading error, to the nearest 0.1. Then coordinate-wise
+/// search: in rounds, over the sliders in a random order, each is moved up and, if that looks no
+/// better, down by the step; a move that looks better (seen distance = true one × (1 + error),
+/// drawn anew at each look) is kept. A round without any improvement halves the step, from 0.2;
+/// below 0.02 the user stops. So they do when the motion matches, which the experiment tells them.
+SimulatedTrial try_interface(const Eigen::RowVectorXd& ideal, const SimulatedUser& user,
+                             const SliderDistance& distance_at);
+
+}  // namespace mien::pipeline

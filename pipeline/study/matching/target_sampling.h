@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pipeline/manifest/ratings/parameter_table.h"
+
+namespace mien::pipeline {
+
+/// A motion that participants of a matching experiment are asked to make again.
+struct SampledTarget {
+  std::string id;  ///< "target-1", "practice-1", …
+  bool practice = false;
+  Eigen::RowVectorXd place;    ///< asked for: one value a parameter, in [0, 1]
+  Eigen::RowVectorXd reached;  ///< the same as the blend has it that is made (reach.h)
+  Eigen::RowVectorXd seen;     ///< what targets are spread in (TargetSpread), of that blend
+  int nearest_example = 0;     ///< column of the table
+  double distance = 0.0;       ///< to it
+};
+
+/// What becomes of a place that no blend of the examples has.
+enum class Unreachable {
+  reject,   ///< another is drawn
+  project,  ///< the nearest place that one has takes its place
+};
+
+/// What targets are as different in as can be.
+enum class TargetSpread {
+  parameters,  ///< those that they are places of
+  everything,  ///< all rows of the table: all that raters were asked about, or all features
+};
+
+struct TargetOptions {
+  int targets = 5;
+  int practice = 3;
+  double farthest_from_example = 0.35;  ///< beyond it there is nothing to blend
+  Unreachable unreachable = Unreachable::reject;
+  TargetSpread spread = TargetSpread::parameters;
+  std::uint64_t seed = 0;
+};
+
+/// Targets for a matching experiment, after the second study of the adjective paper: places drawn
+/// evenly from [0, 1]^M (to a thousandth), those farther than `farthest_from_example` (Euclidean)
+/// from every example rejected, those that no blend has rejected or moved, and of the 400 that
+/// remain the chosen number spread by farthest points (Gonzalez 1985), the first being the one
+/// farthest from their mean. Practice targets are further draws that were not chosen, in the order
+/// of drawing.
+///
+/// `parameters` are rows of the table. Throws Error when the examples leave too little room.
+std::vector<SampledTarget> sample_targets(const ParameterTable& table,
+                                          const std::vector<std::string>& parameters,
+                                          const TargetOptions& options);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,46 @@
+import { csv } from "../questionnaire/rows";
+import type { PageRecord } from "../questionnaire/experiment";
+import type { MatchingExperiment, MatchingRecord, MatchingSession, MatchingTrial } from "./experiment";
+
+// As pipeline/study/questionnaire/service/matching_rows.h has them.
+const trial_columns = ["participant", "target", "interface", "first_guess_d", "time_s", "success", "simulated",
+  "trial", "d", "guess_s", "attempt", "session", "design", "limit_s",
+  "threshold_m"];
+const change_columns = ["participant", "trial", "target", "interface", "is_practice", "attempt", "time_s", "step",
+  "action", "slider", "value", "d", "simulated"];
+
+type Records = Record<string, PageRecord>;
+const truth = (is: boolean): string => (is ? "1" : "0");
+
+function matched(session: MatchingSession, records: Records): [MatchingTrial, PageRecord, MatchingRecord][] {
+  return session.trials.flatMap((trial) => {
+    const record = records[`trial-${trial.number}`];
+    return record?.matching ? [[trial, record, record.matching] as [MatchingTrial, PageRecord, MatchingRecord]] : [];
+  });
+}
+
+/** One row a trial, without practice; `mien study evaluate` reads it. */
+export function trials_csv(experiment: MatchingExperiment, session: MatchingSession, records: Records): string {
+  return csv(trial_columns, matched(session, records)
+    .filter(([trial]) => !trial.practice)
+    .map(([trial, record, match]) => ({
+      participant: session.participant, target: trial.target, interface: trial.interface,
+      first_guess_d: String(match.first_guess_d), time_s: String(match.time_s), success: truth(match.success),
+      simulated: truth(experiment.simulated), trial: String(trial.number), d: String(match.d),
+      guess_s: String(match.guess_s), attempt: String(match.attempt), session: record.session,
+      design: experiment.design, limit_s: String(experiment.matching.limit_s),
+      threshold_m: String(experiment.matching.threshold_m),
+    })));
+}
+
+/** One row a change, practice included. */
+export function changes_csv(experiment: MatchingExperiment, session: MatchingSession, records: Records): string {
+  return csv(change_columns, matched(session, records).flatMap(([trial, , match]) =>
+    match.changes.map((change) => ({
+      participant: session.participant, trial: String(trial.number), target: trial.target,
+      interface: trial.interface, is_practice: truth(trial.practice), attempt: String(match.attempt),
+      time_s: String(change.s), step: change.step, action: change.action, slider: change.slider ?? "",
+      value: change.value === undefined ? "" : String(change.value),
+      d: change.d === undefined ? "" : String(change.d), simulated: truth(experiment.simulated),
+    }))));
+}

@@ -1,0 +1,194 @@
+// What the studio's server is asked (pipeline/study/studio/studio_service.h).
+
+import type { JointPoses } from "../figure/figure";
+import { read_motion } from "../live/answers";
+import type { LiveMotion, Slider } from "../live/core";
+import type { Body } from "../figure/body_shape";
+import { about, type Document, type Json, type JsonMap, type Stimulus } from "./document";
+
+export interface ManifestState {
+  text: string;
+  version: string;
+  document: Document;
+}
+
+export interface Recipe {
+  name: string;
+  note: string;
+}
+
+/** Of a manifest's key, what its schema says (manifests/mien.schema.json). */
+export interface KeySchema {
+  title: string;
+  description: string;
+  type?: "number" | "integer" | "boolean" | "string" | "array" | "object";
+  enum?: string[];
+  minimum?: number;
+  maximum?: number;
+  default?: Json;
+  examples?: Json[];
+  items?: Omit<KeySchema, "title" | "description">;
+  properties?: Record<string, KeySchema>;
+}
+
+export interface Words {
+  sets: string[];
+  recipes: Recipe[];
+  posture: { name: string; note: string }[];
+  /** The keys of a step of a modification. */
+  modification: Record<string, KeySchema>;
+  scenes: string[];
+  cameras: string[];
+  figures: string[];
+}
+
+export interface StudioState {
+  file: string;
+  place: string;
+  is_on_disk: boolean;
+  /** Whether the walker's page is there, and what it runs on. */
+  walker: boolean;
+  /** The picture or film that was begun last, perhaps by a page that was closed since. */
+  job: Job | null;
+  manifest: ManifestState;
+  words: Words;
+}
+
+export interface Choices {
+  examples: string[];
+  sliders: { adjectives: Slider[]; features: Slider[] };
+  blendable: boolean;
+  simulated: boolean;
+  warnings: string[];
+}
+
+/** What of the user's folders may be chosen (pipeline/study/studio/studio_places.h). */
+export interface Places {
+  folders: { folder: string; motions: string[] }[];
+  characters: string[];
+  all: boolean;
+}
+
+export interface Finding {
+  check: string;
+  joint: string;
+  first: number;
+  last: number;
+  is_error: boolean;
+  sentence: string;
+}
+
+export interface Made {
+  motion: LiveMotion;
+  body: Body;
+  findings: Finding[];
+  warnings: string[];
+  notes: string[];
+  reached: Record<string, number>;
+  weights: Record<string, number>;
+  modified: string;
+  seconds: number;
+  distance: { D: number; D_sum: number; by_joint: number[]; by_time: number[] } | null;
+  /** What it is shown on, if that comes as a file; joints: of its own, 0 for the body's. */
+  figure: { key: string; joints: number };
+  /** Where a figure's own joints are; null: those of the body. */
+  poses: JointPoses | null;
+}
+
+export interface Job {
+  job: number;
+  kind: "still" | "video";
+  stimulus: string;
+  state: "running" | "done" | "failed" | "cancelled";
+  share: number;
+  told: string;
+}
+
+export interface Fault {
+  path: string;
+  wrong: string;
+  remedy: string;
+}
+
+/** What the server refuses, in words for people. */
+export class Refusal extends Error {
+  constructor(readonly status: number, readonly faults: Fault[]) {
+    super(faults.map(sentence_of).join("\n"));
+  }
+}
+
+export const sentence_of = ({ path, wrong, remedy }: Fault): string =>
+  `${path ? `${path}: ` : ""}${wrong}${remedy ? `; ${remedy}` : ""}`;
+
+async function answer_to(what: string, body?: unknown): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(what, body === undefined ? {} : {
+      method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body),
+    });
+  } catch {
+    throw new Refusal(0, [{ path: "", wrong: "the studio does not answer",
+      remedy: "has it been ended in its terminal? Start it again: this page has lost its link" }]);
+  }
+  if (response.ok) return response;
+  const told = (await response.json().catch(() => ({}))) as Partial<Fault> & { faults?: Fault[] };
+  throw new Refusal(response.status, told.faults ??
+    [{ path: "", wrong: told.wrong ?? `the studio answered ${response.status}`, remedy: told.remedy ?? "" }]);
+}
+
+/** Faults of a part of a document tell the places of stimuli in the whole of it. */
+const of_whole = (document: Document, part: JsonMap) => (refusal: unknown): never => {
+  if (!(refusal instanceof Refusal)) throw refusal;
+  const place = (all: string, index: string): string => {
+    const at = document.stimuli.indexOf((part["stimuli"] as Stimulus[])[Number(index)]!);
+    return at < 0 ? all : `stimuli[${at}]`;
+  };
+  throw new Refusal(refusal.status,
+    refusal.faults.map((fault) => ({ ...fault, path: fault.path.replace(/^stimuli\[(\d+)\]/, place) })));
+};
+
+const json_of = async <Told>(what: string, body?: unknown): Promise<Told> =>
+  (await (await answer_to(what, body)).json()) as Told;
+
+export const load_studio = (): Promise<StudioState> => json_of("studio.json");
+export const load_choices = (document: Document): Promise<Choices> =>
+  json_of("choices", { document: about(document, []) });
+
+export async function make(document: Document, show: string, against: string): Promise<Made> {
+  const body = { document: about(document, [show, against]), show, against };
+  const bytes = await (await answer_to("motion", body).catch(of_whole(document, body.document))).arrayBuffer();
+  const length = new DataView(bytes).getUint32(0, true);
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as Omit<Made, "motion" | "poses">;
+  const poses_at = bytes.byteLength - 4 * 7 * head.figure.joints * frames_of(bytes, 4 + length);
+  return { ...head, motion: read_motion(bytes.slice(4 + length, poses_at)), poses: poses_in(bytes.slice(poses_at)) };
+}
+
+/** Of the motion that begins there. */
+const frames_of = (bytes: ArrayBuffer, at: number): number => new DataView(bytes).getInt32(at + 4, true);
+
+function poses_in(bytes: ArrayBuffer): JointPoses | null {
+  if (bytes.byteLength === 0) return null;
+  const numbers = new Float32Array(bytes);
+  const places = numbers.length / 7;
+  return { positions: numbers.subarray(0, 3 * places), rotations: numbers.subarray(3 * places) };
+}
+
+/** The file of the figure that a motion is shown on; refused where it is another by now. */
+export const load_figure = async (document: Document, show: string, key: string): Promise<ArrayBuffer> =>
+  (await answer_to("figure", { document: about(document, [show]), show, key })).arrayBuffer();
+
+export const load_places = (): Promise<Places> => json_of("places", {});
+
+/** The manifest as it would be saved, and the lines of one stimulus. */
+export const text_of = (document: Document, show: string): Promise<{ text: string; stimulus: string }> =>
+  json_of("text", { document, show });
+
+export const save = (document: Document, version: string, over: boolean): Promise<ManifestState & { saved: boolean }> =>
+  json_of("save", { document, version, over });
+export const reload = (): Promise<ManifestState> => json_of("reload", {});
+
+export const begin_job = (document: Document, job: JsonMap): Promise<Job> =>
+  json_of("jobs", { document: about(document, [String(job["stimulus"])]), ...job });
+export const job_told = (job: number): Promise<Job> => json_of(`jobs/${job}`);
+export const cancel_job = (job: number): Promise<unknown> => json_of(`jobs/${job}/cancel`, {});
+export const job_result = (job: number): string => `jobs/${job}/result`;

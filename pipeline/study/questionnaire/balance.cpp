@@ -1,0 +1,190 @@
+#include "pipeline/study/questionnaire/balance.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/study/questionnaire/latin_square.h"
+#include "pipeline/study/questionnaire/trial_subjects.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string subject_of(std::vector<std::string> names) {
+  std::ranges::sort(names);
+  return fmt::format("{}", fmt::join(names, "/"));
+}
+
+void count_session(const SessionPlan& plan, Balance& balance) {
+  std::vector<std::string> seen;
+  for (const Trial& trial : plan.trials) {
+    if (!trial.is_analysed()) continue;
+    const std::string subject = subject_of(trial.stimuli);
+    ++balance.seen[subject];
+    ++balance.at_place[{subject, std::to_string(seen.size() + 1)}];
+    if (!seen.empty()) ++balance.follows[{seen.back(), subject}];
+    for (const std::string& other : seen) ++balance.together[std::minmax(subject, other)];
+    if (trial.kind == TrialKind::pair) balance.left[subject] += trial.stimuli[0] < trial.stimuli[1];
+    seen.push_back(subject);
+  }
+  balance.most_places = std::max(balance.most_places, static_cast<int>(seen.size()));
+}
+
+void count_sides(const SessionPlan& plan, Balance& balance) {
+  const auto asked = std::ranges::find_if(plan.trials, &Trial::is_analysed);
+  if (asked == plan.trials.end() || asked->kind == TrialKind::pair) return;
+  for (const AskedItem& item : asked->items) {
+    if (item.item != emotion_item) balance.flipped[item.item] += item.flipped;
+  }
+}
+
+template <class Counts>
+CountRange range_over(const Counts& counts, std::size_t possible) {
+  if (counts.empty()) return {};
+  CountRange range{counts.begin()->second, counts.begin()->second};
+  for (const auto& [key, count] : counts) {
+    range.least = std::min(range.least, count);
+    range.most = std::max(range.most, count);
+  }
+  if (counts.size() < possible) range.least = 0;
+  return range;
+}
+
+std::string shown(CountRange range, const char* unit) {
+  return range.is_even() ? fmt::format("{} {}", range.least, unit)
+                         : fmt::format("{} to {} {}", range.least, range.most, unit);
+}
+
+void add_latin_sentence(const Manifest& manifest, const Balance& balance, int participants,
+                        std::vector<std::string>& sentences) {
+  if (questionnaire_of(manifest).order.kind != TrialOrder::Kind::latin) return;
+  const auto count = static_cast<std::size_t>(balance.most_places);
+  if (count < balance.subjects.size()) {
+    return sentences.push_back(
+        "A Latin square of what each participant sees: places and neighbours are balanced as far "
+        "as "
+        "everybody sees the same stimuli, which is not so here.");
+  }
+  const std::size_t rows = williams_rows(count);
+  if (static_cast<std::size_t>(participants) % rows == 0)
+    return sentences.push_back(
+        "The Latin square is balanced: every stimulus comes equally often in "
+        "every place and after every other.");
+  sentences.push_back(fmt::format(
+      "The Latin square is not balanced with {} participants: it takes a multiple of {} for every "
+      "place{}.",
+      participants, count,
+      rows == count ? " and every neighbour"
+                    : fmt::format(", and of {} for every neighbour", rows)));
+}
+
+}  // namespace
+
+Balance balance_of(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
+  Balance balance;
+  for (const std::vector<std::string>& stimuli : trial_subjects(manifest).stimuli)
+    balance.seen.emplace(subject_of(stimuli), 0);
+  for (const SessionPlan& plan : plans) {
+    count_session(plan, balance);
+    count_sides(plan, balance);
+  }
+  for (const auto& [subject, count] : balance.seen) balance.subjects.push_back(subject);
+  return balance;
+}
+
+CountRange seen_range(const Balance& balance) {
+  return range_over(balance.seen, balance.seen.size());
+}
+
+CountRange place_range(const Balance& balance) {
+  return range_over(balance.at_place,
+                    balance.subjects.size() * static_cast<std::size_t>(balance.most_places));
+}
+
+CountRange follows_range(const Balance& balance) {
+  const std::size_t count = balance.subjects.size();
+  return range_over(balance.follows, count * (count - 1));
+}
+
+CountRange together_range(const Balance& balance) {
+  const std::size_t count = balance.subjects.size();
+  return range_over(balance.together, count * (count - 1) / 2);
+}
+
+CountRange flipped_range(const Balance& balance) {
+  return range_over(balance.flipped, balance.flipped.size());
+}
+
+CountRange left_range(const Balance& balance) {
+  return range_over(balance.left, balance.left.size());
+}
+
+std::vector<std::string> balance_sentences(const Manifest& manifest, const Balance& balance,
+                                           int participants) {
+  const bool are_pairs = questionnaire_of(manifest).trials == TrialForm::pair;
+  const char* subject = are_pairs ? "pair" : "stimulus";
+  std::vector<std::string> sentences = {
+      fmt::format("Each {} is seen by {} of {}.", subject,
+                  shown(seen_range(balance), "participants"), participants),
+      fmt::format("Each {} comes {} in each place.", subject, shown(place_range(balance), "times")),
+      fmt::format("Each {} comes {} right after each other one.", subject,
+                  shown(follows_range(balance), "times")),
+      fmt::format("Each two are seen by the same participant {}.",
+                  shown(together_range(balance), "times"))};
+  if (!balance.flipped.empty()) {
+    sentences.push_back(fmt::format("The high end of a scale is at the left for {}.",
+                                    shown(flipped_range(balance), "participants")));
+  }
+  if (are_pairs) {
+    sentences.push_back(
+        fmt::format("The first of a pair is at the left {}.", shown(left_range(balance), "times")));
+  }
+  add_latin_sentence(manifest, balance, participants, sentences);
+  return sentences;
+}
+
+std::string balance_csv(const Balance& balance) {
+  CsvWriter csv({"count", "one", "other", "times"});
+  for (const auto& [subject, count] : balance.seen)
+    csv.row({"seen", subject, "", std::to_string(count)});
+  const auto pairs = [&](const char* name, const Balance::PairCounts& counts) {
+    for (const auto& [key, count] : counts)
+      csv.row({name, key.first, key.second, std::to_string(count)});
+  };
+  pairs("place", balance.at_place);
+  pairs("follows", balance.follows);
+  pairs("together", balance.together);
+  for (const auto& [item, count] : balance.flipped)
+    csv.row({"flipped", item, "", std::to_string(count)});
+  for (const auto& [pair, count] : balance.left) csv.row({"left", pair, "", std::to_string(count)});
+  return csv.text();
+}
+
+std::string plans_csv(const std::vector<SessionPlan>& plans) {
+  CsvWriter csv({"participant", "trial", "block", "kind", "stimulus", "against", "items", "flipped",
+                 "is_practice", "is_warmup", "is_catch", "expected", "seed"});
+  for (const SessionPlan& plan : plans) {
+    for (const Trial& trial : plan.trials) {
+      std::vector<std::string> items, flipped;
+      for (const AskedItem& item : trial.items) {
+        items.push_back(item.item);
+        if (item.flipped) flipped.push_back(item.item);
+      }
+      const std::string first = trial.stimuli.empty() ? "" : trial.stimuli[0];
+      const std::string against = trial.stimuli.size() > 1 ? trial.stimuli[1] : trial.reference;
+      const auto truth = [](bool value) { return std::string(value ? "1" : "0"); };
+      csv.row({plan.participant, std::to_string(trial.number), trial.block,
+               std::string(word_of(trial_kind_words, trial.kind)), first, against,
+               fmt::format("{}", fmt::join(items, ";")), fmt::format("{}", fmt::join(flipped, ";")),
+               truth(trial.practice), truth(trial.warm_up), truth(trial.is_catch), trial.expected,
+               std::to_string(plan.seed)});
+    }
+  }
+  return csv.text();
+}
+
+}  // namespace mien::pipeline

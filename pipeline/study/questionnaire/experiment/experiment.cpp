@@ -1,0 +1,177 @@
+#include "pipeline/study/questionnaire/experiment/experiment.h"
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/base/documents/words.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/study/questionnaire/simulated_sessions.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// In the language of the questionnaire, if the scale has words in it.
+const std::string& shown_end(const std::string& english, const std::string& japanese,
+                             InterfaceLanguage language) {
+  return language == InterfaceLanguage::japanese && !japanese.empty() ? japanese : english;
+}
+
+ordered_json items_json(const Manifest& manifest) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  ordered_json items = ordered_json::object();
+  for (const Scale& scale : asked_scales(manifest).scales) {
+    const ordered_json start =
+        asked.answer.starts_at == StartsAt::middle ? ordered_json("middle") : ordered_json(nullptr);
+    items[scale.id] = {{"low", shown_end(scale.low, scale.japanese_low, asked.language)},
+                       {"high", shown_end(scale.high, scale.japanese_high, asked.language)},
+                       {"points", asked.answer.points},
+                       {"slider", asked.answer.slider},
+                       {"words", asked.answer.words},
+                       {"anchors", asked.answer.anchors},
+                       {"default", start},
+                       {"least", scale.least},
+                       {"most", scale.most}};
+  }
+  return items;
+}
+
+ordered_json choices_json(const Manifest& manifest) {
+  ordered_json choices = ordered_json::object();
+  if (questionnaire_of(manifest).trials != TrialForm::emotion) return choices;
+  for (const auto& [id, text] : asked_choices(manifest)) choices[id] = text;
+  return choices;
+}
+
+ordered_json settings_json(const Questionnaire& asked) {
+  ordered_json replays = "counted";
+  if (asked.replays.most) {
+    replays = *asked.replays.most == 0 ? ordered_json("none") : ordered_json(*asked.replays.most);
+  }
+  return {{"replays", replays},
+          {"watch", word_of(watching_words, asked.watch)},
+          {"comments", asked.comments},
+          {"phones", word_of(phones_words, asked.phones)},
+          {"view", word_of(shown_as_words, asked.view)},
+          {"question", asked.question}};
+}
+
+ordered_json demographics_json(const Questionnaire& asked) {
+  ordered_json questions = ordered_json::array();
+  for (const Demographic& one : asked.demographics) {
+    ordered_json answer = one.answer.is_number ? "number" : "text";
+    if (!one.answer.choices.empty()) answer = one.answer.choices;
+    questions.push_back(
+        {{"id", one.id}, {"ask", one.ask}, {"answer", answer}, {"required", one.required}});
+  }
+  return questions;
+}
+
+ordered_json trial_json(const Manifest& manifest, const Trial& trial) {
+  ordered_json media = ordered_json::array();
+  for (const std::string& stimulus : trial.stimuli)
+    media.push_back(media_token(manifest, stimulus));
+  ordered_json items = ordered_json::array();
+  for (const AskedItem& asked : trial.items)
+    items.push_back({{"item", asked.item}, {"flipped", asked.flipped}});
+  return {{"number", trial.number},
+          {"block", trial.block},
+          {"kind", word_of(trial_kind_words, trial.kind)},
+          {"media", media},
+          {"reference",
+           trial.reference.empty() ? std::string() : media_token(manifest, trial.reference)},
+          {"items", items},
+          {"practice", trial.practice},
+          {"warm_up", trial.warm_up},
+          {"catch", trial.is_catch},
+          {"expected", trial.expected}};
+}
+
+/// Seeds are written in digits: JavaScript's numbers hold fewer.
+ordered_json sessions_json(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
+  ordered_json sessions = ordered_json::array();
+  for (const SessionPlan& plan : plans) {
+    ordered_json trials = ordered_json::array();
+    for (const Trial& trial : plan.trials) trials.push_back(trial_json(manifest, trial));
+    sessions.push_back({{"participant", plan.participant},
+                        {"seed", std::to_string(plan.seed)},
+                        {"choices", plan.choices},
+                        {"trials", trials}});
+  }
+  return sessions;
+}
+
+/// Sorted by token, so that their order tells nothing.
+void add_media(ordered_json& experiment, const MediaFiles& media) {
+  std::map<std::string, std::pair<std::string, const MediaFile*>> by_token;
+  for (const auto& [stimulus, file] : media) by_token[file.token] = {stimulus, &file};
+  ordered_json files = ordered_json::object();
+  ordered_json stimuli = ordered_json::object();
+  for (const auto& [token, shown] : by_token) {
+    const MediaFile& file = *shown.second;
+    files[token] = {{"file", "media/" + token + file.ending},
+                    {"type", file.type},
+                    {"sha256", file.sha256},
+                    {"seconds", file.seconds},
+                    {"width", file.width},
+                    {"height", file.height}};
+    stimuli[token] = shown.first;
+  }
+  experiment["media"] = std::move(files);
+  experiment["stimuli"] = std::move(stimuli);
+}
+
+}  // namespace
+
+std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage language) {
+  std::vector<std::string> paragraphs;
+  std::string current;
+  const auto put = [&] {
+    if (!current.empty()) paragraphs.push_back(std::move(current));
+    current.clear();
+  };
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
+    while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+    if (line.empty()) {
+      put();
+      continue;
+    }
+    // Japanese is written without blanks.
+    if (!current.empty() && language != InterfaceLanguage::japanese) current += ' ';
+    current += line;
+  }
+  put();
+  return paragraphs;
+}
+
+ordered_json experiment_json(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                             const MediaFiles& media) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  const auto texts_of = [&](const TextSource& source) {
+    return paragraphs_of(source.text, asked.language);
+  };
+  ordered_json experiment = {{"format", "mien-questionnaire-1"},
+                             {"study", manifest.study},
+                             {"title", title_of(manifest)},
+                             {"language", word_of(language_words, asked.language)},
+                             {"design", design_hash(manifest, plans)},
+                             {"simulated", false},
+                             {"texts",
+                              {{"consent", texts_of(asked.consent)},
+                               {"instructions", texts_of(asked.instructions)},
+                               {"ending", texts_of(asked.ending)}}},
+                             {"settings", settings_json(asked)},
+                             {"items", items_json(manifest)},
+                             {"choices", choices_json(manifest)},
+                             {"demographics", demographics_json(asked)},
+                             {"sessions", sessions_json(manifest, plans)}};
+  add_media(experiment, media);
+  return experiment;
+}
+
+}  // namespace mien::pipeline

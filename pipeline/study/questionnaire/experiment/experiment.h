@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/study/questionnaire/experiment/media.h"
+#include "pipeline/study/questionnaire/session_plan.h"
+
+namespace mien::pipeline {
+
+/// What the page of a questionnaire shows (page/src/questionnaire/experiment.ts): texts, settings,
+/// scales in the questionnaire's language, media by their tokens, and all sessions. `media` holds
+/// every stimulus of the plans; their files are named "media/<token><ending>".
+///
+/// "stimuli" tells which stimulus a token stands for: a server keeps it to itself. "design" is the
+/// design_hash.
+nlohmann::ordered_json experiment_json(const Manifest& manifest,
+                                       const std::vector<SessionPlan>& plans,
+                                       const MediaFiles& media);
+
+/// A text as its paragraphs, which blank lines part; lines within a paragraph are joined.
+std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage language);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,140 @@
+#include "pipeline/study/questionnaire/experiment/export.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "motion/text/safe_name.h"
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/experiment/experiment.h"
+#include "pipeline/study/questionnaire/experiment/export_texts.h"
+#include "pipeline/study/questionnaire/experiment/jatos_archive.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+std::string in_base64(std::string_view bytes) {
+  constexpr std::string_view letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto at = [&](std::size_t k) -> std::uint32_t {
+      return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;
+    };
+    const std::uint32_t three = at(0) << 16U | at(1) << 8U | at(2);
+    for (int k = 0; k < 4; ++k)
+      text += letters[three >> (18U - 6U * static_cast<unsigned>(k)) & 63U];
+  }
+  for (std::size_t i = bytes.size(); i % 3 != 0; ++i) text[text.size() - (3 - i % 3)] = '=';
+  return text;
+}
+
+/// A page that was opened from a disk cannot read a motion beside it, but run it as a script.
+std::string as_script(const MediaFile& file, std::string_view bytes) {
+  return fmt::format("(globalThis.mienMedia ?\?= {{}})[\"{}\"] = \"{}\";\n", file.token,
+                     in_base64(bytes));
+}
+
+ZipFiles page_files(const fs::path& pages, bool is_turned) {
+  ZipFiles files;
+  for (const char* name : {"LICENSES.txt", "index.html", "questionnaire.css", "questionnaire.js"})
+    files[name] = read_file(pages / name);
+  if (is_turned) files["turn_view.js"] = read_file(pages / "turn_view.js");
+  return files;
+}
+
+}  // namespace
+
+ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                                const MediaFiles& media, const fs::path& pages) {
+  const ordered_json experiment = experiment_json(manifest, plans, media);
+  ZipFiles files = page_files(pages, questionnaire_of(manifest).view == ShownAs::turn);
+  files["experiment.js"] = "globalThis.mienExperiment = " + experiment.dump() + ";\n";
+  for (const auto& [stimulus, file] : media) {
+    std::string bytes = read_file(file.file);
+    if (file.ending == ".glb") files["media/" + file.token + ".js"] = as_script(file, bytes);
+    files["media/" + file.token + file.ending] = std::move(bytes);
+  }
+  // What participants need is all that JATOS is given.
+  ZipFiles assets = files;
+  assets["index.html"] = page_of_jatos(std::move(assets["index.html"]), "questionnaire.js");
+  const std::string title = title_of(manifest);
+  files[manifest.study + ".jzip"] =
+      jatos_archive({.title = title,
+                     .description = fmt::format("Questionnaire of the study {}, {} participants",
+                                                manifest.study, plans.size()),
+                     .folder = manifest.study,
+                     .key = fmt::format("{}/{}", manifest.study, manifest.seed)},
+                    assets);
+  files["experiment.json"] = experiment.dump(1) + "\n";
+  files["plans.csv"] = plans_csv(plans);
+  files["answers/dataset_description.json"] = dataset_description(manifest).dump(2) + "\n";
+  files["answers/data/README.md"] = data_folder_text();
+  files["README.txt"] = lab_text(manifest, plans);
+  return files;
+}
+
+void refuse_foreign_folder(const fs::path& folder) {
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw Error({folder.string()}, "is no folder", "name one for the questionnaire with -o");
+  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / export_mark))
+    throw Error({folder.string()}, "holds something else than what mien study export writes",
+                "name a new folder with -o");
+}
+
+void refuse_answers_to_another(const fs::path& folder, const std::string& design) {
+  const fs::path answers = folder / "answers/data", before = folder / "experiment.json";
+  if (!fs::is_directory(answers) || !fs::is_regular_file(before)) return;
+  const auto is_added = [](const fs::directory_entry& entry) {
+    return entry.path().filename() != "README.md";
+  };
+  if (std::ranges::none_of(fs::directory_iterator(answers), is_added)) return;
+  const ordered_json experiment = ordered_json::parse(read_file(before), nullptr, false);
+  if (experiment.is_object() && experiment.value("design", "") == design) return;
+  throw Error({answers.string()},
+              "holds answers to another questionnaire: its texts, plans or participants have "
+              "changed since it was exported here",
+              "name a new folder with -o");
+}
+
+void write_export(const ZipFiles& files, const fs::path& folder) {
+  refuse_foreign_folder(folder);
+  for (const auto& [path, bytes] : files) motion::inside(folder, path, {folder.string()});
+  motion::inside(folder, export_mark, {folder.string()});
+  make_folder(folder);
+  std::set<std::string> ours;
+  if (fs::exists(folder / export_mark)) {
+    std::istringstream lines(read_file(folder / export_mark));
+    for (std::string line; std::getline(lines, line);) ours.insert(line);
+  }
+  const auto put_mark = [&] {
+    std::string mark;
+    for (const std::string& path : ours) mark += path + "\n";
+    write_file(folder / export_mark, mark);
+  };
+  // Should this be interrupted, the next export knows the files of both.
+  for (const auto& [path, bytes] : files) ours.insert(path);
+  put_mark();
+  for (const std::string& path : ours) {
+    if (!files.contains(path) && motion::is_inside(folder, path)) fs::remove(folder / path);
+  }
+  for (const auto& [path, bytes] : files) {
+    make_folder((folder / path).parent_path());
+    write_file(folder / path, bytes);
+  }
+  std::erase_if(ours, [&](const std::string& path) { return !files.contains(path); });
+  put_mark();
+}
+
+}  // namespace mien::pipeline

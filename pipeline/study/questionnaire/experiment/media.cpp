@@ -1,0 +1,129 @@
+#include "pipeline/study/questionnaire/experiment/media.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/places.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/production/film/film_record.h"
+#include "pipeline/production/film/film_tables.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/study/questionnaire/shown_media.h"
+#include "pipeline/tasks/hash.h"
+#include "render/video/sha256.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using render::VideoKind;
+
+/// A kind of video that all browsers of today play.
+struct WebVideo {
+  VideoKind kind;
+  const char* type;
+};
+
+/// The one that most browsers play first.
+constexpr std::array web_videos = {WebVideo{VideoKind::mp4, "video/mp4"},
+                                   WebVideo{VideoKind::webm, "video/webm"},
+                                   WebVideo{VideoKind::webm_av1, "video/webm"}};
+
+constexpr char motion_type[] = "model/gltf-binary";
+
+std::optional<WebVideo> web_video_of(const Output& output) {
+  for (const WebVideo& video : web_videos) {
+    if (std::ranges::find(output.video, video.kind) != output.video.end()) return video;
+  }
+  return std::nullopt;
+}
+
+std::set<std::string> stimuli_in(const std::vector<SessionPlan>& plans) {
+  std::set<std::string> stimuli;
+  for (const SessionPlan& plan : plans) {
+    for (const Trial& trial : plan.trials) {
+      stimuli.insert(trial.stimuli.begin(), trial.stimuli.end());
+      if (!trial.reference.empty()) stimuli.insert(trial.reference);
+    }
+  }
+  return stimuli;
+}
+
+std::string media_sha256(const fs::path& file) {
+  render::Sha256 sha;
+  sha.add(read_file(file));
+  return sha.finish();
+}
+
+MediaFile motion_of(const Stimulus& stimulus, const fs::path& folder) {
+  const std::size_t frames = static_cast<std::size_t>(
+      parse_film_record(read_file(folder / film_record_path(stimulus.id))).film_frames);
+  return {.file = folder / "clips" / (stimulus.id + ".glb"),
+          .ending = ".glb",
+          .type = motion_type,
+          .seconds = static_cast<double>(frames) / stimulus.output.fps};
+}
+
+MediaFile video_of(const Stimulus& stimulus, const fs::path& folder) {
+  const WebVideo kind = *web_video_of(stimulus.output);
+  const std::string_view name = render::traits_of(kind.kind).name;
+  const FilmRecord film = parse_film_record(read_file(folder / film_record_path(stimulus.id)));
+  const auto video = std::ranges::find(film.videos, name, &VideoRecord::format);
+  if (video == film.videos.end())
+    throw Error({folder.string()}, fmt::format("has no {} of {}", name, stimulus.id),
+                "make the study again with mien run");
+  const std::array<int, 2> size = stimulus.output.shown_size();
+  return {.file = folder / video->file,
+          .ending = std::string(render::traits_of(kind.kind).ending),
+          .type = kind.type,
+          .seconds = video->duration_s,
+          .width = size[0],
+          .height = size[1]};
+}
+
+}  // namespace
+
+Manifest with_media(Manifest manifest) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  const std::vector<std::string> ids = shown_stimuli(manifest);
+  const std::set<std::string> shown(ids.begin(), ids.end());
+  for (Stimulus& stimulus : manifest.stimuli) {
+    if (!shown.contains(stimulus.id)) continue;
+    if (asked.view == ShownAs::turn) stimulus.output.clips.glb = true;
+    if (asked.view == ShownAs::video && !web_video_of(stimulus.output))
+      throw Error(place_of(manifest.places, stimulus.path),
+                  fmt::format("{} has no video that browsers play", stimulus.id),
+                  "add mp4 or webm to output: video:");
+  }
+  return manifest;
+}
+
+MediaFiles media_of(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                    const fs::path& folder) {
+  const bool is_turned = questionnaire_of(manifest).view == ShownAs::turn;
+  MediaFiles media;
+  for (const std::string& id : stimuli_in(plans)) {
+    const Stimulus& stimulus = *find_stimulus(manifest, id);
+    MediaFile file = is_turned ? motion_of(stimulus, folder) : video_of(stimulus, folder);
+    std::error_code unknown;
+    if (!fs::is_regular_file(file.file, unknown))
+      throw Error({file.file.string()}, "is not there", "make the study again with mien run");
+    file.token = media_token(manifest, id);
+    file.sha256 = media_sha256(file.file);
+    media.emplace(id, std::move(file));
+  }
+  return media;
+}
+
+std::string media_token(const Manifest& manifest, const std::string& stimulus) {
+  return "m" + hash_of(fmt::format("{}/media/{}", manifest.seed, stimulus)).substr(0, 14);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,247 @@
+#include "pipeline/study/questionnaire/frozen_design.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "motion/text/file_contents.h"
+#include "motion/text/json_depth.h"
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/production/run/study_inputs.h"
+#include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/session_duration.h"
+#include "pipeline/study/questionnaire/shown_media.h"
+#include "pipeline/study/questionnaire/simulated_sessions.h"
+#include "render/video/sha256.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr char hashes_path[] = "manifest-sha256.txt";
+constexpr char frozen_format[] = "mien-frozen-1";
+
+constexpr char readme[] =
+    "A questionnaire as it was planned, before there were any answers.\n"
+    "\n"
+    "design.json          study, hash of the design, participants, expected duration, analysis\n"
+    "plans.csv            every trial of every participant\n"
+    "balance.csv          how often each stimulus comes, where, and after which\n"
+    "scales.csv           what is asked\n"
+    "analysis-plan.txt    how the answers will be looked at\n"
+    "stimuli.csv          SHA-256 of all media that are shown\n"
+    "inputs/              the manifest and the files that it names\n"
+    "inputs.csv           hashes of these and of the motions that they name\n"
+    "dummy-report/        what the report makes of answers that nobody gave\n"
+    "manifest-sha256.txt  of all files here: sha256sum -c manifest-sha256.txt\n"
+    "\n"
+    "mien study report says whether what was run is what is here.\n";
+
+constexpr char no_analysis_plan[] =
+    "Nothing was written down: the manifest has no questionnaire.analysis.plan.\n";
+
+std::string sha256_of(const std::string& bytes) {
+  render::Sha256 sha;
+  sha.add(bytes);
+  return sha.finish();
+}
+
+std::string sha256_of_file(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  render::Sha256 sha;
+  std::vector<char> part(std::size_t{1} << 20U);
+  while (in) {
+    in.read(part.data(), static_cast<std::streamsize>(part.size()));
+    sha.add({part.data(), static_cast<std::size_t>(in.gcount())});
+  }
+  if (!in.eof()) throw std::runtime_error(file.string() + " cannot be read");
+  return sha.finish();
+}
+
+std::string hashes_text(const ZipFiles& files) {
+  std::string text;
+  for (const auto& [path, bytes] : files) {
+    if (path != hashes_path) text += sha256_of(bytes) + "  " + path + "\n";
+  }
+  return text;
+}
+
+std::string scales_csv(const Manifest& manifest) {
+  CsvWriter csv({"scale", "low", "high", "low_ja", "high_ja", "least", "most"});
+  for (const Scale& scale : asked_scales(manifest).scales)
+    csv.row({scale.id, scale.low, scale.high, scale.japanese_low, scale.japanese_high,
+             shortest(scale.least), shortest(scale.most)});
+  return csv.text();
+}
+
+std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  const AnalysisPlan& analysis = asked.analysis;
+  const auto longest = std::ranges::max_element(plans, {}, &SessionPlan::expected_seconds);
+  const ordered_json design = {
+      {"format", frozen_format},
+      {"study", manifest.study},
+      {"design", design_hash(manifest, plans)},
+      {"seed", manifest.seed},
+      {"participants", plans.size()},
+      {"expected_minutes", std::round(longest->expected_seconds / 6.0) / 10.0},
+      {"analysis",
+       {{"alpha", analysis.alpha},
+        {"correction", word_of(correction_words, analysis.correction)},
+        {"most_failed", analysis.most_failed}}}};
+  return design.dump(2) + "\n";
+}
+
+std::string inputs_csv(const Manifest& manifest) {
+  CsvWriter csv({"input", "xxh3"});
+  for (const auto& [name, hash] : hashes_of_inputs(manifest)) csv.row({name, hash});
+  return csv.text();
+}
+
+std::string stimuli_csv(const Manifest& manifest, const fs::path& made) {
+  CsvWriter csv({"stimulus", "media", "sha256"});
+  for (const ShownMedia& media : shown_media(manifest)) {
+    const fs::path file = made / media.path;
+    if (const std::string hindrance = motion::hindrance_of(file, motion::any_size);
+        !hindrance.empty())
+      throw Error({file.string()}, hindrance, "make the study first: mien run");
+    csv.row({media.stimulus, media.path, sha256_of_file(file)});
+  }
+  return csv.text();
+}
+
+/// All but the media, which may not be made.
+ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
+  ZipFiles files;
+  files["README.txt"] = readme;
+  files["design.json"] = design_json(manifest, plans);
+  files["plans.csv"] = plans_csv(plans);
+  files["balance.csv"] = balance_csv(balance_of(manifest, plans));
+  files["scales.csv"] = scales_csv(manifest);
+  const std::string& analysis_plan = questionnaire_of(manifest).analysis.plan.text;
+  files["analysis-plan.txt"] = analysis_plan.empty() ? no_analysis_plan : analysis_plan;
+  files["inputs.csv"] = inputs_csv(manifest);
+  for (const InputCopy& copy : input_copies(manifest)) files[copy.path] = read_file(copy.source);
+  return files;
+}
+
+ZipFiles read_frozen(const fs::path& bundle) {
+  ZipFiles frozen = read_zip(bundle);
+  constexpr std::size_t deepest = 16;  // more than a design has
+  const bool is_complete = frozen.contains("design.json") && frozen.contains(hashes_path);
+  if (!is_complete || motion::is_nested_deeper(frozen["design.json"], deepest) ||
+      !ordered_json::accept(frozen["design.json"]))
+    throw Error({bundle.string()}, "is no frozen design", "give what --freeze wrote");
+  if (frozen[hashes_path] != hashes_text(frozen))
+    throw Error({bundle.string()}, "was changed after it was written",
+                "give the archive as it was registered");
+  return frozen;
+}
+
+/// Rows of a table by their first field.
+std::map<std::string, std::string> rows_of_table(const std::string& csv) {
+  std::map<std::string, std::string> rows;
+  const CsvTable table = parse_csv(csv, "frozen");
+  for (const auto& row : table.rows) {
+    for (const CsvField& field : row) rows[row.front().text] += field.text + "\n";
+  }
+  return rows;
+}
+
+/// "stimuli: a and b": names whose rows are not the same, or only in one of them.
+void compare_tables(const std::string& what, const std::string& then, const std::string& now,
+                    std::vector<std::string>& differences) {
+  if (then == now) return;
+  const auto before = rows_of_table(then), after = rows_of_table(now);
+  std::vector<std::string> changed, added, removed;
+  for (const auto& [name, row] : after) {
+    const auto found = before.find(name);
+    if (found == before.end()) added.push_back(name);
+    if (found != before.end() && found->second != row) changed.push_back(name);
+  }
+  for (const auto& [name, row] : before) {
+    if (!after.contains(name)) removed.push_back(name);
+  }
+  const auto tell = [&](const char* happened, const std::vector<std::string>& names) {
+    if (!names.empty())
+      differences.push_back(fmt::format("{}: {} {}", what, fmt::join(names, ", "), happened));
+  };
+  tell("changed", changed);
+  tell("added", added);
+  tell("removed", removed);
+}
+
+void compare_designs(const std::string& then, const std::string& now,
+                     std::vector<std::string>& differences) {
+  const auto before = ordered_json::parse(then), after = ordered_json::parse(now);
+  for (const auto& [key, value] : after.items()) {
+    const ordered_json& old = before.contains(key) ? before[key] : ordered_json();
+    if (old == value || key == "expected_minutes") continue;
+    if (key == "design") {
+      differences.push_back("design: what participants see is not what was frozen");
+    } else {
+      differences.push_back(fmt::format("{}: {} and not {}", key, value.dump(), old.dump()));
+    }
+  }
+}
+
+}  // namespace
+
+ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                       const fs::path& made) {
+  ZipFiles files = described(manifest, plans);
+  files["stimuli.csv"] = stimuli_csv(manifest, made);
+  files[hashes_path] = hashes_text(files);
+  return files;
+}
+
+void add_folder(ZipFiles& frozen, const fs::path& folder, const std::string& prefix) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_directory() && !entry.is_symlink()) continue;
+    refuse_what_is_no_file(entry.path());
+    const std::string path = entry.path().lexically_relative(folder).generic_string();
+    frozen[prefix + "/" + path] = read_file(entry.path());
+  }
+  frozen[hashes_path] = hashes_text(frozen);
+}
+
+std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
+                                     const std::vector<SessionPlan>& plans) {
+  return simulated_sessions(manifest, plans, {}, {.attentive = 1.0});
+}
+
+void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
+                       const std::vector<SessionPlan>& plans) {
+  frozen["dummy-report/answers.csv"] = to_csv(dummy_answers(manifest, plans));
+  frozen[hashes_path] = hashes_text(frozen);
+}
+
+std::vector<std::string> frozen_differences(const fs::path& bundle, const Manifest& manifest,
+                                            const fs::path& made) {
+  ZipFiles then = read_frozen(bundle);
+  ZipFiles now = described(manifest, plan_sessions(manifest));
+  std::vector<std::string> differences;
+  compare_designs(then["design.json"], now["design.json"], differences);
+  compare_tables("plans of participants", then["plans.csv"], now["plans.csv"], differences);
+  compare_tables("scales", then["scales.csv"], now["scales.csv"], differences);
+  if (then["analysis-plan.txt"] != now["analysis-plan.txt"])
+    differences.push_back("analysis: the plan reads otherwise");
+  compare_tables("inputs", then["inputs.csv"], now["inputs.csv"], differences);
+  if (made.empty()) {
+    differences.push_back("stimuli: were not looked at, as the study's folder was not given");
+  } else {
+    compare_tables("stimuli", then["stimuli.csv"], stimuli_csv(manifest, made), differences);
+  }
+  return differences;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/production/archive/zip_archive.h"
+#include "pipeline/study/questionnaire/session_plan.h"
+
+namespace mien::pipeline {
+
+/// What a questionnaire is at one moment, to be kept where nobody can change it before the answers
+/// are there:
+///
+///     README.txt           what this is
+///     design.json          study, hash of the design, participants, expected duration, analysis
+///     plans.csv            every trial of every participant
+///     balance.csv          how evenly
+///     scales.csv           what is asked, with both ends
+///     analysis-plan.txt    in the words of the manifest
+///     stimuli.csv          stimulus,media,sha256 of all that is shown
+///     inputs/…             the manifest and the texts, scales, recipes and sets it names
+///     inputs.csv           hashes of these and of the motions that they name
+///     dummy-report/…       what the report makes of simulated answers
+///     manifest-sha256.txt  of all of these
+///
+/// No dates: the same study gives the same bytes. `made` is the folder that the study was made in;
+/// throws Error when a stimulus's media is not there.
+ZipFiles frozen_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                       const std::filesystem::path& made);
+
+/// Adds all files below a folder, as `prefix`/…, to what is frozen; the list of hashes is made
+/// anew. Throws Error for what is no file or folder.
+void add_folder(ZipFiles& frozen, const std::filesystem::path& folder, const std::string& prefix);
+
+/// Answers that nobody gave, in truth all alike, of people who pass every check.
+std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
+                                     const std::vector<SessionPlan>& plans);
+
+/// Adds the dummy answers (dummy-report/answers.csv), so that what will be done with answers can be
+/// tried before there are any.
+void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
+                       const std::vector<SessionPlan>& plans);
+
+/// The same study as it is now against a bundle: a sentence for each difference, that begins with
+/// what differs (design, texts, scales, analysis, stimuli, inputs). Empty when what was run is what
+/// was frozen. Without a folder `made`, the media are not looked at, and a sentence says so.
+///
+/// Throws Error for what is no such bundle, or one that was changed by hand.
+std::vector<std::string> frozen_differences(const std::filesystem::path& bundle,
+                                            const Manifest& manifest,
+                                            const std::filesystem::path& made = {});
+
+}  // namespace mien::pipeline

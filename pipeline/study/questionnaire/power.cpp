@@ -1,0 +1,261 @@
+#include "pipeline/study/questionnaire/power.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/math/distributions/non_central_t.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <fmt/format.h>
+
+#include "motion/math/random_number.h"
+#include "motion/text/excerpt.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/trial_subjects.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr double two_pi = 6.28318530717958647692;
+
+/// The n-th normal number of a stream (Box and Muller 1958).
+double normal_number(std::uint64_t stream, std::uint64_t n) {
+  const double radius = motion::open_unit_number(motion::random_bits(stream, 2 * n));
+  const double angle = motion::open_unit_number(motion::random_bits(stream, 2 * n + 1));
+  return std::sqrt(-2.0 * std::log(radius)) * std::cos(two_pi * angle);
+}
+
+double critical_t(std::size_t pairs, double alpha) {
+  return quantile(complement(boost::math::students_t(static_cast<double>(pairs - 1)), alpha / 2.0));
+}
+
+/// Sums over the differences of a study's participants so far.
+struct RunningTest {
+  std::size_t count = 0;
+  double sum = 0.0;
+  double squares = 0.0;
+
+  void add(double difference) {
+    ++count;
+    sum += difference;
+    squares += difference * difference;
+  }
+
+  /// Whether the test tells the mean from −shift.
+  bool is_found(double shift, const std::vector<double>& critical) const {
+    if (count < 2) return false;
+    const auto n = static_cast<double>(count);
+    const double variance = std::max(0.0, (squares - sum * sum / n) / (n - 1.0));
+    return std::abs(sum / n + shift) > critical[count] * std::sqrt(variance / n);
+  }
+};
+
+/// Simulates studies of up to so many participants; each number of them is a study too.
+class PowerSimulation {
+ public:
+  PowerSimulation(const Manifest& manifest, const PowerQuestion& question, int participants)
+      : question_(question),
+        subjects_(trial_subjects(manifest)),
+        shares_(shares(manifest, subjects_, static_cast<std::size_t>(participants))),
+        critical_{0.0, 0.0} {
+    const auto count = static_cast<std::size_t>(participants);
+    for (std::size_t pairs = 2; pairs <= count; ++pairs)
+      critical_.push_back(critical_t(pairs, question.alpha));
+    found.assign(count + 1, 0);
+    alarms.assign(count + 1, 0);
+    usable.assign(count + 1, 0.0);
+    side_.assign(subjects_.size(), 0);
+    if (!question.factor.empty()) take_levels(manifest);
+  }
+
+  void run() {
+    for (int study = 0; study < question_.studies; ++study) run_study(study);
+  }
+
+  // Of studies of so many participants.
+  std::vector<int> found;
+  std::vector<int> alarms;
+  std::vector<double> usable;  ///< participants who saw both, summed over the studies
+
+ private:
+  void take_levels(const Manifest& manifest) {
+    for (std::size_t i = 0; i < subjects_.size(); ++i) {
+      const std::string level = level_of(manifest, subjects_.stimuli[i][0], question_.factor);
+      side_[i] = level == question_.level ? 1 : level == question_.other_level ? -1 : 0;
+    }
+  }
+
+  void run_study(int study) {
+    stream_ =
+        motion::random_bits(seed_of(question_.seed, "power"), static_cast<std::uint64_t>(study));
+    if (question_.factor.empty()) choose_two();
+    RunningTest test;
+    for (std::size_t person = 0; person < shares_.size(); ++person) {
+      add_person(person, test);
+      found[person + 1] += test.is_found(question_.difference, critical_);
+      alarms[person + 1] += test.is_found(0.0, critical_);
+      usable[person + 1] += static_cast<double>(test.count);
+    }
+  }
+
+  void choose_two() {
+    std::ranges::fill(side_, 0);
+    const std::size_t one = random_choice(side_.size(), stream_, "one");
+    const std::size_t other = random_choice(side_.size() - 1, stream_, "other");
+    side_[one] = 1;
+    side_[other + (other >= one)] = -1;
+  }
+
+  /// The difference without the true one, if the participant saw both. What he adds to all of his
+  /// answers is no part of it.
+  void add_person(std::size_t person, RunningTest& test) const {
+    double sums[2] = {0.0, 0.0};
+    int counts[2] = {0, 0};
+    for (const std::size_t subject : shares_[person]) {
+      if (side_[subject] == 0) continue;
+      const int which = side_[subject] > 0;
+      sums[which] += question_.spread.residual * normal_number(stream_, number_of(person, subject));
+      if (!question_.factor.empty())
+        sums[which] += question_.spread.stimulus * normal_number(~stream_, subject);
+      ++counts[which];
+    }
+    if (counts[0] > 0 && counts[1] > 0) test.add(sums[1] / counts[1] - sums[0] / counts[0]);
+  }
+
+  std::uint64_t number_of(std::size_t person, std::size_t subject) const {
+    return static_cast<std::uint64_t>(person) * subjects_.size() + subject;
+  }
+
+  const PowerQuestion& question_;
+  TrialSubjects subjects_;
+  std::vector<std::vector<std::size_t>> shares_;
+  std::vector<double> critical_;  ///< t by number of differences
+  std::vector<int> side_;         ///< of each subject: 1, −1, or 0 when it is not compared
+  std::uint64_t stream_ = 0;
+};
+
+/// The least number of participants with which `is_enough`; 0 for none.
+template <class Enough>
+int least_number(const std::vector<int>& found, int studies, Enough&& is_enough) {
+  for (std::size_t n = 2; n < found.size(); ++n) {
+    if (is_enough(simulated_share(found[n], studies))) return static_cast<int>(n);
+  }
+  return 0;
+}
+
+void check_level(const std::vector<std::string>& levels, const PowerQuestion& question,
+                 const std::string& level) {
+  if (std::ranges::find(levels, level) != levels.end()) return;
+  throw Error(fmt::format("no stimulus that is asked about has {}: {}", question.factor, level),
+              motion::did_you_mean(level, levels));
+}
+
+void check(const Manifest& manifest, const PowerQuestion& question) {
+  const TrialSubjects subjects = trial_subjects(manifest);
+  if (questionnaire_of(manifest).trials == TrialForm::pair)
+    throw Error("power is estimated of ratings, and this questionnaire asks about pairs",
+                "leave --power out");
+  if (subjects_per_participant(manifest, subjects) < 2)
+    throw Error("nobody sees two stimuli, which a paired test takes",
+                "show each participant more of them");
+  if (question.factor.empty()) return;
+  const std::vector<std::string> factors = factors_of(manifest);
+  if (std::ranges::find(factors, question.factor) == factors.end())
+    throw Error(fmt::format("the stimuli have no factor {}", motion::in_quotes(question.factor)),
+                factors.empty() ? "give them factors: {…}"
+                                : motion::did_you_mean(question.factor, factors));
+  std::vector<std::string> levels;
+  for (const std::vector<std::string>& stimuli : subjects.stimuli)
+    levels.push_back(level_of(manifest, stimuli[0], question.factor));
+  std::erase(levels, "");
+  check_level(levels, question, question.level);
+  check_level(levels, question, question.other_level);
+}
+
+std::string number_or_more(int number, int most) {
+  return number == 0 ? fmt::format("more than {}", most) : std::to_string(number);
+}
+
+}  // namespace
+
+SimulatedShare simulated_share(int successes, int trials) {
+  constexpr double z = 1.959963984540054;
+  const double n = trials, p = successes / n;
+  const double middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double half = z / (1.0 + z * z / n) * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
+  return {p, std::max(0.0, middle - half), std::min(1.0, middle + half)};
+}
+
+PowerEstimate estimate_power(const Manifest& manifest, const PowerQuestion& question) {
+  check(manifest, question);
+  const int planned = questionnaire_of(manifest).participants;
+  const auto is_wanted = [&](const SimulatedShare& share) { return share.low >= question.wanted; };
+  for (int horizon = std::max(64, planned);; horizon *= 2) {
+    const int most = std::max(planned, std::min(horizon, question.most_participants));
+    PowerSimulation simulation(manifest, question, most);
+    simulation.run();
+    const auto least = [&](auto&& is_enough) {
+      return least_number(simulation.found, question.studies, is_enough);
+    };
+    const int high = least(is_wanted);
+    if (high == 0 && most < question.most_participants) continue;
+    const auto at = static_cast<std::size_t>(planned);
+    return {.participants = planned,
+            .power = simulated_share(simulation.found[at], question.studies),
+            .false_alarms = simulated_share(simulation.alarms[at], question.studies),
+            .usable = simulation.usable[at] / question.studies,
+            .needed = least([&](const auto& share) { return share.share >= question.wanted; }),
+            .needed_low = least([&](const auto& share) { return share.high >= question.wanted; }),
+            .needed_high = high};
+  }
+}
+
+double paired_t_power(int pairs, double mean, double deviation, double alpha) {
+  const double critical = critical_t(static_cast<std::size_t>(pairs), alpha);
+  const boost::math::non_central_t test(pairs - 1.0, mean / deviation * std::sqrt(pairs));
+  return cdf(complement(test, critical)) + cdf(test, -critical);
+}
+
+bool is_test_misled(const PowerQuestion& question, const PowerEstimate& estimate) {
+  return !question.factor.empty() && question.spread.stimulus > 0.0 &&
+         estimate.false_alarms.low > question.alpha;
+}
+
+std::vector<std::string> power_sentences(const PowerQuestion& question,
+                                         const PowerEstimate& estimate) {
+  const RatingSpread& spread = question.spread;
+  const std::string compared =
+      question.factor.empty()
+          ? "two stimuli"
+          : fmt::format("{} {} and {}", question.factor, question.level, question.other_level);
+  const auto percent = [](const SimulatedShare& share) {
+    return fmt::format("{:.1f} % ({:.1f} to {:.1f} %)", 100.0 * share.share, 100.0 * share.low,
+                       100.0 * share.high);
+  };
+  return {
+      fmt::format("Standard deviations: {:.2f} of participants, {:.2f} of stimuli, {:.2f} left.",
+                  spread.participant, spread.stimulus, spread.residual),
+      fmt::format("A difference of {:g} points between {} is found (paired t test, level {:g}) by "
+                  "{} of {} simulated studies with the {} participants planned, of whom {:.1f} see "
+                  "both.",
+                  question.difference, compared, question.alpha, percent(estimate.power),
+                  question.studies, estimate.participants, estimate.usable),
+      fmt::format("Where there is no difference, {} find one.", percent(estimate.false_alarms)),
+      is_test_misled(question, estimate)
+          ? fmt::format(
+                "No number of participants is told: a test over participants takes it for a "
+                "difference of the levels when these stimuli alone differ, and finds it more often "
+                "with every participant. Ask for more stimuli of each level, compare with a model "
+                "that has the stimuli as a random effect (analysis/lme4.R of the report), or "
+                "estimate for these very stimuli: --spread {:g},0,{:g}.",
+                spread.participant, spread.residual)
+          : fmt::format("Found by {:g} %: with {} participants (simulation's interval {} to {}).",
+                        100.0 * question.wanted,
+                        number_or_more(estimate.needed, question.most_participants),
+                        number_or_more(estimate.needed_low, question.most_participants),
+                        number_or_more(estimate.needed_high, question.most_participants))};
+}
+
+}  // namespace mien::pipeline

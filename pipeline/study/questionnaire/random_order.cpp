@@ -1,0 +1,36 @@
+#include "pipeline/study/questionnaire/random_order.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+#include "motion/math/random_number.h"
+
+namespace mien::pipeline {
+
+std::uint64_t seed_of(std::uint64_t seed, std::string_view name) {
+  std::uint64_t hash = motion::random_bits(seed, 0);
+  for (const unsigned char letter : name) hash = motion::random_bits(hash ^ letter, 1);
+  return hash;
+}
+
+std::size_t random_choice(std::size_t count, std::uint64_t seed, std::string_view name,
+                          std::uint64_t index) {
+  assert(count > 0);
+  // The high part of the product (Lemire 2019); what it prefers some numbers by is below 2⁻³².
+  const std::uint64_t bits = motion::random_bits(seed_of(seed, name), index) >> 32U;
+  return static_cast<std::size_t>((bits * count) >> 32U);
+}
+
+std::vector<std::size_t> random_order(std::size_t count, std::uint64_t seed,
+                                      std::string_view name) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // Fisher and Yates 1938, from the end.
+  for (std::size_t left = count; left > 1; --left)
+    std::swap(order[left - 1], order[random_choice(left, seed, name, left)]);
+  return order;
+}
+
+}  // namespace mien::pipeline

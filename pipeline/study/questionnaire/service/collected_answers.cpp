@@ -1,0 +1,132 @@
+#include "pipeline/study/questionnaire/service/collected_answers.h"
+
+#include <algorithm>
+#include <map>
+
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/study/questionnaire/service/matching_rows.h"
+#include "pipeline/study/questionnaire/service/record_check.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// The records of each session, in order.
+std::map<int, std::vector<StoredRecord>> records_by_session(const StudySessions& sessions) {
+  std::map<int, std::vector<StoredRecord>> records;
+  for (StoredRecord& record : sessions.store().records())
+    records[record.session].push_back(std::move(record));
+  return records;
+}
+
+PageRecord parsed(const StoredRecord& stored) {
+  return read_record(nlohmann::json::parse(stored.content));
+}
+
+std::vector<MatchedTrial> matched_trials(const ServedStudy& study, const StudySessions& sessions) {
+  std::vector<MatchedTrial> trials;
+  if (!study.facts.matching) return trials;
+  std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
+  for (const SessionState& state : sessions.states()) {
+    const SessionPlan plan = sessions.plan_of(state.session);
+    for (const StoredRecord& stored : records[state.session.index]) {
+      PageRecord record = parsed(stored);
+      const Trial* trial = trial_of(plan, stored.name);
+      if (trial == nullptr || !record.matching) continue;
+      trials.push_back({.participant = plan.participant,
+                        .session = record.session,
+                        .design = study.facts.design,
+                        .trial = *trial,
+                        .match = std::move(*record.matching),
+                        .limit_s = study.facts.matching->limit_s,
+                        .threshold_m = study.facts.matching->threshold_m});
+    }
+  }
+  return trials;
+}
+
+}  // namespace
+
+std::string trials_csv(const ServedStudy& study, const StudySessions& sessions) {
+  return matching_trials_csv(matched_trials(study, sessions));
+}
+
+std::string changes_csv(const ServedStudy& study, const StudySessions& sessions) {
+  return matching_changes_csv(matched_trials(study, sessions));
+}
+
+std::string answers_csv(const ServedStudy& study, const StudySessions& sessions) {
+  std::vector<AnswerRow> rows;
+  std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
+  for (const SessionState& state : sessions.states()) {
+    const SessionPlan plan = sessions.plan_of(state.session);
+    for (const StoredRecord& stored : records[state.session.index]) {
+      const Trial* trial = trial_of(plan, stored.name);
+      if (trial == nullptr) continue;
+      std::vector<AnswerRow> more = rows_of(study.facts, plan, *trial, parsed(stored));
+      rows.insert(rows.end(), std::make_move_iterator(more.begin()),
+                  std::make_move_iterator(more.end()));
+    }
+  }
+  return to_csv(rows);
+}
+
+std::string participants_csv(const ServedStudy& study, const StudySessions& sessions) {
+  std::vector<std::string> header = {"participant", "session", "design", "consented_at",
+                                     "finished"};
+  for (const AskedQuestion& question : study.facts.questions) header.push_back(question.id);
+  CsvWriter table(header);
+  std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
+  for (const SessionState& state : sessions.states()) {
+    const std::vector<StoredRecord>& own = records[state.session.index];
+    if (own.empty() || state.has_refused) continue;
+    std::vector<std::string> row = {state.session.participant, parsed(own.front()).session,
+                                    study.facts.design, own.front().kept_at,
+                                    state.has_finished() ? "1" : "0"};
+    const auto told = std::ranges::find(own, demographics_record, &StoredRecord::name);
+    const PageRecord answers = told == own.end() ? PageRecord() : parsed(*told);
+    for (const AskedQuestion& question : study.facts.questions) {
+      const auto found = std::ranges::find(answers.responses, question.id, &GivenResponse::item);
+      row.push_back(found == answers.responses.end() ? "" : found->value_raw);
+    }
+    table.row(row);
+  }
+  return table.text();
+}
+
+std::string answers_json(const ServedStudy& study, const StudySessions& sessions) {
+  std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const SessionState& state : sessions.states()) {
+    const auto plan = static_cast<std::size_t>(state.session.plan);
+    const nlohmann::ordered_json& session = study.experiment.at("sessions").at(plan);
+    nlohmann::ordered_json given = nlohmann::ordered_json::array();
+    for (const StoredRecord& stored : records[state.session.index]) {
+      nlohmann::ordered_json record = nlohmann::ordered_json::parse(stored.content);
+      record["kept_at"] = stored.kept_at;
+      given.push_back(std::move(record));
+    }
+    list.push_back({{"participant", state.session.participant},
+                    {"seed", session.at("seed")},
+                    {"came_by", state.session.came_by},
+                    {"begun_at", state.session.begun_at},
+                    {"finished", state.has_finished()},
+                    {"trials", session.at("trials")},
+                    {"records", std::move(given)}});
+  }
+  const nlohmann::ordered_json all = {{"format", "mien-answers-1"},
+                                      {"study", study.experiment.at("study")},
+                                      {"design", study.facts.design},
+                                      {"stimuli", study.experiment.at("stimuli")},
+                                      {"sessions", std::move(list)}};
+  return all.dump(1) + "\n";
+}
+
+std::string links_csv(const StudySessions& sessions, const std::string& base) {
+  CsvWriter table({"participant", "link"});
+  for (const SessionState& state : sessions.states())
+    table.row({state.session.participant, base + "/s/" + state.session.link + "/"});
+  return table.text();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,110 @@
+#include "pipeline/study/questionnaire/service/lab_page.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "pipeline/study/questionnaire/service/collected_answers.h"
+
+#include "embedded/lab_css.h"
+#include "embedded/lab_html.h"
+#include "embedded/lab_js.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string state_word(const SessionState& state, std::int64_t now) {
+  if (state.has_refused) return "refused";
+  if (state.has_finished()) return "done";
+  if (state.kept == 0) return state.last_seen == 0 ? "waiting" : "opened";
+  return state.is_here(now) ? "here" : "away";
+}
+
+nlohmann::ordered_json status_of(const SessionState& state, std::int64_t now) {
+  nlohmann::ordered_json last = nullptr;
+  if (state.last_seen != 0) last = std::max<std::int64_t>(0, now - state.last_seen);
+  return {{"participant", state.session.participant},
+          {"link", "/s/" + state.session.link + "/"},
+          {"state", state_word(state, now)},
+          {"came_by", state.session.came_by},
+          {"kept", state.kept},
+          {"records", state.names.size()},
+          {"next", state.has_finished() || state.has_refused ? "" : state.names[state.kept]},
+          {"seen_seconds_ago", last}};
+}
+
+/// Ends of a scale, as participants see them.
+void add_poles(nlohmann::ordered_json& histogram, const ServedStudy& study) {
+  const auto& items = study.experiment.at("items");
+  const auto item = items.find(histogram.at("item").get<std::string>());
+  if (item == items.end() || histogram.at("is_pair")) return;
+  histogram["low"] = item->value("low", "");
+  histogram["high"] = item->value("high", "");
+}
+
+nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions& sessions,
+                                  const std::string& trouble, std::int64_t now) {
+  nlohmann::ordered_json participants = nlohmann::ordered_json::array();
+  for (const SessionState& state : sessions.states()) participants.push_back(status_of(state, now));
+  nlohmann::ordered_json histograms = sessions.histograms();
+  for (nlohmann::ordered_json& histogram : histograms) add_poles(histogram, study);
+  return {{"study", study.experiment.at("study")},
+          {"title", study.experiment.at("title")},
+          {"design", study.facts.design},
+          {"is_matching", study.facts.matching.has_value()},
+          {"trouble", trouble},
+          {"planned", study.plans.size()},
+          {"join", "/join/" + sessions.join_link() + "/"},
+          {"participants", std::move(participants)},
+          {"checks", sessions.checks()},
+          {"histograms", std::move(histograms)}};
+}
+
+HttpResponse saved_as(const std::string& name, const std::string& type, std::string text) {
+  HttpResponse response{.type = type, .body = std::move(text)};
+  response.headers["Content-Disposition"] = "attachment; filename=\"" + name + "\"";
+  return response;
+}
+
+/// Where the browser has found the server.
+std::string base_of(const HttpRequest& request) {
+  const auto host = request.headers.find("host");
+  if (host == request.headers.end()) return {};
+  const bool is_plain = std::ranges::all_of(host->second, [](unsigned char one) {
+    return std::isalnum(one) != 0 || one == '.' || one == ':' || one == '-' || one == '[' ||
+           one == ']';
+  });
+  return is_plain ? "http://" + host->second : std::string();
+}
+
+}  // namespace
+
+std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedStudy& study,
+                                       const StudySessions& sessions, const std::string& trouble,
+                                       std::int64_t now) {
+  const std::string& name = request.path.at(2);
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  const std::string csv = "text/csv; charset=utf-8";
+  const std::string file = study.experiment.at("study").get<std::string>() + "-" + name;
+  if (name.empty())
+    return HttpResponse{.type = "text/html; charset=utf-8", .body = embedded_lab_html};
+  if (name == "lab.css")
+    return HttpResponse{.type = "text/css; charset=utf-8", .body = embedded_lab_css};
+  if (name == "lab.js")
+    return HttpResponse{.type = "text/javascript; charset=utf-8", .body = embedded_lab_js};
+  if (name == "status.json")
+    return http_json(lab_status(study, sessions, trouble, now).dump(-1, ' ', false, replace));
+  if (study.facts.matching && name == "trials.csv")
+    return saved_as(file, csv, trials_csv(study, sessions));
+  if (study.facts.matching && name == "changes.csv")
+    return saved_as(file, csv, changes_csv(study, sessions));
+  if (!study.facts.matching && name == "answers.csv")
+    return saved_as(file, csv, answers_csv(study, sessions));
+  if (name == "participants.csv") return saved_as(file, csv, participants_csv(study, sessions));
+  if (name == "links.csv") return saved_as(file, csv, links_csv(sessions, base_of(request)));
+  if (name == "answers.json")
+    return saved_as(file, "application/json; charset=utf-8", answers_json(study, sessions));
+  return std::nullopt;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/study/questionnaire/service/record.h"
+
+namespace mien::pipeline {
+
+/// Counts of the answers that have come so far, for the experimenter to look at. What is not
+/// analysed (practice, warm-up, checks) is not counted.
+class LiveResults {
+ public:
+  explicit LiveResults(const AskedFacts& facts) : facts_(facts) {}
+
+  void add(const std::vector<AnswerRow>& rows);
+
+  /// [{"item": …, "is_pair": false, "answers": 12, "mean": 0.5 or null, "bins": [{"label": "-2",
+  /// "count": 3}, …]}, …]
+  nlohmann::ordered_json histograms() const;
+
+  /// {"passed": 3, "failed": 1}
+  nlohmann::ordered_json checks() const;
+
+ private:
+  struct Tally {
+    int answers = 0;
+    bool is_measured = false;  ///< answers are numbers, and have a mean
+    double sum = 0.0;
+    std::vector<std::string> labels;
+    std::vector<int> counts;
+  };
+
+  Tally& tally_of(const AnswerRow& row);
+  static void count(Tally& tally, const std::string& label);
+
+  const AskedFacts& facts_;
+  std::map<std::pair<std::string, bool>, Tally> tallies_;  ///< by item, and whether of pairs
+  int passed_ = 0;
+  int failed_ = 0;
+};
+
+}  // namespace mien::pipeline

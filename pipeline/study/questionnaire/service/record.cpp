@@ -1,0 +1,203 @@
+#include "pipeline/study/questionnaire/service/record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "pipeline/study/questionnaire/service/record_reader.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+GivenResponse read_response(const nlohmann::json& text) {
+  RecordReader reader(text, "a response");
+  GivenResponse response;
+  response.item = reader.text("item", longest_name * 4);
+  const nlohmann::json& raw = reader.needed("value_raw");
+  if (raw.is_string()) {
+    response.value_raw = reader.text("value_raw", longest_comment);
+  } else if (raw.is_number() && std::isfinite(raw.get<double>())) {
+    response.is_number = true;
+    response.value_raw = shortest(raw.get<double>());
+  } else {
+    throw RecordFault("\"value_raw\" is neither a number nor a text");
+  }
+  response.rt_ms = reader.amount("rt_ms", longest_ms);
+  reader.finish();
+  return response;
+}
+
+std::vector<std::string> read_hashes(const nlohmann::json* list) {
+  std::vector<std::string> hashes;
+  if (list == nullptr) return hashes;
+  if (!list->is_array() || list->size() > 3)
+    throw RecordFault("\"media_sha256\" is no list of at most three");
+  for (const nlohmann::json& one : *list) {
+    if (!one.is_string() || one.get_ref<const std::string&>().size() > 64)
+      throw RecordFault("\"media_sha256\" holds no hash");
+    hashes.push_back(one.get<std::string>());
+  }
+  return hashes;
+}
+
+/// What a table cannot hold is a space there.
+std::string table_text(std::string text) {
+  for (char& character : text) {
+    const auto code = static_cast<unsigned char>(character);
+    if ((code < 0x20 && character != '\n' && character != '\t') || code == 0x7f) character = ' ';
+  }
+  return text;
+}
+
+const std::string& hash_at(const std::map<std::string, std::string>& hashes,
+                           const std::string& stimulus) {
+  static const std::string none;
+  const auto found = hashes.find(stimulus);
+  return found == hashes.end() ? none : found->second;
+}
+
+AnswerRow row_of_trial(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
+                       const PageRecord& record) {
+  AnswerRow row;
+  row.participant = plan.participant;
+  row.session = record.session;
+  row.trial = trial.number;
+  row.block = trial.block;
+  row.kind = word_of(trial_kind_words, trial.kind);
+  if (!trial.stimuli.empty()) row.stimulus = trial.stimuli.front();
+  row.stimulus_sha256 = hash_at(facts.sha256, row.stimulus);
+  row.against = trial.kind == TrialKind::pair && trial.stimuli.size() > 1 ? trial.stimuli[1]
+                                                                          : trial.reference;
+  row.is_practice = trial.practice;
+  row.is_warmup = trial.warm_up;
+  row.is_catch = trial.is_catch || trial.kind == TrialKind::attention;
+  row.expected = trial.expected;
+  row.replays = record.replays;
+  row.trial_ms = record.trial_ms;
+  row.play_start_ms = record.play_start_ms;
+  row.ended_ms = record.ended_ms;
+  row.stalls = record.stalls;
+  row.stall_ms = record.stall_ms;
+  row.dropped_frames = record.dropped_frames;
+  row.blurs = record.blurs;
+  row.viewport_width = record.viewport_width;
+  row.viewport_height = record.viewport_height;
+  row.refresh_hz = record.refresh_hz;
+  row.seed = plan.seed;
+  row.design = facts.design;
+  row.simulated = facts.simulated;
+  return row;
+}
+
+void add_response(const AskedFacts& facts, const Trial& trial, const GivenResponse& response,
+                  AnswerRow& row) {
+  row.item = response.item;
+  row.value_raw = table_text(response.value_raw);
+  row.value = row.value_raw;
+  row.rt_ms = response.rt_ms;
+  if (!trial.expected.empty()) row.passed = response.value_raw == trial.expected;
+  if (trial.kind == TrialKind::pair) {
+    row.value = response.value_raw == "left" ? row.stimulus : row.against;
+    return;
+  }
+  const auto scale = facts.scales.find(response.item);
+  if (trial.kind != TrialKind::rating || scale == facts.scales.end() || scale->second.words) return;
+  const auto asked = std::ranges::find(trial.items, response.item, &AskedItem::item);
+  const bool flipped = asked != trial.items.end() && asked->flipped;
+  row.pole_left = flipped ? "high" : "low";
+  if (response.is_number)
+    row.value =
+        shortest(value_of(scale->second, flipped, std::strtod(row.value_raw.c_str(), nullptr)));
+}
+
+}  // namespace
+
+AskedFacts asked_facts(const nlohmann::ordered_json& experiment) {
+  AskedFacts facts;
+  facts.design = experiment.at("design");
+  facts.simulated = experiment.value("simulated", false);
+  for (const auto& [id, item] : experiment.at("items").items()) {
+    facts.scales[id] = {.points = item.at("points"),
+                        .slider = item.value("slider", false),
+                        .words = item.value("words", false),
+                        .least = item.at("least"),
+                        .most = item.at("most")};
+  }
+  if (const auto choices = experiment.find("choices"); choices != experiment.end()) {
+    for (const auto& [id, shown] : choices->items()) facts.choices.push_back(id);
+  }
+  if (const auto matching = experiment.find("matching"); matching != experiment.end())
+    facts.matching = matching_facts(*matching);
+  for (const auto& question : experiment.at("demographics")) {
+    AskedQuestion asked{.id = question.at("id"), .required = question.value("required", false)};
+    const auto& answer = question.at("answer");
+    if (answer.is_array()) asked.choices = answer.get<std::vector<std::string>>();
+    asked.is_number = answer == "number";
+    facts.questions.push_back(asked);
+  }
+  const auto& media = experiment.at("media");
+  for (const auto& [token, stimulus] : experiment.at("stimuli").items())
+    facts.sha256[stimulus.get<std::string>()] = media.at(token).at("sha256");
+  return facts;
+}
+
+PageRecord read_record(const nlohmann::json& text) {
+  RecordReader reader(text, "the record");
+  PageRecord record;
+  record.name = reader.name("record");
+  record.session = reader.name("session");
+  const nlohmann::json& responses = reader.needed("responses");
+  if (!responses.is_array()) throw RecordFault("\"responses\" is no list");
+  for (const nlohmann::json& response : responses)
+    record.responses.push_back(read_response(response));
+  record.comment = reader.text("comment", longest_comment);
+  record.started_at = reader.text("started_at", longest_name);
+  record.replays = reader.count("replays");
+  record.trial_ms = reader.amount("trial_ms", longest_ms);
+  record.play_start_ms = reader.amount("play_start_ms", longest_ms);
+  record.ended_ms = reader.amount("ended_ms", longest_ms);
+  record.stalls = reader.count("stalls");
+  record.stall_ms = reader.amount("stall_ms", longest_ms);
+  record.dropped_frames = reader.count("dropped_frames");
+  record.blurs = reader.count("blurs");
+  record.viewport_width = reader.count("viewport_width");
+  record.viewport_height = reader.count("viewport_height");
+  record.refresh_hz = reader.amount("refresh_hz", 10'000);
+  record.media_sha256 = read_hashes(reader.find("media_sha256"));
+  if (const nlohmann::json* matching = reader.find("matching"))
+    record.matching = read_matching_record(*matching);
+  reader.finish();
+  return record;
+}
+
+std::vector<std::string> record_names(const SessionPlan& plan, const AskedFacts& facts) {
+  std::vector<std::string> names = {"consent"};
+  if (!facts.questions.empty()) names.push_back("demographics");
+  for (const Trial& trial : plan.trials) names.push_back(fmt::format("trial-{}", trial.number));
+  names.push_back("ending");
+  return names;
+}
+
+std::vector<AnswerRow> rows_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
+                               const PageRecord& record) {
+  std::vector<AnswerRow> rows;
+  for (const GivenResponse& response : record.responses) {
+    AnswerRow row = row_of_trial(facts, plan, trial, record);
+    add_response(facts, trial, response, row);
+    if (rows.empty()) row.comment = table_text(record.comment);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+double value_of(const AskedScale& scale, bool flipped, double raw) {
+  const double share = scale.slider ? raw / 100 : (raw - 1) / (scale.points - 1);
+  const double value = scale.least + (flipped ? 1 - share : share) * (scale.most - scale.least);
+  return std::strtod(fmt::format("{:.6f}", value).c_str(), nullptr) + 0.0;
+}
+
+}  // namespace mien::pipeline

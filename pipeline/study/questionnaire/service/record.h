@@ -1,0 +1,90 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/study/questionnaire/service/matching_record.h"
+#include "pipeline/study/questionnaire/session_plan.h"
+
+namespace mien::pipeline {
+
+/// How an item is answered.
+struct AskedScale {
+  int points = 5;
+  bool slider = false;
+  bool words = false;
+  double least = -2.0;  ///< the answer that means the low pole
+  double most = 2.0;
+};
+
+/// A question about the participant.
+struct AskedQuestion {
+  std::string id;
+  bool is_number = false;
+  std::vector<std::string> choices;  ///< one of these; empty: a text, or a number
+  bool required = false;
+};
+
+/// What must be known of a questionnaire, beside its plans, to understand what is given in it.
+struct AskedFacts {
+  std::string design;  ///< hash
+  bool simulated = false;
+  std::map<std::string, AskedScale> scales;  ///< by item
+  std::vector<std::string> choices;          ///< of emotion trials: ids
+  std::vector<AskedQuestion> questions;
+  std::map<std::string, std::string> sha256;  ///< of the media, by stimulus
+  std::optional<MatchingFacts> matching;      ///< of a matching experiment
+};
+
+/// As experiment.json tells it, of all its sessions. Throws nlohmann::json::exception when that is
+/// something else.
+AskedFacts asked_facts(const nlohmann::ordered_json& experiment);
+
+/// An answer to one item.
+struct GivenResponse {
+  std::string item;
+  std::string value_raw;   ///< as text; of numbers the shortest
+  bool is_number = false;  ///< it was given as a number
+  std::optional<double> rt_ms;
+};
+
+/// What a page gave: of the consent, the demographics, a trial or the ending.
+struct PageRecord {
+  std::string name;     ///< "trial-7"
+  std::string session;  ///< random name of the browser session
+  std::vector<GivenResponse> responses;
+  std::string comment;
+  std::string started_at;  ///< ISO time by the participant's clock
+  std::optional<int> replays;
+  std::optional<double> trial_ms, play_start_ms, ended_ms;
+  std::optional<int> stalls;
+  std::optional<double> stall_ms;
+  std::optional<int> dropped_frames, blurs, viewport_width, viewport_height;
+  std::optional<double> refresh_hz;
+  std::vector<std::string> media_sha256;   ///< of what was shown, then of the reference
+  std::optional<MatchingRecord> matching;  ///< of a trial of matching
+};
+
+/// Throws RecordFault: members that are unknown, missing or of another kind, numbers out of any
+/// sense, texts that are too long.
+PageRecord read_record(const nlohmann::json& text);
+
+/// Names of a session's records in the order in which they are given: "consent", "demographics"
+/// (where something is asked), "trial-1", …, "ending".
+std::vector<std::string> record_names(const SessionPlan& plan, const AskedFacts& facts);
+
+/// One row a response of a trial, in the order of the responses. The record must have been checked
+/// (record_check.h). What would break lines or end texts in a table is a space there.
+std::vector<AnswerRow> rows_of(const AskedFacts& facts, const SessionPlan& plan, const Trial& trial,
+                               const PageRecord& record);
+
+/// A raw answer in the scale's own range, the high pole being the most.
+double value_of(const AskedScale& scale, bool flipped, double raw);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "pipeline/study/questionnaire/service/record.h"
+
+namespace mien::pipeline {
+
+/// Throws RecordFault when a record is not what its page in this session can give: another's items,
+/// items left out or given twice, values that cannot be chosen, media that was not shown.
+void check_record(const AskedFacts& facts, const SessionPlan& plan, const PageRecord& record);
+
+/// The trial of "trial-7", or nullptr.
+const Trial* trial_of(const SessionPlan& plan, const std::string& record_name);
+
+inline constexpr char consent_record[] = "consent";
+inline constexpr char demographics_record[] = "demographics";
+inline constexpr char ending_record[] = "ending";
+
+/// Whether a record of the consent says no.
+bool is_refusal(const PageRecord& record);
+
+}  // namespace mien::pipeline

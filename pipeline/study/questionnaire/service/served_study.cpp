@@ -1,0 +1,78 @@
+#include "pipeline/study/questionnaire/service/served_study.h"
+
+#include <set>
+
+#include "pipeline/study/questionnaire/experiment/experiment.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> tokens_of(const nlohmann::ordered_json& session) {
+  std::set<std::string> tokens;
+  for (const auto& trial : session.at("trials")) {
+    for (const auto& token : trial.at("media")) tokens.insert(token.get<std::string>());
+    tokens.insert(trial.value("reference", ""));
+  }
+  return tokens;
+}
+
+/// Of experiment.json, without media.
+nlohmann::ordered_json shared_part(const ServedStudy& study) {
+  nlohmann::ordered_json own;
+  for (const auto& [name, value] : study.experiment.items()) {
+    if (name != "sessions" && name != "media" && name != "stimuli") own[name] = value;
+  }
+  own["media"] = nlohmann::ordered_json::object();
+  return own;
+}
+
+}  // namespace
+
+ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                         const MediaFiles& media, const fs::path& pages) {
+  ServedStudy study{.experiment = experiment_json(manifest, plans, media),
+                    .plans = plans,
+                    .page = served_page(pages)};
+  for (const auto& [stimulus, file] : media) study.media[file.token] = {file.file, file.type};
+  study.facts = asked_facts(study.experiment);
+  return study;
+}
+
+Hash media_hash(const ServedStudy& study) {
+  std::string all;
+  for (const auto& [stimulus, sha256] : study.facts.sha256) all += stimulus + " " + sha256 + "\n";
+  return hash_of(all);
+}
+
+std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
+                         const GivenAlready& given) {
+  nlohmann::ordered_json own = shared_part(study);
+  nlohmann::ordered_json session =
+      study.experiment.at("sessions").at(static_cast<std::size_t>(plan));
+  session["participant"] = participant;
+  const std::set<std::string> tokens = tokens_of(session);
+  for (const auto& [token, media] : study.experiment.at("media").items()) {
+    if (!tokens.contains(token)) continue;
+    own["media"][token] = media;
+    own["media"][token]["file"] = "../../media/" + token;
+  }
+  own["sessions"] = nlohmann::ordered_json::array({std::move(session)});
+  own["kept"] = given.kept;
+  own["browser"] = given.browser;
+  own["refused"] = given.has_refused;
+  return own.dump();
+}
+
+std::string joining_json(const ServedStudy& study) {
+  nlohmann::ordered_json own = shared_part(study);
+  own["sessions"] = nlohmann::ordered_json::array(
+      {{{"participant", ""}, {"seed", "0"}, {"trials", nlohmann::ordered_json::array()}}});
+  own["kept"] = nlohmann::ordered_json::array();
+  own["joining"] = true;
+  return own.dump();
+}
+
+}  // namespace mien::pipeline

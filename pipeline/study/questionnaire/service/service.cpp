@@ -1,0 +1,263 @@
+#include "pipeline/study/questionnaire/service/service.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "motion/text/json_depth.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/html.h"
+#include "pipeline/study/questionnaire/service/lab_page.h"
+#include "pipeline/study/questionnaire/service/matching_distances.h"
+#include "pipeline/study/questionnaire/service/record_check.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+bool is_reading(const HttpRequest& request) {
+  return request.method == "GET" || request.method == "HEAD";
+}
+
+HttpResponse wrong_method(const std::string& allowed) {
+  HttpResponse response = http_refusal(405, "method", "this cannot be done here", allowed);
+  response.headers["Allow"] = allowed;
+  return response;
+}
+
+HttpResponse too_often() {
+  HttpResponse response =
+      http_refusal(429, "often", "too many requests", "wait a few seconds and ask again");
+  response.headers["Retry-After"] = "5";
+  return response;
+}
+
+HttpResponse redirect(int status, const std::string& where) {
+  HttpResponse response{
+      .status = status, .type = "text/plain; charset=utf-8", .body = where + "\n"};
+  response.headers["Location"] = where;
+  return response;
+}
+
+/// For people who open a link.
+HttpResponse message_page(int status, const std::string& english, const std::string& japanese) {
+  return {.status = status,
+          .type = "text/html; charset=utf-8",
+          .body = html_page("Questionnaire", "",
+                            "<p>" + html_escaped(english) + "</p><p lang=\"ja\">" +
+                                html_escaped(japanese) + "</p>")};
+}
+
+/// "application/json", with or without parameters.
+bool is_json(const HttpRequest& request) {
+  const auto type = request.headers.find("content-type");
+  if (type == request.headers.end()) return false;
+  std::string name = type->second.substr(0, type->second.find(';'));
+  while (!name.empty() && name.back() == ' ') name.pop_back();
+  return name == "application/json";
+}
+
+std::string json_text(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+/// Answers what `take` makes of the record that is posted under its name.
+HttpResponse with_record(
+    const HttpRequest& request,
+    const std::function<HttpResponse(const PageRecord&, const std::string&)>& take) {
+  if (!is_json(request))
+    return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
+  constexpr std::size_t deepest = 16;  // more than any record has
+  const nlohmann::json text = motion::is_nested_deeper(request.body, deepest)
+                                  ? nlohmann::json(nlohmann::json::value_t::discarded)
+                                  : nlohmann::json::parse(request.body, nullptr, false);
+  if (text.is_discarded())
+    return http_refusal(400, "malformed", "this is no JSON", "load the page again");
+  try {
+    const PageRecord record = read_record(text);
+    if (record.name != request.path.back()) throw RecordFault("the record is of another page");
+    return take(record, text.dump());
+  } catch (const RecordFault& fault) {
+    return http_refusal(400, "malformed", fault.what(), "load the page again");
+  }
+}
+
+}  // namespace
+
+QuestionnaireService::QuestionnaireService(const ServedStudy& study, SessionStore& store,
+                                           ServiceRates rates, ClockSeconds clock)
+    : study_(study),
+      clock_(clock),
+      sessions_(study, store, clock),
+      link_rate_(rates.link),
+      live_rate_(rates.live),
+      wrong_rate_(rates.wrong),
+      joining_rate_(rates.joining) {}
+
+std::string QuestionnaireService::trouble() const {
+  const std::lock_guard lock(trouble_mutex_);
+  return trouble_;
+}
+
+void QuestionnaireService::set_trouble(const std::string& trouble) {
+  const std::lock_guard lock(trouble_mutex_);
+  trouble_ = trouble;
+}
+
+HttpResponse QuestionnaireService::answer(const HttpRequest& request) {
+  try {
+    return answer_kind(request);
+  } catch (const WriteFailure& failure) {
+    set_trouble(failure.what());
+    return http_refusal(507, "full", "the answer could not be kept", "send it again in a while");
+  }
+}
+
+HttpResponse QuestionnaireService::answer_kind(const HttpRequest& request) {
+  const std::string& kind = request.path.front();
+  if (kind == "s") return answer_session(request);
+  if (kind == "media") return answer_media(request);
+  if (kind == "join") return answer_join(request);
+  if (kind == "lab") return answer_lab(request);
+  if (kind == "robots.txt" && request.path.size() == 1)
+    return {.body = "User-agent: *\nDisallow: /\n"};
+  return unknown(request);
+}
+
+/// Of those that ask for much that is not there, somebody is guessing.
+HttpResponse QuestionnaireService::unknown(const HttpRequest& request) {
+  if (!wrong_rate_.allows(request.address)) return too_often();
+  if (is_reading(request) && request.path.size() <= 3 && request.path.back().empty())
+    return message_page(404, "This link is not known here. Please ask the experimenter for yours.",
+                        "このリンクは登録されていません。実験者にお尋ねください。");
+  return http_refusal(404, "unknown", "there is nothing here", "check the address");
+}
+
+HttpResponse QuestionnaireService::answer_session(const HttpRequest& request) {
+  if (request.path.size() < 2) return unknown(request);
+  const std::optional<int> session = sessions_.find(request.path[1]);
+  if (!session) return unknown(request);
+  if (study_.live && request.path.size() == 4 && request.path[2] == "live")
+    return answer_live(request);
+  if (!link_rate_.allows(request.path[1])) return too_often();
+  if (request.path.size() == 4 && request.path[2] == "records")
+    return request.method == "POST" ? take_record(request, *session) : wrong_method("POST");
+  if (!is_reading(request)) return wrong_method("GET, HEAD");
+  return answer_own(request, *session);
+}
+
+HttpResponse QuestionnaireService::answer_own(const HttpRequest& request, int session) {
+  if (request.path.size() == 2) return redirect(308, "/s/" + request.path[1] + "/");
+  if (request.path.size() > 3) return unknown(request);
+  const std::string& name = request.path[2];
+  if (name == "session.json") {
+    sessions_.see(session);
+    const SessionState state = sessions_.state(session);
+    const auto kept_end = state.names.begin() + static_cast<std::ptrdiff_t>(state.kept);
+    return http_json(session_json(study_, state.session.plan, state.session.participant,
+                                  {.kept = {state.names.begin(), kept_end},
+                                   .browser = state.browser,
+                                   .has_refused = state.has_refused}));
+  }
+  const std::optional<HttpResponse> file = page_file(name);
+  return file ? *file : unknown(request);
+}
+
+HttpResponse QuestionnaireService::answer_live(const HttpRequest& request) {
+  if (!live_rate_.allows(request.path[1])) return too_often();
+  return study_.live->answer(request, std::span(request.path).subspan(3));
+}
+
+std::optional<HttpResponse> QuestionnaireService::page_file(const std::string& name) const {
+  const auto file = study_.page.find(name.empty() ? "index.html" : name);
+  if (file == study_.page.end()) return std::nullopt;
+  return HttpResponse{.type = file->second.type, .body = file->second.bytes};
+}
+
+HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int session) {
+  const SessionState state = sessions_.state(session);
+  const std::string& name = request.path[3];
+  if (std::ranges::find(state.names, name) == state.names.end())
+    return http_refusal(404, "unknown", "this session has no such page", "load the page again");
+  return with_record(request, [&](const PageRecord& record, const std::string& content) {
+    const SessionPlan plan = sessions_.plan_of(state.session);
+    check_record(study_.facts, plan, record);
+    if (record.matching)
+      check_distances(*study_.live, *trial_of(plan, record.name), *record.matching);
+    return keep_record(session, record, content);
+  });
+}
+
+HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& record,
+                                               const std::string& content) {
+  const GivenRecord given = sessions_.give(session, record, content);
+  if (!given.is_elsewhere) set_trouble("");
+  if (given.is_elsewhere)
+    return http_refusal(409, "elsewhere", "this session was begun in another browser",
+                        "go on there, or ask for another link");
+  if (given.has_refused)
+    return http_refusal(409, "refused", "the participant has not agreed", "nothing more is taken");
+  if (given.keeping == Keeping::other)
+    return http_refusal(409, "other", "another answer was kept before", "that one stays");
+  if (given.keeping == Keeping::out_of_order) {
+    HttpResponse refusal = http_json(json_text({{"error", "order"},
+                                                {"wrong", "something goes before it"},
+                                                {"remedy", "send what is due"},
+                                                {"next", given.next}}));
+    refusal.status = 409;
+    return refusal;
+  }
+  return http_json(json_text({{"kept", record.name}}));
+}
+
+HttpResponse QuestionnaireService::answer_media(const HttpRequest& request) const {
+  if (!is_reading(request)) return wrong_method("GET, HEAD");
+  const auto media =
+      request.path.size() == 2 ? study_.media.find(request.path[1]) : study_.media.end();
+  if (media == study_.media.end())
+    return http_refusal(404, "unknown", "there is nothing here", "check the address");
+  return http_file(request, media->second.file, media->second.type);
+}
+
+HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
+  const std::vector<std::string>& path = request.path;
+  if (path.size() < 2 || path[1] != sessions_.join_link()) return unknown(request);
+  if (path.size() == 4 && path[2] == "records" && path[3] == consent_record)
+    return request.method == "POST" ? take_joining(request) : wrong_method("POST");
+  if (!is_reading(request)) return wrong_method("GET, HEAD");
+  if (path.size() == 2) return redirect(308, "/join/" + path[1] + "/");
+  if (path.size() > 3) return unknown(request);
+  if (!link_rate_.allows("join " + request.address)) return too_often();
+  if (path[2] == "session.json") return http_json(joining_json(study_));
+  if (path[2].empty() && sessions_.has_enough())
+    return message_page(403, "Enough people have taken part. Thank you for coming.",
+                        "必要な人数が集まりました。お越しいただきありがとうございました。");
+  const std::optional<HttpResponse> file = page_file(path[2]);
+  return file ? *file : unknown(request);
+}
+
+/// Nothing is kept of whoever refuses here, nor of those who only look.
+HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
+  if (!joining_rate_.allows(request.address)) return too_often();
+  return with_record(request, [&](const PageRecord& consent, const std::string& content) {
+    check_record(study_.facts, study_.plans.front(), consent);
+    if (is_refusal(consent)) return http_json(json_text({{"kept", consent.name}}));
+    const std::optional<SessionState> joined = sessions_.join(consent, content);
+    if (!joined)
+      return http_refusal(409, "enough", "enough people have taken part", "nothing more is taken");
+    set_trouble("");
+    const std::string where = "../../s/" + joined->session.link + "/";
+    return http_json(json_text({{"kept", consent.name}, {"session", where}}));
+  });
+}
+
+HttpResponse QuestionnaireService::answer_lab(const HttpRequest& request) {
+  if (request.path.size() < 2 || request.path[1] != sessions_.lab_link()) return unknown(request);
+  if (!is_reading(request)) return wrong_method("GET, HEAD");
+  if (request.path.size() == 2) return redirect(308, "/lab/" + sessions_.lab_link() + "/");
+  std::optional<HttpResponse> answer;
+  if (request.path.size() == 3)
+    answer = lab_answer(request, study_, sessions_, trouble(), clock_());
+  return answer ? *answer : unknown(request);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,221 @@
+#include "pipeline/study/questionnaire/service/study_sessions.h"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+#include "pipeline/study/questionnaire/service/record_check.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Sessions for each planned one: what may come by the link of all.
+constexpr std::size_t most_sessions_a_plan = 4;
+
+constexpr char study_fact[] = "study";
+constexpr char design_fact[] = "design";
+constexpr char media_fact[] = "media";
+constexpr char lab_fact[] = "lab link";
+constexpr char join_fact[] = "join link";
+
+}  // namespace
+
+std::int64_t system_seconds() {
+  return std::chrono::duration_cast<std::chrono::seconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+std::string iso_time(std::int64_t seconds) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(seconds)));
+}
+
+StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, ClockSeconds clock)
+    : study_(study), store_(store), clock_(std::move(clock)), results_(study.facts) {
+  if (!store_.fact(design_fact)) begin();
+  const std::string name = study_.experiment.at("study");
+  if (store_.fact(study_fact) != name)
+    throw Error(
+        {store_.file().string()},
+        fmt::format("holds answers of the study {}", motion::in_quotes(*store_.fact(study_fact))),
+        "name another file with --store");
+  const bool has_same_design = store_.fact(design_fact) == study_.facts.design;
+  if (!has_same_design || store_.fact(media_fact) != media_hash(study_))
+    throw Error({store_.file().string()},
+                has_same_design
+                    ? (study_.live ? "was begun with other motions" : "was begun with other videos")
+                : study_.live ? "was begun with another experiment: its texts, plans, sliders or "
+                                "terms have changed since"
+                              : "was begun with another questionnaire: its texts, plans or "
+                                "participants have changed since",
+                study_.live
+                    ? "serve the experiment as it was, or begin anew with --store and another "
+                      "file"
+                    : "serve the study as it was, or begin anew with --store and another file: "
+                      "mien study report takes the answers of several");
+  lab_link_ = store_.fact(lab_fact).value();
+  join_link_ = store_.fact(join_fact).value();
+  load();
+}
+
+void StudySessions::begin() {
+  std::vector<StoredSession> sessions;
+  for (std::size_t plan = 0; plan < study_.plans.size(); ++plan) {
+    sessions.push_back({.index = static_cast<int>(plan),
+                        .plan = static_cast<int>(plan),
+                        .participant = study_.plans[plan].participant,
+                        .link = random_link()});
+  }
+  store_.begin({{study_fact, study_.experiment.at("study").get<std::string>()},
+                {design_fact, study_.facts.design},
+                {media_fact, media_hash(study_)},
+                {lab_fact, random_link()},
+                {join_fact, random_link()}},
+               sessions);
+}
+
+void StudySessions::load() {
+  for (const StoredSession& session : store_.sessions()) add_state(session);
+  for (const StoredRecord& stored : store_.records())
+    count(states_.at(static_cast<std::size_t>(stored.session)),
+          read_record(nlohmann::json::parse(stored.content)));
+}
+
+void StudySessions::add_state(const StoredSession& session) {
+  SessionState state{.session = session};
+  state.names = record_names(study_.plans.at(static_cast<std::size_t>(session.plan)), study_.facts);
+  by_link_[session.link] = session.index;
+  states_.push_back(std::move(state));
+}
+
+void StudySessions::count(SessionState& state, const PageRecord& record) {
+  if (state.kept++ == 0) state.browser = record.session;
+  state.has_refused |= is_refusal(record);
+  const SessionPlan plan = plan_of(state.session);
+  if (const Trial* trial = trial_of(plan, record.name))
+    results_.add(rows_of(study_.facts, plan, *trial, record));
+}
+
+std::optional<int> StudySessions::find(const std::string& link) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = by_link_.find(link);
+  return found == by_link_.end() ? std::nullopt : std::optional<int>(found->second);
+}
+
+SessionState StudySessions::state(int session) const {
+  const std::lock_guard lock(mutex_);
+  return states_.at(static_cast<std::size_t>(session));
+}
+
+std::vector<SessionState> StudySessions::states() const {
+  const std::lock_guard lock(mutex_);
+  return states_;
+}
+
+void StudySessions::see(int session) {
+  const std::lock_guard lock(mutex_);
+  states_.at(static_cast<std::size_t>(session)).last_seen = clock_();
+}
+
+void StudySessions::come(SessionState& state) {
+  if (!state.session.begun_at.empty()) return;
+  const std::string now = iso_time(state.last_seen);
+  store_.come(state.session.index, "link", now);
+  state.session.begun_at = now;
+  state.session.came_by = "link";
+}
+
+GivenRecord StudySessions::give(int session, const PageRecord& record, const std::string& content) {
+  const std::lock_guard lock(mutex_);
+  SessionState& state = states_.at(static_cast<std::size_t>(session));
+  if (state.kept > 0 && state.browser != record.session) return {.is_elsewhere = true};
+  state.last_seen = clock_();
+  const auto position = std::ranges::find(state.names, record.name) - state.names.begin();
+  if (state.has_refused && position > 0) return {.has_refused = true};
+  const Keeping keeping = store_.keep({.session = session,
+                                       .position = static_cast<int>(position),
+                                       .name = record.name,
+                                       .content = content,
+                                       .kept_at = iso_time(state.last_seen)});
+  if (keeping == Keeping::kept) {
+    count(state, record);
+    come(state);
+  }
+  return {.keeping = keeping, .next = state.has_finished() ? "" : state.names[state.kept]};
+}
+
+bool StudySessions::has_enough() const {
+  const std::lock_guard lock(mutex_);
+  return is_full();
+}
+
+/// Must not be asked while somebody else may join.
+bool StudySessions::is_full() const {
+  std::vector<bool> finished(study_.plans.size());
+  for (const SessionState& state : states_) {
+    if (state.has_finished()) finished[static_cast<std::size_t>(state.session.plan)] = true;
+  }
+  return std::ranges::all_of(finished, std::identity()) ||
+         states_.size() >= most_sessions_a_plan * study_.plans.size();
+}
+
+/// Must not be asked while somebody else may join.
+StoredSession StudySessions::further_session() const {
+  std::vector<int> given(study_.plans.size()), finished(study_.plans.size());
+  for (const SessionState& state : states_) {
+    const auto plan = static_cast<std::size_t>(state.session.plan);
+    const bool is_under_way = state.kept > 0 && !state.has_refused && state.is_here(clock_());
+    finished[plan] += state.has_finished() ? 1 : 0;
+    given[plan] += state.has_finished() || is_under_way ? 1 : 0;
+  }
+  const int index = static_cast<int>(states_.size());
+  return StoredSession{.index = index,
+                       .plan = static_cast<int>(least_filled(study_.plans, given, finished)),
+                       .participant = participant_name(index),
+                       .link = random_link(),
+                       .begun_at = iso_time(clock_()),
+                       .came_by = "join"};
+}
+
+std::optional<SessionState> StudySessions::join(const PageRecord& consent,
+                                                const std::string& content) {
+  const std::lock_guard lock(mutex_);
+  const auto again = std::ranges::find_if(states_, [&](const SessionState& state) {
+    return state.session.came_by == "join" && state.browser == consent.session;
+  });
+  if (again != states_.end()) return *again;
+  if (is_full()) return std::nullopt;
+  const StoredSession further = further_session();
+  store_.add(further, {.session = further.index,
+                       .position = 0,
+                       .name = consent.name,
+                       .content = content,
+                       .kept_at = further.begun_at});
+  add_state(further);
+  states_.back().last_seen = clock_();
+  count(states_.back(), consent);
+  return states_.back();
+}
+
+SessionPlan StudySessions::plan_of(const StoredSession& session) const {
+  SessionPlan plan = study_.plans.at(static_cast<std::size_t>(session.plan));
+  plan.participant = session.participant;
+  return plan;
+}
+
+nlohmann::ordered_json StudySessions::histograms() const {
+  const std::lock_guard lock(mutex_);
+  return results_.histograms();
+}
+
+nlohmann::ordered_json StudySessions::checks() const {
+  const std::lock_guard lock(mutex_);
+  return results_.checks();
+}
+
+}  // namespace mien::pipeline

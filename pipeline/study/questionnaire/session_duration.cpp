@@ -1,0 +1,72 @@
+#include "pipeline/study/questionnaire/session_duration.h"
+
+#include <algorithm>
+
+#include "pipeline/base/documents/utf8.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/production/film/film_presentation.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/study/questionnaire/shown_media.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+bool is_blank(char letter) { return letter == ' ' || letter == '\n' || letter == '\t'; }
+
+/// Letters from U+3000 on are written without blanks.
+bool is_wide(std::string_view word) {
+  return std::ranges::any_of(word,
+                             [](char byte) { return static_cast<unsigned char>(byte) >= 0xE3U; });
+}
+
+}  // namespace
+
+double words_in(std::string_view text) {
+  double words = 0.0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = begin;
+    while (end < text.size() && !is_blank(text[end])) ++end;
+    const std::string_view word = text.substr(begin, end - begin);
+    if (!word.empty())
+      words += is_wide(word) ? 0.5 * static_cast<double>(count_characters(word)) : 1.0;
+    begin = end + 1;
+  }
+  return words;
+}
+
+double session_seconds(const Manifest& manifest, const SessionPlan& plan,
+                       const VideoSeconds& seconds) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  const Pace& pace = asked.pace;
+  const auto video = [&](const std::string& stimulus) {
+    const auto found = seconds.find(stimulus);
+    return found == seconds.end() ? usual_video_seconds : found->second;
+  };
+  const double words = words_in(asked.consent.text) + words_in(asked.instructions.text) +
+                       words_in(asked.ending.text);
+  double sum = 60.0 * words / pace.words_per_minute +
+               pace.demographic * static_cast<double>(asked.demographics.size());
+  for (const Trial& trial : plan.trials) {
+    double longest = trial.reference.empty() ? 0.0 : video(trial.reference);
+    for (const std::string& stimulus : trial.stimuli) longest = std::max(longest, video(stimulus));
+    sum += longest + pace.answer * static_cast<double>(trial.items.size()) + pace.between;
+    if (asked.comments && trial.kind != TrialKind::attention) sum += pace.comment;
+  }
+  return sum;
+}
+
+VideoSeconds video_seconds(const Manifest& manifest) {
+  Motions motions(manifest);
+  VideoSeconds seconds;
+  for (const std::string& id : shown_stimuli(manifest)) {
+    const Stimulus* stimulus = motions.stimulus(id);
+    if (stimulus == nullptr) continue;
+    const Output& output = stimulus->output;
+    const int frames = motions.shown(*stimulus).frame_count();
+    seconds[id] = frames_of(output.presentation, output.fps, frames).all() / output.fps;
+  }
+  return seconds;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,206 @@
+#include "pipeline/study/questionnaire/session_plan.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/manifest/asked.h"
+#include "pipeline/study/questionnaire/main_part.h"
+#include "pipeline/study/questionnaire/random_order.h"
+#include "pipeline/study/questionnaire/session_duration.h"
+#include "pipeline/study/questionnaire/trial_subjects.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+TrialKind kind_of(TrialForm form) {
+  if (form == TrialForm::emotion) return TrialKind::emotion;
+  return form == TrialForm::pair ? TrialKind::pair : TrialKind::rating;
+}
+
+/// Lays out one session after the other.
+class Planner {
+ public:
+  explicit Planner(const Manifest& manifest)
+      : manifest_(manifest),
+        asked_(questionnaire_of(manifest)),
+        subjects_(trial_subjects(manifest)),
+        shown_(subjects_.size()) {
+    for (const Scale& scale : asked_scales(manifest).scales) scales_.push_back(scale.id);
+  }
+
+  const TrialSubjects& subjects() const { return subjects_; }
+
+  SessionPlan next(const std::vector<std::size_t>& share) {
+    plan_ = {};
+    plan_.index = index_;
+    plan_.participant = participant_name(index_);
+    // So that a page keeps it whole in a double.
+    plan_.seed = seed_of(manifest_.seed, plan_.participant) >> 11U;
+    lay_choices();
+    lay_items();
+    lay_practice();
+    lay_main(main_part(manifest_, subjects_, share, index_));
+    for (std::size_t i = 0; i < plan_.trials.size(); ++i)
+      plan_.trials[i].number = static_cast<int>(i) + 1;
+    ++index_;
+    return std::move(plan_);
+  }
+
+ private:
+  bool are_sides_random() const { return asked_.answer.side == PoleSide::random; }
+
+  /// Of two participants in a row one has it this way and one that way.
+  bool is_flipped(const std::string& what, int index) const {
+    const bool first = random_choice(2, manifest_.seed, fmt::format("side/{}/{}", what, index / 2));
+    return are_sides_random() && first != (index % 2 == 1);
+  }
+
+  void lay_choices() {
+    if (asked_.trials != TrialForm::emotion) return;
+    const auto choices = asked_choices(manifest_);
+    for (const std::size_t i : random_order(choices.size(), plan_.seed, "choices"))
+      plan_.choices.push_back(choices[are_sides_random() ? i : plan_.choices.size()].first);
+  }
+
+  void lay_items() {
+    items_.clear();
+    if (asked_.trials == TrialForm::emotion) items_.push_back({.item = emotion_item});
+    const bool has_poles = asked_.trials != TrialForm::pair && !asked_.answer.words;
+    for (const std::string& scale : scales_)
+      items_.push_back({.item = scale, .flipped = has_poles && is_flipped(scale, index_)});
+  }
+
+  Trial trial_of(std::vector<std::string> stimuli, std::string block) const {
+    return {.block = std::move(block),
+            .kind = kind_of(asked_.trials),
+            .stimuli = std::move(stimuli),
+            .reference = asked_.reference,
+            .items = items_};
+  }
+
+  void lay_practice() {
+    const std::size_t each = asked_.trials == TrialForm::pair ? 2 : 1;
+    for (std::size_t i = 0; i + each <= asked_.practice.size(); i += each) {
+      const auto first = asked_.practice.begin() + static_cast<std::ptrdiff_t>(i);
+      Trial trial = trial_of({first, first + static_cast<std::ptrdiff_t>(each)}, "practice");
+      trial.practice = true;
+      plan_.trials.push_back(std::move(trial));
+    }
+  }
+
+  void lay_main(const std::vector<MainTrial>& main) {
+    const std::vector<std::size_t> checks = attention_places(main.size());
+    std::vector<std::size_t> turned(subjects_.size());
+    for (const MainTrial& one : main) turned[one.subject] = shown_[one.subject];
+    for (std::size_t place = 0; place < main.size(); ++place) {
+      const MainTrial& one = main[place];
+      Trial trial = trial_of(subjects_.stimuli[one.subject], subjects_.blocks[one.subject]);
+      trial.warm_up = one.warm_up;
+      trial.is_catch = one.repeated;
+      if (trial.kind == TrialKind::pair) turn(trial, turned[one.subject]);
+      if (trial.is_analysed()) ++shown_[one.subject];
+      plan_.trials.push_back(std::move(trial));
+      if (std::ranges::find(checks, place) != checks.end()) lay_attention(place);
+    }
+  }
+
+  /// Which of a pair is left: one way and the other in turn, of two that begin by chance.
+  void turn(Trial& trial, std::size_t times) const {
+    const std::string name = trial.stimuli[0] + "/" + trial.stimuli[1];
+    if (is_flipped(name, static_cast<int>(times))) std::swap(trial.stimuli[0], trial.stimuli[1]);
+  }
+
+  /// Trials of the main part after which a check comes; none after the last.
+  std::vector<std::size_t> attention_places(std::size_t trials) const {
+    std::vector<std::size_t> places;
+    const auto every = static_cast<std::size_t>(asked_.attention_every);
+    if (every == 0) return places;
+    const std::size_t reach = every / 4;
+    for (std::size_t after = every; after < trials; after += every) {
+      const std::size_t moved =
+          after - reach + random_choice(2 * reach + 1, plan_.seed, "attention", after);
+      if (moved < trials) places.push_back(moved - 1);
+    }
+    return places;
+  }
+
+  void lay_attention(std::size_t place) {
+    Trial check;
+    check.block = plan_.trials.back().block;
+    check.kind = TrialKind::attention;
+    check.is_catch = true;
+    check.items = {items_[random_choice(items_.size(), plan_.seed, "checked", place)]};
+    check.expected = expected_of(check.items.front().item, place);
+    plan_.trials.push_back(std::move(check));
+  }
+
+  std::string expected_of(const std::string& item, std::size_t place) const {
+    if (item == emotion_item)
+      return plan_.choices[random_choice(plan_.choices.size(), plan_.seed, "expected", place)];
+    const bool is_right = random_choice(2, plan_.seed, "expected", place) == 1;
+    if (asked_.trials == TrialForm::pair) return is_right ? "right" : "left";
+    if (asked_.answer.words) return "yes";
+    if (asked_.answer.slider) return is_right ? "100" : "0";
+    return is_right ? std::to_string(asked_.answer.points) : "1";
+  }
+
+  const Manifest& manifest_;
+  const Questionnaire& asked_;
+  TrialSubjects subjects_;
+  std::vector<std::string> scales_;
+  std::vector<std::size_t> shown_;  ///< how often each subject is analysed so far
+  std::vector<AskedItem> items_;    ///< of the session in the making
+  SessionPlan plan_;
+  int index_ = 0;
+};
+
+}  // namespace
+
+std::string participant_name(int index) { return fmt::format("p{:03}", index + 1); }
+
+std::vector<SessionPlan> plan_sessions(const Manifest& manifest, const VideoSeconds& seconds,
+                                       int count) {
+  if (count == 0) count = questionnaire_of(manifest).participants;
+  Planner planner(manifest);
+  std::vector<SessionPlan> plans;
+  for (const auto& share : shares(manifest, planner.subjects(), static_cast<std::size_t>(count))) {
+    plans.push_back(planner.next(share));
+    plans.back().expected_seconds = session_seconds(manifest, plans.back(), seconds);
+  }
+  return plans;
+}
+
+std::size_t least_filled(const std::vector<SessionPlan>& plans, const std::vector<int>& given,
+                         const std::vector<int>& finished) {
+  assert(!plans.empty() && given.size() == plans.size() && finished.size() == plans.size());
+  std::map<std::string, int> seen;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    for (const Trial& trial : plans[i].trials) {
+      if (!trial.is_analysed()) continue;
+      for (const std::string& stimulus : trial.stimuli) seen[stimulus] += finished[i];
+    }
+  }
+  // Mean over a plan's stimuli of how often they were seen to the end.
+  const auto fill = [&](std::size_t i) {
+    double sum = 0.0, count = 0.0;
+    for (const Trial& trial : plans[i].trials) {
+      if (!trial.is_analysed()) continue;
+      for (const std::string& stimulus : trial.stimuli) sum += seen[stimulus];
+      count += static_cast<double>(trial.stimuli.size());
+    }
+    return count == 0.0 ? 0.0 : sum / count;
+  };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < plans.size(); ++i) {
+    const bool is_rarer = given[i] < given[best];
+    const bool is_emptier = given[i] == given[best] && fill(i) < fill(best) - 1e-9;
+    if (is_rarer || is_emptier) best = i;
+  }
+  return best;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,77 @@
+#include "pipeline/study/questionnaire/trial_subjects.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "pipeline/manifest/asked.h"
+#include "pipeline/study/questionnaire/incomplete_blocks.h"
+#include "pipeline/study/questionnaire/random_order.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string level_of_all(const Manifest& manifest, const std::vector<std::string>& stimuli,
+                         const std::string& factor) {
+  std::vector<std::string> levels;
+  for (const std::string& stimulus : stimuli)
+    levels.push_back(level_of(manifest, stimulus, factor));
+  std::ranges::sort(levels);
+  return levels.front() == levels.back() ? levels.front() : levels.front() + "+" + levels.back();
+}
+
+/// Kinds of subjects of which each participant should see as many as any other: levels of the
+/// factors of order and `apart`.
+std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
+  std::map<std::string, std::size_t> numbers;
+  std::vector<std::vector<std::size_t>> kinds(subjects.size());
+  const auto add = [&](std::size_t subject, std::size_t factor, const std::string& level) {
+    if (level.empty()) return;
+    const std::string name = std::to_string(factor) + "/" + level;
+    kinds[subject].push_back(numbers.emplace(name, numbers.size()).first->second);
+  };
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    add(i, 0, subjects.blocks[i]);
+    for (std::size_t f = 0; f < subjects.likeness.factors.size(); ++f)
+      add(i, f + 1, subjects.likeness.levels[i][f]);
+  }
+  return kinds;
+}
+
+}  // namespace
+
+TrialSubjects trial_subjects(const Manifest& manifest) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  TrialSubjects subjects;
+  if (asked.trials == TrialForm::pair) {
+    for (const auto& [one, other] : asked_pairs(manifest)) subjects.stimuli.push_back({one, other});
+  } else {
+    for (const std::string& id : asked_stimuli(manifest)) subjects.stimuli.push_back({id});
+  }
+  subjects.likeness.factors = asked.apart;
+  for (const std::vector<std::string>& stimuli : subjects.stimuli) {
+    std::vector<std::string> levels;
+    for (const std::string& factor : asked.apart)
+      levels.push_back(level_of_all(manifest, stimuli, factor));
+    subjects.likeness.levels.push_back(std::move(levels));
+    const std::string& factor = asked.order.factor;
+    const std::string block = factor.empty() ? "main" : level_of_all(manifest, stimuli, factor);
+    subjects.blocks.push_back(block.empty() ? "main" : block);
+  }
+  return subjects;
+}
+
+std::size_t subjects_per_participant(const Manifest& manifest, const TrialSubjects& subjects) {
+  const auto own = static_cast<std::size_t>(questionnaire_of(manifest).per_participant);
+  return own == 0 ? subjects.size() : std::min(own, subjects.size());
+}
+
+std::vector<std::vector<std::size_t>> shares(const Manifest& manifest,
+                                             const TrialSubjects& subjects, std::size_t count) {
+  return deal_blocks(subjects.size(), subjects_per_participant(manifest, subjects), count,
+                     seed_of(manifest.seed, "shares"), kinds_of(subjects));
+}
+
+}  // namespace mien::pipeline

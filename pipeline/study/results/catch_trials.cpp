@@ -1,0 +1,125 @@
+#include "pipeline/study/results/catch_trials.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "pipeline/manifest/ratings/counted_answers.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Who was asked what about what; of a pair either may stand at the left.
+using CatchKey = std::tuple<std::string, std::string, std::string, std::string, std::string>;
+
+CatchKey catch_key(const AnswerRow& row) {
+  const bool is_turned = row.kind == "pair" && row.against < row.stimulus;
+  return {row.participant, row.kind, is_turned ? row.against : row.stimulus,
+          is_turned ? row.stimulus : row.against, row.item};
+}
+
+bool is_answered(const AnswerRow& row) { return !row.value.empty() && row.value != "NA"; }
+
+/// A stimulus that is shown again: the columns of checks and of repetitions are one.
+bool is_shown_again(const AnswerRow& row) { return row.is_catch && row.kind != "attention"; }
+
+std::optional<double> rated(const std::string& text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+CatchAnswer catch_answer(const Gathered& gathered, const AnswerRow& first,
+                         const AnswerRow& second) {
+  CatchAnswer answer;
+  answer.participant = second.participant;
+  answer.is_excluded = !std::ranges::binary_search(gathered.people, second.participant);
+  answer.stimulus = first.stimulus;
+  answer.against = first.against;
+  answer.item = second.item;
+  answer.first_trial = first.trial;
+  answer.second_trial = second.trial;
+  answer.first = first.value;
+  answer.second = second.value;
+  if (!is_on_scale(second) || !gathered.words.empty()) return answer;
+  const auto before = rated(first.value);
+  const auto after = rated(second.value);
+  if (before && after) answer.difference = *after - *before;
+  return answer;
+}
+
+/// Of those among `answers` that `is_asked` takes.
+template <typename IsAsked>
+CatchSummary catch_summary(const std::vector<CatchAnswer>& answers, IsAsked is_asked) {
+  CatchSummary summary;
+  std::vector<double> first, second;
+  double sum = 0.0;
+  for (const CatchAnswer& answer : answers) {
+    if (!is_asked(answer)) continue;
+    ++summary.answers;
+    summary.equal += answer.is_equal() ? 1 : 0;
+    if (!answer.difference) continue;
+    sum += std::abs(*answer.difference);
+    first.push_back(*rated(answer.first));
+    second.push_back(*rated(answer.second));
+  }
+  summary.mean_difference = first.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                          : sum / static_cast<double>(first.size());
+  summary.retest = pearson(first, second);
+  return summary;
+}
+
+}  // namespace
+
+bool CatchAnswer::is_equal() const { return difference ? *difference == 0.0 : first == second; }
+
+std::vector<CatchAnswer> catch_answers_of(const Gathered& gathered, std::vector<AnswerRow> rows) {
+  tell_people_apart(rows);
+  std::map<CatchKey, const AnswerRow*> first;
+  for (const AnswerRow& row : rows)
+    if (row.counts()) first.emplace(catch_key(row), &row);
+  std::vector<CatchAnswer> answers;
+  for (const AnswerRow& row : rows) {
+    if (!is_shown_again(row) || !is_answered(row)) continue;
+    const auto found = first.find(catch_key(row));
+    if (found != first.end()) answers.push_back(catch_answer(gathered, *found->second, row));
+  }
+  std::ranges::stable_sort(answers, {}, [](const CatchAnswer& answer) {
+    return std::tuple(answer.participant, answer.second_trial);
+  });
+  return answers;
+}
+
+std::vector<CatchSummary> catch_summaries_of(const std::vector<CatchAnswer>& answers) {
+  std::vector<CatchSummary> all;
+  const auto counts = [](const CatchAnswer& answer) { return !answer.is_excluded; };
+  if (std::ranges::any_of(answers, counts)) all.push_back(catch_summary(answers, counts));
+  std::vector<std::string> items, people;
+  for (const CatchAnswer& answer : answers) {
+    if (counts(answer) && std::ranges::find(items, answer.item) == items.end())
+      items.push_back(answer.item);
+    if (people.empty() || people.back() != answer.participant) people.push_back(answer.participant);
+  }
+  std::ranges::sort(items);
+  for (const std::string& item : items) {
+    if (items.size() < 2) break;
+    all.push_back(catch_summary(
+        answers, [&](const CatchAnswer& answer) { return counts(answer) && answer.item == item; }));
+    all.back().item = item;
+  }
+  for (const std::string& person : people) {
+    const auto is_own = [&](const CatchAnswer& answer) { return answer.participant == person; };
+    all.push_back(catch_summary(answers, is_own));
+    all.back().participant = person;
+    all.back().is_excluded = std::ranges::find_if(answers, is_own)->is_excluded;
+  }
+  return all;
+}
+
+}  // namespace mien::pipeline

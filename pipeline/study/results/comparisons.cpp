@@ -1,0 +1,265 @@
+#include "pipeline/study/results/comparisons.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "pipeline/base/statistics/benjamini_hochberg.h"
+#include "pipeline/base/statistics/effect_size.h"
+#include "pipeline/base/statistics/exact_number.h"
+#include "pipeline/base/statistics/holm.h"
+#include "pipeline/study/results/summaries.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// By person.
+using PersonSums = std::map<std::size_t, ExactSum>;
+
+PersonSums sums_of(const std::vector<CountedRating>& ratings) {
+  PersonSums sums;
+  for (const CountedRating& rating : ratings)
+    sums[rating.person].add(ExactNumber::of(rating.value));
+  return sums;
+}
+
+std::vector<double> values_of(const std::vector<CountedRating>& ratings) {
+  std::vector<double> values;
+  for (const CountedRating& rating : ratings) values.push_back(rating.value);
+  return values;
+}
+
+std::vector<double> differences_of(const PersonSums& one, const PersonSums& other) {
+  std::vector<double> differences;
+  for (const auto& [person, own] : one) {
+    const auto found = other.find(person);
+    if (found != other.end()) differences.push_back((own.mean() - found->second.mean()).value());
+  }
+  return differences;
+}
+
+/// Where nothing varies there is a difference, but nothing to hold it against.
+TTest without_spread(TTest test) {
+  test.standard_error = test.t = test.p = std::numeric_limits<double>::quiet_NaN();
+  return test;
+}
+
+void set_tests(Comparison& result, const std::vector<double>& own,
+               const std::vector<double>& against, const std::vector<double>& differences) {
+  result.answers = static_cast<int>(own.size());
+  result.answers_against = static_cast<int>(against.size());
+  result.mean = exact_mean(own);
+  result.mean_against = exact_mean(against);
+  result.welch = welch_t_test(own, against);
+  if (all_alike(own) && all_alike(against)) {
+    result.welch = without_spread(result.welch);
+    result.d = result.g = result.welch.t;
+  } else {
+    result.d = cohens_d(own, against);
+    result.g = hedges_g(own, against);
+  }
+  result.within = within_persons(differences);
+}
+
+/// What comparisons on one scale are made from.
+class ScaleComparisons {
+ public:
+  ScaleComparisons(const Gathered& gathered, std::size_t scale)
+      : gathered_(gathered), scale_(scale), ratings_(by_stimulus(gathered, scale)) {}
+
+  void add_best_seen(std::size_t stimulus, std::vector<Comparison>& all) const {
+    std::vector<CountedRating> of_setting;
+    std::vector<CountedRating> others;
+    for (std::size_t i = 0; i < ratings_.size(); ++i) {
+      if (gathered_.stimuli[i].setting != gathered_.stimuli[stimulus].setting) continue;
+      of_setting.insert(of_setting.end(), ratings_[i].begin(), ratings_[i].end());
+      if (i != stimulus) others.insert(others.end(), ratings_[i].begin(), ratings_[i].end());
+    }
+    if (others.empty()) return;
+    add(begun(ComparisonFamily::best_seen, stimulus), of_setting, others, all);
+  }
+
+  void add_pair(ComparisonFamily family, std::size_t stimulus, std::size_t against,
+                std::vector<Comparison>& all, const std::string& factor = "") const {
+    Comparison comparison = begun(family, stimulus);
+    comparison.against = against;
+    comparison.factor = factor;
+    add(comparison, ratings_[against], ratings_[against], all);
+  }
+
+  void add_best(std::size_t stimulus, std::vector<Comparison>& all) const {
+    const ReportedStimulus& own = gathered_.stimuli[stimulus];
+    const int end = end_of(gathered_.scales[scale_], own.emotion);
+    if (own.made != "modified" || end == 0) return;
+    std::optional<std::size_t> best;
+    double most = 0.0;
+    for (std::size_t i = 0; i < ratings_.size(); ++i) {
+      const ReportedStimulus& other = gathered_.stimuli[i];
+      if (other.made == "modified" || other.setting != own.setting || ratings_[i].size() < 2)
+        continue;
+      const double towards = end * exact_mean(values_of(ratings_[i]));
+      if (best && towards <= most) continue;
+      best = i;
+      most = towards;
+    }
+    if (best) add_pair(ComparisonFamily::modified_best, stimulus, *best, all);
+  }
+
+ private:
+  Comparison begun(ComparisonFamily family, std::size_t stimulus) const {
+    Comparison comparison;
+    comparison.family = family;
+    comparison.stimulus = stimulus;
+    comparison.scale = scale_;
+    comparison.own_end = end_of(gathered_.scales[scale_], gathered_.stimuli[stimulus].emotion);
+    return comparison;
+  }
+
+  void add(Comparison comparison, const std::vector<CountedRating>& against,
+           const std::vector<CountedRating>& within, std::vector<Comparison>& all) const {
+    const std::vector<CountedRating>& own = ratings_[comparison.stimulus];
+    if (own.size() < 2 || against.size() < 2) return;
+    const std::vector<double> differences = differences_of(sums_of(own), sums_of(within));
+    set_tests(comparison, values_of(own), values_of(against), differences);
+    all.push_back(comparison);
+  }
+
+  const Gathered& gathered_;
+  std::size_t scale_;
+  std::vector<std::vector<CountedRating>> ratings_;
+};
+
+/// What a hypothesis is about (the scale of the emotion that was meant) is corrected by itself.
+bool is_of_hypothesis(const Comparison& comparison) {
+  return comparison.family != ComparisonFamily::best_seen && comparison.own_end != 0;
+}
+
+/// NaN where there is nobody to rank.
+double p_of_ranks(const WithinPersons& within) {
+  return within.people == 0 ? within.t.p : within.wilcoxon.p;
+}
+
+void correct_family(std::vector<Comparison>& all, ComparisonFamily family, bool of_hypothesis,
+                    TestCorrection correction) {
+  std::vector<Comparison*> members;
+  for (Comparison& comparison : all)
+    if (comparison.family == family && is_of_hypothesis(comparison) == of_hypothesis)
+      members.push_back(&comparison);
+  const auto correct = [&](auto get_p, auto set_p) {
+    std::vector<double> p_values;
+    for (const Comparison* member : members) p_values.push_back(get_p(*member));
+    const std::vector<double> adjusted = corrected(p_values, correction);
+    for (std::size_t i = 0; i < members.size(); ++i) set_p(*members[i], adjusted[i]);
+  };
+  correct([](const Comparison& c) { return c.welch.p; },
+          [](Comparison& c, double p) { c.welch_adjusted = p; });
+  correct([](const Comparison& c) { return c.within.t.p; },
+          [](Comparison& c, double p) { c.paired_adjusted = p; });
+  correct([](const Comparison& c) { return p_of_ranks(c.within); },
+          [](Comparison& c, double p) { c.wilcoxon_adjusted = p; });
+}
+
+}  // namespace
+
+std::optional<std::string> differing_factor(const ReportedStimulus& one,
+                                            const ReportedStimulus& other) {
+  constexpr std::array<std::string_view, 2> of_files = {"example", "clip"};
+  const auto levels = [&](const ReportedStimulus& of) {
+    std::map<std::string, std::string> factors(of.factors.begin(), of.factors.end());
+    for (const std::string_view name : of_files) factors.erase(std::string(name));
+    return factors;
+  };
+  const std::map<std::string, std::string> first = levels(one);
+  const std::map<std::string, std::string> second = levels(other);
+  if (!std::ranges::equal(first, second, {}, &std::pair<const std::string, std::string>::first,
+                          &std::pair<const std::string, std::string>::first))
+    return std::nullopt;
+  std::optional<std::string> differing;
+  for (const auto& [factor, level] : first) {
+    if (second.at(factor) == level) continue;
+    if (differing || factor == "made" || factor == "emotion" || factor == "strength")
+      return std::nullopt;
+    differing = factor;
+  }
+  return differing;
+}
+
+std::optional<ComparisonFamily> family_of(const ReportedStimulus& one,
+                                          const ReportedStimulus& other) {
+  if (one.setting != other.setting || one.is_neutral()) return std::nullopt;
+  if (other.is_neutral()) {
+    if (one.made == "modified") return ComparisonFamily::modified_neutral;
+    if (one.made == "acted") return ComparisonFamily::acted_neutral;
+  }
+  const bool same_emotion = !one.emotion.empty() && one.emotion == other.emotion;
+  if (same_emotion && one.made == "modified" && other.made == "acted")
+    return ComparisonFamily::modified_acted;
+  return std::nullopt;
+}
+
+WithinPersons within_persons(const std::vector<double>& differences) {
+  WithinPersons result;
+  result.people = static_cast<int>(differences.size());
+  result.t = paired_t_test(differences);
+  result.all_alike = result.people > 1 && all_alike(differences);
+  if (all_alike(differences)) {
+    result.t = without_spread(result.t);
+    result.dz = result.gz = result.t.t;
+  } else {
+    result.dz = cohens_dz(differences);
+    result.gz = hedges_gz(differences);
+  }
+  result.wilcoxon = wilcoxon(differences);
+  result.pratt = wilcoxon(differences, WilcoxonMode::exact, WilcoxonZeros::pratt);
+  result.wilcoxon_normal = wilcoxon(differences, WilcoxonMode::published).p;
+  result.wilcoxon_normal_corrected = wilcoxon(differences, WilcoxonMode::corrected).p;
+  result.wilcoxon_zsplit = wilcoxon(differences, WilcoxonMode::published, WilcoxonZeros::zsplit).p;
+  result.location = hodges_lehmann(differences);
+  return result;
+}
+
+int end_of(const Scale& scale, const std::string& emotion) {
+  if (emotion.empty()) return 0;
+  return emotion == scale.high ? 1 : emotion == scale.low ? -1 : 0;
+}
+
+std::vector<double> corrected(const std::vector<double>& p_values, TestCorrection correction) {
+  if (correction == TestCorrection::none) return p_values;
+  return correction == TestCorrection::holm ? holm(p_values) : benjamini_hochberg(p_values);
+}
+
+std::string name_of(TestCorrection correction) {
+  if (correction == TestCorrection::none) return "none";
+  return correction == TestCorrection::holm ? "Holm" : "Benjamini–Hochberg";
+}
+
+std::vector<Comparison> compare(const Gathered& gathered) {
+  std::vector<Comparison> all;
+  for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
+    const ScaleComparisons comparisons(gathered, scale);
+    for (std::size_t one = 0; one < gathered.stimuli.size(); ++one) {
+      comparisons.add_best_seen(one, all);
+      comparisons.add_best(one, all);
+      for (std::size_t other = 0; other < gathered.stimuli.size(); ++other) {
+        const auto family = family_of(gathered.stimuli[one], gathered.stimuli[other]);
+        if (family && one != other) comparisons.add_pair(*family, one, other, all);
+        if (one >= other) continue;
+        if (const auto factor = differing_factor(gathered.stimuli[one], gathered.stimuli[other]))
+          comparisons.add_pair(ComparisonFamily::between_levels, one, other, all, *factor);
+      }
+    }
+  }
+  for (const auto& [word, family] : family_words)
+    for (const bool of_hypothesis : {true, false})
+      correct_family(all, family, of_hypothesis, gathered.correction);
+  std::ranges::stable_sort(all, {}, [](const Comparison& c) {
+    return std::pair(static_cast<int>(c.family), c.stimulus);
+  });
+  return all;
+}
+
+}  // namespace mien::pipeline

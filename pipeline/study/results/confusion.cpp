@@ -1,0 +1,159 @@
+#include "pipeline/study/results/confusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "pipeline/base/statistics/proportion.h"
+#include "pipeline/study/results/comparisons.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// What one person saw in one stimulus, by column.
+using Showings = std::map<std::pair<std::size_t, std::size_t>, std::vector<double>>;
+
+Showings rated_showings(const Gathered& gathered, std::size_t columns) {
+  Showings showings;
+  for (const CountedRating& rating : gathered.ratings) {
+    auto& points = showings[{rating.stimulus, rating.person}];
+    points.resize(columns);
+    const EndPoints ends = points_of(gathered.scales[rating.scale], rating.value);
+    points[2 * rating.scale] += ends.low;
+    points[2 * rating.scale + 1] += ends.high;
+  }
+  return showings;
+}
+
+Showings chosen_showings(const Gathered& gathered) {
+  Showings showings;
+  for (const CountedChoice& choice : gathered.chosen) {
+    auto& points = showings[{choice.stimulus, choice.person}];
+    points.resize(gathered.choices.size());
+    for (std::size_t i = 0; i < gathered.choices.size(); ++i)
+      if (gathered.choices[i].first == choice.chosen) points[i] += 1.0;
+  }
+  return showings;
+}
+
+void add_showing(ConfusionRow& row, const std::vector<double>& points) {
+  ++row.showings;
+  double total = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    row.points[i] += points[i];
+    total += points[i];
+  }
+  row.total += total;
+  if (total == 0.0) return;
+  ++row.judged;
+  if (row.own < 0) return;
+  const auto own = static_cast<std::size_t>(row.own);
+  bool is_most = true;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (i != own && points[i] >= points[own]) is_most = false;
+  row.hits += is_most ? 1 : 0;
+}
+
+void finish(Confusion& confusion, TestCorrection correction) {
+  std::vector<double> p_values;
+  for (ConfusionRow& row : confusion.rows) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    row.recall = row.low = row.high = row.p = none;
+    if (row.own >= 0 && row.total > 0.0) {
+      row.recall = row.points[static_cast<std::size_t>(row.own)] / row.total;
+      const ShareInterval interval = wilson(row.recall * row.judged, row.judged);
+      row.low = interval.low;
+      row.high = interval.high;
+      row.p = binomial_test(row.hits, row.judged, confusion.chance);
+    }
+    p_values.push_back(row.p);
+  }
+  const std::vector<double> adjusted = corrected(p_values, correction);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) confusion.rows[i].adjusted = adjusted[i];
+}
+
+Confusion confusion_of(const Gathered& gathered, const std::string& of,
+                       const std::vector<std::string>& columns, const Showings& showings,
+                       const std::function<bool(const ReportedStimulus&)>& belongs) {
+  Confusion confusion;
+  confusion.of = of;
+  confusion.columns = columns;
+  confusion.chance = 1.0 / static_cast<double>(columns.size());
+  std::map<std::string, std::size_t> row_of;
+  for (const ReportedStimulus& stimulus : gathered.stimuli) {
+    if (!belongs(stimulus) || stimulus.emotion.empty()) continue;
+    if (!row_of.emplace(stimulus.emotion, confusion.rows.size()).second) continue;
+    const auto own = std::ranges::find(columns, stimulus.emotion);
+    confusion.rows.push_back(
+        {.emotion = stimulus.emotion,
+         .points = std::vector<double>(columns.size()),
+         .own = own == columns.end() ? -1 : static_cast<int>(own - columns.begin())});
+  }
+  for (const auto& [who, points] : showings) {
+    const ReportedStimulus& stimulus = gathered.stimuli[who.first];
+    if (belongs(stimulus) && !stimulus.emotion.empty())
+      add_showing(confusion.rows[row_of.at(stimulus.emotion)], points);
+  }
+  std::erase_if(confusion.rows, [](const ConfusionRow& row) { return row.showings == 0; });
+  finish(confusion, gathered.correction);
+  return confusion;
+}
+
+/// Levels of made that show emotions.
+std::set<std::string> ways_of_making(const Gathered& gathered) {
+  std::set<std::string> ways;
+  for (const ReportedStimulus& stimulus : gathered.stimuli)
+    if (!stimulus.is_neutral() && !stimulus.emotion.empty()) ways.insert(stimulus.made);
+  return ways;
+}
+
+void add_confusions(const Gathered& gathered, const std::vector<std::string>& columns,
+                    const Showings& showings, bool by_points, std::vector<Confusion>& all) {
+  if (showings.empty() || columns.empty()) return;
+  const std::set<std::string> ways = ways_of_making(gathered);
+  const auto add = [&](const std::string& of, const auto& belongs) {
+    Confusion confusion = confusion_of(gathered, of, columns, showings, belongs);
+    confusion.by_points = by_points;
+    if (!confusion.rows.empty()) all.push_back(std::move(confusion));
+  };
+  if (ways.size() > 1)
+    for (const std::string& made : ways)
+      add(made.empty() ? "other" : made, [&](const ReportedStimulus& stimulus) {
+        return stimulus.made == made && !stimulus.is_neutral();
+      });
+  add("all", [](const ReportedStimulus&) { return true; });
+}
+
+}  // namespace
+
+EndPoints points_of(const Scale& scale, double value) {
+  const double half = 0.5 * (scale.most - scale.least);
+  const double points = 2.0 * (value - 0.5 * (scale.least + scale.most)) / half;
+  return {std::max(0.0, -points), std::max(0.0, points)};
+}
+
+std::vector<std::string> ends_of(const std::vector<Scale>& scales) {
+  std::vector<std::string> ends;
+  for (const Scale& scale : scales) {
+    ends.push_back(scale.low);
+    ends.push_back(scale.high);
+  }
+  return ends;
+}
+
+std::vector<Confusion> confusions_of(const Gathered& gathered) {
+  std::vector<Confusion> all;
+  const std::vector<std::string> ends = ends_of(gathered.scales);
+  add_confusions(gathered, ends, rated_showings(gathered, ends.size()), true, all);
+  std::vector<std::string> choices;
+  for (const auto& [id, shown] : gathered.choices) choices.push_back(id);
+  add_confusions(gathered, choices, chosen_showings(gathered), false, all);
+  return all;
+}
+
+}  // namespace mien::pipeline

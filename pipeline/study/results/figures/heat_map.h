@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/base/drawing/palette.h"
+#include "pipeline/base/drawing/plot.h"
+
+namespace mien::pipeline {
+
+/// A coloured cell of a table.
+struct HeatCell {
+  std::string text;  ///< printed in it; empty for nothing
+  Colour colour = paper;
+  bool is_outlined = false;
+  bool is_bold = false;
+};
+
+/// A table whose cells are coloured.
+struct HeatMap {
+  std::string title;
+  std::string words;  ///< under the title
+  std::string rows_are, columns_are;
+  std::vector<std::string> row_names, column_names;
+  std::vector<std::vector<HeatCell>> cells;  ///< row by row
+  bool simulated = false;
+};
+
+Plot heat_map_plot(const HeatMap& map);
+
+/// White for 0, to blue for 1 and to orange for −1, even steps for the eye.
+Colour signed_colour(double value);
+
+/// White for 0 to blue for 1.
+Colour share_colour(double value);
+
+}  // namespace mien::pipeline

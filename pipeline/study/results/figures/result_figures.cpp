@@ -1,0 +1,323 @@
+#include "pipeline/study/results/figures/result_figures.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/drawing/bar_chart.h"
+#include "pipeline/study/results/best_seen.h"
+#include "pipeline/study/results/figures/difference_figures.h"
+#include "pipeline/study/results/figures/heat_map.h"
+#include "pipeline/study/results/figures/pair_figures.h"
+#include "pipeline/study/results/figures/rating_grid.h"
+#include "pipeline/study/results/figures/word_figures.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::size_t most_columns = 8;  // scales beside each other
+
+RatingPanel panel_of(const Gathered& gathered, const RatingSummary& summary) {
+  const Scale& scale = gathered.scales[summary.scale];
+  return {.counts = summary.counts,
+          .mean = share_of(scale, summary.mean),
+          .low = share_of(scale, summary.low),
+          .high = share_of(scale, summary.high),
+          .is_marked = end_of(scale, gathered.stimuli[summary.stimulus].emotion) != 0};
+}
+
+/// The rows of these stimuli on the scales from `first` up to `end`.
+RatingGrid grid_of(const Results& results, const std::vector<std::size_t>& stimuli,
+                   std::size_t first, std::size_t end) {
+  const Gathered& gathered = results.gathered;
+  RatingGrid grid;
+  grid.simulated = gathered.simulated;
+  for (std::size_t s = first; s < end; ++s)
+    grid.columns.push_back({gathered.scales[s].low, gathered.scales[s].high});
+  for (const std::size_t stimulus : stimuli) {
+    RatingRow row;
+    row.name = gathered.stimuli[stimulus].id;
+    row.panels.resize(end - first);
+    int answers = 0;
+    for (const RatingSummary& summary : results.summaries) {
+      if (summary.stimulus != stimulus || summary.scale < first || summary.scale >= end) continue;
+      row.panels[summary.scale - first] = panel_of(gathered, summary);
+      answers = std::max(answers, summary.answers);
+    }
+    if (answers == 0) continue;
+    row.note = fmt::format("n = {}", answers);
+    grid.rows.push_back(std::move(row));
+  }
+  return grid;
+}
+
+using DrawGrid = Plot (*)(const RatingGrid&);
+
+void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
+               const ResultFigure& figure, const std::string& title, DrawGrid draw,
+               std::vector<ResultFigure>& figures) {
+  const std::size_t scales = results.gathered.scales.size();
+  for (std::size_t first = 0; first < scales; first += most_columns) {
+    const std::size_t end = std::min(scales, first + most_columns);
+    RatingGrid grid = grid_of(results, stimuli, first, end);
+    if (grid.rows.empty()) return;
+    grid.title = title;
+    grid.words = figure.caption;
+    ResultFigure part = figure;
+    if (first > 0) {
+      part.name += fmt::format("-{}", first / most_columns + 1);
+      if (!part.was.empty()) part.was += fmt::format("-{}", first / most_columns + 1);
+    }
+    part.plot = draw(grid);
+    figures.push_back(std::move(part));
+  }
+}
+
+constexpr char spread_caption[] =
+    "How the answers are spread; the line is the mean. On a yellow ground: the scale of the "
+    "emotion that was meant.";
+
+/// The videos in which some end of a scale is seen most, each once.
+std::vector<std::size_t> best_videos(const Results& results) {
+  std::vector<std::size_t> videos;
+  for (const BestSeen& best : best_seen(results.gathered, results.comparisons))
+    if (std::ranges::find(videos, best.comparison.stimulus) == videos.end())
+      videos.push_back(best.comparison.stimulus);
+  return videos;
+}
+
+/// Videos that differ in the level of a factor alone, one below the other.
+void add_histograms_by_level(const Results& results, std::vector<ResultFigure>& figures) {
+  std::vector<std::string> factors;
+  for (const Comparison& c : results.comparisons)
+    if (c.family == ComparisonFamily::between_levels &&
+        std::ranges::find(factors, c.factor) == factors.end())
+      factors.push_back(c.factor);
+  for (const std::string& factor : factors) {
+    std::vector<std::size_t> stimuli;
+    const auto add = [&](std::size_t stimulus) {
+      if (std::ranges::find(stimuli, stimulus) == stimuli.end()) stimuli.push_back(stimulus);
+    };
+    for (const Comparison& c : results.comparisons) {
+      if (c.family != ComparisonFamily::between_levels || c.factor != factor) continue;
+      add(c.stimulus);
+      add(*c.against);
+    }
+    const ResultFigure figure{.name = "histograms-by-" + factor,
+                              .section = "levels",
+                              .thesis = factor == "actor" ? "39" : "",
+                              .caption = spread_caption};
+    add_grids(results, stimuli, figure, "Answers by " + factor, histogram_grid_plot, figures);
+  }
+}
+
+/// The answers of either group of participants.
+void add_histograms_of_groups(const Results& results, std::vector<ResultFigure>& figures) {
+  std::vector<std::size_t> every(results.gathered.stimuli.size());
+  for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
+  for (const ParticipantGroups& groups :
+       participant_groups(results.demographics, results.gathered)) {
+    if (groups.question != "gender") continue;
+    for (const bool first : {true, false}) {
+      const std::vector<std::size_t>& people = first ? groups.people_one : groups.people_other;
+      const std::string& answer = first ? groups.one : groups.other;
+      Results own;
+      own.gathered = results.gathered;
+      std::erase_if(own.gathered.ratings, [&](const CountedRating& rating) {
+        return std::ranges::find(people, rating.person) == people.end();
+      });
+      own.summaries = summaries_of(own.gathered);
+      const ResultFigure figure{
+          .name = first ? "histograms-by-gender" : "histograms-by-gender-other",
+          .section = "groups",
+          .thesis = first ? "42" : "43",
+          .caption = spread_caption};
+      add_grids(own, every, figure, "Answers of the participants who said: " + answer,
+                histogram_grid_plot, figures);
+    }
+  }
+}
+
+void add_rating_figures(const Results& results, std::vector<ResultFigure>& figures) {
+  const ResultFigure best{
+      .name = "histograms-best-seen", .section = "best", .thesis = "32", .caption = spread_caption};
+  add_grids(results, best_videos(results), best, "Answers about the videos seen most",
+            histogram_grid_plot, figures);
+  for (const StimulusGroup& group : stimulus_groups(results.gathered)) {
+    const ResultFigure figure{.name = "histograms-" + group.name,
+                              .section = "histograms",
+                              .was = group.was,
+                              .caption = spread_caption};
+    add_grids(results, group.stimuli, figure, "Answers about the " + group.words,
+              histogram_grid_plot, figures);
+  }
+  add_histograms_by_level(results, figures);
+  add_histograms_of_groups(results, figures);
+  std::vector<std::size_t> every(results.gathered.stimuli.size());
+  for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
+  const ResultFigure means{.name = "means",
+                           .section = "means",
+                           .thesis = "40",
+                           .was = "figure-40-means",
+                           .caption =
+                               "Mean answers with their 95 % intervals. On a yellow ground: the "
+                               "scale of the emotion that was meant."};
+  add_grids(results, every, means, "Means of all videos", mean_grid_plot, figures);
+}
+
+std::string percent_of(double share) { return fmt::format("{:.0f}", 100.0 * share); }
+
+void add_confusion_figure(const Results& results, const Confusion& confusion,
+                          const std::string& thesis, std::vector<ResultFigure>& figures) {
+  HeatMap map;
+  map.title = "What was seen in " +
+              (confusion.of == "all" ? std::string("all videos") : confusion.of + " motions");
+  map.words = confusion.by_points
+                  ? "Shares of a row's points, in %; outlined: the emotion that was meant"
+                  : "Shares of a row's choices, in %; outlined: the emotion that was meant";
+  map.rows_are = "shown";
+  map.columns_are = "seen";
+  map.column_names = confusion.columns;
+  map.simulated = results.gathered.simulated;
+  for (const ConfusionRow& row : confusion.rows) {
+    map.row_names.push_back(row.emotion);
+    std::vector<HeatCell> cells;
+    for (std::size_t i = 0; i < row.points.size(); ++i) {
+      const double share = row.total > 0.0 ? row.points[i] / row.total : 0.0;
+      const bool own = static_cast<int>(i) == row.own;
+      cells.push_back({percent_of(share), share_colour(share), own, own});
+    }
+    map.cells.push_back(std::move(cells));
+  }
+  const std::string by = confusion.by_points ? "" : "-choices";
+  const std::string name = "confusion-" + confusion.of + by;
+  figures.push_back({name, "confusion", thesis,
+                     thesis.empty() ? "" : fmt::format("figure-{}-{}", thesis, name),
+                     map.words + ".", heat_map_plot(map)});
+}
+
+void add_recall_figure(const Results& results, const Confusion& confusion,
+                       std::vector<ResultFigure>& figures) {
+  BarChart chart;
+  chart.title = "How well emotions were seen in " +
+                (confusion.of == "all" ? std::string("all videos") : confusion.of + " motions");
+  chart.axis = confusion.by_points ? "Share of points" : "Share of choices";
+  chart.whiskers = "95 % interval (Wilson)";
+  chart.line = confusion.chance;
+  chart.line_name = fmt::format("chance {:.0f} %", 100.0 * confusion.chance);
+  chart.percent = true;
+  chart.one_colour = true;
+  chart.decimals = 0;
+  chart.slot_width = 64.0;
+  for (const ConfusionRow& row : confusion.rows)
+    if (row.own >= 0)
+      chart.bars.push_back({row.emotion, row.recall, row.low, row.high,
+                            fmt::format("n = {}", row.judged), created_colours.light});
+  if (chart.bars.empty()) return;
+  const std::string by = confusion.by_points ? "" : "-choices";
+  figures.push_back({"recall-" + confusion.of + by, "confusion", "", "",
+                     "Per-class recall with Wilson's intervals against chance.",
+                     marked(bar_chart_plot(chart), results.gathered.simulated)});
+}
+
+void add_confusion_figures(const Results& results, std::vector<ResultFigure>& figures) {
+  for (const Confusion& confusion : results.confusions) {
+    const std::string thesis = confusion.of == "acted"      ? "33"
+                               : confusion.of == "modified" ? "34"
+                                                            : "";
+    add_confusion_figure(results, confusion, confusion.by_points ? thesis : "", figures);
+    add_recall_figure(results, confusion, figures);
+  }
+}
+
+void add_correlation_figure(const Results& results, std::vector<ResultFigure>& figures) {
+  const std::vector<std::string> ends = ends_of(results.gathered.scales);
+  constexpr std::size_t most_ends = 24;  // more cannot be read
+  if (results.correlations.empty() || ends.size() < 4 || ends.size() > most_ends) return;
+  HeatMap map;
+  map.title = "How the ends of the scales go together";
+  map.words =
+      "Pearson's r over all judgements; bold: |r| > .5; outlined: |r| > .3; grey: one scale";
+  map.row_names = map.column_names = ends;
+  map.simulated = results.gathered.simulated;
+  map.cells.assign(ends.size(), std::vector<HeatCell>(ends.size(), HeatCell{"", hairline}));
+  for (const EndCorrelation& pair : results.correlations) {
+    const double r = pair.correlation.r;
+    if (std::isnan(r)) continue;
+    HeatCell cell{(r <= -0.005 ? "−" : "") + fmt::format("{:.2f}", std::abs(r)).substr(1),
+                  pair.same_scale ? hairline : signed_colour(r),
+                  !pair.same_scale && std::abs(r) > 0.3, !pair.same_scale && std::abs(r) > 0.5};
+    if (std::abs(r) >= 0.995) cell.text = r < 0.0 ? "−1" : "1";
+    map.cells[pair.one][pair.other] = map.cells[pair.other][pair.one] = cell;
+  }
+  figures.push_back({"correlations", "correlations", "44", "figure-44-correlations",
+                     map.words + ".", heat_map_plot(map)});
+}
+
+/// Levels of factors are any text; names of files are letters, digits, '.', '_' and '-', and no two
+/// are the same.
+void name_files(std::vector<ResultFigure>& figures) {
+  std::set<std::string> taken;
+  for (ResultFigure& figure : figures) {
+    for (char& letter : figure.name)
+      if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '.' && letter != '_' &&
+          letter != '-')
+        letter = '-';
+    const std::string name = figure.name;
+    for (int number = 2; !taken.insert(figure.name).second; ++number)
+      figure.name = fmt::format("{}-{}", name, number);
+  }
+}
+
+}  // namespace
+
+Plot marked(Plot plot, bool simulated) {
+  if (!simulated) return plot;
+  plot.draw = [draw = plot.draw, right = plot.width - 18.0](Canvas& canvas) {
+    draw(canvas);
+    draw_simulated_mark(canvas, {right, 49.0});
+  };
+  return plot;
+}
+
+std::vector<StimulusGroup> stimulus_groups(const Gathered& gathered) {
+  StimulusGroup acted{"acted", "acted motions", {}, "figure-32-histograms-acted"};
+  StimulusGroup modified{"modified", "modified motions", {}, "figure-39-histograms-modified"};
+  StimulusGroup neutral{"neutral", "neutral motions", {}, "figure-42-histograms-neutral"};
+  StimulusGroup others{"others", "other motions", {}, "figure-43-histograms-others"};
+  for (std::size_t i = 0; i < gathered.stimuli.size(); ++i) {
+    const ReportedStimulus& stimulus = gathered.stimuli[i];
+    StimulusGroup& group = stimulus.is_neutral()         ? neutral
+                           : stimulus.made == "acted"    ? acted
+                           : stimulus.made == "modified" ? modified
+                                                         : others;
+    group.stimuli.push_back(i);
+  }
+  if (acted.stimuli.empty() && modified.stimuli.empty()) {
+    StimulusGroup all{"all", "videos", {}, "figure-32-histograms-all"};
+    for (std::size_t i = 0; i < gathered.stimuli.size(); ++i) all.stimuli.push_back(i);
+    return {all};
+  }
+  std::vector<StimulusGroup> groups;
+  for (StimulusGroup* group : {&acted, &modified, &neutral, &others})
+    if (!group->stimuli.empty()) groups.push_back(*group);
+  return groups;
+}
+
+std::vector<ResultFigure> result_figures(const Results& results) {
+  std::vector<ResultFigure> figures;
+  add_rating_figures(results, figures);
+  add_difference_figures(results, figures);
+  add_confusion_figures(results, figures);
+  add_correlation_figure(results, figures);
+  add_pair_figures(results, figures);
+  add_word_figures(results, figures);
+  name_files(figures);
+  return figures;
+}
+
+}  // namespace mien::pipeline

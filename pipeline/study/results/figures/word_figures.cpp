@@ -1,0 +1,121 @@
+#include "pipeline/study/results/figures/word_figures.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/drawing/canvas.h"
+#include "pipeline/base/drawing/palette.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::size_t most_words = 6;  // of a stimulus
+constexpr std::size_t words_across = 3;
+constexpr std::size_t most_word_panels = 24;  // on a page
+
+constexpr double words_margin = 18.0;
+constexpr double words_header = 58.0;
+constexpr double words_panel_width = 190.0;
+constexpr double words_panel_gap = 16.0;
+constexpr double word_width = 92.0;
+constexpr double word_line = 14.0;
+constexpr double words_panel_height = 26.0 + word_line * most_words;
+
+/// The words of one stimulus, the most frequent first.
+struct WordPanel {
+  std::string stimulus;
+  int asked = 0;
+  std::vector<GivenWord> words;
+  int others = 0;  ///< further words
+};
+
+std::vector<WordPanel> word_panels(const std::vector<GivenWord>& counts, const std::string& item) {
+  std::vector<WordPanel> panels;
+  for (const GivenWord& count : counts) {
+    if (count.item != item) continue;
+    if (panels.empty() || panels.back().stimulus != count.stimulus)
+      panels.push_back({count.stimulus, count.asked, {}});
+    WordPanel& panel = panels.back();
+    if (panel.words.size() < most_words) {
+      panel.words.push_back(count);
+    } else {
+      ++panel.others;
+    }
+  }
+  return panels;
+}
+
+/// Bars are shares of the people who gave any word, all to the same measure.
+void draw_word_panel(Canvas& canvas, const Box& box, const WordPanel& panel) {
+  const std::string note = fmt::format("n = {}", panel.asked);
+  const double note_width = canvas.text_width(note, {.size = 7.5}) + 8.0;
+  canvas.text({box.x, box.y + 9.0}, panel.stimulus,
+              {.size = 9.0, .bold = true, .max_width = box.width - note_width});
+  canvas.text({box.right(), box.y + 9.0}, note,
+              {.size = 7.5, .colour = quiet_ink, .align = Align::right});
+  const double room = box.width - word_width - 26.0;
+  for (std::size_t i = 0; i < panel.words.size(); ++i) {
+    const GivenWord& count = panel.words[i];
+    const double y = box.y + 14.0 + word_line * static_cast<double>(i);
+    canvas.text({box.x + word_width - 6.0, y + 9.5}, count.word,
+                {.size = 8.0, .align = Align::right, .max_width = word_width - 6.0});
+    const double length = room * count.people / std::max(1, panel.asked);
+    canvas.fill(Box{box.x + word_width, y + 2.0, length, word_line - 4.0}, created_colours.light);
+    canvas.text({box.x + word_width + length + 4.0, y + 9.5}, std::to_string(count.people),
+                {.size = 8.0, .bold = true});
+  }
+  if (panel.others == 0) return;
+  canvas.text({box.x + word_width, box.y + words_panel_height - 5.0},
+              fmt::format("and {} more", panel.others), {.size = 7.0, .colour = quiet_ink});
+}
+
+Plot words_plot(const std::string& title, const std::vector<WordPanel>& panels, bool simulated) {
+  const std::size_t columns = words_across;
+  const auto rows = static_cast<double>((panels.size() + columns - 1) / columns);
+  const double width =
+      2.0 * words_margin + columns * (words_panel_width + words_panel_gap) - words_panel_gap;
+  const double height =
+      2.0 * words_margin + words_header + rows * (words_panel_height + 10.0) - 10.0;
+  return {title, width, height, [=](Canvas& canvas) {
+            canvas.text({words_margin, words_margin + 12.0}, title,
+                        {.size = 12.0, .bold = true, .max_width = width - 180.0});
+            canvas.text({words_margin, words_margin + 27.0},
+                        "How many people gave the words that most gave; n: people who gave any",
+                        {.size = 8.5, .colour = quiet_ink});
+            for (std::size_t i = 0; i < panels.size(); ++i) {
+              const auto column = static_cast<double>(i % columns);
+              const auto row = static_cast<double>(i / columns);
+              draw_word_panel(canvas,
+                              {words_margin + column * (words_panel_width + words_panel_gap),
+                               words_margin + words_header + row * (words_panel_height + 10.0),
+                               words_panel_width, words_panel_height},
+                              panels[i]);
+            }
+            if (simulated) draw_simulated_mark(canvas, {width - words_margin, words_margin - 2.0});
+          }};
+}
+
+}  // namespace
+
+void add_word_figures(const Results& results, std::vector<ResultFigure>& figures) {
+  std::set<std::string> items;
+  for (const GivenWord& count : results.words) items.insert(count.item);
+  for (const std::string& item : items) {
+    const std::vector<WordPanel> panels = word_panels(results.words, item);
+    for (std::size_t first = 0; first < panels.size(); first += most_word_panels) {
+      const std::size_t end = std::min(panels.size(), first + most_word_panels);
+      const std::vector<WordPanel> part(panels.begin() + static_cast<std::ptrdiff_t>(first),
+                                        panels.begin() + static_cast<std::ptrdiff_t>(end));
+      const std::string number =
+          first > 0 ? fmt::format("-{}", first / most_word_panels + 1) : std::string();
+      figures.push_back({"words-" + item + number, "words", "", "",
+                         "The words that most people gave for each video.",
+                         words_plot("Words for " + item, part, results.gathered.simulated)});
+    }
+  }
+}
+
+}  // namespace mien::pipeline

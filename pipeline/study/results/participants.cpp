@@ -1,0 +1,174 @@
+#include "pipeline/study/results/participants.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "pipeline/base/statistics/t_test.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+double median_or_nothing(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+/// Counts once a trial what is told on each of its rows.
+void add_trials(ParticipantSummary& summary, const std::vector<const AnswerRow*>& rows) {
+  std::set<std::pair<std::string, int>> met;
+  std::set<std::string> values;
+  std::vector<double> times;
+  for (const AnswerRow* row : rows) {
+    if (row->counts()) {
+      ++summary.answers;
+      values.insert(row->value_raw);
+      if (row->rt_ms) times.push_back(*row->rt_ms);
+    }
+    if (!met.emplace(row->session, row->trial).second) continue;
+    summary.stalls += row->stalls.value_or(0);
+    summary.dropped_frames += row->dropped_frames.value_or(0);
+    summary.blurs += row->blurs.value_or(0);
+  }
+  summary.trials = static_cast<int>(met.size());
+  summary.median_rt_ms = median_or_nothing(times);
+  summary.is_constant = summary.answers >= 3 && values.size() == 1;
+}
+
+std::optional<double> as_number(const CsvTable& table, const CsvField& field) {
+  try {
+    return number_in(table, field);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+void add_numbers(const std::string& question, const std::vector<double>& numbers,
+                 std::vector<DemographicSummary>& all) {
+  const TTest of_mean = paired_t_test(numbers);
+  const int people = static_cast<int>(numbers.size());
+  all.push_back({question, "mean", of_mean.mean, people});
+  all.push_back({question, "standard deviation",
+                 of_mean.standard_error * std::sqrt(static_cast<double>(people)), people});
+  all.push_back({question, "least", std::ranges::min(numbers), people});
+  all.push_back({question, "most", std::ranges::max(numbers), people});
+}
+
+}  // namespace
+
+std::vector<ParticipantSummary> participant_summaries(const Gathered& gathered,
+                                                      std::vector<AnswerRow> rows) {
+  tell_people_apart(rows);
+  std::map<std::string, std::vector<const AnswerRow*>> of_person;
+  for (const AnswerRow& row : rows) of_person[row.participant].push_back(&row);
+  std::set<std::string> unfinished;
+  for (const Unfinished& one : gathered.unfinished) unfinished.insert(one.participant);
+  std::vector<ParticipantSummary> all;
+  for (const Attention& own : gathered.attention) {
+    ParticipantSummary summary;
+    summary.participant = own.participant;
+    summary.checks = own.checks;
+    summary.passed = own.passed;
+    summary.is_excluded = !std::ranges::binary_search(gathered.people, own.participant);
+    summary.is_unfinished = unfinished.contains(own.participant);
+    add_trials(summary, of_person.at(own.participant));
+    all.push_back(summary);
+  }
+  std::ranges::sort(all, {}, &ParticipantSummary::participant);
+  return all;
+}
+
+std::vector<std::string> ParticipantTable::questions() const {
+  constexpr std::array<std::string_view, 6> others = {"participant",  "session",  "design",
+                                                      "consented_at", "finished", "simulated"};
+  std::vector<std::string> questions;
+  for (const CsvField& field : table.header)
+    if (std::ranges::find(others, field.text) == others.end()) questions.push_back(field.text);
+  return questions;
+}
+
+std::set<std::string> ParticipantTable::finished() const {
+  std::set<std::string> names;
+  const int name = find_column(table, "participant");
+  const int session = find_column(table, "session");
+  const int done = find_column(table, "finished");
+  if (name < 0 || done < 0) return names;
+  for (const auto& row : table.rows) {
+    if (row[static_cast<std::size_t>(done)].text != "1") continue;
+    const std::string& participant = row[static_cast<std::size_t>(name)].text;
+    names.insert(participant);
+    if (session >= 0) names.insert(participant + "/" + row[static_cast<std::size_t>(session)].text);
+  }
+  return names;
+}
+
+ParticipantTable read_participants(const std::filesystem::path& file) {
+  ParticipantTable participants{read_csv(file)};
+  require_column(participants.table, "participant");
+  return participants;
+}
+
+ParticipantTable joined(const std::vector<ParticipantTable>& tables) {
+  ParticipantTable all;
+  for (const ParticipantTable& part : tables) {
+    if (all.table.header.empty()) {
+      all = part;
+      continue;
+    }
+    const bool alike = std::ranges::equal(all.table.header, part.table.header, {}, &CsvField::text,
+                                          &CsvField::text);
+    if (!alike)
+      throw Error(place_of(part.table, part.table.header.front()),
+                  "has other columns than " + all.table.file,
+                  "report the answers of each questionnaire by themselves");
+    all.table.rows.insert(all.table.rows.end(), part.table.rows.begin(), part.table.rows.end());
+  }
+  std::set<std::vector<std::string>> met;
+  std::erase_if(all.table.rows, [&](const std::vector<CsvField>& row) {
+    std::vector<std::string> texts;
+    for (const CsvField& field : row) texts.push_back(field.text);
+    return !met.insert(std::move(texts)).second;
+  });
+  return all;
+}
+
+std::vector<DemographicSummary> demographics_of(const ParticipantTable& participants,
+                                                const Gathered& gathered) {
+  std::vector<DemographicSummary> all;
+  if (participants.empty()) return all;
+  const CsvTable& table = participants.table;
+  const auto name = static_cast<std::size_t>(require_column(table, "participant"));
+  for (const std::string& question : participants.questions()) {
+    const auto column = static_cast<std::size_t>(find_column(table, question));
+    std::vector<double> numbers;
+    std::map<std::string, int> words;
+    int people = 0;
+    for (const auto& row : table.rows) {
+      // Of people told apart by their sessions, the participant is the beginning of the name.
+      const bool is_there = std::ranges::any_of(gathered.people, [&](const std::string& person) {
+        return person == row[name].text || person.starts_with(row[name].text + "/");
+      });
+      if (!is_there || row[column].text.empty()) continue;
+      ++people;
+      ++words[row[column].text];
+      if (const auto number = as_number(table, row[column])) numbers.push_back(*number);
+    }
+    if (people == 0) continue;
+    const bool is_worded = gathered.worded_questions.contains(question);
+    if (!is_worded && static_cast<int>(numbers.size()) == people) {
+      add_numbers(question, numbers, all);
+    } else {
+      for (const auto& [word, count] : words)
+        all.push_back({question, word, static_cast<double>(count), people, true});
+    }
+  }
+  return all;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,29 @@
+#include "pipeline/study/results/people_counted.h"
+
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+
+namespace mien::pipeline {
+
+std::string counted(std::size_t count, const std::string& one, const std::string& several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+std::string people_sentence(const Gathered& gathered) {
+  const std::size_t all = gathered.attention.size();
+  return fmt::format("{} of {} {}", gathered.people.size(), counted(all, "person", "people"),
+                     gathered.people.size() == 1 ? "counts" : "count");
+}
+
+std::vector<std::string> unfinished_sentences(const Gathered& gathered) {
+  std::vector<std::string> sentences;
+  for (const Unfinished& one : gathered.unfinished)
+    sentences.push_back(
+        fmt::format("participant {} did not finish ({} of {} trials): {}",
+                    motion::in_quotes(one.participant), one.trials, one.planned,
+                    gathered.without_unfinished ? "left out" : "what was answered counts"));
+  return sentences;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,44 @@
+#include "pipeline/study/results/preferences.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "pipeline/base/statistics/proportion.h"
+#include "pipeline/study/results/comparisons.h"
+
+namespace mien::pipeline {
+
+std::string asked_of_two(const Gathered& gathered, const std::string& item) {
+  const auto scale = std::ranges::find(gathered.scales, item, &Scale::id);
+  return scale == gathered.scales.end() ? item : "more " + scale->high;
+}
+
+std::vector<PreferenceCount> preferences_of(const Gathered& gathered) {
+  std::map<std::tuple<std::string, std::size_t, std::size_t>, PreferenceCount> counts;
+  for (const CountedPreference& preference : gathered.preferences) {
+    const std::size_t one = std::min(preference.chosen, preference.other);
+    const std::size_t other = std::max(preference.chosen, preference.other);
+    PreferenceCount& count = counts[{preference.item, one, other}];
+    count.item = preference.item;
+    count.one = one;
+    count.other = other;
+    ++count.trials;
+    count.for_one += preference.chosen == one ? 1 : 0;
+  }
+  std::vector<PreferenceCount> all;
+  std::vector<double> p_values;
+  for (auto& [key, count] : counts) {
+    const ShareInterval interval = wilson(count.for_one, count.trials);
+    count.low = interval.low;
+    count.high = interval.high;
+    count.p = binomial_test(count.for_one, count.trials, 0.5);
+    p_values.push_back(count.p);
+    all.push_back(count);
+  }
+  const std::vector<double> adjusted = corrected(p_values, gathered.correction);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].adjusted = adjusted[i];
+  return all;
+}
+
+}  // namespace mien::pipeline

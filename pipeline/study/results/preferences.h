@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pipeline/study/results/gathered.h"
+
+namespace mien::pipeline {
+
+/// How two stimuli fared against each other.
+struct PreferenceCount {
+  std::string item;
+  std::size_t one = 0;  ///< the earlier one in the manifest
+  std::size_t other = 0;
+  int trials = 0;
+  int for_one = 0;
+  double low = 0.0;  ///< Wilson's 95 % interval of the share for one
+  double high = 1.0;
+  double p = 1.0;  ///< exact binomial test, two-sided, against one half
+  double adjusted = 1.0;
+};
+
+/// What is asked of two: the page asks which is more of the scale's high end.
+std::string asked_of_two(const Gathered& gathered, const std::string& item);
+
+/// Of all pairs that were shown.
+std::vector<PreferenceCount> preferences_of(const Gathered& gathered);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,232 @@
+#include "pipeline/study/results/report/dataset.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr Column excluded_column = {"excluded", "",
+                                    "1 for answers of participants whom the report leaves out"};
+
+constexpr std::array stimulus_columns = {
+    Column{"stimulus", "", "the stimulus, as its study names it"},
+    Column{"made", "", "level of the factor made"},
+    Column{"emotion", "", "level of the factor emotion"},
+    Column{"setting", "", "levels of the other factors"}};
+
+constexpr std::array participant_columns = {
+    Column{"participant", "", "who answered: the place in the design, no name"},
+    Column{"session", "", "random name of the browser session"},
+    Column{"design", "", "hash of the questionnaire that was run"},
+    Column{"consented_at", "", "when consent was given"},
+    Column{"finished", "", "whether the questionnaire was done to its end"},
+    Column{"simulated", "", "1 for participants whom nobody was"}};
+
+std::string letters_and_figures(const std::string& text) {
+  std::string kept;
+  for (const char c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) kept += c;
+  return kept.empty() ? "study" : kept;
+}
+
+std::string answers_csv(const Results& results, std::vector<AnswerRow> rows) {
+  tell_people_apart(rows);
+  const std::vector<std::string>& people = results.gathered.people;
+  std::vector<std::string> header = header_of(answer_form);
+  header.emplace_back(excluded_column.name);
+  CsvWriter writer(header);
+  for (const AnswerRow& row : rows) {
+    std::vector<std::string> fields = fields_of_row(row);
+    const bool counts = std::ranges::binary_search(people, row.participant);
+    fields.emplace_back(counts ? "0" : "1");
+    writer.row(fields);
+  }
+  return writer.text();
+}
+
+/// Factors of the manifest beside made and emotion that some stimulus has.
+std::vector<std::string> further_factors(const Gathered& gathered) {
+  std::vector<std::string> factors;
+  for (const ReportedStimulus& stimulus : gathered.stimuli)
+    for (const auto& [factor, level] : stimulus.factors) {
+      const bool is_known = factor == "made" || factor == "emotion" || factor == "stimulus" ||
+                            factor == "setting" ||
+                            std::ranges::find(factors, factor) != factors.end();
+      if (!is_known) factors.push_back(factor);
+    }
+  return factors;
+}
+
+std::string stimuli_csv(const Gathered& gathered) {
+  const std::vector<std::string> further = further_factors(gathered);
+  std::vector<std::string> header;
+  for (const Column& column : stimulus_columns) header.emplace_back(column.name);
+  header.insert(header.end(), further.begin(), further.end());
+  CsvWriter writer(header);
+  for (const ReportedStimulus& stimulus : gathered.stimuli) {
+    std::vector<std::string> row = {stimulus.id, stimulus.made, stimulus.emotion, stimulus.setting};
+    for (const std::string& factor : further) {
+      const auto found =
+          std::ranges::find(stimulus.factors, factor, &std::pair<std::string, std::string>::first);
+      row.push_back(found == stimulus.factors.end() ? "" : found->second);
+    }
+    writer.row(row);
+  }
+  return writer.text();
+}
+
+std::string participants_csv(const CsvTable& table) {
+  std::vector<std::string> header;
+  for (const CsvField& field : table.header) header.push_back(field.text);
+  CsvWriter writer(header);
+  for (const auto& row : table.rows) {
+    std::vector<std::string> fields;
+    for (const CsvField& field : row) fields.push_back(field.text);
+    writer.row(fields);
+  }
+  return writer.text();
+}
+
+/// A column as PropertyValue of schema.org.
+ordered_json variable_of(const Column& column) {
+  ordered_json variable = {
+      {"@type", "PropertyValue"}, {"name", column.name}, {"description", column.meaning}};
+  if (!column.unit.empty()) variable["unitText"] = column.unit;
+  return variable;
+}
+
+/// The columns of the data, each name once.
+class Variables {
+ public:
+  void add(const Column& column) {
+    if (names_.insert(std::string(column.name)).second) list_.push_back(variable_of(column));
+  }
+  void add(const std::string& name, const std::string& meaning) { add(Column{name, "", meaning}); }
+  const ordered_json& list() const { return list_; }
+
+ private:
+  std::set<std::string> names_;
+  ordered_json list_ = ordered_json::array();
+};
+
+Variables variables_of(const Results& results) {
+  Variables variables;
+  for (const Column& column : answer_form.columns) variables.add(column);
+  variables.add(excluded_column);
+  for (const Column& column : stimulus_columns) variables.add(column);
+  for (const std::string& factor : further_factors(results.gathered))
+    variables.add(factor, "level of the factor " + factor + " of the stimulus");
+  if (!results.demographics.empty()) {
+    for (const CsvField& field : results.demographics.table.header) {
+      const auto known = std::ranges::find(participant_columns, field.text, &Column::name);
+      if (known != participant_columns.end()) variables.add(*known);
+    }
+    for (const std::string& question : results.demographics.questions())
+      variables.add(question, "what the participant answered to the question " + question);
+  }
+  return variables;
+}
+
+std::string description_of(const Results& results) {
+  const Gathered& gathered = results.gathered;
+  const std::string simulated = gathered.simulated ? "SIMULATED, nobody gave these answers: " : "";
+  ordered_json description = {
+      {"@context", "https://schema.org/"},
+      {"@type", "Dataset"},
+      {"name", gathered.title},
+      {"description",
+       simulated + "answers to the questionnaire of the study " + gathered.study +
+           ", a row an answer, with the stimuli that were judged and who judged them. Tables and "
+           "figures made of them are in results and figures; codebook.csv tells all columns."},
+      {"schemaVersion", "Psych-DS 0.4.0"},
+      {"keywords", {"questionnaire", "human motion", "ratings"}},
+      {"variableMeasured", variables_of(results).list()}};
+  if (gathered.simulated) description["keywords"].push_back("simulated");
+  const auto replace = ordered_json::error_handler_t::replace;
+  return description.dump(2, ' ', false, replace) + "\n";
+}
+
+void add_columns(CsvWriter& writer, const std::string& table, std::string_view rows,
+                 std::span<const Column> columns) {
+  for (const Column& column : columns)
+    writer.row({table, std::string(rows), std::string(column.name), std::string(column.unit),
+                std::string(column.meaning)});
+}
+
+std::string codebook_of(const Results& results, const std::vector<ResultTable>& tables) {
+  const DatasetPaths paths = dataset_paths(results.gathered.study);
+  CsvWriter writer({"table", "row_is", "column", "unit", "meaning"});
+  add_columns(writer, paths.answers, answer_form.rows, answer_form.columns);
+  add_columns(writer, paths.answers, answer_form.rows, std::array{excluded_column});
+  add_columns(writer, paths.stimuli, "a stimulus", stimulus_columns);
+  for (const std::string& factor : further_factors(results.gathered))
+    writer.row({paths.stimuli, "a stimulus", factor, "", "level of the factor " + factor});
+  if (!results.demographics.empty()) {
+    for (const CsvField& field : results.demographics.table.header) {
+      const auto known = std::ranges::find(participant_columns, field.text, &Column::name);
+      writer.row({paths.participants, "a participant", field.text, "",
+                  known == participant_columns.end() ? "answer to the question " + field.text
+                                                     : std::string(known->meaning)});
+    }
+  }
+  for (const ResultTable& table : tables) {
+    const std::string path(table.form->path);
+    add_columns(writer, path, table.form->rows, table.form->columns);
+    if (results.gathered.simulated)
+      writer.row({path, std::string(table.form->rows), "simulated", "",
+                  "1: reckoned from answers that nobody gave"});
+  }
+  return writer.text();
+}
+
+std::string readme_of(const Results& results) {
+  const DatasetPaths paths = dataset_paths(results.gathered.study);
+  return "# " + results.gathered.title + "\n\n" +
+         (results.gathered.simulated ? "**Simulated: nobody gave these answers.**\n\n" : "") +
+         "Answers to the questionnaire of the study " + results.gathered.study +
+         ", as a Psych-DS dataset, and what mien study report made of them.\n\n"
+         "- report.html: everything on one page\n"
+         "- data/: the answers, a row each; the stimuli; the participants\n"
+         "- dataset_description.json: what each column of data/ means (JSON-LD)\n"
+         "- codebook.csv: the same, and the columns of results/\n"
+         "- results/: tables\n- figures/: the drawings as PDF, SVG and PNG\n" +
+         (results.gathered.ratings.empty()
+              ? std::string()
+              : "- analysis/: R scripts that fit mixed models (lme4, ordinal) to " + paths.answers +
+                    "\n");
+}
+
+}  // namespace
+
+DatasetPaths dataset_paths(const std::string& study) {
+  const std::string begin = "data/study-" + letters_and_figures(study) + "_description-";
+  return {begin + "answers_data.csv", begin + "stimuli_data.csv", begin + "participants_data.csv"};
+}
+
+std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
+                                       const std::vector<ResultTable>& tables) {
+  const DatasetPaths paths = dataset_paths(results.gathered.study);
+  std::vector<DatasetFile> files = {{paths.answers, answers_csv(results, rows)},
+                                    {paths.stimuli, stimuli_csv(results.gathered)},
+                                    {"dataset_description.json", description_of(results)},
+                                    {"codebook.csv", codebook_of(results, tables)},
+                                    {"README.md", readme_of(results)},
+                                    // What the validator need not look at.
+                                    {".psychdsignore",
+                                     "report.html\ncodebook.csv\n"
+                                     "results/\nfigures/\nanalysis/\n"}};
+  if (!results.demographics.empty())
+    files.push_back({paths.participants, participants_csv(results.demographics.table)});
+  return files;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/study/results/result_tables.h"
+#include "pipeline/study/results/results.h"
+
+namespace mien::pipeline {
+
+/// A file of the report's folder.
+struct DatasetFile {
+  std::string path;
+  std::string bytes;
+};
+
+/// Paths of the data.
+struct DatasetPaths {
+  std::string answers;       ///< "data/study-emotionstudy_description-answers_data.csv"
+  std::string stimuli;       ///< likewise -stimuli_
+  std::string participants;  ///< likewise -participants_
+};
+
+/// Names after Psych-DS: keywords and values of letters and figures alone.
+DatasetPaths dataset_paths(const std::string& study);
+
+/// The folder's data as a Psych-DS dataset (psych-ds.github.io): the answers as they were read,
+/// with whom the report leaves out; the stimuli and their factors; the participants, where they are
+/// known; dataset_description.json (JSON-LD, schema.org) that tells every column of them, and
+/// codebook.csv that tells those of the tables of results too.
+std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
+                                       const std::vector<ResultTable>& tables);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "pipeline/manifest/ratings/scales.h"
+
+namespace mien::pipeline {
+
+// Numbers as the page of results prints them: with a true minus sign, and "–" for what is not
+// known.
+
+std::string decimal(double value, int digits = 2);
+std::string interval_text(double low, double high, int digits = 2);
+std::string percent_text(double share);
+std::string share_interval(double low, double high);
+/// "< .001", ".034"
+std::string p_text(double p);
+
+/// "sad – happy"
+std::string scale_name(const Scale& scale);
+
+/// A row of cells; those of `text` and `prose` are set left, and prose may break.
+class HtmlRow {
+ public:
+  HtmlRow& text(const std::string& plain);
+  HtmlRow& prose(const std::string& plain);
+  HtmlRow& number(const std::string& plain);
+  HtmlRow& number(int count);
+  std::string html(bool is_found = false) const;
+
+ private:
+  HtmlRow& cell(std::string_view css_class, const std::string& html);
+
+  std::string cells_;
+};
+
+/// A table that may be wider than the page; nothing without rows. Heads that begin with "<" are of
+/// columns of text.
+std::string wide_table(std::initializer_list<std::string_view> heads, const std::string& rows);
+
+}  // namespace mien::pipeline

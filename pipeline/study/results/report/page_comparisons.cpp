@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/study/results/best_seen.h"
+#include "pipeline/study/results/report/html_row.h"
+#include "pipeline/study/results/report/page_tables.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// What was found within persons.
+HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjusted,
+                      double wilcoxon_adjusted) {
+  return row.number(w.people)
+      .number(decimal(w.t.mean))
+      .number(interval_text(w.t.low(0.95), w.t.high(0.95)))
+      .number(w.all_alike ? "all alike" : decimal(w.t.t))
+      .number(p_text(w.t.p))
+      .number(p_text(paired_adjusted))
+      .number(decimal(w.gz))
+      .number(fmt::format("{:g}", w.wilcoxon.w_plus))
+      .number(fmt::format("{}, {}, {}", w.wilcoxon.used, w.wilcoxon.zeros, w.wilcoxon.tied))
+      .number(p_text(w.wilcoxon.p))
+      .number(p_text(wilcoxon_adjusted))
+      .number(decimal(w.location.estimate))
+      .number(interval_text(w.location.low, w.location.high))
+      .number(decimal(w.wilcoxon.rank_biserial));
+}
+
+std::string comparison_html(const Gathered& gathered, const Comparison& c) {
+  const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
+  const std::string against = c.against ? gathered.stimuli[*c.against].id : "its setting";
+  HtmlRow row;
+  row.text(stimulus.id)
+      .text(against)
+      .text(scale_name(gathered.scales[c.scale]))
+      .number(decimal(c.mean))
+      .number(decimal(c.mean_against))
+      .number(fmt::format("{} ({})", decimal(c.welch.t), decimal(c.welch.degrees, 1)))
+      .number(p_text(c.welch.p));
+  return within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
+      .html(c.paired_adjusted < gathered.alpha);
+}
+
+}  // namespace
+
+std::string best_seen_html(const Results& results) {
+  const Gathered& gathered = results.gathered;
+  std::string rows;
+  for (const BestSeen& best : best_seen(gathered, results.comparisons)) {
+    const Comparison& c = best.comparison;
+    const double sign = best.is_high ? 1.0 : -1.0;
+    const double low = c.within.t.low(0.95);
+    const double high = c.within.t.high(0.95);
+    rows += HtmlRow()
+                .text(best.end)
+                .text(best.setting.empty() ? "all" : best.setting)
+                .text(gathered.stimuli[c.stimulus].id)
+                .number(decimal(sign * c.within.t.mean))
+                .number(best.is_high ? interval_text(low, high) : interval_text(-high, -low))
+                .number(c.within.people)
+                .number(p_text(c.welch.p))
+                .number(p_text(c.within.t.p))
+                .number(p_text(c.paired_adjusted))
+                .number(decimal(sign * c.within.gz))
+                .html(best.is_found);
+  }
+  return wide_table({"<seen", "<setting", "<most in", "above the other videos", "95 % interval",
+                     "n", "p, thesis", "p, paired", "p, corrected", "g<sub>z</sub>"},
+                    rows);
+}
+
+std::string comparisons_html(const Results& results, ComparisonFamily family,
+                             const std::string& made) {
+  const Gathered& gathered = results.gathered;
+  const bool has_own = std::ranges::any_of(results.comparisons, [&](const Comparison& c) {
+    return c.family == family && c.own_end != 0;
+  });
+  std::string rows;
+  for (const Comparison& c : results.comparisons) {
+    const bool is_asked = made.empty() || gathered.stimuli[c.stimulus].made == made;
+    const bool is_shown = !has_own || c.own_end != 0;
+    if (c.family == family && is_asked && is_shown) rows += comparison_html(gathered, c);
+  }
+  return wide_table({"<video",
+                     "<against",
+                     "<scale",
+                     "mean",
+                     "mean against",
+                     "Welch t (df)",
+                     "p",
+                     "n",
+                     "difference within persons",
+                     "95 % interval",
+                     "t",
+                     "p",
+                     "p, corrected",
+                     "g<sub>z</sub>",
+                     "V",
+                     "n ≠ 0, zeros, tied",
+                     "p, Wilcoxon",
+                     "p, corrected",
+                     "Hodges–Lehmann",
+                     "95 % interval",
+                     "rank-biserial"},
+                    rows);
+}
+
+std::string overall_html(const Results& results, ComparisonFamily family) {
+  std::string rows;
+  for (const OverallComparison& c : results.overall) {
+    if (c.family != family) continue;
+    HtmlRow row;
+    row.text(c.emotion.empty() ? "all" : c.emotion)
+        .number(c.matched)
+        .number(decimal(c.mean))
+        .number(decimal(c.mean_against));
+    rows += within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
+                .html(c.paired_adjusted < results.gathered.alpha);
+  }
+  return wide_table(
+      {"<emotion", "matched", "mean", "mean against", "n", "difference within persons",
+       "95 % interval", "t", "p", "p, corrected", "g<sub>z</sub>", "V", "n ≠ 0, zeros, tied",
+       "p, Wilcoxon", "p, corrected", "Hodges–Lehmann", "95 % interval", "rank-biserial"},
+      rows);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,102 @@
+#include "pipeline/study/results/report/r_scripts.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Factors with at least two levels, of which models are made.
+std::vector<std::string> varied_factors(const Gathered& gathered) {
+  std::vector<std::string> factors;
+  const auto varies = [&](auto level_of_stimulus) {
+    std::set<std::string> levels;
+    for (const ReportedStimulus& stimulus : gathered.stimuli)
+      levels.insert(level_of_stimulus(stimulus));
+    return levels.size() > 1;
+  };
+  if (varies([](const ReportedStimulus& s) { return s.made; })) factors.emplace_back("made");
+  if (varies([](const ReportedStimulus& s) { return s.emotion; })) factors.emplace_back("emotion");
+  if (varies([](const ReportedStimulus& s) { return s.setting; })) factors.emplace_back("setting");
+  return factors;
+}
+
+std::string head_of(const Gathered& gathered, const std::string& what, const std::string& package,
+                    const std::string& answers, const std::string& stimuli) {
+  return fmt::format(
+      R"script(# {what} of the ratings of "{study}", scale by scale.{simulated}
+#
+# Run it in its own folder:  Rscript {package}.R
+# It needs R and the package {package}:  install.packages("{package}")
+
+suppressPackageStartupMessages(library({package}))
+
+answers <- read.csv(file.path("..", "{answers}"), encoding = "UTF-8",
+                    colClasses = c(participant = "character", session = "character",
+                                   value = "character", comment = "character"))
+stimuli <- read.csv(file.path("..", "{stimuli}"), encoding = "UTF-8")
+
+# The same answers that the report counts: ratings that are no practice, warm-up or check, of
+# participants who are not excluded.
+counted <- subset(answers, (kind == "rating" | (kind == "emotion" & item != "emotion")) &
+                    is_practice == 0 & is_warmup == 0 & is_catch == 0 &
+                    excluded == 0 & !is.na(value) & value != "")
+counted$value <- as.numeric(counted$value)
+counted <- merge(counted, stimuli, by = "stimulus")
+for (name in c("participant", "stimulus", "made", "emotion", "setting"))
+  counted[[name]] <- factor(counted[[name]])
+
+# Factors with two levels or more among the answers.
+wanted <- c({factors})
+varied <- function(d) wanted[vapply(wanted, function(f) nlevels(droplevels(d[[f]])) > 1, TRUE)]
+)script",
+      fmt::arg("what", what), fmt::arg("study", gathered.study),
+      fmt::arg("simulated", gathered.simulated ? "\n# SIMULATED: nobody gave these answers." : ""),
+      fmt::arg("package", package), fmt::arg("answers", answers), fmt::arg("stimuli", stimuli),
+      fmt::arg("factors", [&] {
+        std::string names;
+        for (const std::string& factor : varied_factors(gathered))
+          names += (names.empty() ? "\"" : ", \"") + factor + "\"";
+        return names;
+      }()));
+}
+
+}  // namespace
+
+RScripts r_scripts(const Gathered& gathered, const std::string& answers,
+                   const std::string& stimuli) {
+  RScripts scripts;
+  scripts.mixed = head_of(gathered, "Linear mixed models", "lme4", answers, stimuli) +
+                  R"script(
+# Fixed: what was shown. Random: participants, who lean to one end, and stimuli, which stand for
+# more than themselves.
+for (scale in unique(counted$item)) {
+  d <- droplevels(subset(counted, item == scale))
+  fixed <- c("1", varied(d))
+  formula <- reformulate(c(fixed, "(1 | participant)", "(1 | stimulus)"), "value")
+  cat("\n=====", scale, "=====\n")
+  model <- lmer(formula, data = d, REML = FALSE)
+  print(summary(model), correlation = FALSE)
+  without <- lmer(value ~ 1 + (1 | participant) + (1 | stimulus), data = d, REML = FALSE)
+  print(anova(without, model))
+}
+)script";
+  scripts.ordinal = head_of(gathered, "Cumulative link mixed models", "ordinal", answers, stimuli) +
+                    R"script(
+# The same as ordered answers, without the assumption that their steps are equal.
+for (scale in unique(counted$item)) {
+  d <- droplevels(subset(counted, item == scale))
+  d$answer <- factor(d$value, ordered = TRUE)
+  if (nlevels(d$answer) < 3) next
+  fixed <- c("1", varied(d))
+  formula <- reformulate(c(fixed, "(1 | participant)", "(1 | stimulus)"), "answer")
+  cat("\n=====", scale, "=====\n")
+  print(summary(clmm(formula, data = d, link = "logit")))
+}
+)script";
+  return scripts;
+}
+
+}  // namespace mien::pipeline

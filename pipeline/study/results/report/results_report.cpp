@@ -1,0 +1,95 @@
+#include "pipeline/study/results/report/results_report.h"
+
+#include <algorithm>
+
+#include "motion/text/safe_name.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/study/results/figures/result_figures.h"
+#include "pipeline/study/results/report/dataset.h"
+#include "pipeline/study/results/report/r_scripts.h"
+#include "pipeline/study/results/result_tables.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In a folder that reports may be written to, and written over.
+constexpr char results_mark[] = ".mien-results";
+
+void write_below(const fs::path& folder, const std::string& path, const std::string& bytes) {
+  make_folder((folder / path).parent_path());
+  write_file(folder / path, bytes);
+}
+
+/// What shows what, and which figure of the thesis it is like.
+std::string figure_list(const std::vector<ResultFigure>& figures, const Results& results) {
+  CsvWriter writer({"file", "title", "thesis_figure", "earlier_name", "simulated"});
+  const std::string simulated = results.gathered.simulated ? "1" : "0";
+  for (const ResultFigure& figure : figures)
+    writer.row({"figures/" + figure.name, figure.plot.title, figure.thesis, figure.was, simulated});
+  const auto table = [&](const std::string& file, const std::string& title,
+                         const std::string& thesis) {
+    writer.row({"results/" + file, "Table: " + title, thesis, "", simulated});
+  };
+  const auto has = [&](ComparisonFamily family) {
+    return std::ranges::any_of(results.comparisons,
+                               [=](const Comparison& c) { return c.family == family; });
+  };
+  if (has(ComparisonFamily::best_seen))
+    table("comparisons.csv", "what is seen most in which video (best-seen)", "31");
+  if (has(ComparisonFamily::modified_acted))
+    table("comparisons.csv", "modified against acted motions (modified-acted)", "37");
+  const bool has_actors = std::ranges::any_of(results.comparisons, [](const Comparison& c) {
+    return c.family == ComparisonFamily::between_levels && c.factor == "actor";
+  });
+  if (has(ComparisonFamily::between_levels))
+    table("comparisons.csv", "levels of a factor against each other (between-levels)",
+          has_actors ? "38" : "");
+  if (!results.groups.empty())
+    table("groups.csv", "groups of participants against each other",
+          std::ranges::any_of(results.groups,
+                              [](const GroupComparison& c) { return c.question == "gender"; })
+              ? "41"
+              : "");
+  return writer.text();
+}
+
+}  // namespace
+
+void clear_results_folder(const fs::path& folder) {
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw Error({folder.string()}, "is no folder", "name one for the report with -o");
+  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / results_mark))
+    throw Error({folder.string()}, "holds something else than a report of mien study report",
+                "name a new folder with -o");
+  make_folder(folder);
+  write_file(motion::inside(folder, results_mark, {folder.string()}), "");
+  for (const char* old : {"data", "results", "figures", "analysis", "report.html", "README.md",
+                          "dataset_description.json", "codebook.csv", "figures.csv"})
+    fs::remove_all(folder / old);
+}
+
+void write_results(const Results& results, const std::vector<AnswerRow>& rows,
+                   const FrozenVerdict& frozen, const fs::path& folder) {
+  const std::vector<ResultTable> tables = result_tables(results);
+  const std::vector<ResultFigure> figures = result_figures(results);
+  for (const ResultTable& table : tables)
+    write_below(folder, std::string(table.form->path), table.csv);
+  for (const DatasetFile& file : dataset_files(results, rows, tables))
+    write_below(folder, file.path, file.bytes);
+  make_folder(folder / "figures");
+  for (const ResultFigure& figure : figures)
+    write_plot(figure.plot, folder / "figures", figure.name);
+  write_below(folder, "figures.csv", figure_list(figures, results));
+  if (!results.gathered.ratings.empty()) {
+    const DatasetPaths paths = dataset_paths(results.gathered.study);
+    const RScripts scripts = r_scripts(results.gathered, paths.answers, paths.stimuli);
+    write_below(folder, "analysis/lme4.R", scripts.mixed);
+    write_below(folder, "analysis/ordinal.R", scripts.ordinal);
+  }
+  write_below(folder, "report.html", results_page(results, figures, tables, frozen));
+}
+
+}  // namespace mien::pipeline

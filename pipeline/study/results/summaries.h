@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "pipeline/study/results/gathered.h"
+
+namespace mien::pipeline {
+
+/// The answers about one stimulus on one scale.
+struct RatingSummary {
+  std::size_t stimulus = 0;
+  std::size_t scale = 0;
+  int answers = 0;
+  double mean = 0.0;
+  double deviation = 0.0;  ///< standard deviation (n − 1); NaN of one answer
+  double low = 0.0;        ///< 95 % interval of the mean (Student); NaN of one answer
+  double high = 0.0;
+  double median = 0.0;
+  std::vector<int> counts;  ///< of each place on the scale, low end first
+};
+
+/// Of all stimuli that were rated, by stimulus, then by scale.
+std::vector<RatingSummary> summaries_of(const Gathered& gathered);
+
+/// The places on a scale, from least to most, as many as `points`.
+std::vector<double> places_of(const Scale& scale, int points);
+
+/// The answers about each stimulus on one scale, with the person who gave them; in the order of
+/// Gathered::ratings.
+std::vector<std::vector<CountedRating>> by_stimulus(const Gathered& gathered, std::size_t scale);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,156 @@
+#include "pipeline/study/server/database.h"
+
+#include <sqlite3.h>
+
+#include "motion/error.h"
+#include "pipeline/base/documents/files.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// What was wrong with the system's call, if it was one.
+std::error_code system_code(sqlite3* database) {
+  const int code = sqlite3_system_errno(database);
+  return code == 0 ? std::error_code() : std::error_code(code, std::generic_category());
+}
+
+/// Without links among its folders, so that none is followed but those that the user has made.
+std::string true_place(const std::filesystem::path& file) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder))
+    throw Error({file.string()}, "there is no folder for it", "make the folder first");
+  return (std::filesystem::canonical(folder) / file.filename()).string();
+}
+
+}  // namespace
+
+std::string database_library() { return sqlite3_libversion(); }
+
+Database::Database(const std::filesystem::path& file) : file_(file) {
+  const int flags =
+      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX;
+  const bool is_new = !std::filesystem::exists(file);
+  if (sqlite3_open_v2(true_place(file).c_str(), &database_, flags, nullptr) != SQLITE_OK) {
+    const std::string reason = sqlite3_errmsg(database_);
+    sqlite3_close(database_);
+    throw Error({file.string()}, "cannot be opened: " + reason, "name another file with --store");
+  }
+  try {
+    // Nobody else's business; the log beside it gets the same rights.
+    if (is_new)
+      std::filesystem::permissions(
+          file, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    take();
+  } catch (...) {
+    sqlite3_close(database_);
+    throw;
+  }
+}
+
+Database::~Database() { sqlite3_close(database_); }
+
+void Database::take() {
+  run("PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"
+      "PRAGMA foreign_keys = ON; PRAGMA trusted_schema = OFF;"
+      "BEGIN IMMEDIATE; COMMIT;");
+}
+
+void Database::fail() const {
+  const int code = sqlite3_errcode(database_);
+  const std::string reason = sqlite3_errmsg(database_);
+  switch (code) {
+    case SQLITE_BUSY:
+      throw Error({file_.string()}, "another process has it open",
+                  "end that server first, or name another file with --store");
+    case SQLITE_NOTADB:
+    case SQLITE_CORRUPT:
+      throw Error({file_.string()}, "is no file of answers, or is damaged: " + reason,
+                  "bring back a copy, or name another file with --store");
+    default:
+      throw WriteFailure(file_.string() + ": cannot be written: " + reason,
+                         code == SQLITE_FULL ? std::make_error_code(std::errc::no_space_on_device)
+                                             : system_code(database_));
+  }
+}
+
+void Database::run(const char* statements) {
+  if (sqlite3_exec(database_, statements, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+}
+
+void Database::keep_log() {
+  sqlite3_db_config(database_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+}
+
+std::int64_t Database::pragma(const std::string& name) {
+  Statement statement(*this, "PRAGMA " + name);
+  statement.with().step();
+  return statement.number(0);
+}
+
+Statement::Statement(Database& database, std::string_view text) : database_(database) {
+  if (sqlite3_prepare_v2(database.handle(), text.data(), static_cast<int>(text.size()), &statement_,
+                         nullptr) != SQLITE_OK)
+    database.fail();
+}
+
+Statement::~Statement() { sqlite3_finalize(statement_); }
+
+void Statement::start() {
+  sqlite3_reset(statement_);
+  sqlite3_clear_bindings(statement_);
+}
+
+void Statement::bind(int at, std::int64_t value) {
+  if (sqlite3_bind_int64(statement_, at, value) != SQLITE_OK) database_.fail();
+}
+
+void Statement::bind(int at, const std::string& value) {
+  if (sqlite3_bind_text(statement_, at, value.data(), static_cast<int>(value.size()),
+                        SQLITE_TRANSIENT) != SQLITE_OK)
+    database_.fail();
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_);
+  if (code == SQLITE_ROW) return true;
+  if (code != SQLITE_DONE) database_.fail();
+  return false;
+}
+
+int Statement::finish() {
+  while (step()) {
+  }
+  return sqlite3_changes(database_.handle());
+}
+
+std::int64_t Statement::number(int column) const {
+  return sqlite3_column_int64(statement_, column);
+}
+
+std::string Statement::text(int column) const {
+  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));
+  return bytes == nullptr ? std::string() : std::string(bytes, size);
+}
+
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(statement_, column) == SQLITE_NULL;
+}
+
+Transaction::Transaction(Database& database) : database_(database) {
+  database_.run("BEGIN IMMEDIATE");
+}
+
+Transaction::~Transaction() {
+  // A disk that is full may have undone it already.
+  if (is_open_ && sqlite3_get_autocommit(database_.handle()) == 0)
+    sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+void Transaction::commit() {
+  database_.run("COMMIT");
+  is_open_ = false;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,116 @@
+#include "pipeline/study/server/http_message.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::size_t longest_path = 512;
+
+bool is_plain(char character) {
+  return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
+         (character >= '0' && character <= '9') || character == '.' || character == '_' ||
+         character == '-';
+}
+
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+struct ByteRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;  ///< included
+};
+
+enum class RangeKind { whole, part, beyond };
+
+/// A header that cannot be understood is passed over, as the standard has it.
+RangeKind read_range(std::string_view header, std::uint64_t size, ByteRange& range) {
+  constexpr std::string_view unit = "bytes=";
+  if (!header.starts_with(unit)) return RangeKind::whole;
+  header.remove_prefix(unit.size());
+  const std::size_t dash = header.find('-');
+  if (dash == std::string_view::npos || header.find(',') != std::string_view::npos)
+    return RangeKind::whole;
+  const std::string_view first_text = header.substr(0, dash);
+  const std::string_view last_text = header.substr(dash + 1);
+  const std::optional<std::uint64_t> first = whole_number(first_text);
+  const std::optional<std::uint64_t> last = whole_number(last_text);
+  if (first_text.empty()) {
+    if (!last) return RangeKind::whole;
+    if (*last == 0 || size == 0) return RangeKind::beyond;
+    range = {size - std::min(*last, size), size - 1};
+    return RangeKind::part;
+  }
+  if (!first || (!last_text.empty() && !last) || (last && *last < *first)) return RangeKind::whole;
+  if (*first >= size) return RangeKind::beyond;
+  range = {*first, last ? std::min(*last, size - 1) : size - 1};
+  return RangeKind::part;
+}
+
+}  // namespace
+
+HttpResponse http_json(const std::string& text) {
+  return {.type = "application/json; charset=utf-8", .body = text};
+}
+
+HttpResponse http_refusal(int status, const std::string& error, const std::string& wrong,
+                          const std::string& remedy) {
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  const nlohmann::ordered_json text = {{"error", error}, {"wrong", wrong}, {"remedy", remedy}};
+  HttpResponse response = http_json(text.dump(-1, ' ', false, replace) + "\n");
+  response.status = status;
+  return response;
+}
+
+HttpResponse http_file(const HttpRequest& request, const std::filesystem::path& file,
+                       const std::string& type) {
+  std::error_code error;
+  const std::uint64_t size = std::filesystem::file_size(file, error);
+  if (error) return http_refusal(404, "unknown", "the file is not there", "tell the experimenter");
+  HttpResponse response{.type = type, .part = FilePart{file, 0, size}};
+  response.headers["Accept-Ranges"] = "bytes";
+  const auto header = request.headers.find("range");
+  if (header == request.headers.end()) return response;
+  ByteRange range;
+  const RangeKind kind = read_range(header->second, size, range);
+  if (kind == RangeKind::beyond) {
+    HttpResponse refusal = http_refusal(
+        416, "range", "the file has " + std::to_string(size) + " bytes", "ask for less");
+    refusal.headers["Content-Range"] = "bytes */" + std::to_string(size);
+    return refusal;
+  }
+  if (kind == RangeKind::whole) return response;
+  response.status = 206;
+  response.part = FilePart{file, range.first, range.last - range.first + 1};
+  response.headers["Content-Range"] = "bytes " + std::to_string(range.first) + "-" +
+                                      std::to_string(range.last) + "/" + std::to_string(size);
+  return response;
+}
+
+std::optional<std::vector<std::string>> plain_path(const std::string& target) {
+  const std::string path = target.substr(0, target.find('?'));
+  if (path.empty() || path.front() != '/' || path.size() > longest_path) return std::nullopt;
+  std::vector<std::string> parts(1);
+  for (std::size_t at = 1; at < path.size(); ++at) {
+    if (path[at] == '/') {
+      if (parts.back().empty()) return std::nullopt;
+      parts.emplace_back();
+    } else if (is_plain(path[at]) && !(parts.back().empty() && path[at] == '.')) {
+      parts.back() += path[at];
+    } else {
+      return std::nullopt;
+    }
+  }
+  return parts;
+}
+
+}  // namespace mien::pipeline

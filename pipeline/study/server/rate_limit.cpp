@@ -1,0 +1,37 @@
+#include "pipeline/study/server/rate_limit.h"
+
+#include <algorithm>
+
+namespace mien::pipeline {
+
+namespace {
+
+/// More than a laboratory has; those who are not counted any longer are forgotten then.
+constexpr std::size_t most_buckets = 10000;
+
+}  // namespace
+
+double RateLimit::left(const Bucket& bucket, Clock::time_point now) const {
+  const double seconds = std::chrono::duration<double>(now - bucket.filled).count();
+  return std::min(rate_.burst, bucket.left + std::max(0.0, seconds) * rate_.per_second);
+}
+
+void RateLimit::forget_full(Clock::time_point now) {
+  std::erase_if(buckets_, [&](const auto& one) { return left(one.second, now) >= rate_.burst; });
+}
+
+bool RateLimit::allows(const std::string& who, Clock::time_point now) {
+  const std::lock_guard lock(mutex_);
+  if (buckets_.size() >= most_buckets && !buckets_.contains(who)) {
+    forget_full(now);
+    if (buckets_.size() >= most_buckets) return false;
+  }
+  const auto found = buckets_.try_emplace(who, Bucket{rate_.burst, now}).first;
+  found->second.left = left(found->second, now);
+  found->second.filled = now;
+  if (found->second.left < 1) return false;
+  found->second.left -= 1;
+  return true;
+}
+
+}  // namespace mien::pipeline

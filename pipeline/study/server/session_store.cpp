@@ -1,0 +1,228 @@
+#include "pipeline/study/server/session_store.h"
+
+#include <array>
+#include <stdexcept>
+
+#include <sys/random.h>
+
+#include "motion/error.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// "mien" and the version of the tables below, as SQLite files say what they are.
+constexpr std::int64_t store_mark = 0x6d69656e;
+constexpr std::int64_t store_version = 1;
+
+constexpr const char* store_tables = R"(
+CREATE TABLE facts(name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT, WITHOUT ROWID;
+CREATE TABLE sessions(
+  number INTEGER PRIMARY KEY,
+  plan INTEGER NOT NULL,
+  participant TEXT NOT NULL UNIQUE,
+  link TEXT NOT NULL UNIQUE,
+  begun_at TEXT NOT NULL DEFAULT '',
+  came_by TEXT NOT NULL DEFAULT '') STRICT;
+CREATE TABLE records(
+  session INTEGER NOT NULL REFERENCES sessions(number),
+  position INTEGER NOT NULL,
+  name TEXT NOT NULL,
+  content TEXT NOT NULL,
+  kept_at TEXT NOT NULL,
+  PRIMARY KEY(session, position),
+  UNIQUE(session, name)) STRICT, WITHOUT ROWID;
+PRAGMA application_id = 1835623790;
+PRAGMA user_version = 1;
+)";
+static_assert(store_mark == 1835623790);
+
+constexpr std::string_view record_columns =
+    "SELECT session, position, name, content, kept_at FROM records";
+
+std::vector<StoredRecord> read_records(Statement& statement) {
+  std::vector<StoredRecord> records;
+  while (statement.step()) {
+    records.push_back({.session = static_cast<int>(statement.number(0)),
+                       .position = static_cast<int>(statement.number(1)),
+                       .name = statement.text(2),
+                       .content = statement.text(3),
+                       .kept_at = statement.text(4)});
+  }
+  return records;
+}
+
+/// Whether something was written to a file before, and no log lies beside it.
+bool is_without_log(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(file, unknown);
+  return !unknown && size > 0 && !std::filesystem::exists(file.string() + "-wal", unknown);
+}
+
+void insert_session(Database& database, const StoredSession& session) {
+  Statement statement(database,
+                      "INSERT INTO sessions(number, plan, participant, link, begun_at, came_by) "
+                      "VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
+  statement
+      .with(session.index, session.plan, session.participant, session.link, session.begun_at,
+            session.came_by)
+      .finish();
+}
+
+void insert_record(Database& database, const StoredRecord& record) {
+  Statement statement(database,
+                      "INSERT INTO records(session, position, name, content, kept_at) "
+                      "VALUES(?1, ?2, ?3, ?4, ?5)");
+  statement.with(record.session, record.position, record.name, record.content, record.kept_at)
+      .finish();
+}
+
+}  // namespace
+
+SessionStore::SessionStore(const std::filesystem::path& file)
+    : lacks_log_(is_without_log(file)), database_(file) {
+  prepare();
+  // In the file itself and not in its log alone, so that a copy of the file knows of the log.
+  database_.run("INSERT OR REPLACE INTO facts(name, value) VALUES('open', '1')");
+  database_.run("PRAGMA wal_checkpoint(TRUNCATE)");
+}
+
+SessionStore::~SessionStore() {
+  try {
+    database_.run("DELETE FROM facts WHERE name = 'open'");
+  } catch (const std::exception&) {  // a full disk: the file still says that it has a log
+    database_.keep_log();
+  }
+}
+
+void SessionStore::refuse_lack_of_log(bool is_new) {
+  if (!lacks_log_) return;
+  if (!is_new) {
+    Statement open(database_, "SELECT value FROM facts WHERE name = 'open'");
+    if (!open.with().step()) return;
+  }
+  const std::string log = database_.file().string() + "-wal";
+  throw Error({database_.file().string()},
+              "was copied or restored while it was served, without " + log +
+                  ", which holds the latest answers",
+              "end the server (Ctrl-C), then copy it again; or copy both; an empty file of that "
+              "name goes on with the answers that are left");
+}
+
+void SessionStore::prepare() {
+  const std::int64_t mark = database_.pragma("application_id");
+  const std::int64_t version = database_.pragma("user_version");
+  if (mark == store_mark && version == store_version) {
+    refuse_lack_of_log(false);
+    return;
+  }
+  Statement tables(database_, "SELECT count(*) FROM sqlite_schema");
+  tables.with().step();
+  const bool is_new = mark == 0 && version == 0 && tables.number(0) == 0;
+  tables.with();
+  if (mark == store_mark)
+    throw Error({database_.file().string()},
+                "answers in a form of version " + std::to_string(version) + ", unknown here",
+                "serve it with the version of mien that made it");
+  if (!is_new)
+    throw Error({database_.file().string()}, "is a database of something else",
+                "name another file with --store");
+  refuse_lack_of_log(true);
+  Transaction transaction(database_);
+  database_.run(store_tables);
+  transaction.commit();
+}
+
+std::optional<std::string> SessionStore::fact(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  Statement statement(database_, "SELECT value FROM facts WHERE name = ?1");
+  if (!statement.with(name).step()) return std::nullopt;
+  return statement.text(0);
+}
+
+void SessionStore::begin(const std::vector<std::pair<std::string, std::string>>& facts,
+                         const std::vector<StoredSession>& sessions) {
+  const std::lock_guard lock(mutex_);
+  Transaction transaction(database_);
+  Statement fact(database_, "INSERT INTO facts(name, value) VALUES(?1, ?2)");
+  for (const auto& [name, value] : facts) fact.with(name, value).finish();
+  for (const StoredSession& one : sessions) insert_session(database_, one);
+  transaction.commit();
+}
+
+void SessionStore::add(const StoredSession& session, const StoredRecord& first) {
+  const std::lock_guard lock(mutex_);
+  Transaction transaction(database_);
+  insert_session(database_, session);
+  insert_record(database_, first);
+  transaction.commit();
+}
+
+std::vector<StoredSession> SessionStore::sessions() {
+  const std::lock_guard lock(mutex_);
+  Statement statement(
+      database_,
+      "SELECT number, plan, participant, link, begun_at, came_by FROM sessions ORDER BY number");
+  std::vector<StoredSession> sessions;
+  while (statement.step()) {
+    sessions.push_back({.index = static_cast<int>(statement.number(0)),
+                        .plan = static_cast<int>(statement.number(1)),
+                        .participant = statement.text(2),
+                        .link = statement.text(3),
+                        .begun_at = statement.text(4),
+                        .came_by = statement.text(5)});
+  }
+  return sessions;
+}
+
+bool SessionStore::come(int session, const std::string& came_by, const std::string& now) {
+  const std::lock_guard lock(mutex_);
+  Statement statement(database_,
+                      "UPDATE sessions SET begun_at = ?2, came_by = ?3 "
+                      "WHERE number = ?1 AND begun_at = ''");
+  return statement.with(session, now, came_by).finish() > 0;
+}
+
+Keeping SessionStore::keep(const StoredRecord& record) {
+  const std::lock_guard lock(mutex_);
+  Transaction transaction(database_);
+  Statement kept(database_, "SELECT content FROM records WHERE session = ?1 AND name = ?2");
+  if (kept.with(record.session, record.name).step())
+    return kept.text(0) == record.content ? Keeping::same : Keeping::other;
+  Statement count(database_, "SELECT count(*) FROM records WHERE session = ?1");
+  count.with(record.session).step();
+  if (count.number(0) != record.position) return Keeping::out_of_order;
+  insert_record(database_, record);
+  // Reading statements that are still open would keep the commit waiting.
+  count.with();
+  transaction.commit();
+  return Keeping::kept;
+}
+
+std::vector<StoredRecord> SessionStore::records() {
+  const std::lock_guard lock(mutex_);
+  Statement statement(database_, std::string(record_columns) + " ORDER BY session, position");
+  return read_records(statement);
+}
+
+std::vector<StoredRecord> SessionStore::records_of(int session) {
+  const std::lock_guard lock(mutex_);
+  Statement statement(database_,
+                      std::string(record_columns) + " WHERE session = ?1 ORDER BY position");
+  return read_records(statement.with(session));
+}
+
+std::string random_link() {
+  std::array<unsigned char, 16> bytes;
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    throw std::runtime_error("the system gives no random numbers");
+  std::string link;
+  for (const unsigned char byte : bytes) {
+    constexpr char digits[] = "0123456789abcdef";
+    link += digits[byte >> 4];
+    link += digits[byte & 15];
+  }
+  return link;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,179 @@
+#include "pipeline/study/studio/studio_draft.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "motion/error.h"
+#include "motion/text/excerpt.h"
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/modification_checks.h"
+#include "pipeline/manifest/checks/name_checks.h"
+#include "pipeline/study/studio/document_change.h"
+#include "pipeline/study/studio/studio_places.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t most_vocabularies = 8;
+
+/// A document's texts, and where they stand.
+template <class Visit>
+void each_text(const ordered_json& value, const DocumentPath& path, const Visit& visit) {
+  if (value.is_string()) visit(value.get_ref<const std::string&>(), path);
+  if (!value.is_structured()) return;
+  std::size_t index = 0;
+  for (const auto& [key, one] : value.items()) {
+    DocumentPath below = path;
+    if (value.is_object()) {
+      below.emplace_back(key);
+    } else {
+      below.emplace_back(index++);
+    }
+    each_text(one, below, visit);
+  }
+}
+
+/// Stands in the place of a stimulus that is not needed: what is random about a modification goes
+/// by the place of its stimulus, and so do faults.
+ordered_json filler(std::size_t place) {
+  return {{"id", "filler-" + std::to_string(place)}, {"path", {{{"walk", 1}}}}};
+}
+
+/// What was expanded is not expanded again.
+void keep_dollars(ordered_json& value) {
+  if (value.is_string()) {
+    std::string& text = value.get_ref<std::string&>();
+    for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", at + 3))
+      text.insert(at, "$");
+  }
+  if (!value.is_structured()) return;
+  for (auto& one : value) keep_dollars(one);
+}
+
+/// A page's document as the text of a manifest.
+std::string manifest_text(ordered_json document) {
+  keep_dollars(document);
+  return document.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+/// Where a document has that text; empty where it says it in another form.
+std::string first_place_of(const std::string& text, const ordered_json& document) {
+  std::string place;
+  each_text(document, {}, [&](const std::string& one, const DocumentPath& path) {
+    if (place.empty() && one == text) place = path_text(path);
+  });
+  return place;
+}
+
+}  // namespace
+
+ordered_json faults_json(const std::vector<Fault>& faults) {
+  ordered_json list = ordered_json::array();
+  for (const Fault& fault : faults)
+    list.push_back({{"path", fault.path}, {"wrong", fault.wrong}, {"remedy", fault.remedy}});
+  return list;
+}
+
+ManifestReading DraftReader::reading_of(const ordered_json& document) const {
+  return parse_manifest(manifest_text(document), file_, environment_);
+}
+
+void DraftReader::admit(const ordered_json& document, const ordered_json& known) const {
+  const StudioPlaces places(file_, known);
+  std::vector<NamedFile> others = files_named(manifest_text(document), file_, environment_);
+  std::erase_if(others, [&](const NamedFile& one) {
+    return places.hold(std::filesystem::absolute(one.file).string());
+  });
+  if (others.empty()) return;
+  const std::vector<NamedFile> before = files_named(manifest_text(known), file_, environment_);
+  std::vector<Fault> faults;
+  for (const NamedFile& one : others) {
+    if (std::ranges::find(before, one.file, &NamedFile::file) != before.end()) continue;
+    faults.push_back({{},
+                      first_place_of(one.text, document),
+                      motion::in_quotes(one.text) +
+                          " is neither named by the manifest nor a motion, a folder or a "
+                          "character below its folder",
+                      "choose what is there, or write it into the manifest by hand and load it "
+                      "again"});
+  }
+  if (!faults.empty()) throw DraftFaults(std::move(faults));
+}
+
+Manifest DraftReader::read(const ordered_json& document) {
+  const std::string key = examples_key(document);
+  ManifestReading reading = reading_of(document);
+  if (reading.faults.empty()) {
+    try {
+      const Vocabulary words = vocabulary(key, reading.manifest);
+      append(reading.faults, check_names(reading.manifest, words));
+      append(reading.faults, check_modification_names(reading.manifest, words));
+    } catch (const Error& error) {
+      reading.faults.push_back({{}, "examples", error.what(), ""});
+    }
+  }
+  if (!reading.faults.empty()) throw DraftFaults(std::move(reading.faults));
+  return std::move(reading.manifest);
+}
+
+Manifest DraftReader::read_examples(const ordered_json& asked) {
+  ordered_json document = document_about(asked, {});
+  document["stimuli"] = {{{"id", "none"}, {"weights", {{"none", 1}}}}};
+  ManifestReading reading = reading_of(document);
+  if (!reading.faults.empty()) throw DraftFaults(std::move(reading.faults));
+  return std::move(reading.manifest);
+}
+
+Vocabulary DraftReader::vocabulary(const std::string& key, const Manifest& manifest) {
+  const std::lock_guard lock(mutex_);
+  const auto found = vocabularies_.find(key);
+  if (found != vocabularies_.end()) return found->second;
+  if (vocabularies_.size() >= most_vocabularies) vocabularies_.clear();
+  return vocabularies_.emplace(key, vocabulary_of(manifest)).first->second;
+}
+
+std::string examples_key(const ordered_json& document) {
+  ordered_json parts = ordered_json::object();
+  for (const char* name : {"examples", "seed"}) {
+    if (document.contains(name)) parts[name] = document[name];
+  }
+  return parts.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+ordered_json document_about(const ordered_json& document, const std::vector<std::string>& ids) {
+  ordered_json about = document;
+  for (const char* name : {"sheets", "overlays", "questionnaire", "matching", "equalize"})
+    about.erase(name);
+  if (!document.contains("stimuli") || !document["stimuli"].is_array()) return about;
+  const auto is_wanted = [&](const ordered_json& stimulus) {
+    if (!stimulus.is_object() || !stimulus.contains("id")) return false;
+    return std::any_of(ids.begin(), ids.end(),
+                       [&](const auto& id) { return stimulus["id"] == id; });
+  };
+  const ordered_json& all = document["stimuli"];
+  // A foil is made of another stimulus, whose name it tells.
+  const bool needs_others = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
+    return is_wanted(stimulus) && stimulus.contains("foil");
+  });
+  if (needs_others) return about;
+  // A hold goes by a reference, which resolve_holds finds among all that may be one.
+  const bool holds = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
+    return is_wanted(stimulus) && stimulus.contains("hold");
+  });
+  const auto is_needed = [&](const ordered_json& stimulus) {
+    const bool is_reference =
+        stimulus.is_object() && stimulus.value("role", ordered_json()) == "reference";
+    return is_wanted(stimulus) || (holds && is_reference);
+  };
+  about["stimuli"] = ordered_json::array();
+  if (std::none_of(all.begin(), all.end(), is_wanted)) return about;
+  const auto last = std::find_if(all.rbegin(), all.rend(), is_needed).base();
+  for (auto one = all.begin(); one != last; ++one)
+    about["stimuli"].push_back(is_needed(*one) ? *one : filler(about["stimuli"].size()));
+  return about;
+}
+
+}  // namespace mien::pipeline

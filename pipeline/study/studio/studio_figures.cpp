@@ -1,0 +1,130 @@
+#include "pipeline/study/studio/studio_figures.h"
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <system_error>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "motion/rig/proportions.h"
+#include "motion/skeleton/body.h"
+#include "scenes/character/character_glb.h"
+#include "scenes/mannequin/mannequin_glb.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_characters = 4;
+constexpr std::size_t most_figure_files = 8;
+
+/// The options of a mannequin that is shown, if one is.
+const scenes::MannequinOptions* mannequin_in(const scenes::Figure& figure) {
+  if (const auto* trail = std::get_if<scenes::TrailOptions>(&figure))
+    return std::get_if<scenes::MannequinOptions>(&trail->figure);
+  return std::get_if<scenes::MannequinOptions>(&figure);
+}
+
+/// Lengths to a hundredth of a millimetre: a mannequin of a body that is nearer is the same.
+std::string key_of(const motion::Skeleton& body) {
+  std::string key;
+  for (const motion::Joint& joint : body.joints) {
+    for (const double metres : joint.offset) key += fmt::format("{:.5f} ", metres);
+    for (const double metres : joint.tip.value_or(motion::Vec3::Zero()))
+      key += fmt::format("{:.5f} ", metres);
+  }
+  return key;
+}
+
+/// A file that is written anew is another.
+std::string key_of(const fs::path& file, const motion::Skeleton& body) {
+  std::error_code unknown;
+  const auto written = fs::last_write_time(file, unknown).time_since_epoch().count();
+  return fmt::format("{} {} {:.5f}", file.string(), written, motion::leg_length(body));
+}
+
+std::string key_of(const scenes::Figure& figure, scenes::Role role, const motion::Skeleton& body) {
+  if (!motion::is_body(body)) return "";
+  if (const auto* mannequin = mannequin_in(figure))
+    return fmt::format("mannequin {} {} {} {}", mannequin->build, mannequin->sex,
+                       static_cast<int>(role), key_of(body));
+  const auto* character = scenes::character_in(figure);
+  return character == nullptr ? "" : "character " + key_of(character->file, body);
+}
+
+/// A name for it that may be sent around and tells no path.
+std::string digest_of(const std::string& key) {
+  std::uint64_t digest = 14695981039346656037ull;  // FNV-1a
+  for (const char c : key) digest = (digest ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return fmt::format("{:016x}", digest);
+}
+
+void put(std::string& bytes, double value) {
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  for (int shift = 0; shift < 32; shift += 8)
+    bytes += static_cast<char>(static_cast<unsigned char>(bits >> shift & 0xff));
+}
+
+std::string rig_poses(const scenes::Character& character, const motion::Clip& clip) {
+  const motion::Clip worn = scenes::worn_by(character, clip);
+  std::string positions, rotations;
+  for (const motion::Pose& pose : worn.poses) {
+    const motion::JointTransforms rig = scenes::rig_in(character, pose);
+    for (const motion::Vec3& position : rig.positions) {
+      for (const double metres : position) put(positions, metres);
+    }
+    for (const motion::Quat& rotation : rig.rotations) {
+      for (const double number : rotation.coeffs()) put(rotations, number);
+    }
+  }
+  return positions + rotations;
+}
+
+}  // namespace
+
+StudioFigures::Kept StudioFigures::character(const fs::path& file, const motion::Skeleton& body) {
+  const std::string key = key_of(file, body);
+  for (const auto& [asked, kept] : characters_) {
+    if (asked == key) return kept;
+  }
+  characters_.emplace_front(key, std::make_shared<const scenes::Character>(
+                                     scenes::fitted(scenes::read_character(file), body)));
+  if (characters_.size() > most_characters) characters_.pop_back();
+  return characters_.front().second;
+}
+
+StudioFigure StudioFigures::worn(const scenes::Figure& figure, scenes::Role role,
+                                 const motion::Clip& clip) {
+  const std::string key = key_of(figure, role, clip.body);
+  if (key.empty()) return {};
+  StudioFigure worn{.key = digest_of(key)};
+  if (const auto* options = scenes::character_in(figure)) {
+    const Kept kept = character(options->file, clip.body);
+    worn.joints = kept->rig.size();
+    worn.poses = rig_poses(*kept, clip);
+  }
+  return worn;
+}
+
+const std::string& StudioFigures::file(const std::string& key, const scenes::Figure& figure,
+                                       scenes::Role role, const motion::Skeleton& body) {
+  static const std::string none;
+  const std::string own = key_of(figure, role, body);
+  if (own.empty() || digest_of(own) != key) return none;
+  for (const auto& [asked, file] : files_) {
+    if (asked == key) return file;
+  }
+  const auto* options = mannequin_in(figure);
+  files_.emplace_front(
+      key, options != nullptr
+               ? to_glb(scenes::make_mannequin(body, *options, scenes::colours_of(role)), body)
+               : to_glb(*character(scenes::character_in(figure)->file, body)));
+  if (files_.size() > most_figure_files) files_.pop_back();
+  return files_.front().second;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,258 @@
+#include "pipeline/study/studio/studio_motions.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "motion/examples/compared_example.h"
+#include "motion/gait/contact.h"
+#include "motion/live/live_answer.h"
+#include "motion/live/live_core.h"
+#include "motion/measures/distance.h"
+#include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/synthesis/synthesis.h"
+#include "pipeline/study/live/live_bundle_writer.h"
+#include "pipeline/study/live/live_info.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t most_studies = 4;
+constexpr std::size_t most_motions = 48;
+
+ordered_json findings_json(const std::vector<motion::Finding>& findings) {
+  ordered_json list = ordered_json::array();
+  for (const motion::Finding& finding : findings) {
+    list.push_back({{"check", finding.check},
+                    {"joint", finding.joint},
+                    {"first", finding.first},
+                    {"last", finding.last},
+                    {"is_error", finding.severity == motion::Severity::error},
+                    {"sentence", finding.sentence}});
+  }
+  return list;
+}
+
+ordered_json body_json(const motion::Skeleton& body) {
+  ordered_json names = ordered_json::array(), parents = names, offsets = names, tips = names;
+  for (const motion::Joint& joint : body.joints) {
+    names.push_back(joint.name);
+    parents.push_back(joint.parent);
+    offsets.push_back({joint.offset.x(), joint.offset.y(), joint.offset.z()});
+    tips.push_back(joint.tip ? ordered_json{joint.tip->x(), joint.tip->y(), joint.tip->z()}
+                             : ordered_json());
+  }
+  return {{"names", names}, {"parents", parents}, {"offsets", offsets}, {"tips", tips}};
+}
+
+ordered_json values_json(const NamedValues& values) {
+  ordered_json map = ordered_json::object();
+  for (const auto& [name, value] : values) map[name] = value;
+  return map;
+}
+
+/// Shares of the examples that take part.
+ordered_json weights_json(const Synthesis& synthesis, const Repertoire& repertoire) {
+  ordered_json map = ordered_json::object();
+  for (Eigen::Index i = 0; i < synthesis.weights.size(); ++i) {
+    if (synthesis.weights[i] != 0.0)
+      map[repertoire.names[static_cast<std::size_t>(i)].name] = synthesis.weights[i];
+  }
+  return map;
+}
+
+ordered_json distance_json(const motion::Distance& distance) {
+  return {{"D", distance.mean},
+          {"D_sum", distance.sum},
+          {"by_joint", distance.by_joint()},
+          {"by_time", distance.by_time()}};
+}
+
+/// The head's length, the head, the motion.
+std::string framed(const ordered_json& head, const std::string& bytes) {
+  std::string text = head.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  while ((text.size() + 4) % 8 != 0) text += ' ';
+  const auto length = static_cast<std::uint32_t>(text.size());
+  std::string whole;
+  for (int i = 0; i < 4; ++i) whole += static_cast<char>((length >> (8 * i)) & 0xff);
+  return whole + text + bytes;
+}
+
+DraftFaults as_fault(const std::string& path, const Error& error) {
+  return DraftFaults({{{}, path, error.what(), ""}});
+}
+
+std::string text_of(const ordered_json& value) {
+  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+bool has_stimuli(const ordered_json& about) {
+  return about.contains("stimuli") && !about["stimuli"].empty();
+}
+
+/// What motions are shown on takes longer to check than they take to be made.
+ordered_json without_looks(ordered_json document) {
+  document.erase("look");
+  if (!document.contains("stimuli") || !document["stimuli"].is_array()) return document;
+  for (ordered_json& stimulus : document["stimuli"]) {
+    if (stimulus.is_object()) stimulus.erase("look");
+  }
+  return document;
+}
+
+/// Only the looks of a document, of its stimuli with their roles.
+std::string looks_of(const ordered_json& about) {
+  ordered_json looks = {about.value("look", ordered_json())};
+  for (const ordered_json& stimulus : about.value("stimuli", ordered_json::array())) {
+    if (!stimulus.is_object()) continue;
+    looks.push_back(stimulus.value("look", ordered_json()));
+    looks.push_back(stimulus.value("role", ordered_json()));
+  }
+  return text_of(looks);
+}
+
+const motion::Example& compared(StudioMotion& made) {
+  if (!made.compared)
+    made.compared = motion::compared_example_as_written(shown_clip(made.synthesis, made.output));
+  return *made.compared;
+}
+
+const Stimulus* stimulus_in(const Manifest& manifest, const std::string& id) {
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.id == id) return &stimulus;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Motions& StudioMotions::study(const ordered_json& document) {
+  const std::string key = examples_key(document);
+  const auto found = std::find_if(studies_.begin(), studies_.end(),
+                                  [&](const Study& study) { return study.key == key; });
+  if (found != studies_.end()) {
+    if (found != studies_.begin()) std::rotate(studies_.begin(), found, found + 1);
+    return *studies_.front().motions;
+  }
+  auto manifest = std::make_unique<const Manifest>(reader_.read_examples(document));
+  auto motions = std::make_unique<Motions>(*manifest);
+  studies_.push_front({key, std::move(manifest), std::move(motions)});
+  if (studies_.size() > most_studies) studies_.pop_back();
+  return *studies_.front().motions;
+}
+
+StudioMotions::Kept StudioMotions::made(const ordered_json& document, const std::string& name) {
+  const ordered_json about = without_looks(document_about(document, {name}));
+  const std::string key = name + "\n" + text_of(about);
+  for (const auto& [asked, kept] : made_) {
+    if (asked == key) return kept;
+  }
+  const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
+  const Stimulus* stimulus = stimulus_in(manifest, name);
+  auto motion = std::make_shared<StudioMotion>();
+  motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
+  // As in a run: a file or a path needs no examples, and there may be none.
+  if (stimulus != nullptr && !is_blend(*stimulus) && !names_examples(*stimulus)) {
+    motion->synthesis = synthesize(*stimulus, Repertoire{});
+  } else {
+    const Repertoire& repertoire = study(document).repertoire();
+    motion->synthesis =
+        stimulus != nullptr
+            ? synthesize(*stimulus, repertoire)
+            : synthesize_example(name, motion->output, manifest.interpolation, repertoire);
+  }
+  made_.emplace_front(key, motion);
+  if (made_.size() > most_motions) made_.pop_back();
+  return motion;
+}
+
+StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const std::string& name) {
+  const ordered_json about = document_about(document, {name});
+  const std::string key = name + "\n" + looks_of(about);
+  for (const auto& [asked, kept] : shown_) {
+    if (asked == key) return kept;
+  }
+  const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
+  const Stimulus* stimulus = stimulus_in(manifest, name);
+  shown_.emplace_front(key, stimulus == nullptr
+                                ? Shown{manifest.look.figure}
+                                : Shown{stimulus->look.figure, staged_role(stimulus->role)});
+  if (shown_.size() > most_motions) shown_.pop_back();
+  return shown_.front().second;
+}
+
+std::string StudioMotions::motion(const ordered_json& document, const std::string& show,
+                                  const std::string& against) {
+  const std::lock_guard lock(mutex_);
+  const auto begun = std::chrono::steady_clock::now();
+  try {
+    const Kept motion = made(document, show);
+    ordered_json distance;
+    if (!against.empty())
+      distance =
+          distance_json(motion::distance(compared(*made(document, against)), compared(*motion)));
+    const Synthesis& synthesis = motion->synthesis;
+    const Shown on = shown(document, show);
+    const StudioFigure figure = figures_.worn(on.figure, on.role, synthesis.motion.clip);
+    const ordered_json weights = synthesis.weights.size() == 0
+                                     ? ordered_json::object()
+                                     : weights_json(synthesis, study(document).repertoire());
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    const ordered_json head = {{"body", body_json(synthesis.motion.clip.body)},
+                               {"findings", findings_json(synthesis.findings)},
+                               {"warnings", synthesis.warnings},
+                               {"notes", synthesis.notes},
+                               {"reached", values_json(synthesis.reached)},
+                               {"weights", weights},
+                               {"modified", synthesis.modified},
+                               {"seconds", took.count()},
+                               {"distance", distance},
+                               {"figure", {{"key", figure.key}, {"joints", figure.joints}}}};
+    const motion::LiveMotion live{synthesis.motion, synthesis.weights,
+                                  motion::foot_plants(synthesis.motion.clip)};
+    return framed(head, motion::to_answer(live) + figure.poses);
+  } catch (const Error& error) {
+    throw as_fault("", error);
+  }
+}
+
+std::string StudioMotions::figure(const ordered_json& document, const std::string& show,
+                                  const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  try {
+    const Shown on = shown(document, show);
+    const Kept motion = made(document, show);
+    return figures_.file(key, on.figure, on.role, motion->synthesis.motion.clip.body);
+  } catch (const Error& error) {
+    throw as_fault("", error);
+  }
+}
+
+ordered_json StudioMotions::choices(const ordered_json& document) {
+  const std::lock_guard lock(mutex_);
+  const Manifest manifest = reader_.read_examples(document);
+  try {
+    Motions& motions = study(document);
+    const Repertoire& repertoire = motions.repertoire();
+    ordered_json examples = ordered_json::array();
+    for (const RatedExample& example : repertoire.names) examples.push_back(example.name);
+    ordered_json sliders = {{"adjectives", ordered_json::array()},
+                            {"features", ordered_json::array()}};
+    if (repertoire.examples.blendable) {
+      const motion::LiveBundle bundle = live_bundle(manifest, motions, live_choice(manifest));
+      sliders = live_info(bundle, repertoire.scales, {}).at("sliders");
+    }
+    return {{"examples", examples},
+            {"sliders", sliders},
+            {"blendable", repertoire.examples.blendable},
+            {"simulated", repertoire.simulated_ratings},
+            {"warnings", repertoire.warnings}};
+  } catch (const Error& error) {
+    throw as_fault("examples", error);
+  }
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "motion/skeleton/example.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/study/studio/studio_draft.h"
+#include "pipeline/study/studio/studio_figures.h"
+#include "scenes/figures/figure.h"
+#include "scenes/figures/figure_colour.h"
+
+namespace mien::pipeline {
+
+/// A motion as the studio keeps it.
+struct StudioMotion {
+  Synthesis synthesis;
+  Output output;
+
+  /// As its clip file would be compared (compared_example.h); once it has been asked for.
+  std::optional<motion::Example> compared;
+};
+
+/// Motions of drafts, made natively and by all rules of manifests. Examples are read once for each
+/// choice of them, and the last motions are kept. For several threads; one makes at a time.
+class StudioMotions {
+ public:
+  explicit StudioMotions(DraftReader& reader) : reader_(reader) {}
+
+  /// What there is to choose from with the document's examples: "examples" and "sliders" as in
+  /// LiveInfo (pipeline/study/page/src/live/core.ts), "simulated": nobody has given the ratings,
+  /// "faults": why there are none. Throws DraftFaults.
+  nlohmann::ordered_json choices(const nlohmann::ordered_json& document);
+
+  /// The motion of `show`, a stimulus of the document or an example, as bytes:
+  ///
+  ///     u32 length of the JSON that follows, filled up with spaces to whole 8 bytes with these 4
+  ///     {"body": …, "findings": […], "warnings": […], "notes": […], "reached": {…},
+  ///      "weights": {…}, "modified": …, "seconds": how long it took, "distance": {…} or null,
+  ///      "figure": {"key", "joints"} (studio_figures.h)}
+  ///     the motion (motion/live/live_answer.h)
+  ///     the poses of the figure's own joints, if it has any (studio_figures.h)
+  ///
+  /// "distance" is D to the motion of `against`, if any, as `mien motion compare` finds it of the
+  /// written clips: "D", "D_sum", "by_joint" (20), "by_time" (11), metres. Throws DraftFaults.
+  std::string motion(const nlohmann::ordered_json& document, const std::string& show,
+                     const std::string& against);
+
+  /// The figure of that key that `show` is shown on, as a GLB file; empty where it is another.
+  /// Throws DraftFaults.
+  std::string figure(const nlohmann::ordered_json& document, const std::string& show,
+                     const std::string& key);
+
+ private:
+  using Kept = std::shared_ptr<StudioMotion>;
+
+  /// What a motion is shown on.
+  struct Shown {
+    scenes::Figure figure;
+    scenes::Role role = scenes::Role::neutral;
+  };
+
+  Motions& study(const nlohmann::ordered_json& document);
+  Kept made(const nlohmann::ordered_json& document, const std::string& name);
+  Shown shown(const nlohmann::ordered_json& document, const std::string& name);
+
+  /// Examples and what was thought of them; the motions of no stimulus.
+  struct Study {
+    std::string key;
+    std::unique_ptr<const Manifest> manifest;  ///< stays where it is
+    std::unique_ptr<Motions> motions;
+  };
+
+  DraftReader& reader_;
+  std::mutex mutex_;
+  std::deque<Study> studies_;                        ///< the last asked for first
+  std::deque<std::pair<std::string, Kept>> made_;    ///< likewise, by what was asked for
+  std::deque<std::pair<std::string, Shown>> shown_;  ///< likewise, by what the looks say
+  StudioFigures figures_;
+};
+
+}  // namespace mien::pipeline

@@ -1,0 +1,127 @@
+#include "pipeline/study/studio/studio_places.h"
+
+#include <algorithm>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "motion/formats/motion_file.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr int deepest_folder = 6;
+constexpr int most_entries = 20000;  // looked at
+constexpr std::size_t most_names = 400;
+
+fs::path without_links(const fs::path& path) {
+  std::error_code unknown;
+  const fs::path real = fs::weakly_canonical(fs::absolute(path, unknown), unknown);
+  return real.has_filename() ? real : real.parent_path();
+}
+
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  return std::ranges::mismatch(folder, path).in1 == folder.end();
+}
+
+bool names_character(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".glb" || ending == ".gltf" || ending == ".vrm";
+}
+
+/// The folder of examples that a document names; empty without one.
+std::string examples_folder(const ordered_json& document) {
+  const ordered_json::json_pointer at("/examples/set/folder");
+  return document.contains(at) && document[at].is_string() ? document[at].get<std::string>() : "";
+}
+
+bool is_left_out(const fs::path& folder) {
+  std::error_code unknown;
+  return folder.filename().string().starts_with(".") || fs::exists(folder / ".mien", unknown);
+}
+
+/// What lies below a place, by folders.
+struct Found {
+  std::map<std::string, std::vector<std::string>> motions;
+  std::vector<std::string> characters;
+  int entries = 0;
+  bool is_all = true;
+};
+
+std::string joined(const std::string& folder, const std::string& name) {
+  return folder.empty() ? name : folder + "/" + name;
+}
+
+void look_into(const fs::path& folder, const std::string& name, int depth, Found& found) {
+  std::error_code closed;
+  std::vector<fs::path> below;
+  for (fs::directory_iterator entry(folder, closed); !closed && entry != fs::directory_iterator();
+       entry.increment(closed)) {
+    if (++found.entries > most_entries || found.characters.size() > most_names) {
+      found.is_all = false;
+      return;
+    }
+    std::error_code unknown;
+    const fs::path& path = entry->path();
+    if (entry->is_directory(unknown) && !entry->is_symlink(unknown)) below.push_back(path);
+    if (!entry->is_regular_file(unknown)) continue;
+    if (motion::is_motion_file(path))
+      found.motions[name.empty() ? "." : name].push_back(path.filename().string());
+    if (names_character(path)) found.characters.push_back(joined(name, path.filename().string()));
+  }
+  std::sort(below.begin(), below.end());
+  for (const fs::path& one : below) {
+    if (is_left_out(one)) continue;
+    if (depth == 0 || found.motions.size() >= most_names) {
+      found.is_all = false;
+      return;
+    }
+    look_into(one, joined(name, one.filename().string()), depth - 1, found);
+  }
+}
+
+}  // namespace
+
+StudioPlaces::StudioPlaces(const fs::path& manifest, const ordered_json& known)
+    : beside_(without_links(manifest).parent_path()) {
+  places_.push_back({beside_, ""});
+  const std::string named = examples_folder(known);
+  if (named.empty()) return;
+  const fs::path folder = without_links(beside_ / named);
+  if (!lies_in(folder, beside_)) places_.push_back({folder, named});
+}
+
+ordered_json StudioPlaces::listed() const {
+  Found found;
+  for (const Place& place : places_) look_into(place.folder, place.name, deepest_folder, found);
+  ordered_json folders = ordered_json::array();
+  for (auto& [folder, motions] : found.motions) {
+    std::sort(motions.begin(), motions.end());
+    if (motions.size() > most_names) {
+      motions.resize(most_names);
+      found.is_all = false;
+    }
+    folders.push_back({{"folder", folder}, {"motions", motions}});
+  }
+  std::sort(found.characters.begin(), found.characters.end());
+  return {{"folders", folders}, {"characters", found.characters}, {"all", found.is_all}};
+}
+
+bool StudioPlaces::hold(const std::string& name) const {
+  if (name.find('\0') != std::string::npos) return false;
+  const fs::path path = without_links(beside_ / name);
+  const bool is_inside = std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
+    return lies_in(path, place.folder);
+  });
+  if (!is_inside) return false;
+  std::error_code unknown;
+  if (fs::is_directory(path, unknown)) return true;
+  return fs::is_regular_file(path, unknown) &&
+         (motion::is_motion_file(path) || names_character(path));
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,256 @@
+#include "pipeline/study/studio/studio_service.h"
+
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include "motion/error.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/study/server/session_store.h"
+#include "pipeline/study/studio/studio_guard.h"
+#include "pipeline/study/studio/studio_places.h"
+#include "pipeline/study/studio/studio_words.h"
+#include "pipeline/study/studio/yaml_text.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int deepest_body = 64;
+
+/// A body that is not as this server's page sends it.
+struct MalformedBody {};
+
+bool is_json(const HttpRequest& request) {
+  const auto type = request.headers.find("content-type");
+  if (type == request.headers.end()) return false;
+  std::string name = type->second.substr(0, type->second.find(';'));
+  while (!name.empty() && name.back() == ' ') name.pop_back();
+  return name == "application/json";
+}
+
+HttpResponse json_answer(const ordered_json& value, int status = 200) {
+  HttpResponse response =
+      http_json(value.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  response.status = status;
+  return response;
+}
+
+HttpResponse faults_answer(const std::vector<Fault>& faults) {
+  return json_answer({{"error", "faults"}, {"faults", faults_json(faults)}}, 422);
+}
+
+ordered_json state_json(const ManifestState& state) {
+  return {{"text", state.text}, {"version", state.version}, {"document", state.document}};
+}
+
+template <class Value>
+Value member(const ordered_json& body, const char* name) {
+  if (!body.is_object() || !body.contains(name)) throw MalformedBody{};
+  try {
+    return body[name].get<Value>();
+  } catch (const nlohmann::json::exception&) {
+    throw MalformedBody{};
+  }
+}
+
+template <class Value>
+Value member_or(const ordered_json& body, const char* name, Value usual) {
+  return body.is_object() && body.contains(name) && !body[name].is_null()
+             ? member<Value>(body, name)
+             : usual;
+}
+
+std::optional<int> number_in(const std::string& text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::optional<Quality> quality_in(const ordered_json& body) {
+  const std::string name = member_or<std::string>(body, "quality", "");
+  if (name.empty()) return std::nullopt;
+  for (const auto& [word, quality] : quality_words) {
+    if (word == name) return quality;
+  }
+  throw MalformedBody{};
+}
+
+}  // namespace
+
+StudioService::StudioService(ManifestFile& file, std::map<std::string, ServedFile> page,
+                             const std::filesystem::path& out, int threads)
+    : file_(file),
+      page_(std::move(page)),
+      reader_(file.file(), file.environment()),
+      motions_(reader_),
+      jobs_(out, threads),
+      link_(random_link()) {}
+
+HttpResponse StudioService::answer(const HttpRequest& request) {
+  if (std::optional<HttpResponse> refusal = unwelcome(request, port_)) return *refusal;
+  if (request.path.size() < 2 || !same_secret(request.path[0], link_)) return unknown(request);
+  if (request.method == "GET" || request.method == "HEAD") return read(request);
+  if (request.method == "POST") return take(request);
+  HttpResponse refusal = http_refusal(405, "method", "this cannot be done here", "GET, HEAD, POST");
+  refusal.headers["Allow"] = "GET, HEAD, POST";
+  return refusal;
+}
+
+/// Of those that ask for much that is not there, somebody is guessing.
+HttpResponse StudioService::unknown(const HttpRequest& request) {
+  if (!wrong_rate_.allows(request.address))
+    return http_refusal(429, "often", "too many requests", "wait a few seconds and ask again");
+  return http_refusal(404, "unknown", "there is nothing here", "use the link as it was told");
+}
+
+HttpResponse StudioService::read(const HttpRequest& request) {
+  if (request.path[1] == "jobs") return job(request);
+  if (request.path.size() > 2) return unknown(request);
+  const std::string& name = request.path[1];
+  if (name == "studio.json") return studio_json();
+  const auto file = page_.find(name.empty() ? "index.html" : name);
+  if (file == page_.end()) return unknown(request);
+  return {.type = file->second.type,
+          .body = file->second.bytes,
+          .webassembly = file->second.webassembly};
+}
+
+HttpResponse StudioService::take(const HttpRequest& request) {
+  const bool is_cancel =
+      request.path.size() == 4 && request.path[1] == "jobs" && request.path[3] == "cancel";
+  if (request.path.size() != 2 && !is_cancel) return unknown(request);
+  if (!is_json(request))
+    return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
+  const bool is_deep = is_nested_deeper(request.body, deepest_body);
+  const Body body =
+      is_deep ? Body(Body::value_t::discarded) : Body::parse(request.body, nullptr, false);
+  if (body.is_discarded())
+    return http_refusal(400, "malformed", "this is no JSON", "load the page again");
+  try {
+    if (!is_cancel) return posted(request.path[1], body);
+    jobs_.cancel();
+    return json_answer({{"cancelled", true}});
+  } catch (const MalformedBody&) {
+    return http_refusal(400, "malformed", "this is not what is asked here", "load the page again");
+  } catch (const DraftFaults& faults) {
+    return faults_answer(faults.list());
+  } catch (const Faults& faults) {
+    return faults_answer(faults.list());
+  } catch (const Error& error) {
+    return faults_answer({{{}, "", error.what(), ""}});
+  } catch (const WriteFailure& failure) {
+    return http_refusal(507, "full", failure.what(), "save it again in a while");
+  }
+}
+
+/// The one door: whatever is done with a page's document, its files are looked at first.
+StudioService::Body StudioService::document_in(const Body& body) const {
+  Body document = member<Body>(body, "document");
+  if (!document.is_object()) throw MalformedBody{};
+  reader_.admit(document, file_.state().document);
+  return document;
+}
+
+HttpResponse StudioService::posted(const std::string& what, const Body& body) {
+  if (what == "motion") return motion(body);
+  if (what == "choices") return json_answer(motions_.choices(document_in(body)));
+  if (what == "figure") return figure(body);
+  if (what == "places")
+    return json_answer(StudioPlaces(file_.file(), file_.state().document).listed());
+  if (what == "text") return text(body);
+  if (what == "save") return save(body);
+  if (what == "reload") return json_answer(state_json(file_.reload()));
+  if (what == "jobs") return begin_job(body);
+  return http_refusal(404, "unknown", "there is nothing here", "load the page again");
+}
+
+HttpResponse StudioService::studio_json() {
+  const ManifestState state = file_.state();
+  Body studio = {{"file", file_.file().filename().string()},
+                 {"place", std::filesystem::absolute(file_.file()).string()},
+                 {"is_on_disk", file_.is_on_disk()},
+                 {"manifest", state_json(state)},
+                 {"walker", page_.contains(walker_page)},
+                 {"job", jobs_.last()},
+                 {"words", studio_words(file_)}};
+  return json_answer(studio);
+}
+
+HttpResponse StudioService::motion(const Body& body) {
+  return {.type = "application/octet-stream",
+          .body = motions_.motion(document_in(body), member<std::string>(body, "show"),
+                                  member_or<std::string>(body, "against", ""))};
+}
+
+HttpResponse StudioService::figure(const Body& body) {
+  std::string file = motions_.figure(document_in(body), member<std::string>(body, "show"),
+                                     member<std::string>(body, "key"));
+  if (file.empty())
+    return http_refusal(404, "unknown", "there is no such figure", "ask for the motion again");
+  return {.type = "model/gltf-binary", .body = std::move(file)};
+}
+
+HttpResponse StudioService::text(const Body& body) {
+  const Body document = document_in(body);
+  const std::string show = member_or<std::string>(body, "show", "");
+  std::string lines;
+  for (const Body& stimulus : member_or<Body>(document, "stimuli", Body::array())) {
+    if (stimulus.is_object() && stimulus.contains("id") && stimulus["id"] == show)
+      lines = "  - " + yaml_element(stimulus, 4) + "\n";
+  }
+  return json_answer({{"text", file_.text_for(document)}, {"stimulus", lines}});
+}
+
+HttpResponse StudioService::save(const Body& body) {
+  const Saving saving = file_.save(document_in(body), member<std::string>(body, "version"),
+                                   member_or<bool>(body, "over", false));
+  Body told = state_json(saving.state);
+  if (saving.outcome != Saving::Outcome::elsewhere) {
+    told["saved"] = saving.outcome == Saving::Outcome::saved;
+    return json_answer(told);
+  }
+  return json_answer(
+      {{"error", "elsewhere"},
+       {"wrong", file_.file().filename().string() + " has been changed since it was opened here"},
+       {"remedy", "load it again and lose what was changed here, or write what is here into it"}},
+      409);
+}
+
+HttpResponse StudioService::begin_job(const Body& body) {
+  const std::string kind = member<std::string>(body, "kind"),
+                    id = member<std::string>(body, "stimulus");
+  if (kind != "still" && kind != "video") throw MalformedBody{};
+  Manifest manifest = reader_.read(document_about(document_in(body), {id}));
+  if (find_stimulus(manifest, id) == nullptr) throw MalformedBody{};
+  const std::optional<int> number =
+      jobs_.begin({.kind = kind == "still" ? StudioJob::Kind::still : StudioJob::Kind::video,
+                   .manifest = std::move(manifest),
+                   .stimulus = id,
+                   .seconds = member_or<double>(body, "seconds", 0.0),
+                   .quality = quality_in(body)});
+  if (!number)
+    return http_refusal(409, "busy", "another picture or film is being made",
+                        "wait for it, or stop it");
+  return json_answer(jobs_.told(*number));
+}
+
+HttpResponse StudioService::job(const HttpRequest& request) {
+  const std::optional<int> number =
+      request.path.size() > 2 ? number_in(request.path[2]) : std::nullopt;
+  if (!number) return unknown(request);
+  if (request.path.size() == 3) {
+    const Body told = jobs_.told(*number);
+    return told.is_null() ? unknown(request) : json_answer(told);
+  }
+  const bool is_result = request.path.size() == 4 && request.path[3] == "result";
+  const auto made = is_result ? jobs_.result(*number) : std::nullopt;
+  if (!made) return unknown(request);
+  return http_file(request, *made, made->extension() == ".png" ? "image/png" : "video/mp4");
+}
+
+}  // namespace mien::pipeline

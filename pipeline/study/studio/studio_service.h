@@ -1,0 +1,84 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "pipeline/study/page/served_page.h"
+#include "pipeline/study/server/http_message.h"
+#include "pipeline/study/server/rate_limit.h"
+#include "pipeline/study/studio/manifest_file.h"
+#include "pipeline/study/studio/studio_draft.h"
+#include "pipeline/study/studio/studio_jobs.h"
+#include "pipeline/study/studio/studio_motions.h"
+
+namespace mien::pipeline {
+
+/// The walker's page among the studio's, where there is one.
+inline constexpr char walker_page[] = "walk.html";
+
+/// What the studio's server answers, to who knows the link:
+///
+///     GET  /<link>/               the page, and the files of it
+///     GET  /<link>/walk.html      the walker's page, where the motion core is compiled for
+///     browsers GET  /<link>/studio.json    the manifest, and what there is to choose from
+///     (studio_words.h) POST /<link>/choices        examples and sliders for a document POST
+///     /<link>/motion         a motion, as bytes (studio_motions.h) POST /<link>/figure
+///     {"document", "show", "key"}: the figure of a motion, as GLB POST /<link>/places folders of
+///     captures, and characters (studio_places.h) POST /<link>/text           {"document", "show"}:
+///     the manifest's text as it would be saved,
+///                                 and the lines of a stimulus
+///     POST /<link>/save           {"document", "version", "over"}: writes it (manifest_file.h)
+///     POST /<link>/reload         opens the file again
+///     POST /<link>/jobs           {"document", "kind", "stimulus", "seconds", "quality"}: a still
+///                                 or a video is begun
+///     GET  /<link>/jobs/<n>       how far it is
+///     POST /<link>/jobs/<n>/cancel
+///     GET  /<link>/jobs/<n>/result
+///
+/// Bodies are JSON. What is wrong with a document is answered with 422 and
+/// {"faults": [{"path", "wrong", "remedy"}]}. Nothing of a request names a file. For several
+/// threads.
+class StudioService {
+ public:
+  /// `file` outlives this. `page`: the files that browsers are given.
+  StudioService(ManifestFile& file, std::map<std::string, ServedFile> page,
+                const std::filesystem::path& out, int threads);
+
+  /// The secret part of the link.
+  const std::string& link() const { return link_; }
+
+  /// The port that is listened at; before it is known, nothing is answered.
+  void listens_at(int port) { port_ = port; }
+
+  HttpResponse answer(const HttpRequest& request);
+
+ private:
+  using Body = nlohmann::ordered_json;
+
+  HttpResponse unknown(const HttpRequest& request);
+  HttpResponse read(const HttpRequest& request);
+  HttpResponse take(const HttpRequest& request);
+  HttpResponse posted(const std::string& what, const Body& body);
+  Body document_in(const Body& body) const;
+  HttpResponse studio_json();
+  HttpResponse motion(const Body& body);
+  HttpResponse figure(const Body& body);
+  HttpResponse text(const Body& body);
+  HttpResponse save(const Body& body);
+  HttpResponse begin_job(const Body& body);
+  HttpResponse job(const HttpRequest& request);
+
+  ManifestFile& file_;
+  std::map<std::string, ServedFile> page_;
+  DraftReader reader_;
+  StudioMotions motions_;
+  StudioJobs jobs_;
+  std::string link_;
+  std::atomic<int> port_ = 0;
+  RateLimit wrong_rate_{{.burst = 60, .per_second = 0.5}};
+};
+
+}  // namespace mien::pipeline

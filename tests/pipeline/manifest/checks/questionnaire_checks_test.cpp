@@ -1,0 +1,129 @@
+#include "pipeline/manifest/checks/questionnaire_checks.h"
+
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/checks/session_checks.h"
+#include "pipeline/study/questionnaire/asked_study.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+std::string told(const std::string& members) {
+  const ManifestReading reading =
+      parse_manifest(test::asked_study_text(5, members), "/nowhere/m.yaml",
+                     [](const std::string&) { return std::nullopt; });
+  return reading.faults.empty() ? "" : Faults(reading.faults).what();
+}
+
+TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
+  struct Wrong {
+    const char* members;
+    const char* place;
+    const char* words;
+  };
+  const Wrong wrong_ones[] = {
+      {"scales: all", "m.yaml:5:16: questionnaire.participants", "missing"},
+      {"participants: 4", "m.yaml:5:16: questionnaire", "asks on no scales"},
+      {"participants: 4, scales: [sad-hapy]", "m.yaml:5:43: questionnaire.scales[0]",
+       "did you mean \"sad-happy\""},
+      {"participants: 4, scales: al", "m.yaml:5:42: questionnaire.scales", "all, emotions"},
+      {"participants: 4, scales: all, stimuli: [a1, a2]", "m.yaml:5:61: questionnaire.stimuli[1]",
+       "unknown stimulus \"a2\""},
+      {"participants: 4, scales: all, stimuli: {actr: [a]}", "m.yaml:5:57: questionnaire.stimuli",
+       "did you mean \"actor\""},
+      {"participants: 4, scales: all, stimuli: {actor: [z]}", "questionnaire.stimuli.actor[0]",
+       "unknown level \"z\""},
+      {"participants: 4, scales: all, apart: [mood]", "questionnaire.apart[0]", "unknown factor"},
+      {"participants: 4, scales: all, order: {blocked: actr}", "questionnaire.order.blocked",
+       "did you mean \"actor\""},
+      {"participants: 4, scales: all, order: latn", "questionnaire.order", "latin"},
+      {"participants: 4, scales: all, order: latin, apart: [actor]", "questionnaire.apart",
+       "choose order: full"},
+      {"participants: 4, scales: all, order: {blocked: actor}, apart: [actor]",
+       "questionnaire.apart[0]", "a block is of one level"},
+      {"participants: 4, scales: all, per_participant: 6", "questionnaire.per_participant",
+       "write 5 at most"},
+      {"participants: 4, scales: all, practice: [x]", "questionnaire.practice[0]",
+       "unknown stimulus"},
+      {"participants: 4, scales: all, reference: x", "questionnaire.reference", "unknown stimulus"},
+      {"participants: 4, scales: all, answer: {points: 4, default: middle}",
+       "questionnaire.answer.default", "no middle"},
+      {"participants: 4, scales: all, answer: {slider: true, points: 4}",
+       "questionnaire.answer.points", "no slider"},
+      {"participants: 4, scales: all, choices: [a, b]", "questionnaire.choices",
+       "only emotion trials"},
+      {"participants: 4, scales: all, pairs: [[a1, b2]]", "questionnaire.pairs",
+       "only pair trials"},
+      {"participants: 4, scales: all, trials: pair, practice: [a1]", "questionnaire.practice",
+       "two by two"},
+      {"participants: 4, trials: emotion, stimuli: [a1, b2], choices: [sad]",
+       "questionnaire.choices", "at least 2"},
+      {"participants: 4, scales: all, replays: often", "questionnaire.replays", "counted, none"},
+      {"participants: 4, scales: all, view: turn", "questionnaire.view", "clips: [bvh, glb]"},
+      {"participants: 4, scales: all, consent: {file: no.txt}", "questionnaire.consent.file",
+       "there is no file /nowhere/no.txt"},
+      {"participants: 4, scales: {file: no.scales.yaml}", "questionnaire.scales.file",
+       "there is no file"},
+      {"participants: 4, scales: all, demographics: [{id: session, ask: x, answer: text}]",
+       "questionnaire.demographics[0].id", "a column of that name"},
+      {"participants: 4, scales: all, attention: {evry: 3}", "questionnaire.attention",
+       "did you mean \"every\""},
+  };
+  for (const Wrong& wrong : wrong_ones) {
+    const std::string text = told(wrong.members);
+    EXPECT_NE(text.find(wrong.place), std::string::npos) << wrong.members << "\n" << text;
+    EXPECT_NE(text.find(wrong.words), std::string::npos) << wrong.members << "\n" << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << "more than one: " << text;
+  }
+}
+
+TEST(QuestionnaireChecks, WarnOfAttentionChecksThatLeaveNobodyOut) {
+  const auto warnings = [](const char* attention) {
+    const std::string members = "participants: 4, scales: [sad-happy], attention: {every: ";
+    return questionnaire_warnings(test::asked_study(5, members + attention + "}")).size();
+  };
+  EXPECT_EQ(warnings("3"), 1u);
+  EXPECT_EQ(warnings("2"), 0u);
+}
+
+TEST(QuestionnaireChecks, TakeTextsAndScalesFromFiles) {
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "own.scales.yaml",
+             "name: own\nrange: [0, 1]\nscales:\n  x: {low: l, high: h}\n  y: {low: l, high: h}\n");
+  write_file(folder.path() / "c.txt", "I agree.\n");
+  write_file(
+      folder.path() / "m.yaml",
+      test::asked_study_text(
+          4, "participants: 4, scales: {file: own.scales.yaml, ask: [y]}, consent: {file: c.txt}"));
+  const ManifestReading reading =
+      read_manifest(folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; });
+  ASSERT_TRUE(reading.faults.empty()) << Faults(reading.faults).what();
+  EXPECT_EQ(reading.manifest.questionnaire->consent.text, "I agree.\n");
+  const ScaleSet asked = asked_scales(reading.manifest);
+  ASSERT_EQ(asked.scales.size(), 1u);
+  EXPECT_EQ(asked.scales[0].id, "y");
+  EXPECT_EQ(asked.scales[0].most, 1.0);
+}
+
+TEST(Asked, AreTheStimuliOfTheLevelsAndTheirEmotions) {
+  const Manifest manifest =
+      test::asked_study(12, "participants: 4, trials: emotion, stimuli: {actor: [a, c]}");
+  EXPECT_EQ(asked_stimuli(manifest).size(), 8u);
+  ASSERT_EQ(asked_choices(manifest).size(), 3u);
+  EXPECT_EQ(asked_choices(manifest)[1].first, "happy");
+  EXPECT_EQ(asked_scales(test::asked_study(3, "participants: 4, scales: emotions")).scales.size(),
+            6u);
+  // Single emotions beside the study's own scales.
+  const Manifest mixed =
+      test::asked_study(3, "participants: 4, scales: [slow-fast, tired-excited]");
+  EXPECT_EQ(asked_scales(mixed).scales.size(), 2u);
+}
+
+}  // namespace
+}  // namespace mien::pipeline

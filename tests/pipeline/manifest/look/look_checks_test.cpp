@@ -1,0 +1,96 @@
+#include "pipeline/manifest/look/look_checks.h"
+
+#include <ostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+
+namespace mien::pipeline {
+namespace {
+
+/// The faults of a manifest with that look in its fourth line, one a line.
+std::string faults_of_look(const std::string& look) {
+  const std::string text = "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nlook: {" + look +
+                           "}\nstimuli: [{id: a, weights: {normal: 1}}]\n";
+  std::string told;
+  for (const Fault& fault :
+       parse_manifest(text, "m.yaml", [](const std::string&) { return std::nullopt; }).faults)
+    told += to_string(fault) + "\n";
+  return told;
+}
+
+struct Case {
+  const char* look;
+  const char* fault;
+};
+
+void PrintTo(const Case& example, std::ostream* out) { *out << example.look; }
+
+class LookFaults : public testing::TestWithParam<Case> {};
+
+TEST_P(LookFaults, AreToldWithPlaceAndRemedy) {
+  EXPECT_EQ(faults_of_look(GetParam().look), GetParam().fault + std::string("\n"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, LookFaults,
+    testing::Values(
+        Case{"scene: studio, figure: {point-light: {contrast: 0.5}}",
+             "m.yaml:4:46: look.figure.point-light.contrast: the set says already what is behind "
+             "the dots; leave it out, or scene out"},
+        Case{"scene: {set: void, background: \"#404040\"}, figure: {point-light: {polarity: "
+             "dark-on-light}}",
+             "m.yaml:4:74: look.figure.point-light.polarity: the set says already what is behind "
+             "the dots; leave it out, or scene out"},
+        Case{"camera: {position: [0, 1, 0], target: [0, 1, 0]}",
+             "m.yaml:4:46: look.camera.target: the camera would look at itself; name another "
+             "point than position"},
+        Case{"camera: {position: [0, 5, 0], target: [0, 1, 0]}",
+             "m.yaml:4:46: look.camera.target: the camera would look straight up or down; name a "
+             "point that is not above or below position"},
+        Case{"camera: {path: [{at: 0, position: [0, 1, 4], target: [0, 1, 4]}, {at: 1, position: "
+             "[1, 1, 4], target: [0, 1, 0]}]}",
+             "m.yaml:4:61: look.camera.path[0].target: the camera would look at itself; name "
+             "another point than position"},
+        Case{"camera: {path: [{at: 1, position: [0, 1, 4], target: [0, 1, 0]}, {at: 1, position: "
+             "[1, 1, 4], target: [0, 1, 0]}]}",
+             "m.yaml:4:78: look.camera.path[1].at: the times of a path do not ascend; write "
+             "seconds in the order in which they come"},
+        Case{"camera: {view: front, path: [{at: 0, position: [0, 1, 4], target: [0, 1, 0]}, {at: "
+             "1, position: [1, 1, 4], target: [0, 1, 0]}]}",
+             "m.yaml:4:36: look.camera.path: a path says already where the camera is; leave view, "
+             "position and target out"},
+        Case{"camera: {position: [0, 1, 4]}",
+             "m.yaml:4:16: look.camera: target is missing; give position and target"},
+        Case{"camera: {view: side, orthographic: true, stereo: {}}",
+             "m.yaml:4:16: look.camera: an orthographic camera has neither an angle of view nor "
+             "two eyes; leave orthographic, or fov and stereo, out"},
+        Case{"camera: {view: side, fov: 30, screen: {distance_cm: 60, width_cm: 50}}",
+             "m.yaml:4:34: look.camera.fov: the screen says already how wide the camera sees; "
+             "leave fov or screen out"},
+        Case{"camera: {view: side, orthographic: true, screen: {distance_cm: 60, width_cm: 50}}",
+             "m.yaml:4:57: look.camera.screen: an orthographic camera has no place before a "
+             "screen; leave orthographic or screen out"},
+        Case{"figure: {trail: {figure: {character: nobody.glb}}}",
+             "m.yaml:4:45: look.figure.trail.figure.character: there is no file nobody.glb; give a "
+             "skinned character (.gltf, .glb, .vrm); paths are taken from the manifest's folder"},
+        Case{"figure: {character: nobody.glb}",
+             "m.yaml:4:28: look.figure.character: there is no file nobody.glb; give a skinned "
+             "character (.gltf, .glb, .vrm); paths are taken from the manifest's folder"},
+        Case{"figure: {point-light: {joints: [head]}}",
+             "m.yaml:4:40: look.figure.point-light.joints[0]: unknown joint \"head\"; did you mean "
+             "\"Head\"?"}));
+
+TEST(LookChecks, LeaveContrastToDotsBeforeNothing) {
+  EXPECT_EQ(faults_of_look("scene: void, figure: {point-light: {contrast: 0.5}}"), "");
+  EXPECT_EQ(faults_of_look("figure: {point-light: {contrast: 0.5}}"), "");
+  EXPECT_EQ(
+      faults_of_look("camera: {view: side, stereo: {}, screen: {distance_cm: 60, width_cm: 50}}"),
+      "");
+}
+
+}  // namespace
+}  // namespace mien::pipeline

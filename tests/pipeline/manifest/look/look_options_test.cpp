@@ -1,0 +1,89 @@
+#include "pipeline/manifest/look/look_options.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/look/look_checks.h"
+#include "pipeline/temporary_folder.h"
+#include "scenes/figures/hex_colour.h"
+
+namespace mien::pipeline {
+namespace {
+
+std::string faults_of_options(const LookOptions& options) {
+  try {
+    look_of(options);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(LookOptions, TakeNamesAndOptionsWithOrWithoutBraces) {
+  const Look plain = look_of({});
+  EXPECT_EQ(plain.figure, scenes::Figure(scenes::StickOptions{}));
+  EXPECT_EQ(plain.camera, scenes::CameraSettings{});
+  const Look look = look_of({.scene = "corridor",
+                             .figure = "point-light: {scrambled: true, joints: [Head], seed: 3}",
+                             .camera = "{position: [1, 2, 3], target: [0, 1, 0], fov: 30}"});
+  EXPECT_EQ(scene_of(look), "corridor");
+  const auto& dots = std::get<scenes::PointLightOptions>(look.figure);
+  EXPECT_TRUE(dots.scrambled);
+  EXPECT_EQ(dots.joints, std::vector<std::string>{"Head"});
+  EXPECT_EQ(dots.joint_set, "");
+  EXPECT_EQ(dots.seed, 3u);
+  EXPECT_EQ(look.camera.position, motion::Vec3(1, 2, 3));
+  EXPECT_EQ(look.camera.fov_degrees, 30.0);
+}
+
+TEST(LookOptions, PointLightsStandInTheVoidBeforeTheirOwnBackground) {
+  EXPECT_EQ(scene_of(look_of({})), "studio");
+  const Look dark = look_of({.figure = "point-light"});
+  EXPECT_EQ(scene_of(dark), "void");
+  EXPECT_EQ(staged_set(dark).sky.backdrop_zenith[1], 0.0f);
+  const Look light = look_of({.figure = "point-light: {polarity: dark-on-light}"});
+  EXPECT_EQ(staged_set(light).sky.backdrop_horizon[1], 1.0f);
+  const Look own =
+      look_of({.scene = "set: void, background: \"#405060\"", .figure = "point-light"});
+  EXPECT_EQ(staged_set(own).sky.backdrop_zenith[0], scenes::colour_from_hex("#405060")[0]);
+}
+
+TEST(LookOptions, AreRefusedInTheWordsOfTheOptions) {
+  EXPECT_EQ(faults_of_options({.scene = "stduio"}),
+            "--scene: \"stduio\" is neither a set nor a file; did you mean \"studio\"?");
+  EXPECT_EQ(faults_of_options({.camera = "sied"}),
+            "--camera: \"sied\" is not one of front, side, three-quarter, follow, orbit; did you "
+            "mean \"side\"?");
+  EXPECT_EQ(faults_of_options({.figure = "point-light: {scrambeld: true}"}),
+            "--figure.point-light.scrambeld: unknown key; did you mean \"scrambled\"?");
+  EXPECT_EQ(faults_of_options({.figure = "point-light: {scrambled: true, lifetime: 4}"}),
+            "--figure.point-light.lifetime: scrambled dots have no limbs to spend a limited "
+            "lifetime on; leave scrambled or lifetime out");
+  EXPECT_EQ(faults_of_options({.camera = "position: [1, 2, 3]"}),
+            "--camera: target is missing; give position and target");
+  EXPECT_EQ(faults_of_options({.figure = "trail: {poses: 24, before: 12}"}),
+            "--figure.trail: too many poses for one picture; show at most 29 besides the present "
+            "one");
+}
+
+TEST(LookOptions, TakeACharacterByItsFileAloneOrAsAManifestHasIt) {
+  const std::string none =
+      "--figure.character: there is no file nobody.glb; give a skinned character (.gltf, .glb, "
+      ".vrm); paths are taken from the manifest's folder";
+  for (const char* figure : {"nobody.glb", "character: nobody.glb", "{character: nobody.glb}"})
+    EXPECT_EQ(faults_of_options({.figure = figure}), none) << figure;
+}
+
+TEST(LookOptions, FaultsOfASetAreToldAtTheirPlaceInItsFile) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path() / "my.set.yaml").string();
+  write_file(file, "background: \"#808080\"\nsky: 3\n");
+  EXPECT_EQ(faults_of_options({.scene = file}),
+            file +
+                ":2:6: sky: must be a map of keys and values but is 3; for example {below: "
+                "#8b8b8a, horizon: #a2a3a4, zenith: #b4b6b8}");
+}
+
+}  // namespace
+}  // namespace mien::pipeline

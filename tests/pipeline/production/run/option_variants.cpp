@@ -1,0 +1,526 @@
+#include "pipeline/production/run/option_variants.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/formats/motion_file.h"
+#include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/recording.h"
+#include "motion/two_takes.h"
+#include "scenes/skinned_gltf.h"
+
+namespace mien::test {
+
+namespace {
+
+using nlohmann::json;
+
+json parsed(const char* text) { return json::parse(text); }
+
+/// As small and quick as a study can be that still makes every kind of artifact.
+json tiny_study() {
+  return parsed(R"({"mien": 1, "study": "s", "seed": 1, "examples": {"set": "builtin:walks-10"},
+    "output": {"size": [32, 24], "fps": 6, "cycles": 1, "quality": "draft", "video": ["gif"]},
+    "stimuli": [{"id": "a", "weights": {"normal": 1}}, {"id": "b", "weights": {"sad": 1}}]})");
+}
+
+/// What must stand around an option for it to count: patches of the whole manifest, and values of
+/// the map that the option stands in. The first entry whose text the path holds is taken, of each.
+struct Surroundings {
+  const char* path;
+  const char* patch;
+  const char* siblings;
+};
+
+constexpr char with_wishes[] =
+    R"({"stimuli": [{"id": "a", "adjectives": {"quickness": 0.7}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_foil[] =
+    R"({"stimuli": [{"id": "a", "foil": {"of": "b", "differ": "posture"}}, {"id": "b", "weights": {"sad": 1}, "modify": {"emotion": "sad"}}, {"id": "c", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}]})";
+constexpr char with_folder[] =
+    R"({"examples": {"set": null, "ratings": "simulated"}, "stimuli": [{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"normal": 1}}]})";
+constexpr char with_a_folder_or_set[] =
+    R"({"stimuli": [{"id": "a", "features": {"step-length": 0.5}}, {"id": "b", "clip": "one/sad.bvh"}]})";
+constexpr char with_points[] =
+    R"({"stimuli": [{"id": "a", "path": {"points": [[0, 0], [0, 1]]}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_graph[] =
+    R"({"stimuli": [{"id": "a", "path": {"graph": [{}], "script": [{"walk": 1}]}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
+constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
+
+constexpr char with_questions[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"]}})";
+constexpr char with_questions_and_factors[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}]})";
+constexpr char with_questions_and_glb[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"], "clips": ["bvh", "glb"]}})";
+
+constexpr char with_matching[] =
+    R"({"matching": {"participants": 4}, "stimuli": [{"id": "a", "role": "target", "weights": {"normal": 1}}, {"id": "b", "role": "target", "weights": {"sad": 1}}, {"id": "c", "weights": {"proud": 1}}]})";
+
+const Surroundings surroundings[] = {
+    {"matching.demographics[].", with_matching,
+     R"({"id": "age", "ask": "How old?", "answer": "text"})"},
+    {"matching", with_matching, "{}"},
+    {"questionnaire.order", with_questions_and_factors, "{}"},
+    {"questionnaire.apart", with_questions_and_factors, "{}"},
+    {"questionnaire.view", with_questions_and_glb, "{}"},
+    {"questionnaire.choices", with_questions, R"({"trials": "emotion"})"},
+    {"questionnaire.pairs", with_questions, R"({"trials": "pair"})"},
+    {"questionnaire.scales.ask", R"({"questionnaire": {"participants": 4}})",
+     R"({"file": "my.scales.yaml"})"},
+    {"questionnaire.scales.file", R"({"questionnaire": {"participants": 4}})", "{}"},
+    {"questionnaire.demographics[].", with_questions,
+     R"({"id": "age", "ask": "How old?", "answer": "text"})"},
+    {"questionnaire.", with_questions, "{}"},
+    {"interpolation.neighbours", with_wishes, R"({"method": "knn"})"},
+    {"interpolation.blends", with_wishes, R"({"method": "knn"})"},
+    {"interpolation.power", with_wishes, R"({"method": "inverse-distance"})"},
+    {"interpolation.cells", with_wishes, R"({"method": "grid"})"},
+    {"interpolation.nodes", with_wishes, R"({"method": "grid"})"},
+    {"interpolation.drift", with_wishes, R"({"method": "kriging"})"},
+    {"interpolation.nugget", with_wishes, R"({"method": "kriging"})"},
+    {"interpolation.variance", with_wishes, R"({"method": "pca"})"},
+    {"interpolation.estimate", with_wishes, R"({"method": "pca"})"},
+    {"interpolation.noise", with_wishes, R"({"method": "pca", "estimate": "most-likely"})"},
+    {"interpolation.step", with_wishes, R"({"method": "incremental"})"},
+    {"interpolation", with_wishes, "{}"},
+    {"stimuli[].adjectives", with_wishes, "{}"},
+    {"stimuli[].hold", with_wishes, "{}"},
+    {"stimuli[].foil", with_foil, "{}"},
+    {"modify.harmonics", "{}", R"({"method": "unuma", "neutral": "normal", "styled": "sad"})"},
+    {"modify.order", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
+    {"modify.inputs", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
+    {"modify.components", "{}", R"({"method": "shapiro", "neutral": "normal", "styled": "sad"})"},
+    {"modify.swap", "{}", R"({"method": "shapiro", "neutral": "normal", "styled": "sad"})"},
+    {"modify.method", "{}", R"({"neutral": "normal", "styled": "sad"})"},
+    {"modify.neutral", "{}", R"({"method": "waveshape", "styled": "sad"})"},
+    {"modify.styled", "{}", R"({"method": "waveshape", "neutral": "normal"})"},
+    {"modify.strength", "{}", R"({"emotion": "sad"})"},
+    {"modify.acceleration_at", "{}", R"({"acceleration": 0.5})"},
+    {"modify.limbs", "{}", R"({"acceleration": 0.5})"},
+    {"modify.signal", "{}", R"({"paths": 0.5})"},
+    {"modify.seed", "{}", R"({"variation": 0.5})"},
+    {"modify.pose.neutral.take", "{}", R"({"motion": "takes.gltf"})"},
+    {"modify.pose.posed.take", "{}", R"({"motion": "takes.gltf"})"},
+    {"modify.pose.neutral.", "{}", R"({"motion": "normal"})"},
+    {"modify.pose.posed.", "{}", R"({"motion": "sad"})"},
+    {"modify.pose.neutral", "{}", R"({"posed": "sad"})"},
+    {"modify.pose.posed", "{}", R"({"neutral": "sad"})"},
+    {"on_fault",
+     R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})",
+     "{}"},
+    {"recipes",
+     R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})",
+     "{}"},
+    {"examples.set.take", with_folder, R"({"folder": "takes", "cycle": "whole"})"},
+    {"examples.set.", with_folder, R"({"folder": "one", "cycle": "whole"})"},
+    {"examples.set", with_a_folder_or_set, "{}"},
+    {"examples.scales", R"({"examples": {"ratings": "simulated"}})", "{}"},
+    {"examples.expect[].", "{}", R"({"parameter": "quickness", "order": ["sad", "normal"]})"},
+    {"stimuli[].features", "{}", "{}"},
+    {"stimuli[].clip.frames", "{}", R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].clip.take", "{}", R"({"file": "takes.gltf"})"},
+    {"stimuli[].path.script[].walk", "{}", "{}"},
+    {"stimuli[].path.script[].turn", "{}", "{}"},
+    {"stimuli[].path.script[].stand", "{}", "{}"},
+    {"stimuli[].path.script[].", "{}", R"({"walk": 1})"},
+    {"stimuli[].path.script", "{}", "{}"},
+    {"stimuli[].path.points", "{}", "{}"},
+    {"stimuli[].path.graph[].take", with_graph, R"({"file": "takes.gltf"})"},
+    {"stimuli[].path.graph[].file", with_graph, "{}"},
+    {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}]})"},
+    {"stimuli[].path.threshold_m", "{}",
+     R"({"graph": ["one/normal.bvh", "one/sad.bvh"], "script": [{"walk": 1}]})"},
+    {"stimuli[].path.moods[].at", with_points, R"({"mood": {"sad": 1}})"},
+    {"stimuli[].path.moods[].mood", with_points, R"({"at": 0.1})"},
+    {"stimuli[].path.moods", with_points, "{}"},
+    {"stimuli[].path.", "{}", R"({"script": [{"walk": 1}]})"},
+    {"camera.position", "{}", R"({"target": [0, 1, 0]})"},
+    {"camera.target", "{}", R"({"position": [3, 1, 1]})"},
+    {"screen.distance_cm", "{}", R"({"width_cm": 50})"},
+    {"screen.width_cm", "{}", R"({"distance_cm": 60})"},
+    {"screen.degrees", "{}", R"({"distance_cm": 60, "width_cm": 50})"},
+    {"trail.every", "{}", R"({"before": 2})"},
+    {"trail.faintest", "{}", R"({"before": 2})"},
+    {"trail.trace_width", "{}", R"({"traces": ["hands"]})"},
+    {"look.scene.background", "{}", R"({"set": "studio"})"},
+    {"card.seconds", "{}", R"({"text": "Look"})"},
+    {"fixation.size", "{}", R"({"seconds": 0.2})"},
+    {"overlays[].opacity", with_overlay, "{}"},
+    {"overlays[].layout", with_overlay, "{}"},
+    {"sheets[].compare.", R"({"sheets": [{"compare": {"target": "a", "created": "b"}}]})", "{}"},
+    {"sheets[].id", R"({"sheets": [{"compare": {"target": "a", "created": "b"}}]})", "{}"},
+    {"sheets[].columns", with_stills, R"({"stills": ["a", "b"], "compare": null})"},
+    {"sheets[].stills", with_stills, R"({"compare": null})"},
+    {"sheets[].gallery", "{}", R"({"compare": null})"},
+};
+
+/// Values that the schema's own examples and limits do not give, or that would take long.
+struct Values {
+  const char* path;
+  const char* two;
+};
+
+const Values chosen_values[] = {
+    {"stimuli[].path", R"([[{"walk": 1}], {"points": [[0, 0], [0, 1]]}])"},
+    {"stimuli[].path.script", R"([[{"walk": 1}], [{"turn": 30}]])"},
+    {"stimuli[].path.script[].walk", "[1, 1.5]"},
+    {"stimuli[].path.script[].turn", "[30, -30]"},
+    {"stimuli[].path.script[].stand", "[0.5, 1]"},
+    {"stimuli[].path.script[].pace", "[0.5, 1]"},
+    {"stimuli[].path.graph[].take", R"(["Walk", "Stand"])"},
+    {"stimuli[].path.graph[].file", R"(["one/normal.bvh", "one/sad.bvh"])"},
+    {"stimuli[].path.graph", R"([["one/normal.bvh"], ["one/normal.bvh", "one/sad.bvh"]])"},
+    {"stimuli[].path.threshold_m", "[0.1, 0.2]"},
+    {"stimuli[].path.points", "[[[0, 0], [0, 1]], [[0, 0], [0.5, 1]]]"},
+    {"stimuli[].path.pace", "[0.5, 1]"},
+    {"stimuli[].path.set", R"(["builtin:walks-10", "builtin:walks-27"])"},
+    {"stimuli[].path.mood", R"([{"sad": 1}, {"sad": 1, "happy": 1}])"},
+    {"stimuli[].path.script[].mood", R"([{"sad": 1}, {"sad": 1, "happy": 1}])"},
+    {"stimuli[].path.moods",
+     R"([[{"at": 0.1, "mood": {"sad": 1}}], [{"at": 0.2, "mood": {"sad": 1}}]])"},
+    {"stimuli[].path.moods[].at", "[0.1, 0.2]"},
+    {"stimuli[].path.moods[].mood", R"([{"sad": 1}, {"happy": 1}])"},
+    {"matching", R"([{"participants": 4}, {"participants": 5, "limit_s": 100}])"},
+    {"matching.title", R"(["Same?", "Alike?"])"},
+    {"matching.targets", R"([["a"], ["a", "b"]])"},
+    {"matching.practice", R"([["b"], ["c"]])"},
+    {"matching.interfaces", R"([["adjectives"], ["weights", "features"]])"},
+    {"matching.primary", R"([["quickness"], ["quickness", "largeness"]])"},
+    {"matching.pairs_offered", R"([["slow-fast"], ["quickness"]])"},
+    {"matching.features", R"([["step-length"], ["step-length", "lateral-swing"]])"},
+    {"matching.target_colour", R"(["#112233", "#445566"])"},
+    {"matching.created_colour", R"(["#112233", "#445566"])"},
+    {"questionnaire",
+     R"([{"participants": 4, "scales": "all"}, {"participants": 5, "scales": "emotions"}])"},
+    {"questionnaire.title", R"(["How?", "What?"])"},
+    {"questionnaire.consent", R"(["Yes.", "No."])"},
+    {"questionnaire.instructions", R"(["Look.", "Look well."])"},
+    {"questionnaire.ending", R"(["Thanks.", "The end."])"},
+    {"questionnaire.analysis.plan", R"(["One test.", "Two tests."])"},
+    {"questionnaire.consent.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"questionnaire.instructions.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"questionnaire.ending.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"questionnaire.analysis.plan.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"questionnaire.question", R"(["How?", "What?"])"},
+    {"questionnaire.stimuli", R"([["a"], ["b", "a"]])"},
+    {"questionnaire.per_participant", "[1, 2]"},
+    {"questionnaire.trials", R"(["rating", "pair"])"},
+    {"questionnaire.scales", R"([["sad-happy"], "emotions"])"},
+    {"questionnaire.scales.file", R"(["my.scales.yaml", "other.scales.yaml"])"},
+    {"questionnaire.scales.ask", R"([["slow-quick"], ["big-small"]])"},
+    {"questionnaire.choices", R"([["sad", "happy"], {"sad": "S", "happy": "H"}])"},
+    {"questionnaire.pairs", R"([[["a", "b"]], [["b", "a"]]])"},
+    {"questionnaire.answer", R"([{"points": 7}, {"slider": true}])"},
+    {"questionnaire.order", R"(["full", {"blocked": "actor"}])"},
+    {"questionnaire.order.blocked", R"(["actor", "mood"])"},
+    {"questionnaire.apart", R"([["actor"], ["mood"]])"},
+    {"questionnaire.practice", R"([["a"], ["b"]])"},
+    {"questionnaire.warm_up", "[1, 2]"},
+    {"questionnaire.attention", R"([{"every": 2}, {"every": 3}])"},
+    {"questionnaire.catch", R"([{"repeat": 1}, {"repeat": 2}])"},
+    {"questionnaire.catch.repeat", "[1, 2]"},
+    {"questionnaire.replays", R"(["none", 3])"},
+    {"questionnaire.reference", R"(["a", "b"])"},
+    {"questionnaire.demographics",
+     R"([[{"id": "age", "ask": "How old?", "answer": "number"}], [{"id": "sex", "ask": "Which?", "answer": ["f", "m"]}]])"},
+    {"questionnaire.demographics[].id", R"(["age", "sex"])"},
+    {"questionnaire.demographics[].ask", R"(["Who?", "Which?"])"},
+    {"questionnaire.demographics[].answer", R"(["number", ["f", "m"]])"},
+    {"questionnaire.pace", R"([{"answer": 2}, {"answer": 3}])"},
+    {"questionnaire.pace.words_per_minute", "[100, 200]"},
+    {"questionnaire.analysis", R"([{"alpha": 0.01}, {"alpha": 0.05}])"},
+    {"questionnaire.analysis.alpha", "[0.01, 0.05]"},
+    {"stimuli[].hold", R"(["others", {"largeness": 0.6}])"},
+    {"stimuli[].foil.of", R"(["b", "c"])"},
+    {"stimuli[].foil.differ", R"(["posture", "path-length"])"},
+    {"stimuli[].foil",
+     R"([{"of": "b", "differ": "posture"}, {"of": "b", "differ": "path-length"}])"},
+    {"output.size", "[[32, 24], [40, 24]]"},
+    {"output.scale", "[0.8, 0.9]"},
+    {"output.crop", "[[0, 0, 16, 16], [8, 0, 16, 16]]"},
+    {"output.fps", "[5, 6]"},
+    {"output.cycles", "[1, 2]"},
+    {"output.video", R"([["gif"], ["gif", "apng"]])"},
+    {"output.clips", R"([["bvh"], []])"},
+    {"card.seconds", "[0.2, 0.4]"},
+    {"presentation.card", R"([{"text": "A", "seconds": 0.2}, {"text": "B", "seconds": 0.2}])"},
+    {"card.text", R"(["A", "B"])"},
+    {"presentation.fixation.size", "[7, 9]"},
+    {"presentation", R"([{"blank_after": 0.2}, {"blank_after": 0.4}])"},
+    {"blank_before", "[0.2, 0.4]"},
+    {"blank_after", "[0.2, 0.4]"},
+    {"fade_in", "[0.2, 0.4]"},
+    {"fade_out", "[0.2, 0.4]"},
+    {"presentation.background", "[0.2, 0.4]"},
+    {"presentation.fixation", "[0.2, 0.4]"},
+    {"fixation.seconds", "[0.2, 0.4]"},
+    {"output.shutter", "[90, 180]"},
+    {"study", R"(["s", "t"])"},
+    {"mien", "[1]"},
+    {"seed", "[1, 2]"},
+    {"raters", "[5, 9]"},
+    {"examples.set.folder", R"(["one", "two"])"},
+    {"examples.set.include", R"(["*.bvh", "{normal,sad}.bvh"])"},
+    {"examples.set.exclude", R"(["x*", "tired.bvh"])"},
+    {"examples.set.cycle", R"(["whole", "start-peak-end"])"},
+    {"examples.set.keytimes",
+     R"([{"normal": [0.1, 0.6], "tired": [0.1, 0.6], "sad": [0.1, 0.6]}, {"normal": [0.1, 0.7], "tired": [0.1, 0.6], "sad": [0.1, 0.6]}])"},
+    {"examples.set.labels", R"(["file-name", {"tired": "aged"}])"},
+    {"examples.set", R"(["builtin:walks-10", "builtin:walks-27"])"},
+    {"examples.ratings", R"(["builtin", "simulated"])"},
+
+    {"examples.scales", R"(["builtin", "my.scales.yaml"])"},
+    {"examples.expect[].parameter", R"(["quickness", "largeness"])"},
+    {"examples.expect[].order", R"([["sad", "normal"], ["normal", "sad"]])"},
+    {"examples.expect",
+     R"([[{"parameter": "quickness", "order": ["sad", "normal"]}], [{"parameter": "largeness", "order": ["sad", "normal"]}]])"},
+    {"recipes", R"(["builtin", "fig29"])"},
+    {"on_fault", R"(["warn", "reduce"])"},
+    {"look.scene.set", R"(["void", "corridor"])"},
+    {"look.scene.background", R"(["#405060", "#605040"])"},
+    {"look.scene", R"(["void", "my.set.yaml"])"},
+    {"figure.character", R"(["one.gltf", "two.gltf"])"},
+    {"look.figure.mannequin.", "[0.2, 0.6]"},
+    {"look.figure.mannequin", R"([{"sex": 0.1}, {"sex": 0.9}])"},
+    {"trail.figure.mannequin.", "[0.2, 0.6]"},
+    {"trail.figure.mannequin", R"([{"sex": 0.1}, {"sex": 0.9}])"},
+    {"look.figure.point-light.noise", "[2, 5]"},
+    {"look.figure.point-light.mask", "[2, 5]"},
+    {"look.figure.point-light.joints", R"(["standard", ["Head", "Pelvis"]])"},
+    {"look.figure.point-light.colour", R"(["#ff0000", "#00ff00"])"},
+    {"look.figure.point-light.background", R"(["#100000", "#001000"])"},
+    {"look.figure.point-light", R"([{}, {"inverted": true}])"},
+    {"look.figure.trail.figure", R"(["stick", "mannequin"])"},
+    {"look.figure.trail.traces", R"([["hands"], ["feet"]])"},
+    {"look.figure.trail", R"([{"poses": 2}, {"poses": 3}])"},
+    {"look.figure", R"(["stick", "mannequin"])"},
+    {"camera.position", "[[3, 1, 1], [3, 1, 2]]"},
+    {"camera.target", "[[0, 1, 0], [0, 0.5, 0]]"},
+    {"camera.path[].at", "[0, 0.1]"},
+    {"camera.path[].position", "[[3, 1, 1], [3, 1, 2]]"},
+    {"camera.path[].target", "[[0, 1, 0], [0, 0.5, 0]]"},
+    {"camera.path",
+     R"([[{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [3, 1, 2], "target": [0, 1, 0]}],
+         [{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [2, 1, 2], "target": [0, 1, 0]}]])"},
+    {"camera.figure_px", "[8, 12]"},
+    {"camera.fov", "[20, 40]"},
+    {"camera.stereo.separation", "[0.06, 0.2]"},
+    {"camera.stereo", R"([{"separation": 0.06}, {"separation": 0.2}])"},
+    {"camera.screen.distance_cm", "[60, 90]"},
+    {"camera.screen.width_cm", "[50, 70]"},
+    {"camera.screen.degrees", "[4, 8]"},
+    {"camera.screen",
+     R"([{"distance_cm": 60, "width_cm": 50}, {"distance_cm": 90, "width_cm": 50}])"},
+    {"camera.depth_of_field.aperture", "[0.1, 0.4]"},
+    {"camera.depth_of_field.focus", "[1, 4]"},
+    {"camera.depth_of_field", R"([{"aperture": 0.1}, {"aperture": 0.4}])"},
+    {"look.camera", R"(["front", "side"])"},
+    {"look", R"([{"camera": "front"}, {"camera": "side"}])"},
+    {"stimuli[].id", R"(["a", "c"])"},
+    {"stimuli[].factors", R"([{"actor": "k"}, {"actor": "m"}])"},
+    {"stimuli[].adjectives", R"([{"quickness": 0.6}, {"quickness": 0.7}])"},
+    {"stimuli[].features", R"([{"step-length": 0.4}, {"step-length": 0.6}])"},
+    {"stimuli[].weights", R"([{"normal": 1}, {"normal": 1, "sad": 1}])"},
+    {"stimuli[].clip.file", R"(["one/normal.bvh", "one/sad.bvh"])"},
+    {"stimuli[].clip.frames", "[[0, 8], [0, 9]]"},
+    {"stimuli[].clip.take", R"(["Walk", "Stand"])"},
+    {"examples.set.take", R"(["Walk", "Stand"])"},
+    {"stimuli[].clip", R"(["one/normal.bvh", "one/sad.bvh"])"},
+    {"modify.emotion", R"(["sad", "tired"])"},
+    {"modify.strength", "[0.5, 1]"},
+    {"modify.gains.bands", "[[1.2, 1], [0.8, 1]]"},
+    {"modify.gains.", "[1.2, 0.7]"},
+    {"modify.gains", R"([{"low": 1.2}, {"low": 0.8}])"},
+    {"modify.posture.", "[4, 8]"},
+    {"modify.posture", R"([{"head-flexion": 4}, {"head-flexion": 8}])"},
+    {"modify.pose.neutral.take", R"(["Walk", "Stand"])"},
+    {"modify.pose.posed.take", R"(["Walk", "Stand"])"},
+    {"modify.pose.neutral.motion", R"(["sad", "tired"])"},
+    {"modify.pose.posed.motion", R"(["sad", "tired"])"},
+    {"modify.pose.neutral.frame", "[0, 5]"},
+    {"modify.pose.posed.frame", "[0, 5]"},
+    {"modify.pose.", R"(["normal", "tired"])"},
+    {"modify.pose",
+     R"([{"neutral": "normal", "posed": "sad"}, {"neutral": "normal", "posed": "tired"}])"},
+    {"modify.neutral", R"(["normal", "tired"])"},
+    {"modify.styled", R"(["sad", "tired"])"},
+    {"modify.method", R"(["waveshape", "displacement"])"},
+    {"modify.harmonics", "[3, 5]"},
+    {"modify.order", "[3, 5]"},
+    {"modify.inputs", "[2, 3]"},
+    {"modify.components", "[4, 6]"},
+    {"modify.swap", "[[0], [1]]"},
+    {"modify.limbs", R"([["head"], ["hands"]])"},
+    {"modify.paths", "[0.6, 0.8]"},
+    {"modify.acceleration", "[0.2, 0.5]"},
+    {"modify.tempo", "[0.9, 1.1]"},
+    {"modify.variation", "[0.2, 0.5]"},
+    {"modify", R"([{"emotion": "sad"}, {"emotion": "tired"}])"},
+    {"overlays[].id", R"(["x", "y"])"},
+    {"overlays[].target", R"(["a", "normal"])"},
+    {"overlays[].created", R"(["b", "normal"])"},
+    {"overlays[].reference", R"(["normal", "sad"])"},
+    {"overlays[].output", R"([{"cycles": 1}, {"cycles": 2}])"},
+    {"overlays", R"([[{"target": "a", "created": "b"}], [{"target": "b", "created": "a"}]])"},
+    {"sheets[].id", R"(["x", "y"])"},
+    {"sheets[].compare.target", R"(["a", "normal"])"},
+    {"sheets[].compare.created", R"(["b", "normal"])"},
+    {"sheets[].compare.reference", R"(["normal", "sad"])"},
+    {"sheets[].compare", R"([{"target": "a", "created": "b"}, {"target": "b", "created": "a"}])"},
+    {"sheets[].gallery", R"([["a", "b"], ["b", "a"]])"},
+    {"sheets[].stills", R"([["a", "b"], ["b", "a"]])"},
+    {"sheets[].columns", "[1, 2]"},
+    {"sheets", R"([[{"stills": ["a", "b"]}], [{"stills": ["b", "a"]}]])"},
+    {"equalize.luminance.by", R"(["study", "figure"])"},
+    {"equalize.size.by", R"(["study", "figure"])"},
+    {"equalize.place.by", R"(["study", "figure"])"},
+    {"equalize.luminance", "[true, false]"},
+    {"equalize.size", "[true, false]"},
+    {"equalize.place", "[true, false]"},
+    {"equalize", R"([["duration"], ["size"]])"},
+    {"output", R"([{"cycles": 1}, {"cycles": 2}])"},
+    {"interpolation", R"([{"rotations": "karcher-mean"}, {"rotations": "markley-mean"}])"},
+    {"interpolation.neighbours", "[4, 6]"},
+    {"interpolation.blends", "[10, 20]"},
+    {"interpolation.cells", "[2, 3]"},
+    {"examples", R"([{"set": "builtin:walks-10"}, {"set": "builtin:walks-10", "raters": 5}])"},
+    {"stimuli",
+     R"([[{"id": "a", "weights": {"sad": 1}}, {"id": "b", "weights": {"sad": 1}}], [{"id": "a", "weights": {"tired": 1}}, {"id": "b", "weights": {"sad": 1}}]])"},
+};
+
+/// Two different values within the schema's limits.
+json two_values(const json& node) {
+  if (node.contains("enum")) return {node["enum"][0], node["enum"][1]};
+  if (node.value("type", "") == "boolean") return {false, true};
+  const double least = node.value("minimum", 0.0), most = node.value("maximum", 1.0);
+  const double reach = std::min(most - least, 10.0);
+  if (node.value("type", "") == "integer")
+    return {static_cast<int>(least + 0.3 * reach), static_cast<int>(least + 0.6 * reach)};
+  return {least + 0.3 * reach, least + 0.6 * reach};
+}
+
+/// The longest entry whose text the path ends in or, where it ends in a dot, holds.
+template <class Entry, std::size_t Count>
+const Entry* entry_for(const Entry (&entries)[Count], const std::string& path) {
+  const Entry* best = nullptr;
+  for (const Entry& entry : entries) {
+    const std::string_view text(entry.path);
+    const bool fits =
+        text.ends_with('.') ? path.find(text) != std::string::npos : path.ends_with(text);
+    if (fits && (best == nullptr || text.size() > std::string_view(best->path).size()))
+      best = &entry;
+  }
+  return best;
+}
+
+std::vector<std::string> steps_of(const std::string& path) {
+  std::vector<std::string> steps;
+  std::istringstream text(path);
+  for (std::string step; std::getline(text, step, '.');) steps.push_back(step);
+  return steps;
+}
+
+/// The map that an option stands in, made where it is not there.
+json& parent_of(json& manifest, const std::vector<std::string>& steps) {
+  json* node = &manifest;
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    const bool is_array = steps[i].ends_with("[]");
+    const std::string key = is_array ? steps[i].substr(0, steps[i].size() - 2) : steps[i];
+    json& child = (*node)[key];
+    if (is_array && (!child.is_array() || child.empty())) child = json::array({json::object()});
+    if (!is_array && !child.is_object()) child = json::object();
+    node = is_array ? &child[0] : &child;
+  }
+  return *node;
+}
+
+/// Values without which the map around an option is none.
+void add_around(json& manifest, const std::string& path) {
+  if (path.starts_with("overlays[].")) {
+    json& overlay = manifest["overlays"][0];
+    overlay["target"] = "a";
+    overlay["created"] = "b";
+  }
+  if (path.find("camera.path[].") != std::string::npos) {
+    const std::string list = path.substr(0, path.find("[]", path.find("camera.path")));
+    parent_of(manifest, steps_of(list))["path"] = parsed(
+        R"([{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [3, 1, 2], "target": [0, 1, 0]}])");
+  }
+  if (path.find("modify.pose.") != std::string::npos) {
+    manifest["stimuli"][0]["modify"]["pose"] = {{"neutral", "normal"}, {"posed", "sad"}};
+  }
+  if (path.starts_with("stimuli[].") && !path.starts_with("stimuli[].adjectives")) {
+    json& stimulus = manifest["stimuli"][0];
+    const bool other = path.starts_with("stimuli[].clip") || path == "stimuli[].features" ||
+                       path.starts_with("stimuli[].path");
+    if (other) stimulus.erase("weights");
+  }
+  if (path == "stimuli[].adjectives") manifest["stimuli"][0].erase("weights");
+}
+
+json with_value(const std::string& path, const json& value) {
+  json manifest = tiny_study();
+  const Surroundings* around = nullptr;
+  for (const Surroundings& entry : surroundings) {
+    if (around == nullptr && path.find(entry.path) != std::string::npos) around = &entry;
+  }
+  if (around != nullptr) manifest.merge_patch(parsed(around->patch));
+  add_around(manifest, path);
+  const std::vector<std::string> steps = steps_of(path);
+  json& parent = parent_of(manifest, steps);
+  if (around != nullptr) parent.merge_patch(parsed(around->siblings));
+  parent[steps.back()] = value;
+  return manifest;
+}
+
+}  // namespace
+
+bool has_one_value(const std::string& path) {
+  // An overlay takes neither point lights nor trails.
+  const bool is_refused = path.starts_with("overlays[].look.figure.point-light") ||
+                          path.starts_with("overlays[].look.figure.trail");
+  return path == "mien" || path.ends_with(".stick") || is_refused;
+}
+
+OptionVariants variants_of(const std::string& path, const json& node) {
+  const Values* chosen = entry_for(chosen_values, path);
+  const json two = chosen != nullptr ? parsed(chosen->two) : two_values(node);
+  return {with_value(path, two[0]), with_value(path, two[1])};
+}
+
+void write_variant_files(const std::filesystem::path& folder) {
+  const motion::ExampleSet walks = motion::builtin_examples("walks-10");
+  std::filesystem::create_directories(folder / "takes");
+  for (const char* name : {"one", "two"}) {
+    std::filesystem::create_directories(folder / name);
+    for (const motion::Example& example : walks.examples) {
+      const std::string label = example.clip.name;
+      if (label != "normal" && label != "sad" && label != "tired") continue;
+      motion::Clip clip = example.clip;
+      if (std::string(name) == "two") clip.poses.pop_back();
+      motion::write_motion(motion::to_recording(clip), folder / name / (label + ".bvh"));
+      std::ofstream(folder / "takes" / (label + ".gltf")) << two_takes(motion::to_recording(clip));
+    }
+  }
+  std::ofstream(folder / "takes.gltf")
+      << two_takes(motion::to_recording(walks.examples.front().clip));
+  std::ofstream(folder / "my.set.yaml") << "background: \"#204060\"\n";
+  std::ofstream(folder / "my.scales.yaml") << R"(
+name: mine
+scales:
+  slow-quick: {low: slow, high: quick, loadings: {activeness: 0.6}}
+  big-small: {low: big, high: small, loadings: {largeness: -0.6}}
+)";
+  std::ofstream(folder / "other.scales.yaml") << "scales: {small-big: {low: small, high: big}}\n";
+  const std::string figure = skinned_gltf(motion::standard_body(), {}).text();
+  std::ofstream(folder / "one.gltf") << figure;
+  std::ofstream(folder / "two.gltf") << figure << "\n";
+}
+
+}  // namespace mien::test

@@ -1,0 +1,56 @@
+#include "pipeline/production/sheets/sheet_content.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/production/sheets/sheet_parts.h"
+
+namespace mien::pipeline {
+namespace {
+
+constexpr char holding_manifest[] =
+    "mien: 1\nstudy: s\nexamples: {set: builtin:walks-27, ratings: builtin}\nstimuli:\n"
+    "  - {id: plain, adjectives: {quickness: 0.5}}\n"
+    "  - {id: held, adjectives: {quickness: 0.5}, hold: {largeness: 0.55, activeness: 0.5}}\n"
+    "sheets: [{compare: {target: plain, created: held}}]\n";
+
+std::vector<DrawnText> texts_beside_each_other(const SheetContent& content) {
+  const Box box = sheet_layout().settings;
+  Canvas canvas = Canvas::pdf(1200.0, 900.0, "settings");
+  draw_settings(canvas, content, box);
+  const std::vector<DrawnText>& texts = canvas.texts();
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_FALSE(overlap(texts[i].box, texts[k].box)) << texts[i].text << " on " << texts[k].text;
+  }
+  return texts;
+}
+
+TEST(ComparisonSheets, MarkWhatIsHeld) {
+  const ManifestReading reading =
+      parse_manifest(holding_manifest, "m.yaml", [](const std::string&) { return std::nullopt; });
+  ASSERT_TRUE(reading.faults.empty()) << to_string(reading.faults.front());
+  Motions motions(reading.manifest);
+  const SheetContent content = sheet_content(reading.manifest.sheets[0], reading.manifest, motions);
+  // What is held stands right behind what is asked for.
+  ASSERT_GE(content.parameters.size(), 3u);
+  EXPECT_TRUE(content.parameters[0].is_asked());
+  const SheetParameter& largeness = content.parameters[1];
+  EXPECT_EQ(largeness.name, "largeness");
+  EXPECT_EQ(largeness.created.held, 0.55);
+  EXPECT_FALSE(largeness.target.held);
+  EXPECT_FALSE(largeness.is_asked());
+  EXPECT_NEAR(*largeness.created.reached, 0.55, 0.03);
+  EXPECT_FALSE(content.parameters[3].is_held());
+
+  const auto says = [texts = texts_beside_each_other(content)](const char* words) {
+    return std::ranges::count(texts, words, &DrawnText::text);
+  };
+  EXPECT_EQ(says("held 0.55"), 1);
+  EXPECT_EQ(says("held 0.50"), 1);
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,29 @@
+#include "pipeline/regression/comparison/told_apart.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace mien::pipeline {
+namespace {
+
+TEST(NumbersToldApart, HaveTheDigitsThatTellThem) {
+  EXPECT_EQ(told_apart(3.2, 3.2), (std::pair<std::string, std::string>("3.2", "3.2")));
+  EXPECT_EQ(told_apart(3.2, 3.20000001),
+            (std::pair<std::string, std::string>("3.2", "3.20000001")));
+  EXPECT_EQ(told_apart(120.0, 119.98, 4), (std::pair<std::string, std::string>("120", "119.98")));
+}
+
+TEST(NumbersToldApart, NeverReadTheSameUnlessTheyAre) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(1e-3, 1e3);
+  for (int i = 0; i < 1000; ++i) {
+    const double a = any(random), b = std::nextafter(a, 2000.0);
+    const auto [before, now] = told_apart(a, b, 1);
+    EXPECT_NE(before, now) << a;
+  }
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,121 @@
+#include "pipeline/study/questionnaire/frozen_design.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/study/questionnaire/asked_study.h"
+#include "pipeline/study/questionnaire/shown_media.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A study whose videos are texts, and its bundle.
+class FrozenDesign : public testing::Test {
+ protected:
+  FrozenDesign() {
+    for (const ShownMedia& media : shown_media(manifest_)) {
+      fs::create_directories((made_ / media.path).parent_path());
+      write_file(made_ / media.path, "video of " + media.stimulus);
+    }
+  }
+
+  Manifest manifest(const std::string& more, int stimuli = 5) const {
+    const fs::path file = folder_.path() / "m.yaml";
+    write_file(file, test::asked_study_text(
+                         stimuli,
+                         "participants: 4, scales: [sad-happy], consent: {file: c.txt}, "
+                         "analysis: {plan: two t tests}" +
+                             more));
+    const ManifestReading reading =
+        read_manifest(file, [](const std::string&) { return std::nullopt; });
+    if (!reading.faults.empty()) throw Faults(reading.faults);
+    return reading.manifest;
+  }
+
+  ZipFiles files() const {
+    const auto plans = plan_sessions(manifest_);
+    ZipFiles files = frozen_design(manifest_, plans, made_);
+    add_dummy_answers(files, manifest_, plans);
+    return files;
+  }
+
+  std::string differences(const Manifest& now, const fs::path& made) const {
+    std::string text;
+    for (const std::string& one : frozen_differences(bundle_, now, made)) text += one + "\n";
+    return text;
+  }
+
+  static bool holds(const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  }
+
+  void put_consent(const std::string& text) const { write_file(folder_.path() / "c.txt", text); }
+
+  test::TemporaryFolder folder_;
+  fs::path made_ = folder_.path() / "out";
+  fs::path bundle_ = folder_.path() / "frozen.zip";
+  bool has_consent_ = (put_consent("I agree."), true);
+  Manifest manifest_ = manifest("");
+};
+
+TEST_F(FrozenDesign, IsTheSameBytesAndHoldsWhatItRestsOn) {
+  const std::string bytes = zip_of(files());
+  EXPECT_EQ(zip_of(files()), bytes);
+  const ZipFiles again = unzipped(bytes, "frozen.zip");
+  EXPECT_EQ(again, files());
+  EXPECT_EQ(again.at("inputs/c.txt"), "I agree.");
+  EXPECT_EQ(again.at("analysis-plan.txt"), "two t tests");
+  EXPECT_TRUE(holds(again.at("stimuli.csv"), "a1,videos/a1.mp4,"));
+  EXPECT_TRUE(holds(again.at("dummy-report/answers.csv"), "simulated"));
+}
+
+TEST_F(FrozenDesign, TellsWhatIsNoLongerAsItWas) {
+  write_file(bundle_, zip_of(files()));
+  EXPECT_EQ(differences(manifest_, made_), "");
+  EXPECT_TRUE(holds(differences(manifest_, {}), "stimuli: were not looked at"));
+  write_file(made_ / "videos/b2.mp4", "another");
+  EXPECT_EQ(differences(manifest_, made_), "stimuli: b2 changed\n");
+  write_file(made_ / "videos/b2.mp4", "video of b2");
+  EXPECT_TRUE(holds(differences(manifest(", comments: true"), made_), "design: what participants"));
+  const std::string order = differences(manifest(", order: latin"), made_);
+  EXPECT_TRUE(holds(order, "plans of participants: p001, p002")) << order;
+  EXPECT_TRUE(holds(differences(manifest(""), made_), ""));
+  Manifest looser = manifest("");
+  looser.questionnaire->analysis.alpha = 0.1;
+  EXPECT_TRUE(holds(differences(looser, made_), "analysis: {\"alpha\":0.1"));
+  put_consent("I do not agree.");
+  EXPECT_TRUE(holds(differences(manifest(""), made_), "inputs/c.txt changed"));
+}
+
+TEST_F(FrozenDesign, IsRefusedWhereSomebodyChangedIt) {
+  ZipFiles changed = files();
+  changed["plans.csv"] += "p005,1,main,rating,a1,,sad-happy,,0,0,0,,1\n";
+  write_file(bundle_, zip_of(changed));
+  EXPECT_THROW(frozen_differences(bundle_, manifest_, made_), Error);
+  write_file(bundle_, zip_of({{"a.txt", "a"}}));
+  EXPECT_THROW(frozen_differences(bundle_, manifest_, made_), Error);
+  write_file(bundle_, "no archive");
+  EXPECT_THROW(frozen_differences(bundle_, manifest_, made_), Error);
+}
+
+TEST_F(FrozenDesign, SaysWhereNoAnalysisWasPlanned) {
+  Manifest without = manifest_;
+  without.questionnaire->analysis.plan = {};
+  const ZipFiles files = frozen_design(without, plan_sessions(without), made_);
+  EXPECT_TRUE(holds(files.at("analysis-plan.txt"), "Nothing was written down"));
+}
+
+TEST_F(FrozenDesign, NeedsTheStudyToBeMade) {
+  fs::remove(made_ / "videos/c3.mp4");
+  EXPECT_THROW(files(), Error);
+}
+
+}  // namespace
+}  // namespace mien::pipeline

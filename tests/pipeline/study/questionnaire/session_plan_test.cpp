@@ -1,0 +1,204 @@
+#include "pipeline/study/questionnaire/session_plan.h"
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "motion/math/random_number.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/study/questionnaire/asked_study.h"
+#include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/session_duration.h"
+
+namespace mien::pipeline {
+namespace {
+
+using test::asked_study;
+
+std::vector<SessionPlan> plans_of(int stimuli, const std::string& members) {
+  return plan_sessions(asked_study(stimuli, "participants: 12, scales: [sad-happy], " + members));
+}
+
+std::vector<std::string> analysed(const SessionPlan& plan) {
+  std::vector<std::string> ids;
+  for (const Trial& trial : plan.trials) {
+    if (trial.is_analysed()) ids.push_back(trial.stimuli.at(0));
+  }
+  return ids;
+}
+
+TEST(SessionPlan, IsTheSameWithMoreParticipants) {
+  const Manifest manifest = asked_study(
+      20,
+      "participants: 7, scales: [sad-happy, slow-fast], per_participant: 9, apart: [actor], "
+      "attention: {every: 4}, catch: {repeat: 2}, warm_up: 2");
+  const auto few = plan_sessions(manifest);
+  const auto many = plan_sessions(manifest, {}, 40);
+  ASSERT_EQ(few.size(), 7u);
+  EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
+  EXPECT_EQ(many[39].participant, "p040");
+}
+
+/// What holds of any design, whatever it says.
+void expect_sound(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
+  const Questionnaire& asked = *manifest.questionnaire;
+  for (const SessionPlan& plan : plans) {
+    const std::vector<std::string> seen = analysed(plan);
+    EXPECT_EQ(std::set<std::string>(seen.begin(), seen.end()).size(), seen.size());
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(asked.per_participant));
+    int warm_up = 0, repeated = 0;
+    const Trial* before = nullptr;
+    for (const Trial& trial : plan.trials) {
+      EXPECT_EQ(trial.number, &trial - plan.trials.data() + 1);
+      warm_up += trial.warm_up;
+      repeated += trial.is_catch && trial.kind != TrialKind::attention;
+      if (trial.kind == TrialKind::attention) continue;
+      if (before != nullptr && !before->practice) {
+        EXPECT_NE(before->stimuli, trial.stimuli);
+        for (const std::string& factor : asked.apart) {
+          EXPECT_NE(level_of(manifest, before->stimuli[0], factor),
+                    level_of(manifest, trial.stimuli[0], factor))
+              << plan.participant << " " << trial.number;
+        }
+      }
+      before = &trial;
+    }
+    EXPECT_EQ(warm_up, asked.warm_up);
+    EXPECT_EQ(repeated, asked.repeated);
+    EXPECT_LT(plan.seed, std::uint64_t{1} << 53U);
+  }
+  EXPECT_LE(seen_range(balance_of(manifest, plans)).most,
+            seen_range(balance_of(manifest, plans)).least + 1);
+}
+
+TEST(SessionPlan, KeepsWhatItPromisesOverManyRandomDesigns) {
+  const auto drawn = [](int design, const char* what, int most) {
+    const double share =
+        0.5 + 0.5 * motion::random_number(5, what, static_cast<std::uint64_t>(design));
+    return static_cast<int>(share * (most + 1));
+  };
+  const char* orders[] = {"full", "{blocked: emotion}", "full"};
+  for (int design = 0; design < 60; ++design) {
+    const int stimuli = 18 + drawn(design, "stimuli", 30);
+    const int own = stimuli - drawn(design, "own", 6);
+    const std::string members =
+        "participants: 9, scales: [sad-happy], per_participant: " + std::to_string(own) +
+        ", order: " + orders[design % 3] +
+        ", warm_up: " + std::to_string(drawn(design, "warm", 3)) +
+        ", catch: {repeat: " + std::to_string(drawn(design, "repeat", 3)) +
+        "}, attention: {every: " + std::to_string(drawn(design, "every", 9)) +
+        "}, practice: [a1, b2]" + (design % 3 != 1 ? ", apart: [actor]" : "");
+    SCOPED_TRACE(std::to_string(stimuli) + ": " + members);
+    const Manifest manifest = asked_study(stimuli, members);
+    expect_sound(manifest, plan_sessions(manifest));
+  }
+}
+
+TEST(SessionPlan, SaysWhenNoOrderKeepsApartWhatHasToBe) {
+  const Manifest manifest = asked_study(
+      6, "participants: 2, scales: [sad-happy], stimuli: [a1, b2, c3, b5], apart: [emotion]");
+  try {
+    plan_sessions(manifest);
+    FAIL() << "three of four are sad";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("3 of 4 stimuli have emotion: sad"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(SessionPlan, SaysAtItsKeyThatAStimulusCannotBeSeenTwice) {
+  try {
+    plan_sessions(asked_study(1, "participants: 2, scales: [sad-happy], catch: {repeat: 1}"));
+    FAIL() << "nothing could come in between";
+  } catch (const Error& error) {
+    const std::string told = error.what();
+    EXPECT_NE(told.find("questionnaire.catch.repeat: p001 cannot see a stimulus a second time with "
+                        "others in between; leave it out, or show more stimuli"),
+              std::string::npos)
+        << told;
+    EXPECT_TRUE(std::regex_search(told, std::regex(":[0-9]+:[0-9]+: "))) << told;
+  }
+}
+
+TEST(SessionPlan, OfALatinSquareIsBalancedWhereItCanBe) {
+  const Manifest even = asked_study(6, "participants: 12, scales: [sad-happy], order: latin");
+  const Balance balance = balance_of(even, plan_sessions(even));
+  EXPECT_TRUE(place_range(balance).is_even());
+  EXPECT_EQ(place_range(balance).least, 2);
+  EXPECT_TRUE(follows_range(balance).is_even());
+  const Manifest odd = asked_study(5, "participants: 10, scales: [sad-happy], order: latin");
+  EXPECT_TRUE(follows_range(balance_of(odd, plan_sessions(odd))).is_even());
+  const Manifest uneven = asked_study(5, "participants: 7, scales: [sad-happy], order: latin");
+  const auto sentences = balance_sentences(uneven, balance_of(uneven, plan_sessions(uneven)), 7);
+  EXPECT_NE(sentences.back().find("multiple of 5"), std::string::npos) << sentences.back();
+}
+
+TEST(SessionPlan, TurnsEachScaleForHalfOfTheParticipants) {
+  const Manifest manifest = asked_study(4, "participants: 12, scales: all");
+  const auto plans = plan_sessions(manifest);
+  const Balance balance = balance_of(manifest, plans);
+  EXPECT_EQ(balance.flipped.size(), 41u);
+  EXPECT_EQ(flipped_range(balance).least, 6);
+  EXPECT_TRUE(flipped_range(balance).is_even());
+  EXPECT_EQ(plans[0].trials[0].items, plans[0].trials[3].items);
+  std::set<bool> sides;
+  for (const AskedItem& item : plans[0].trials[0].items) sides.insert(item.flipped);
+  EXPECT_EQ(sides.size(), 2u);
+}
+
+TEST(SessionPlan, OfPairsPutsEachStimulusLeftForHalfOfTheParticipants) {
+  const Manifest manifest = asked_study(4, "participants: 12, scales: [sad-happy], trials: pair");
+  const Balance balance = balance_of(manifest, plan_sessions(manifest));
+  EXPECT_EQ(balance.subjects.size(), 6u);
+  EXPECT_EQ(left_range(balance).least, 6);
+  EXPECT_TRUE(left_range(balance).is_even());
+}
+
+TEST(SessionPlan, AsksForAnAnswerThatThereIs) {
+  std::set<std::string> points, emotions;
+  for (const SessionPlan& plan : plans_of(20, "attention: {every: 3}, answer: {points: 7}")) {
+    int checks = 0;
+    for (const Trial& trial : plan.trials) {
+      if (trial.kind == TrialKind::attention) points.insert(trial.expected);
+      checks += trial.kind == TrialKind::attention;
+    }
+    EXPECT_EQ(checks, 6);
+    EXPECT_NE(plan.trials.back().kind, TrialKind::attention);
+  }
+  EXPECT_EQ(points, (std::set<std::string>{"1", "7"}));
+  for (const SessionPlan& plan : plans_of(20, "trials: emotion, attention: {every: 3}")) {
+    EXPECT_EQ(plan.choices.size(), 4u);
+    for (const Trial& trial : plan.trials) {
+      if (trial.kind == TrialKind::attention && trial.items[0].item == emotion_item)
+        emotions.insert(trial.expected);
+    }
+  }
+  EXPECT_EQ(emotions, (std::set<std::string>{"angry", "calm", "happy", "sad"}));
+}
+
+TEST(SessionPlan, IsExpectedToTakeWhatItsPartsTake) {
+  const Manifest manifest = asked_study(
+      3,
+      "participants: 1, scales: [sad-happy, slow-fast], comments: true, consent: one two three, "
+      "demographics: [{id: age, ask: How old, answer: number}], pace: {words_per_minute: 60, "
+      "answer: 2, comment: 3, between: 1, demographic: 4}");
+  const SessionPlan plan = plan_sessions(manifest, {{"a1", 5.0}, {"b2", 7.0}, {"c3", 9.0}})[0];
+  EXPECT_DOUBLE_EQ(plan.expected_seconds, 3 + 4 + (5 + 7 + 9) + 3 * (2 * 2.0 + 3 + 1));
+  EXPECT_DOUBLE_EQ(words_in("この歩き方"), 2.5);
+}
+
+TEST(LeastFilled, IsWhatWasGivenLeastAndSeenLeast) {
+  const auto plans = plans_of(12, "per_participant: 4");
+  std::vector<int> given(plans.size()), finished(plans.size());
+  for (std::size_t i = 0; i < 3; ++i) given[i] = finished[i] = 1;
+  EXPECT_EQ(given[least_filled(plans, given, finished)], 0);
+  std::ranges::fill(given, 1);
+  std::ranges::fill(finished, 1);
+  finished[5] = 0;  // somebody left
+  EXPECT_EQ(least_filled(plans, given, finished), 5u);
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,163 @@
+#include "pipeline/study/questionnaire/simulated_sessions.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/asked.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/study/questionnaire/asked_study.h"
+#include "pipeline/study/questionnaire/raw_answer.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+using test::asked_study;
+
+TEST(RawAnswer, GoesThereAndBackWhicheverEndIsLeft) {
+  const Scale scale{.id = "s", .low = "l", .high = "h", .least = -3, .most = 3};
+  AnswerSettings answer;
+  answer.points = 7;
+  EXPECT_EQ(value_of_raw(scale, answer, 1, false), -3.0);
+  EXPECT_EQ(value_of_raw(scale, answer, 1, true), 3.0);
+  EXPECT_EQ(value_of_raw(scale, answer, 5, false), 1.0);
+  for (int raw = 1; raw <= 7; ++raw) {
+    for (const bool flipped : {false, true}) {
+      const double value = value_of_raw(scale, answer, raw, flipped);
+      EXPECT_EQ(raw_of_value(scale, answer, value, flipped), raw);
+    }
+  }
+  answer.slider = true;
+  EXPECT_EQ(value_of_raw(scale, answer, 25, true), 1.5);
+  EXPECT_EQ(raw_of_value(scale, answer, 99, false), 100.0);
+}
+
+TEST(SimulatedSessions, HaveARowForEveryItemOfEveryTrialThatCanBeReadAgain) {
+  const Manifest manifest = asked_study(
+      8,
+      "participants: 6, scales: [sad-happy, slow-fast], attention: {every: 3}, catch: {repeat: 1}, "
+      "warm_up: 1, practice: [a1], reference: b2");
+  const auto plans = plan_sessions(manifest);
+  const auto rows = simulated_sessions(manifest, plans, {});
+  std::size_t expected = 0;
+  for (const SessionPlan& plan : plans) {
+    for (const Trial& trial : plan.trials) expected += trial.items.size();
+  }
+  EXPECT_EQ(rows.size(), expected);
+  const auto again = answer_rows(parse_csv(to_csv(rows), "answers.csv"));
+  ASSERT_EQ(again.size(), rows.size());
+  const ScaleSet scales = asked_scales(manifest);
+  for (const AnswerRow& row : again) {
+    EXPECT_TRUE(row.simulated);
+    EXPECT_EQ(row.design, design_hash(manifest, plans));
+    EXPECT_EQ(row.against, row.kind == "attention" ? "" : "b2");
+    EXPECT_EQ(row.passed.has_value(), row.kind == "attention");
+    const Scale& scale = *find_scale(scales, row.item);
+    EXPECT_EQ(std::stod(row.value),
+              value_of_raw(scale, manifest.questionnaire->answer, std::stod(row.value_raw),
+                           row.pole_left == "high"));
+  }
+}
+
+TEST(SimulatedSessions, FollowTheStatedTruth) {
+  const Manifest manifest =
+      asked_study(3, "participants: 400, scales: [sad-happy], answer: {slider: true}");
+  const StatedTruth truth = {{{"a1", "sad-happy"}, 0.8}, {{"b2", "sad-happy"}, -0.4}};
+  std::map<std::string, double> sums;
+  for (const AnswerRow& row :
+       simulated_sessions(manifest, plan_sessions(manifest), truth,
+                          {.spread = {.participant = 0.2, .stimulus = 0.0, .residual = 0.4}}))
+    sums[row.stimulus] += std::stod(row.value);
+  EXPECT_NEAR(sums["a1"] / 400, 0.8, 0.1);  // four standard errors
+  EXPECT_NEAR(sums["b2"] / 400, -0.4, 0.1);
+  EXPECT_NEAR(sums["c3"] / 400, 0.0, 0.1);
+}
+
+TEST(SimulatedSessions, ChooseTheHigherOfTwoAndAnOfferedEmotion) {
+  const Manifest pairs = asked_study(3, "participants: 60, scales: [sad-happy], trials: pair");
+  int right = 0, all = 0;
+  for (const AnswerRow& row :
+       simulated_sessions(pairs, plan_sessions(pairs), {{{"a1", "sad-happy"}, 1.5}})) {
+    EXPECT_EQ(row.value, row.value_raw == "left" ? row.stimulus : row.against);
+    if (row.stimulus != "a1" && row.against != "a1") continue;
+    ++all;
+    right += row.value == "a1";
+  }
+  EXPECT_EQ(all, 120);
+  EXPECT_GT(right, 100);
+  const Manifest emotions = asked_study(8, "participants: 40, trials: emotion");
+  int seen = 0, shown = 0;
+  for (const AnswerRow& row : simulated_sessions(emotions, plan_sessions(emotions), {})) {
+    EXPECT_EQ(row.item, "emotion");
+    seen += row.value == level_of(emotions, row.stimulus, "emotion");
+    ++shown;
+  }
+  EXPECT_EQ(shown, 320);
+  EXPECT_NEAR(seen / 320.0, 0.6 + 0.4 / 2, 0.1);  // two are to choose from: sad and happy
+}
+
+std::optional<std::string> no_variable(const std::string&) { return std::nullopt; }
+
+/// The answers that lie beside a shipped manifest as if they were real.
+void expect_shipped_answers(const std::string& study) {
+  const auto folder = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests";
+  const Manifest manifest = load_manifest(folder / (study + ".yaml"), no_variable);
+  const auto rows = simulated_sessions(manifest, plan_sessions(manifest), measured_truth(manifest));
+  // Compared first, so that a difference does not print them all.
+  const bool are_same = to_csv(rows) == read_file(folder / (study + ".answers.csv"));
+  EXPECT_TRUE(are_same) << "mien study simulate " << study << " says something else by now";
+}
+
+TEST(SimulatedSessions, OfTheClosedLoopAreThoseThatItsNextRoundIsMadeOf) {
+  expect_shipped_answers("closed-loop-1");
+  expect_shipped_answers("closed-loop-2");
+}
+
+TEST(MeasuredTruth, HasTheBriskWalkFasterAndTheSadOneSadder) {
+  const auto file = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "closed-loop-1.yaml";
+  const StatedTruth truth = measured_truth(load_manifest(file, no_variable));
+  const auto of = [&](const char* stimulus, const char* scale) {
+    return truth.at({stimulus, scale});
+  };
+  EXPECT_GT(of("brisk", "slow-fast"), of("normal", "slow-fast"));
+  EXPECT_LT(of("slow", "slow-fast"), of("normal", "slow-fast"));
+  EXPECT_LT(of("sad", "sad-happy"), of("happy", "sad-happy"));
+}
+
+TEST(StatedTruth, IsReadWithThePlacesOfWhatIsWrong) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "truth.csv";
+  write_file(file,
+             "stimulus,scale,value\na1,sad-happy,1\na2,sad-happy,1\na1,sad-hapy,9\n"
+             "a1,sad-happy,much\na1,sad-happy,3\n");
+  const Manifest manifest = asked_study(3, "participants: 4, scales: [sad-happy]");
+  try {
+    read_truth(manifest, file);
+    FAIL();
+  } catch (const Faults& faults) {
+    const std::string told = faults.what();
+    for (const char* words :
+         {"truth.csv:3:1", "\"a2\"", "truth.csv:4:4", "did you mean \"sad-happy\"",
+          "truth.csv:5:14", "truth.csv:6:14", "from -2 to 2"})
+      EXPECT_NE(told.find(words), std::string::npos) << words << "\n" << told;
+  }
+}
+
+TEST(DesignHash, IsOfWhatParticipantsSee) {
+  const auto hash = [](const std::string& members) {
+    const Manifest manifest = asked_study(6, "participants: 4, scales: [sad-happy]" + members);
+    return design_hash(manifest, plan_sessions(manifest));
+  };
+  EXPECT_EQ(hash(""), hash(", pace: {answer: 9}"));
+  EXPECT_EQ(hash(""), hash(", analysis: {alpha: 0.01}"));
+  EXPECT_NE(hash(""), hash(", comments: true"));
+  EXPECT_NE(hash(""), hash(", consent: yes or no"));
+  EXPECT_NE(hash(""), hash(", order: latin"));
+}
+
+}  // namespace
+}  // namespace mien::pipeline

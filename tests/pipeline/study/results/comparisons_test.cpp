@@ -1,0 +1,402 @@
+#include "pipeline/study/results/comparisons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/study/results/axis_correlations.h"
+#include "pipeline/study/results/best_seen.h"
+#include "pipeline/study/results/confusion.h"
+#include "pipeline/study/results/group_comparisons.h"
+#include "pipeline/study/results/preferences.h"
+#include "pipeline/study/results/reliability.h"
+#include "pipeline/study/results/result_tables.h"
+#include "pipeline/study/results/summaries.h"
+#include "pipeline/study/results/two_emotions.h"
+
+namespace mien::pipeline {
+namespace {
+
+Scale between(const std::string& low, const std::string& high) {
+  Scale scale;
+  scale.id = low + "-" + high;
+  scale.low = low;
+  scale.high = high;
+  return scale;
+}
+
+/// Three people, three stimuli of one setting, two scales; `values` by person, stimulus, scale.
+Gathered small_study(const std::vector<std::vector<std::vector<double>>>& values) {
+  Gathered gathered;
+  gathered.scales = {between("sad", "happy"), between("weak", "strong")};
+  gathered.stimuli = {{"walk", "as-is", "neutral", "woman", {}},
+                      {"sad", "modified", "sad", "woman", {}},
+                      {"acted-sad", "acted", "sad", "woman", {}}};
+  gathered.correction = TestCorrection::none;
+  for (std::size_t person = 0; person < values.size(); ++person) {
+    gathered.people.push_back("p" + std::to_string(person));
+    for (std::size_t stimulus = 0; stimulus < values[person].size(); ++stimulus)
+      for (std::size_t scale = 0; scale < values[person][stimulus].size(); ++scale)
+        gathered.ratings.push_back({person, stimulus, scale, values[person][stimulus][scale]});
+  }
+  return gathered;
+}
+
+const std::vector<std::vector<std::vector<double>>> answers_of_three = {
+    {{0, 1}, {-1, 0}, {-2, 0}}, {{1, 0}, {-2, 0}, {-1, 1}}, {{0, -1}, {0, 0}, {-2, -1}}};
+
+const Comparison* found(const std::vector<Comparison>& all, ComparisonFamily family,
+                        std::size_t stimulus, std::size_t scale) {
+  for (const Comparison& c : all)
+    if (c.family == family && c.stimulus == stimulus && c.scale == scale) return &c;
+  return nullptr;
+}
+
+TEST(Comparisons, AreMadeFromTheFactorsOfStimuli) {
+  const std::vector<Comparison> all = compare(small_study(answers_of_three));
+  EXPECT_EQ(all.size(), 3u * 2u + 2u + 2u + 2u + 1u);
+  const Comparison* modified = found(all, ComparisonFamily::modified_acted, 1, 0);
+  ASSERT_NE(modified, nullptr);
+  EXPECT_EQ(modified->against, 2u);
+  EXPECT_EQ(modified->own_end, -1);
+  EXPECT_EQ(modified->within.people, 3);
+  EXPECT_DOUBLE_EQ(modified->mean, -1.0);
+  EXPECT_DOUBLE_EQ(modified->mean_against, -5.0 / 3.0);
+  EXPECT_NEAR(modified->within.t.mean, (1.0 - 1.0 + 2.0) / 3.0, 1e-12);
+  EXPECT_EQ(modified->within.wilcoxon.used, 3);
+  const Comparison* neutral = found(all, ComparisonFamily::modified_neutral, 1, 0);
+  ASSERT_NE(neutral, nullptr);
+  EXPECT_NEAR(neutral->within.t.mean, (-1.0 - 3.0 + 0.0) / 3.0, 1e-12);
+  EXPECT_EQ(neutral->within.wilcoxon.zeros, 1);
+  EXPECT_EQ(found(all, ComparisonFamily::modified_acted, 1, 1)->own_end, 0);
+  EXPECT_NE(found(all, ComparisonFamily::acted_neutral, 2, 0), nullptr);
+}
+
+TEST(Comparisons, HoldAVideoAgainstItsSettingInBothWays) {
+  const std::vector<Comparison> all = compare(small_study(answers_of_three));
+  const Comparison* best = found(all, ComparisonFamily::best_seen, 2, 0);
+  ASSERT_NE(best, nullptr);
+  // The thesis' way: all nine answers, its own three among them.
+  EXPECT_EQ(best->answers_against, 9);
+  EXPECT_NEAR(best->mean_against, -7.0 / 9.0, 1e-12);
+  // Within persons: against the mean of the person's other two.
+  EXPECT_NEAR(best->within.t.mean, ((-2 + 0.5) + (-1 + 0.5) + (-2 - 0)) / 3.0, 1e-12);
+}
+
+TEST(Comparisons, StayWithinASetting) {
+  Gathered gathered = small_study(answers_of_three);
+  gathered.stimuli[2].setting = "man";
+  const std::vector<Comparison> all = compare(gathered);
+  EXPECT_EQ(found(all, ComparisonFamily::modified_acted, 1, 0), nullptr);
+  EXPECT_EQ(found(all, ComparisonFamily::best_seen, 2, 0), nullptr);  // alone there
+  EXPECT_EQ(found(all, ComparisonFamily::best_seen, 1, 0)->answers_against, 6);
+}
+
+TEST(Comparisons, AreCorrectedWithinTheirFamily) {
+  Gathered gathered = small_study(answers_of_three);
+  gathered.correction = TestCorrection::holm;
+  for (const Comparison& c : compare(gathered)) {
+    if (std::isnan(c.within.t.p)) continue;
+    const bool is_alone = c.family != ComparisonFamily::best_seen;  // one own scale, one other
+    if (is_alone) {
+      EXPECT_DOUBLE_EQ(c.paired_adjusted, c.within.t.p);
+    } else {
+      EXPECT_GE(c.welch_adjusted, c.welch.p);
+    }
+  }
+}
+
+TEST(Comparisons, SayNothingWhereAFewPeopleDifferByTheSame) {
+  const WithinPersons alike = within_persons({1.0, 1.0});
+  EXPECT_TRUE(std::isnan(alike.t.p));
+  EXPECT_DOUBLE_EQ(alike.wilcoxon.p, 0.5);
+  const WithinPersons equal = within_persons({0.0, 0.0, 0.0});
+  EXPECT_TRUE(std::isnan(equal.t.p));
+  EXPECT_DOUBLE_EQ(equal.wilcoxon.p, 1.0);
+  EXPECT_EQ(equal.wilcoxon.zeros, 3);
+}
+
+TEST(Comparisons, OverSettingsTurnEachEmotionToItsEnd) {
+  Gathered gathered;
+  gathered.scales = {between("sad", "happy")};
+  gathered.stimuli = {{"w-sad", "modified", "sad", "woman", {}},
+                      {"w-acted-sad", "acted", "sad", "woman", {}},
+                      {"m-happy", "modified", "happy", "man", {}},
+                      {"m-acted-happy", "acted", "happy", "man", {}}};
+  gathered.people = {"p", "q", "r"};
+  // p saw both emotions, q sadness alone, r one side alone.
+  gathered.ratings = {{0, 0, 0, -1}, {0, 1, 0, -2}, {0, 2, 0, 2}, {0, 3, 0, 1},
+                      {1, 0, 0, 0},  {1, 1, 0, -1}, {2, 0, 0, -2}};
+  const std::vector<OverallComparison> all = compare_overall(gathered);
+  ASSERT_EQ(all.size(), 2u);  // all, and sad: of happy there is one person
+  EXPECT_EQ(all[0].emotion, "");
+  EXPECT_EQ(all[0].within.people, 2);
+  EXPECT_DOUBLE_EQ(all[0].mean, (1.5 + 0.0) / 2.0);
+  EXPECT_DOUBLE_EQ(all[0].mean_against, (1.5 + 1.0) / 2.0);
+  EXPECT_DOUBLE_EQ(all[0].within.t.mean, (0.0 - 1.0) / 2.0);
+  EXPECT_EQ(all[1].emotion, "sad");
+  EXPECT_DOUBLE_EQ(all[1].within.t.mean, -1.0);
+}
+
+/// Four videos of one setting on one scale; `values` by person and video.
+Gathered four_videos(const std::vector<std::vector<double>>& values) {
+  Gathered gathered;
+  gathered.scales = {between("sad", "happy")};
+  gathered.stimuli = {{"own", "acted", "sad", "woman", {}},
+                      {"b", "acted", "happy", "woman", {}},
+                      {"c", "acted", "tired", "woman", {}},
+                      {"d", "acted", "weak", "woman", {}}};
+  gathered.correction = TestCorrection::none;
+  for (std::size_t person = 0; person < values.size(); ++person) {
+    gathered.people.push_back("p" + std::to_string(person));
+    for (std::size_t stimulus = 0; stimulus < values[person].size(); ++stimulus)
+      gathered.ratings.push_back({person, stimulus, 0, values[person][stimulus]});
+  }
+  return gathered;
+}
+
+// 1 − 1/3, 0 + 2/3 and −1 + 1/3 have three different sizes as doubles.
+TEST(Comparisons, RankEqualDifferencesOfMeansAsTies) {
+  const Comparison c = *found(compare(four_videos({{1, 0, 0, 1}, {0, -1, 0, -1}, {-1, -1, -1, 1}})),
+                              ComparisonFamily::best_seen, 0, 0);
+  EXPECT_EQ(c.within.wilcoxon.tied, 3);
+  EXPECT_EQ(c.within.wilcoxon.w_plus, 4.0);  // two of three ranks of 2
+  EXPECT_DOUBLE_EQ(c.within.wilcoxon.p, 1.0);
+}
+
+/// V of whole numbers, by the definition: for each positive one, how many are smaller or equal.
+double v_of(const std::vector<int>& differences) {
+  double v = 0.0;
+  for (const int own : differences) {
+    if (own <= 0) continue;
+    v += 0.5;
+    for (const int other : differences)
+      if (other != 0) v += std::abs(other) < own ? 1.0 : std::abs(other) == own ? 0.5 : 0.0;
+  }
+  return v;
+}
+
+TEST(Comparisons, RankMeansOfAnswersAsWholeNumbersDo) {
+  std::mt19937 random(8);
+  std::uniform_int_distribution<int> answers(-2, 2);
+  for (int study = 0; study < 60; ++study) {
+    std::vector<std::vector<double>> values;
+    std::vector<int> thrice;  // three times the difference from the mean of the others
+    for (int person = 0; person < 26; ++person) {
+      const int own = answers(random), b = answers(random), c = answers(random),
+                d = answers(random);
+      // Half of the people on a scale of seven points, at thirds of a point.
+      values.push_back({own / 3.0, b / 3.0, c / 3.0, d / 3.0});
+      thrice.push_back(3 * own - b - c - d);
+    }
+    const Comparison c = *found(compare(four_videos(values)), ComparisonFamily::best_seen, 0, 0);
+    EXPECT_EQ(c.within.wilcoxon.w_plus, v_of(thrice));
+    EXPECT_EQ(c.within.wilcoxon.zeros, std::ranges::count(thrice, 0));
+    int sum = 0;
+    for (const int value : thrice) sum += value;
+    EXPECT_EQ(c.within.t.mean, static_cast<double>(sum) / (9 * 26));
+  }
+}
+
+TEST(Comparisons, OverSettingsCompareLikeWithLikeAlone) {
+  Gathered gathered;
+  gathered.scales = {between("sad", "happy")};
+  gathered.stimuli = {{"w-sad", "modified", "sad", "woman", {}},
+                      {"w-acted-sad", "acted", "sad", "woman", {}},
+                      {"m-sad", "modified", "sad", "man", {}},
+                      {"m-acted-sad", "acted", "sad", "man", {}}};
+  gathered.people = {"p", "q", "r", "s"};
+  // p and q judged both of the woman; r the modified woman and the acted man; s both of both, but
+  // the man's far apart.
+  gathered.ratings = {{0, 0, 0, -1}, {0, 1, 0, -2}, {1, 0, 0, 0},  {1, 1, 0, -1}, {2, 0, 0, -2},
+                      {2, 3, 0, 2},  {3, 0, 0, -1}, {3, 1, 0, -1}, {3, 2, 0, 2},  {3, 3, 0, -2}};
+  const std::vector<OverallComparison> all = compare_overall(gathered);
+  ASSERT_EQ(all.size(), 2u);
+  for (const OverallComparison& c : all) {
+    EXPECT_EQ(c.within.people, 3);
+    EXPECT_EQ(c.unmatched, 1);
+    EXPECT_EQ(c.matched, 4);
+    EXPECT_DOUBLE_EQ(c.within.t.mean, (-1.0 - 1.0 + (0.0 - 4.0) / 2.0) / 3.0);
+    EXPECT_DOUBLE_EQ(c.mean - c.mean_against, c.within.t.mean);
+  }
+}
+
+TEST(Comparisons, HoldModifiedVideosAgainstTheOneSeenMost) {
+  const std::vector<Comparison> all = compare(small_study(answers_of_three));
+  const Comparison* best = found(all, ComparisonFamily::modified_best, 1, 0);
+  ASSERT_NE(best, nullptr);
+  EXPECT_EQ(best->against, 2u);  // −5/3 of the acted one, 1/3 of the neutral one
+  EXPECT_EQ(found(all, ComparisonFamily::modified_best, 1, 1), nullptr);  // not of its emotion
+  EXPECT_EQ(found(all, ComparisonFamily::modified_best, 2, 0), nullptr);  // not modified
+}
+
+TEST(Comparisons, HoldLevelsOfOneFactorAgainstEachOther) {
+  const auto stimulus = [](const std::string& id, const Factors& factors) {
+    ReportedStimulus one;
+    one.id = id;
+    one.factors = factors;
+    return one;
+  };
+  const auto woman = stimulus("w", {{"actor", "woman"}, {"action", "walk"}, {"made", "acted"}});
+  const auto man = stimulus("m", {{"actor", "man"}, {"action", "walk"}, {"made", "acted"}});
+  const auto knock = stimulus("k", {{"actor", "man"}, {"action", "knock"}, {"made", "acted"}});
+  const auto other = stimulus("o", {{"actor", "man"}, {"action", "walk"}, {"made", "modified"}});
+  const auto plain = stimulus("p", {{"actor", "man"}, {"made", "acted"}});
+  EXPECT_EQ(differing_factor(woman, man), "actor");
+  EXPECT_EQ(differing_factor(man, knock), "action");
+  EXPECT_FALSE(differing_factor(woman, knock));  // in two
+  EXPECT_FALSE(differing_factor(woman, other));  // in making
+  EXPECT_FALSE(differing_factor(man, plain));    // one has no action
+  EXPECT_FALSE(differing_factor(man, man));
+}
+
+TEST(Comparisons, WriteSmallProbabilitiesAsTheyAre) {
+  std::vector<std::vector<double>> values;
+  for (int person = 0; person < 60; ++person)
+    values.push_back({person % 3 == 0 ? -1.0 : -2.0, 2, person % 2 == 0 ? 1.0 : 2.0, 2});
+  Results results;
+  results.gathered = four_videos(values);
+  results.comparisons = compare(results.gathered);
+  double least = 1.0;
+  for (const ResultTable& table : result_tables(results)) {
+    const CsvTable csv = parse_csv(table.csv, std::string(table.form->path));
+    for (std::size_t column = 0; column < csv.header.size(); ++column) {
+      const std::string& name = csv.header[column].text;
+      if (name != "p" && !name.starts_with("p_") && name.find("_p") == std::string::npos) continue;
+      for (const auto& row : csv.rows) {
+        EXPECT_NE(row[column].text, "0") << name;
+        if (!row[column].text.empty()) least = std::min(least, number_in(csv, row[column]));
+      }
+    }
+  }
+  EXPECT_LT(least, 1e-13);
+  EXPECT_GT(least, 0.0);
+}
+
+TEST(GroupComparisons, AreWelchsOfThePeoplesOwnMeans) {
+  Gathered gathered = four_videos({{1}, {2}, {0}, {-1}, {2}, {0}});
+  gathered.worded_questions = {"gender"};
+  ParticipantTable people{
+      parse_csv("participant,session,gender,age\np0,s,woman,20\np1,s,woman,20\np2,s,man,20\n"
+                "p3,s,man,20\np4,s,woman,20\np5,s,other,20\n",
+                "participants.csv")};
+  const std::vector<GroupComparison> all = compare_groups(people, gathered);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].one, "woman");
+  EXPECT_EQ(all[0].other, "man");
+  EXPECT_EQ(all[0].people_one, 3);
+  EXPECT_EQ(all[0].people_other, 2);
+  const TTest expected = welch_t_test({1, 2, 2}, {0, -1});
+  EXPECT_DOUBLE_EQ(all[0].welch.t, expected.t);
+  EXPECT_DOUBLE_EQ(all[0].welch.p, expected.p);
+  gathered.worded_questions.clear();
+  EXPECT_TRUE(compare_groups(people, gathered).empty());
+}
+
+TEST(BestSeen, NamesTheVideoFarthestTowardsEachEnd) {
+  const Gathered gathered = small_study(answers_of_three);
+  const std::vector<BestSeen> best = best_seen(gathered, compare(gathered));
+  ASSERT_EQ(best.size(), 4u);
+  EXPECT_EQ(best[0].end, "sad");
+  EXPECT_EQ(best[0].comparison.stimulus, 2u);
+  EXPECT_EQ(best[1].end, "happy");
+  EXPECT_EQ(best[1].comparison.stimulus, 0u);
+}
+
+TEST(PointsRule, GivesOnePointHalfWayAndTwoAtTheEnd) {
+  const Scale scale = between("sad", "happy");
+  EXPECT_EQ(points_of(scale, -2).low, 2.0);
+  EXPECT_EQ(points_of(scale, -1).low, 1.0);
+  EXPECT_EQ(points_of(scale, -1).high, 0.0);
+  EXPECT_EQ(points_of(scale, 0).low + points_of(scale, 0).high, 0.0);
+  EXPECT_EQ(points_of(scale, 2).high, 2.0);
+  Scale seven = scale;
+  seven.least = 1;
+  seven.most = 7;
+  EXPECT_EQ(points_of(seven, 7).high, 2.0);
+  EXPECT_EQ(points_of(seven, 2.5).low, 1.0);
+}
+
+TEST(Confusion, IsTheShareOfPointsAsReckonedByHand) {
+  const std::vector<Confusion> all = confusions_of(small_study(answers_of_three));
+  ASSERT_EQ(all.size(), 3u);  // acted, modified, all
+  const Confusion& acted = all[0];
+  EXPECT_EQ(acted.of, "acted");
+  ASSERT_EQ(acted.rows.size(), 1u);
+  const ConfusionRow& sad = acted.rows[0];
+  // sad 2 + 1 + 2; weak 0 + 0 + 1; strong 0 + 1 + 0
+  EXPECT_EQ(sad.points, (std::vector<double>{5, 0, 1, 1}));
+  EXPECT_DOUBLE_EQ(sad.recall, 5.0 / 7.0);
+  EXPECT_EQ(sad.judged, 3);
+  EXPECT_EQ(sad.hits, 2);  // of the second person, sad and strong have a point each
+  EXPECT_DOUBLE_EQ(acted.chance, 0.25);
+  EXPECT_NEAR(sad.p, 9.0 / 64.0 + 1.0 / 64.0, 1e-12);
+  // The modified one: sad 1 + 2 + 0, nothing of the third.
+  EXPECT_EQ(all[1].rows[0].showings, 3);
+  EXPECT_EQ(all[1].rows[0].judged, 2);
+  EXPECT_DOUBLE_EQ(all[1].rows[0].recall, 1.0);
+  // All: the neutral row has no column of its own.
+  EXPECT_EQ(all[2].rows[0].own, -1);
+  EXPECT_EQ(all[2].rows[1].showings, 6);
+}
+
+TEST(Confusion, OfChoicesCountsThem) {
+  Gathered gathered = small_study({});
+  gathered.people = {"p", "q"};
+  gathered.choices = {{"sad", "sad"}, {"happy", "happy"}};
+  gathered.chosen = {{0, 1, "sad"}, {1, 1, "happy"}, {0, 2, "sad"}, {1, 2, "sad"}};
+  const std::vector<Confusion> all = confusions_of(gathered);
+  ASSERT_FALSE(all.empty());
+  EXPECT_FALSE(all.back().by_points);
+  EXPECT_EQ(all.back().rows[0].points, (std::vector<double>{3, 1}));
+  EXPECT_EQ(all.back().rows[0].hits, 3);
+}
+
+TEST(EndCorrelations, SplitTheScalesAtTheirMiddle) {
+  const Gathered gathered = small_study(answers_of_three);
+  const std::vector<EndCorrelation> all = end_correlations(gathered);
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_TRUE(all[0].same_scale);
+  EXPECT_LT(all[0].correlation.r, 0.0);
+  EXPECT_EQ(all[0].correlation.pairs, 9);
+  const Correlation direct = pearson({0, 1, 2, 0, 2, 1, 0, 0, 2}, {0, 0, 0, 0, 0, 0, 1, 0, 1});
+  EXPECT_NEAR(all[1].correlation.r, direct.r, 1e-12);  // sad, weak
+}
+
+TEST(Summaries, CountTheAnswersAtEachPlace) {
+  const std::vector<RatingSummary> all = summaries_of(small_study(answers_of_three));
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_EQ(all[2].stimulus, 1u);
+  EXPECT_EQ(all[2].counts, (std::vector<int>{1, 1, 1, 0, 0}));
+  EXPECT_DOUBLE_EQ(all[2].mean, -1.0);
+  EXPECT_DOUBLE_EQ(all[2].median, -1.0);
+  EXPECT_DOUBLE_EQ(all[2].deviation, 1.0);
+}
+
+TEST(Reliability, UsesWhatEverybodySaw) {
+  Gathered gathered = small_study(answers_of_three);
+  const std::vector<Reliability> full = reliability_of(gathered);
+  ASSERT_EQ(full.size(), 2u);
+  EXPECT_EQ(full[0].complete_people, 3);
+  EXPECT_NEAR(full[0].alpha, full[0].intraclass.three_k, 1e-12);
+  gathered.ratings.erase(gathered.ratings.begin());
+  EXPECT_EQ(reliability_of(gathered)[0].complete_people, 2);
+  EXPECT_EQ(reliability_of(gathered)[0].intraclass.answers, 8);
+}
+
+TEST(Preferences, AreCountedWhicheverSideTheyStoodOn) {
+  Gathered gathered = small_study({});
+  gathered.preferences = {{0, 1, 0, "sad-happy"}, {1, 0, 1, "sad-happy"}, {2, 1, 0, "sad-happy"}};
+  const std::vector<PreferenceCount> counts = preferences_of(gathered);
+  ASSERT_EQ(counts.size(), 1u);
+  EXPECT_EQ(counts[0].one, 0u);
+  EXPECT_EQ(counts[0].for_one, 1);
+  EXPECT_EQ(counts[0].trials, 3);
+  EXPECT_DOUBLE_EQ(counts[0].p, 1.0);
+}
+
+}  // namespace
+}  // namespace mien::pipeline

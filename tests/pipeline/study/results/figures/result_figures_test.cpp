@@ -1,0 +1,74 @@
+#include "pipeline/study/results/figures/result_figures.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/plot_texts.h"
+#include "pipeline/study/results/two_emotions.h"
+
+namespace mien::pipeline {
+namespace {
+
+Results results_of_study(const Manifest& manifest, const std::vector<AnswerRow>& rows) {
+  return results_of(gather(manifest, rows), rows, {});
+}
+
+std::vector<ResultFigure> figures_of(const Results& results, const std::string& section) {
+  std::vector<ResultFigure> figures = result_figures(results);
+  std::erase_if(figures, [&](const ResultFigure& one) { return one.section != section; });
+  return figures;
+}
+
+TEST(ResultFigures, DrawsPairsAgainstChance) {
+  const Manifest manifest = pair_study();
+  const auto figures =
+      figures_of(results_of_study(manifest, answers_to(manifest, {{{"happy", "sad-happy"}, 2.0}})),
+                 "preferences");
+  ASSERT_EQ(figures.size(), 1u);
+  EXPECT_EQ(figures[0].name, "pairs-sad-happy");
+  test::expect_texts_apart(figures[0].plot);
+  for (const std::string& words :
+       {std::string("chance 50 %"), std::string("not happy"), std::string("n = 12"),
+        std::string(simulated_ratings_mark), std::string("Which of two was chosen: more happy")})
+    EXPECT_TRUE(test::says(figures[0].plot, words)) << words;
+}
+
+TEST(ResultFigures, DividesManyPairsIntoSeveralFigures) {
+  Manifest manifest = pair_study();
+  manifest.questionnaire->pairs.clear();
+  const auto& stimuli = manifest.stimuli;
+  for (std::size_t i = 0; i < stimuli.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      manifest.questionnaire->pairs.push_back({stimuli[i].id, stimuli[k].id});
+  const auto figures = figures_of(results_of_study(manifest, answers_to(manifest)), "preferences");
+  ASSERT_EQ(figures.size(), 2u);
+  EXPECT_EQ(figures[1].name, "pairs-sad-happy-2");
+  for (const ResultFigure& figure : figures) test::expect_texts_apart(figure.plot);
+}
+
+TEST(ResultFigures, CountsTheWordsThatMostPeopleGave) {
+  Manifest manifest = two_emotion_study(4);
+  manifest.questionnaire->answer = {.words = true};
+  manifest.questionnaire->scales.ids = {"sad-happy"};
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  for (AnswerRow& row : rows)
+    if (row.stimulus == "sad")
+      row.value = row.participant == "p001" ? "Tired, slow、TIRED" : "  tired ;悲しい";
+  const Results results = results_of_study(manifest, rows);
+  std::vector<GivenWord> own = results.words;
+  std::erase_if(own, [](const GivenWord& count) { return count.stimulus != "sad"; });
+  ASSERT_EQ(own.size(), 3u);
+  EXPECT_EQ(own[0].word, "tired");
+  EXPECT_EQ(own[0].people, 4);
+  EXPECT_EQ(own[1].word, "悲しい");
+  EXPECT_EQ(own[1].people, 3);
+  EXPECT_EQ(own[2].word, "slow");
+  EXPECT_EQ(own[2].asked, 4);
+  const auto figures = figures_of(results, "words");
+  ASSERT_EQ(figures.size(), 1u);
+  test::expect_texts_apart(figures[0].plot);
+  EXPECT_TRUE(test::says(figures[0].plot, "悲しい"));
+  EXPECT_TRUE(test::says(figures[0].plot, std::string(simulated_ratings_mark)));
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,215 @@
+#include "pipeline/study/server/session_store.h"
+
+#include <csignal>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "motion/error.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+using test::TemporaryFolder;
+
+StoredRecord trial(int session, int number, const std::string& content = "{}") {
+  return {.session = session,
+          .position = number - 1,
+          .name = "trial-" + std::to_string(number),
+          .content = content,
+          .kept_at = "2026-01-01T00:00:00Z"};
+}
+
+void begin_two(SessionStore& store) {
+  store.begin({{"design", "abc"}}, {{.index = 0, .participant = "p001", .link = "one"},
+                                    {.index = 1, .participant = "p002", .link = "two"}});
+}
+
+TEST(SessionStore, KeepsWhatItIsGivenOnceAndInOrder) {
+  const TemporaryFolder folder;
+  SessionStore store(folder.path() / "answers.db");
+  begin_two(store);
+  EXPECT_EQ(store.keep(trial(0, 2)), Keeping::out_of_order);
+  EXPECT_EQ(store.keep(trial(0, 1, "a")), Keeping::kept);
+  EXPECT_EQ(store.keep(trial(0, 1, "a")), Keeping::same);
+  EXPECT_EQ(store.keep(trial(0, 1, "b")), Keeping::other);
+  EXPECT_EQ(store.keep(trial(1, 1, "b")), Keeping::kept);
+  EXPECT_EQ(store.keep(trial(0, 2, "'; DROP TABLE records; --")), Keeping::kept);
+  const std::vector<StoredRecord> records = store.records_of(0);
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_EQ(records[0].content, "a");
+  EXPECT_EQ(records[1].content, "'; DROP TABLE records; --");
+  EXPECT_EQ(store.records().size(), 3u);
+}
+
+TEST(SessionStore, IsThereAgainWithAllThatWasKept) {
+  const TemporaryFolder folder;
+  {
+    SessionStore store(folder.path() / "answers.db");
+    begin_two(store);
+    store.keep(trial(1, 1, "kept"));
+    EXPECT_TRUE(store.come(1, "join", "now"));
+    EXPECT_FALSE(store.come(1, "link", "later"));
+  }
+  SessionStore store(folder.path() / "answers.db");
+  EXPECT_EQ(store.fact("design"), "abc");
+  EXPECT_EQ(store.fact("else"), std::nullopt);
+  EXPECT_EQ(store.records_of(1).at(0).content, "kept");
+  EXPECT_EQ(store.sessions().at(1).came_by, "join");
+  EXPECT_EQ(store.sessions().at(1).begun_at, "now");
+}
+
+/// Tells each number over the pipe as soon as it is kept, until it is killed.
+[[noreturn]] void keep_until_killed(const std::filesystem::path& file, int first, int pipe_end) {
+  SessionStore store(file);
+  for (int number = first;; ++number) {
+    if (store.keep(trial(0, number, std::to_string(number))) != Keeping::kept) _exit(1);
+    if (write(pipe_end, &number, sizeof number) != sizeof number) _exit(2);
+  }
+}
+
+TEST(SessionStore, LosesNothingWhenItsProcessIsKilled) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "answers.db";
+  {
+    SessionStore store(file);
+    begin_two(store);
+  }
+  int told = 0;
+  for (int round = 0; round < 5; ++round) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    std::size_t stored = SessionStore(file).records().size();
+    ASSERT_GE(stored, static_cast<std::size_t>(told));
+    const pid_t child = fork();
+    if (child == 0) keep_until_killed(file, static_cast<int>(stored) + 1, ends[1]);
+    close(ends[1]);
+    for (int count = 0; count < 20 + 7 * round; ++count)
+      ASSERT_EQ(read(ends[0], &told, sizeof told), static_cast<ssize_t>(sizeof told));
+    kill(child, SIGKILL);
+    while (read(ends[0], &told, sizeof told) == static_cast<ssize_t>(sizeof told)) {
+    }
+    close(ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+  }
+  const std::vector<StoredRecord> records = SessionStore(file).records();
+  ASSERT_GE(records.size(), static_cast<std::size_t>(told));
+  ASSERT_LE(records.size(), static_cast<std::size_t>(told) + 1);  // kept, but not told any more
+  for (std::size_t at = 0; at < records.size(); ++at)
+    EXPECT_EQ(records[at].content, std::to_string(at + 1));
+}
+
+TEST(SessionStore, IsOfOneProcessAtATime) {
+  const TemporaryFolder folder;
+  const SessionStore store(folder.path() / "answers.db");
+  try {
+    const SessionStore second(folder.path() / "answers.db");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("another process has it open"), std::string::npos)
+        << error.what();
+  }
+}
+
+/// What opening a file throws; "" nothing.
+std::string refusal_of(const std::filesystem::path& file) {
+  try {
+    const SessionStore store(file);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SessionStore, RefusesACopyThatLacksTheLogOfAServerThatRan) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "answers.db";
+  for (const std::string name : {"new.db", "again.db"}) {
+    const fs::path copy = folder.path() / name, log = copy.string() + "-wal";
+    SessionStore store(file);
+    if (store.sessions().empty()) begin_two(store);
+    store.keep(trial(0, name == "new.db" ? 1 : 2));
+    fs::copy_file(file, copy);
+    const std::string said = refusal_of(copy);
+    EXPECT_NE(said.find(log.string()), std::string::npos) << said;
+    EXPECT_NE(said.find("end the server"), std::string::npos) << said;
+    fs::remove(log);
+    fs::copy_file(file, copy, fs::copy_options::overwrite_existing);
+    fs::copy_file(file.string() + "-wal", log);
+    EXPECT_EQ(SessionStore(copy).records().size(), store.records().size());
+    EXPECT_EQ(refusal_of(copy), "");  // it was ended, and needs no log
+  }
+  fs::copy_file(file, folder.path() / "ended.db");
+  EXPECT_EQ(SessionStore(folder.path() / "ended.db").records().size(), 2u);
+}
+
+TEST(SessionStore, RefusesFilesOfAnotherKind) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "notes.txt") << std::string(5000, 'x');
+  EXPECT_THROW(SessionStore(folder.path() / "notes.txt"), Error);
+  EXPECT_EQ(read_file(folder.path() / "notes.txt"), std::string(5000, 'x'));
+  {
+    Database other(folder.path() / "other.db");
+    other.run("CREATE TABLE birds(name TEXT)");
+  }
+  EXPECT_THROW(SessionStore(folder.path() / "other.db"), Error);
+  {
+    SessionStore(folder.path() / "later.db");
+    Database later(folder.path() / "later.db");
+    later.run("PRAGMA user_version = 2");
+  }
+  EXPECT_THROW(SessionStore(folder.path() / "later.db"), Error);
+  std::filesystem::create_symlink(folder.path() / "elsewhere.db", folder.path() / "link.db");
+  EXPECT_THROW(SessionStore(folder.path() / "link.db"), Error);
+  EXPECT_THROW(SessionStore(folder.path() / "no" / "folder.db"), Error);
+}
+
+/// Files of this process can grow no more while it lives, as on a disk that is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST(SessionStore, SaysThatADiskIsFullKeepsNothingOfItAndGoesOnWhenThereIsRoom) {
+  const TemporaryFolder folder;
+  SessionStore store(folder.path() / "answers.db");
+  begin_two(store);
+  ASSERT_EQ(store.keep(trial(0, 1)), Keeping::kept);
+  {
+    const FullDisk full(4096);
+    EXPECT_THROW(store.keep(trial(0, 2, std::string(50'000, 'x'))), WriteFailure);
+    EXPECT_THROW(store.keep(trial(0, 2, std::string(50'000, 'x'))), WriteFailure);
+    EXPECT_EQ(store.records().size(), 1u);
+  }
+  EXPECT_EQ(store.keep(trial(0, 2, std::string(50'000, 'x'))), Keeping::kept);
+  EXPECT_EQ(store.records().size(), 2u);
+}
+
+TEST(RandomLink, Has128BitsThatDiffer) {
+  std::set<std::string> links;
+  for (int count = 0; count < 1000; ++count) links.insert(random_link());
+  EXPECT_EQ(links.size(), 1000u);
+  EXPECT_EQ(links.begin()->size(), 32u);
+  EXPECT_EQ(links.begin()->find_first_not_of("0123456789abcdef"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien::pipeline

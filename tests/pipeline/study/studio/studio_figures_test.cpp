@@ -1,0 +1,106 @@
+#include "pipeline/study/studio/studio_figures.h"
+
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "motion/formats/motion_file.h"
+#include "motion/procedural/builtin_sets.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/study/studio/studio_fixture.h"
+#include "scenes/skinned_gltf.h"
+
+// What a page may choose beside the manifest, asked for as pages do.
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+TEST_F(Studio, TakesAFolderOfCapturesAsExamples) {
+  const motion::ExampleSet walks = motion::builtin_examples("walks-10");
+  fs::create_directory(folder_.path() / "captures");
+  for (std::size_t i = 0; i < 4; ++i) {
+    const motion::Clip walked = motion::repeated(walks.examples[i].clip, 3);
+    motion::write_motion(motion::to_recording(walked),
+                         folder_.path() / "captures" / (walks.examples[i].name + ".bvh"));
+  }
+  const ordered_json places = ordered_json::parse(post("places", ordered_json::object()).body);
+  EXPECT_EQ(places["folders"][0]["folder"], "captures");
+  EXPECT_EQ(places["folders"][0]["motions"].size(), 4u);
+
+  ordered_json draft = document();
+  draft["examples"] = {{"set", {{"folder", "captures"}}}, {"ratings", "simulated"}};
+  const HttpResponse told = post("choices", {{"document", draft}});
+  ASSERT_EQ(told.status, 200) << told.body;
+  EXPECT_EQ(ordered_json::parse(told.body)["examples"].size(), 4u);
+  draft["examples"]["set"]["include"] =
+      "{" + walks.examples[0].name + "," + walks.examples[1].name + "}*";
+  draft["stimuli"][2]["weights"] = {{walks.examples[0].name, 1.0}};
+  EXPECT_EQ(post("motion", {{"document", draft}, {"show", "mix-1"}}).status, 200);
+  ordered_json wrong = draft;
+  wrong["stimuli"][2]["weights"] = {{walks.examples[3].name, 1.0}};  // the pattern leaves it out
+  EXPECT_EQ(post("save", {{"document", wrong}, {"version", file_.state().version}}).status, 422);
+  draft["stimuli"] = {draft["stimuli"][2]};
+  draft.erase("sheets");
+  EXPECT_EQ(post("save", {{"document", draft}, {"version", file_.state().version}}).status, 200);
+  EXPECT_NE(read_file(file_.file()).find("folder: captures"), std::string::npos);
+}
+
+TEST_F(Studio, GivesTheFigureThatIsShown) {
+  ordered_json draft = document();
+  const auto figure = [&] {
+    return head_of(post("motion", {{"document", draft}, {"show", "mix-1"}}))["figure"];
+  };
+  EXPECT_EQ(figure()["key"], "");
+  draft["look"]["figure"] = {{"mannequin", {{"build", 0.8}}}};
+  const ordered_json heavy = figure();
+  EXPECT_EQ(heavy["joints"], 0);
+  ordered_json asked = {{"document", draft}, {"show", "mix-1"}, {"key", heavy["key"]}};
+  const HttpResponse file = post("figure", asked);
+  EXPECT_EQ(file.type, "model/gltf-binary");
+  EXPECT_EQ(file.body.substr(0, 4), "glTF");
+  draft["look"]["figure"] = "mannequin";
+  EXPECT_NE(figure()["key"], heavy["key"]);
+  asked["document"] = draft;
+  EXPECT_EQ(post("figure", asked).status, 404);
+}
+
+TEST_F(Studio, MovesACharacterAsFilmsDo) {
+  const auto robot = test::skinned_gltf(motion::standard_body(1.3), {{}, test::mixamo_names()});
+  write_file(folder_.path() / "robot.gltf", robot.text());
+  ordered_json draft = document();
+  draft["look"]["figure"] = {{"character", "robot.gltf"}};
+  const ordered_json asked = {{"document", draft}, {"show", "guess-1"}};
+  const HttpResponse response = post("motion", asked);
+  const ordered_json figure = head_of(response)["figure"];
+  const int joints = figure["joints"];
+  EXPECT_EQ(joints, motion::body_joint_count);
+
+  // The last frame's first joint, as the renderer has it.
+  const Manifest manifest = load_manifest(file_.file(), process_environment());
+  Motions motions(manifest);
+  const motion::Clip clip = motions.of("guess-1").motion.clip;
+  const scenes::Character worn =
+      scenes::fitted(scenes::read_character(folder_.path() / "robot.gltf"), clip.body);
+  const motion::JointTransforms rig =
+      scenes::rig_in(worn, scenes::worn_by(worn, clip).poses.back());
+  const std::size_t floats = clip.poses.size() * static_cast<std::size_t>(7 * joints);
+  std::vector<float> poses(floats);
+  std::memcpy(poses.data(), response.body.data() + response.body.size() - 4 * floats, 4 * floats);
+  const float* last = poses.data() + (clip.poses.size() - 1) * static_cast<std::size_t>(3 * joints);
+  EXPECT_LT((Eigen::Vector3f(last[0], last[1], last[2]).cast<double>() - rig.positions[0]).norm(),
+            1e-6);
+  const float* turned = poses.data() + poses.size() - 4;
+  EXPECT_NEAR(turned[3], rig.rotations.back().w(), 1e-6);
+  draft["look"]["figure"] = {{"character", "../robot.gltf"}};
+  EXPECT_EQ(post("motion", {{"document", draft}, {"show", "guess-1"}}).status, 422);
+}
+
+}  // namespace
+}  // namespace mien::pipeline

@@ -1,0 +1,111 @@
+#include "pipeline/study/studio/studio_motions.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "motion/gait/contact.h"
+#include "motion/live/live_answer.h"
+#include "motion/live/live_core.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/study/studio/manifest_file.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the motion behind the JSON: as many bytes as there should be.
+std::string motion_in(const std::string& answer, std::size_t size) {
+  std::uint32_t head = 0;
+  std::memcpy(&head, answer.data(), 4);
+  return answer.substr(4 + head, size);
+}
+
+/// The largest difference of the numbers of two answers; infinite where they are not alike
+/// otherwise. (live_answer.h has the form.)
+double difference_of(const std::string& one, const std::string& other) {
+  constexpr std::size_t head = 6 * sizeof(std::uint32_t);
+  if (one.size() != other.size() || one.substr(0, head) != other.substr(0, head)) return INFINITY;
+  std::uint32_t frames = 0;
+  std::memcpy(&frames, one.data() + 4, 4);
+  const std::size_t end = one.size() - 2 * frames;
+  double largest = 0.0;
+  for (std::size_t at = head; at + sizeof(double) <= end; at += sizeof(double)) {
+    double a = 0.0, b = 0.0;
+    std::memcpy(&a, one.data() + at, sizeof a);
+    std::memcpy(&b, other.data() + at, sizeof b);
+    largest = std::max(largest, std::abs(a - b));
+  }
+  return largest;
+}
+
+/// Compares what the studio shows of each stimulus with what a run makes of it. The number of
+/// stimuli; none where the manifest's files are not here.
+std::size_t compared_through_both_doors(const fs::path& file) {
+  const Environment none = [](const std::string&) { return std::nullopt; };
+  const ManifestReading checked = check_manifest(file, none);
+  if (!checked.faults.empty()) return 0;
+  const ManifestFile opened(file, none);
+  DraftReader reader(file, none);
+  StudioMotions studio(reader);
+  const nlohmann::ordered_json document = opened.state().document;
+  Motions run(checked.manifest);
+  for (const Stimulus& stimulus : checked.manifest.stimuli) {
+    const Synthesis& made = run.of(stimulus.id);
+    const std::string expected = motion::to_answer(
+        motion::LiveMotion{made.motion, made.weights, motion::foot_plants(made.motion.clip)});
+    const std::string name = file.filename().string() + ": " + stimulus.id;
+    try {
+      const std::string shown = studio.motion(document, stimulus.id, "");
+      EXPECT_LT(difference_of(expected, motion_in(shown, expected.size())), 1e-9) << name;
+    } catch (const DraftFaults& faults) {
+      ADD_FAILURE() << name << ": " << faults.list().front().wrong;
+    }
+  }
+  return checked.manifest.stimuli.size();
+}
+
+TEST(StudioMotions, OfAllManifestsThatComeAlongAreThoseOfARun) {
+  std::size_t compared = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(MIEN_SOURCE_DIR) / "manifests")) {
+    if (entry.path().extension() == ".yaml") compared += compared_through_both_doors(entry.path());
+  }
+  EXPECT_GT(compared, 50u);
+}
+
+/// Whatever a motion goes by in another stimulus is there in the studio, too.
+TEST(StudioMotions, GoByOtherStimuliAsARunDoes) {
+  const test::TemporaryFolder folder;
+  const auto compared = [&](const std::string& stimuli) {
+    write_file(
+        folder.path() / "m.yaml",
+        "mien: 1\nstudy: s\nseed: 7\nexamples: {set: builtin:walks-10}\nstimuli:\n" + stimuli);
+    return compared_through_both_doors(folder.path() / "m.yaml");
+  };
+  EXPECT_EQ(compared("  - {id: others, adjectives: {quickness: 0.6}, hold: others}\n"
+                     "  - {id: named, adjectives: {quickness: 0.4}, hold: [largeness]}\n"
+                     "  - {id: given, adjectives: {quickness: 0.4}, hold: {largeness: 0.4}}\n"
+                     "  - {id: walked, role: reference, path: [{walk: 1}]}\n"
+                     "  - {id: first, role: reference, weights: {sad: 1}}\n"
+                     "  - {id: second, role: reference, adjectives: {quickness: 0.5}, hold: "
+                     "others}\n"),
+            6u);
+  EXPECT_EQ(compared("  - {id: a, adjectives: {quickness: 0.6}, hold: others}\n"), 1u);
+  EXPECT_EQ(
+      compared("  - {id: r, role: reference, adjectives: {largeness: 0.6}, hold: others}\n"
+               "  - {id: a, adjectives: {quickness: 0.6}, hold: others, modify: {emotion: sad}}\n"
+               "  - {id: f, foil: {of: a, differ: posture}}\n"),
+      3u);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
