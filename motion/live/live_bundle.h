@@ -11,6 +11,7 @@
 #include "motion/live/made_motion.h"
 #include "motion/measures/feature_scale.h"
 #include "motion/skeleton/example.h"
+#include "motion/skeleton/shown_clip.h"
 
 namespace mien::motion {
 

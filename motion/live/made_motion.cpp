@@ -97,9 +97,4 @@ MadeMotion made_for(const FittedInterface& interface, const Eigen::RowVectorXd& 
                 : made_at(interface, wished, making);
 }
 
-Clip shown_clip(const Clip& clip, const Showing& showing) {
-  if (!clip.loops) return showing.in_place ? kept_in_place(clip) : clip;
-  return repeated(showing.in_place ? in_place(clip) : clip, showing.cycles);
-}
-
 }  // namespace mien::motion

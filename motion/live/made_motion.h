@@ -53,12 +53,4 @@ MadeMotion with_met_features(const FittedInterface& interface, const Eigen::RowV
 MadeMotion made_for(const FittedInterface& interface, const Eigen::RowVectorXd& wished,
                     const Making& making, const FeatureTable& features);
 
-/// What a video shows, and a clip file holds: a loop repeated, or in place.
-struct Showing {
-  int cycles = 3;  ///< of a loop
-  bool in_place = false;
-};
-
-Clip shown_clip(const Clip& clip, const Showing& showing);
-
 }  // namespace mien::motion

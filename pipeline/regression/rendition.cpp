@@ -7,6 +7,7 @@
 #include "pipeline/manifest/own_seed.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/production/synthesis/motion_task.h"
 #include "pipeline/tasks/parallel.h"
 #include "pipeline/tasks/task_graph.h"
@@ -23,6 +24,7 @@ void equalize(const Manifest& manifest, const SharedDeterminants& shared, Motion
   TaskGraph graph;
   for (const Stimulus& stimulus : manifest.stimuli)
     graph.add(motion_task(stimulus, shared, motions));
+  if (manifest.equalize.duration) graph.add(durations_task(manifest, shared, motions));
   const FilmSettings settings{.seed = manifest.seed, .threads = threads};
   for (Task& task : equalizing_tasks(manifest, shared, settings, motions))
     graph.add(std::move(task));

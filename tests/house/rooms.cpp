@@ -37,7 +37,7 @@ std::set<Room> rooms_in(const std::string& text, const std::string& prefix) {
 
 void read_plan_line(const std::string& module, const std::string& line, RoomPlan& plan) {
   const size_t colon = line.find(": ");
-  if (colon == std::string::npos) throw std::runtime_error(module + "/rooms.txt: " + line);
+  if (colon == std::string::npos) throw std::runtime_error(module + "/" + plan.file + ": " + line);
   const Room room = module + "/" + line.substr(0, colon);
   const std::string rest = line.substr(colon + 2);
   const size_t bar = std::min(rest.find('|'), rest.size());
@@ -89,7 +89,8 @@ void add_missing_arrows(const RoomPlan& plan, const std::vector<IncludeLine>& li
   for (const IncludeLine& line : lines) {
     if (allowed(plan, line)) continue;
     faults.push_back(line.file + ":" + std::to_string(line.line) + ": " + line.from +
-                     " may not include " + line.to + " (" + module_of(line.from) + "/rooms.txt)");
+                     " may not include " + line.to + " (" + module_of(line.from) + "/" + plan.file +
+                     ")");
   }
 }
 
@@ -107,10 +108,43 @@ void add_unused_arrows(const RoomPlan& plan, const std::vector<IncludeLine>& lin
 void add_unnamed_rooms(const fs::path& tree, const RoomPlan& plan,
                        std::vector<std::string>& faults) {
   for (const fs::path& file : sources_of(tree)) {
-    const Room room = room_of(file);
+    const Room room = plan.place_of(room_of(file));
     if (!is_module(room) && !plan.arrows.contains(room))
-      faults.push_back(file.generic_string() + ": rooms.txt does not name " + room);
+      faults.push_back(file.generic_string() + ": " + plan.file + " does not name " + room);
   }
+}
+
+/// "pipeline/base" of "pipeline/base/documents"; the other modules have no wings.
+Room wing_of(const Room& room) {
+  if (module_of(room) != "pipeline") return module_of(room);
+  return room.substr(0, room.find('/', room.find('/') + 1));
+}
+
+RoomPlan read_plan(const fs::path& tree, RoomPlan plan) {
+  for (const std::string& module : modules) {
+    std::ifstream file(tree / module / plan.file);
+    for (std::string line; std::getline(file, line);) {
+      if (!line.empty() && line[0] != '#') read_plan_line(module, line, plan);
+    }
+  }
+  return plan;
+}
+
+std::vector<std::string> faults_of(const fs::path& tree, const RoomPlan& plan) {
+  std::vector<IncludeLine> lines = include_lines(tree);
+  std::erase_if(lines, [&](const IncludeLine& line) {
+    return !fs::exists(tree / module_of(line.from) / plan.file);
+  });
+  for (IncludeLine& line : lines) {
+    line.from = plan.place_of(line.from);
+    line.to = plan.place_of(line.to);
+  }
+  std::vector<std::string> faults;
+  add_missing_arrows(plan, lines, faults);
+  add_unused_arrows(plan, lines, faults);
+  add_unnamed_rooms(tree, plan, faults);
+  add_higher_floors(plan, faults);
+  return faults;
 }
 
 void add_higher_floors(const RoomPlan& plan, std::vector<std::string>& faults) {
@@ -125,17 +159,6 @@ void add_higher_floors(const RoomPlan& plan, std::vector<std::string>& faults) {
 
 }  // namespace
 
-RoomPlan read_room_plan(const fs::path& tree) {
-  RoomPlan plan;
-  for (const std::string& module : modules) {
-    std::ifstream file(tree / module / "rooms.txt");
-    for (std::string line; std::getline(file, line);) {
-      if (!line.empty() && line[0] != '#') read_plan_line(module, line, plan);
-    }
-  }
-  return plan;
-}
-
 std::vector<IncludeLine> include_lines(const fs::path& tree) {
   std::vector<IncludeLine> lines;
   for (const fs::path& file : sources_of(tree)) add_include_lines(tree, file, lines);
@@ -143,14 +166,11 @@ std::vector<IncludeLine> include_lines(const fs::path& tree) {
 }
 
 std::vector<std::string> faults_of_rooms(const fs::path& tree) {
-  const RoomPlan plan = read_room_plan(tree);
-  const std::vector<IncludeLine> lines = include_lines(tree);
-  std::vector<std::string> faults;
-  add_missing_arrows(plan, lines, faults);
-  add_unused_arrows(plan, lines, faults);
-  add_unnamed_rooms(tree, plan, faults);
-  add_higher_floors(plan, faults);
-  return faults;
+  return faults_of(tree, read_plan(tree, {.file = "rooms.txt"}));
+}
+
+std::vector<std::string> faults_of_wings(const fs::path& tree) {
+  return faults_of(tree, read_plan(tree, {.file = "wings.txt", .place_of = wing_of}));
 }
 
 }  // namespace mien::test

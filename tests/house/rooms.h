@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -19,20 +20,24 @@ struct IncludeLine {
   Room to;
 };
 
-/// What the rooms.txt of the modules allow.
+/// What the rooms.txt of the modules allow, or their wings.txt.
 struct RoomPlan {
+  std::string file;  ///< "rooms.txt"
+  /// The room, or the wing, that a room counts as.
+  std::function<Room(const Room&)> place_of = [](const Room& room) { return room; };
   std::vector<Room> rooms;                ///< in the order of the files, lower floors first
   std::map<Room, std::set<Room>> arrows;  ///< room → rooms that it may include
 };
-
-/// Throws std::runtime_error where a line is not "room: rooms | rooms of other modules".
-RoomPlan read_room_plan(const std::filesystem::path& tree);
 
 std::vector<IncludeLine> include_lines(const std::filesystem::path& tree);
 
 /// A sentence a fault, "motion/gait/contact.cpp:7: motion/gait may not include motion/lint
 /// (motion/rooms.txt)": arrows that the plan has not, or has and nobody uses, rooms that it does
-/// not name, and rooms that name one of a higher floor.
+/// not name, and rooms that name one of a higher floor. Throws std::runtime_error where a line of
+/// rooms.txt is not "room: rooms | rooms of other modules".
 std::vector<std::string> faults_of_rooms(const std::filesystem::path& tree);
+
+/// The same of the wings that rooms lie in (wings.txt).
+std::vector<std::string> faults_of_wings(const std::filesystem::path& tree);
 
 }  // namespace mien::test

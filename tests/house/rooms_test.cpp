@@ -56,6 +56,37 @@ TEST_F(SmallHouse, TellsARoomThatIsNotInThePlan) {
             Faults{"motion/dance/step.cpp: rooms.txt does not name motion/dance"});
 }
 
+/// Two wings of pipeline, of which the second may include the first.
+class SmallWings : public SmallHouse {
+ protected:
+  void SetUp() override {
+    write("pipeline/wings.txt", "base: -\nfarm: base | motion\n");
+    write("pipeline/base/documents/table.h", "#include \"pipeline/base/statistics/mean.h\"\n");
+    write("pipeline/farm/slurm/job.cpp",
+          "#include \"pipeline/base/documents/table.h\"\n#include \"motion/gait/stride.h\"\n");
+    write("motion/gait/stride.h", "#include \"motion/math/filter.h\"\n");
+  }
+};
+
+TEST(Wings, IncludeOnlyWhatTheirPlanAllows) {
+  EXPECT_EQ(faults_of_wings(MIEN_SOURCE_DIR), Faults{});
+}
+
+TEST_F(SmallWings, WithoutFaultsHaveNone) { EXPECT_EQ(faults_of_wings(tree()), Faults{}); }
+
+TEST_F(SmallWings, TellAnIncludeThatRunsBackFromAnyOfTheirRooms) {
+  write("pipeline/base/documents/table.h", "#include \"pipeline/farm/slurm/job.h\"\n");
+  EXPECT_EQ(faults_of_wings(tree()),
+            Faults{"pipeline/base/documents/table.h:1: pipeline/base may not include "
+                   "pipeline/farm (pipeline/wings.txt)"});
+}
+
+TEST_F(SmallWings, TellAWingThatIsNotInThePlan) {
+  write("pipeline/tower/bell.h", "");
+  EXPECT_EQ(faults_of_wings(tree()),
+            Faults{"pipeline/tower/bell.h: wings.txt does not name pipeline/tower"});
+}
+
 TEST_F(SmallHouse, TellsAPlanThatRunsInACircle) {
   write("motion/rooms.txt", "math: gait\ngait: math\n");
   write("motion/math/filter.h", "#include \"motion/gait/stride.h\"\n");

@@ -10,6 +10,7 @@
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
+#include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/synthesis/blend_warnings.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/production/synthesis/synthesis.h"
@@ -50,7 +51,7 @@ int blend(const BlendCommandOptions& options, const Console& console) {
 
   const Repertoire repertoire = load_repertoire(manifest);
   const Synthesis synthesis = synthesize(stimulus, repertoire);
-  const motion::Clip shown = shown_clip(synthesis, stimulus.output);
+  const motion::Clip shown = shown_clip(synthesis.motion.clip, stimulus.output);
   motion::write_motion(motion::to_recording(shown), options.out);
   for (const std::string& warning : blend_warnings(repertoire, synthesis))
     console.err << "warning: " << warning << '\n';

@@ -17,6 +17,7 @@
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/film/film_task.h"
+#include "pipeline/production/synthesis/motions.h"
 #include "pipeline/tasks/store.h"
 
 namespace mien::pipeline {

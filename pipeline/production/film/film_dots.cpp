@@ -77,7 +77,7 @@ bool has_dots(const Stimulus& stimulus) {
 }
 
 Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equalize,
-               const SharedDeterminants& shared, Motions& motions) {
+               const SharedDeterminants& shared, FinishedMotions& motions) {
   Task task;
   task.id = "dots:" + stimulus.id;
   task.kind = "dots";

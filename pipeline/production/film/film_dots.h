@@ -5,7 +5,7 @@
 
 #include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/tasks/task_graph.h"
 #include "scenes/stage/shot.h"
 
@@ -19,6 +19,6 @@ bool has_dots(const Stimulus& stimulus);
 
 /// The task "dots:<id>", whose product is clips/<id>.dots.csv.
 Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equalize,
-               const SharedDeterminants& shared, Motions& motions);
+               const SharedDeterminants& shared, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

@@ -5,10 +5,10 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/production/clips/durations.h"
 #include "pipeline/production/film/film_exposure.h"
 #include "pipeline/production/film/film_framing.h"
 #include "pipeline/production/film/film_table_forms.h"
-#include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -50,10 +50,9 @@ Task table_task(const std::string& name, const Manifest& manifest, const SharedD
 }  // namespace
 
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
-                                   const FilmSettings& settings, Motions& motions) {
+                                   const FilmSettings& settings, FinishedMotions& motions) {
   std::vector<Task> tasks;
   const Equalize& equalize = manifest.equalize;
-  if (equalize.duration) tasks.push_back(durations_task(manifest, shared, motions));
   if (equalize.size) {
     tasks.push_back(table_task(
         "sizes", manifest, shared, equalize.size, framing_cost_seconds,
@@ -97,7 +96,7 @@ std::vector<std::string> equalizing_tables(const Equalize& equalize) {
 }
 
 Equalized equalized_film(const Equalize& equalize, const fs::path& folder,
-                         const std::string& stimulus, Motions& motions) {
+                         const std::string& stimulus, FinishedMotions& motions) {
   if (equalize.duration) know_durations(folder, motions);
   Equalized alike;
   if (equalize.luminance) alike.exposure_stops = exposure_stops_of(folder, stimulus);

@@ -60,7 +60,7 @@ struct Samples {
 };
 
 Samples samples_of(const Stimulus& stimulus, const Sampling& sampling, const FilmSettings& settings,
-                   Motions& motions, Framing framing, const std::stop_token& stop) {
+                   FinishedMotions& motions, Framing framing, const std::stop_token& stop) {
   Stimulus small = stimulus;
   const double scale =
       std::min(1.0, static_cast<double>(sampling.most_width) / stimulus.output.shown_size()[0]);
@@ -228,8 +228,8 @@ float stops_for(const std::vector<render::Film>& films, const render::Tone& tone
   return stops_where([&](float stops) { return mean_of(films, tone, stops); }, wanted);
 }
 
-std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
-                         TaskRun& run) {
+std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
+                         FinishedMotions& motions, TaskRun& run) {
   refuse(faults_in_light(manifest, motions));
   constexpr Sampling sampling;
   const Framings framings(manifest.equalize, run.store.folder());
@@ -251,7 +251,7 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
   return table.text();
 }
 
-std::vector<Fault> faults_in_light(const Manifest& manifest, Motions& motions) {
+std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& motions) {
   const FilmSettings settings{.seed = manifest.seed};
   SamplesById samples;
   for (const Stimulus& stimulus : manifest.stimuli)

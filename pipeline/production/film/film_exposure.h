@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "pipeline/base/documents/fault.h"
+#include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/film/film.h"
-#include "pipeline/production/synthesis/motions.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/image/film.h"
 #include "render/image/tone.h"
@@ -31,13 +31,13 @@ float stops_for(const std::vector<render::Film>& films, const render::Tone& tone
 /// where film_framing.h found it if size or place is equalized too. Throws Faults when no exposure
 /// brings a film, or the films that share one, within 1 %; where it is far from there, after a
 /// quick look.
-std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings, Motions& motions,
-                         TaskRun& run);
+std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
+                         FinishedMotions& motions, TaskRun& run);
 
 /// A fault for each stimulus that no exposure brings near the others' light, as a quick look at
 /// small pictures shows; what is out of reach by less than 5 % is left to exposure_csv. Throws
 /// Error.
-std::vector<Fault> faults_in_light(const Manifest& manifest, Motions& motions);
+std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& motions);
 
 /// What the table has for a stimulus, in the store's folder. Throws Error.
 float exposure_stops_of(const std::filesystem::path& folder, const std::string& stimulus);

@@ -55,7 +55,7 @@ auto found_of_all(const Manifest& manifest, const Find& find, const Between& bet
   return all;
 }
 
-SizesById framed_sizes(const Manifest& manifest, Motions& motions, const Between& between) {
+SizesById framed_sizes(const Manifest& manifest, FinishedMotions& motions, const Between& between) {
   const auto size_of = [&](const Stimulus& stimulus) {
     return scenes::figure_pixels(shot_of(stimulus, motions, manifest.seed).cameras);
   };
@@ -101,8 +101,8 @@ Standing standing_of(const scenes::Shot& shot) {
 
 /// Of all stimuli; their figures are as tall as `sizes` says, or, where that is empty, as their
 /// cameras do.
-StandingsById standings_at(const SizesById& sizes, const Manifest& manifest, Motions& motions,
-                           const Between& between) {
+StandingsById standings_at(const SizesById& sizes, const Manifest& manifest,
+                           FinishedMotions& motions, const Between& between) {
   const auto standing = [&](const Stimulus& stimulus) {
     Framing framing;
     if (!sizes.empty()) framing.figure_px = sizes.at(stimulus.id);
@@ -162,7 +162,7 @@ auto placed_in(const Manifest& manifest, const Find& find) {
 
 }  // namespace
 
-std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
+std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run) {
   const SizesById framed = framed_sizes(manifest, motions, between_stimuli_of(run));
   const SizesById common = common_sizes(manifest, framed);
   CsvWriter table = table_of(sizes_form);
@@ -173,7 +173,7 @@ std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run) 
   return table.text();
 }
 
-std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run) {
+std::string places_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run) {
   SizesById sizes;
   if (manifest.equalize.size) {
     const StimulusNumbers found(run.store.folder() / sizes_path, {"figure_px"});
@@ -191,7 +191,7 @@ std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run)
   return table.text();
 }
 
-void check_places(const Manifest& manifest, Motions& motions) {
+void check_places(const Manifest& manifest, FinishedMotions& motions) {
   const Between quietly = [](double) {};
   SizesById sizes;
   if (manifest.equalize.size)

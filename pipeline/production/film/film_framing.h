@@ -6,23 +6,23 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/film/film_shot.h"
-#include "pipeline/production/synthesis/motions.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
 
 /// metrics/sizes.csv (film_table_forms.h).
-std::string sizes_csv(const Manifest& manifest, Motions& motions, TaskRun& run);
+std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run);
 
 /// metrics/places.csv (film_table_forms.h): the mean of the places that the cameras show, moved as
 /// far as it must be for every figure to stay within its picture that was within it before. Figures
 /// are as tall as metrics/sizes.csv says where size is equalized too. Throws Error where no place
 /// is left.
-std::string places_csv(const Manifest& manifest, Motions& motions, TaskRun& run);
+std::string places_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run);
 
 /// Throws Error where `places_csv` would find no place.
-void check_places(const Manifest& manifest, Motions& motions);
+void check_places(const Manifest& manifest, FinishedMotions& motions);
 
 /// What the tables that `equalize` asks for have for all stimuli, in the store's folder. Throws
 /// Error.

@@ -3,7 +3,6 @@
 #include "motion/skeleton/clip.h"
 #include "pipeline/manifest/look/look.h"
 #include "pipeline/manifest/own_seed.h"
-#include "pipeline/production/synthesis/synthesis.h"
 
 namespace mien::pipeline {
 
@@ -22,9 +21,8 @@ scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
 }
 
 /// What is shown of a motion that was made for another film, which may have another frame rate.
-motion::Clip clip_at_rate(Synthesis made, const Output& output) {
-  made.motion.clip = motion::resampled(made.motion.clip, output.fps);
-  return shown_clip(made, output);
+motion::Clip clip_at_rate(const motion::Clip& made, const Output& output) {
+  return shown_clip(motion::resampled(made, output.fps), output);
 }
 
 /// Output of a clip for a set: one that goes under the figure needs to know how fast it goes.
@@ -51,13 +49,13 @@ scenes::Role film_role(const Stimulus& stimulus) {
                                                 : scenes::Role::neutral;
 }
 
-motion::Clip staged_clip(const Stimulus& stimulus, Motions& motions) {
+motion::Clip staged_clip(const Stimulus& stimulus, FinishedMotions& motions) {
   Stimulus shown = stimulus;
   shown.output = output_for(shown.output, staged_set(stimulus.look));
   return motions.shown(shown);
 }
 
-scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed,
+scenes::Shot shot_of(const Stimulus& stimulus, FinishedMotions& motions, std::uint64_t seed,
                      const Framing& framing) {
   return shot_of(stimulus, staged_clip(stimulus, motions), seed, framing);
 }
@@ -70,7 +68,7 @@ scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::ui
   return scenes::stage(clip, look);
 }
 
-scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t seed) {
+scenes::Shot shot_of(const Overlay& overlay, FinishedMotions& motions, std::uint64_t seed) {
   scenes::Look look = look_of(overlay.film, seed);
   look.layout = overlay.layout;
   const Output output = output_for(overlay.film.output, look.set);
@@ -78,7 +76,7 @@ scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t see
   std::vector<scenes::Performance> performances;
   for (const auto& [role, name] : motions_on(overlay)) {
     performances.push_back({.name = name,
-                            .clip = clip_at_rate(motions.of(name), output),
+                            .clip = clip_at_rate(motions.clip(name), output),
                             .role = staged_role(role),
                             .opacity = is_clear ? 1.0f : static_cast<float>(overlay.opacity)});
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/production/synthesis/motions.h"
+#include "pipeline/production/clips/finished_motions.h"
 #include "scenes/stage/shot.h"
 
 namespace mien::pipeline {
@@ -25,11 +25,11 @@ scenes::Role staged_role(Role role);
 scenes::Role film_role(const Stimulus& stimulus);
 
 /// The clip that a stimulus's film shows on its set. Throws Error.
-motion::Clip staged_clip(const Stimulus& stimulus, Motions& motions);
+motion::Clip staged_clip(const Stimulus& stimulus, FinishedMotions& motions);
 
 /// A stimulus's motion on its stage. `seed` is that of the production. Throws Error when the look
 /// cannot be had.
-scenes::Shot shot_of(const Stimulus& stimulus, Motions& motions, std::uint64_t seed,
+scenes::Shot shot_of(const Stimulus& stimulus, FinishedMotions& motions, std::uint64_t seed,
                      const Framing& framing = {});
 
 /// Any clip on the stimulus's stage.
@@ -37,6 +37,6 @@ scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::ui
                      const Framing& framing);
 
 /// The motions of an overlay on their stage, each as long as the overlay's own output says.
-scenes::Shot shot_of(const Overlay& overlay, Motions& motions, std::uint64_t seed);
+scenes::Shot shot_of(const Overlay& overlay, FinishedMotions& motions, std::uint64_t seed);
 
 }  // namespace mien::pipeline

@@ -106,7 +106,7 @@ Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
   Task task;
   task.id = "films";
   task.kind = "tables";
-  task.determinants.add("libraries", shared.libraries).add("pipeline", pipeline_code());
+  task.determinants.add("libraries", shared.libraries).add("code", film_code());
   for (const Stimulus* film : films_of(manifest)) {
     task.inputs.push_back("film:" + film->id);
     task.determinants.add("stimulus", film->id);

@@ -32,9 +32,9 @@ scenes::Shot exposed(scenes::Shot shot, float stops) {
 }
 
 /// Animated pictures repeat where all motions do.
-bool repeats(const FilmSubject& subject, Motions& motions) {
+bool repeats(const FilmSubject& subject, FinishedMotions& motions) {
   return std::all_of(subject.motions.begin(), subject.motions.end(),
-                     [&](const auto& name) { return motions.of(name).motion.clip.loops; });
+                     [&](const auto& name) { return motions.clip(name).loops; });
 }
 
 /// Seconds of one core, about those of stick figures before the quickstart's set in 2026. Cycles of
@@ -212,7 +212,8 @@ KeptSequence kept_sequence(const Task& film, const Hash& task_key) {
   return {path, KeyBuilder().add("kept", path).add("task", task_key).key()};
 }
 
-FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest, Motions& motions) {
+FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest,
+                       FinishedMotions& motions) {
   return {stimulus,
           {stimulus.id},
           {},
@@ -222,7 +223,7 @@ FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest, Motio
           }};
 }
 
-FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions& motions,
+FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, FinishedMotions& motions,
                        const SharedDeterminants& shared) {
   FilmSubject subject{overlay.film, {}, {}, {}, {}};
   for (const auto& [role, name] : motions_on(overlay)) {
@@ -244,7 +245,7 @@ FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions
 }
 
 Task film_task(const FilmSubject& subject, const FilmSettings& settings,
-               const SharedDeterminants& shared, Motions& motions) {
+               const SharedDeterminants& shared, FinishedMotions& motions) {
   const Stimulus& stimulus = subject.film;
   const Output& output = stimulus.output;
   Task task;

@@ -6,9 +6,9 @@
 
 #include "pipeline/manifest/artifact_keys.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
-#include "pipeline/production/synthesis/motions.h"
 #include "pipeline/tasks/artifact_key.h"
 #include "pipeline/tasks/task_graph.h"
 #include "scenes/stage/shot.h"
@@ -36,8 +36,9 @@ KeptSequence kept_sequence(const Task& film, const Hash& task_key);
 
 /// Film of a stimulus, or of motions together. All that is passed outlives it. Overlays take no
 /// part in what is equalized.
-FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest, Motions& motions);
-FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions& motions,
+FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest,
+                       FinishedMotions& motions);
+FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, FinishedMotions& motions,
                        const SharedDeterminants& shared);
 
 /// The task "film:<id>": stages the motions, draws them and encodes the frames while they are
@@ -45,6 +46,6 @@ FilmSubject subject_of(const Overlay& overlay, const Manifest& manifest, Motions
 /// drawn and checked. It reads the products of the tasks "motion:<id>" of its stimuli, and those of
 /// the tasks that find what is equalized. What `subject` refers to outlives it.
 Task film_task(const FilmSubject& subject, const FilmSettings& settings,
-               const SharedDeterminants& shared, Motions& motions);
+               const SharedDeterminants& shared, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

@@ -52,8 +52,7 @@ void put_page(TaskRun& run, std::size_t product, const std::string& text) {
 Hash study_key(const Manifest& manifest, const SharedDeterminants& shared, const TaskGraph& graph) {
   KeyBuilder key;
   key.add("libraries", shared.libraries).add("repertoire", shared.repertoire);
-  key.add("motion", motion_code()).add("pipeline", pipeline_code());
-  key.add("film", film_code());
+  key.add("code", study_code());
   key.add("manifest", shared.files.of(manifest.file));
   key.add("command", manifest.command);
   add_page(key, manifest);

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/production/clips/durations.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_table_forms.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/report/study_tasks.h"
 #include "pipeline/production/run/stimuli_table.h"
-#include "pipeline/production/synthesis/durations_task.h"
 
 namespace mien::pipeline {
 

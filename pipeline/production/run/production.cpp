@@ -17,6 +17,7 @@
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/sheets/sheet_task.h"
 #include "pipeline/production/sheets/stills_task.h"
+#include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/production/synthesis/motion_task.h"
 
 namespace mien::pipeline {
@@ -80,6 +81,7 @@ void Production::add_motions(const SharedDeterminants& shared) {
   for (const Stimulus& stimulus : manifest_.stimuli) {
     graph_.add(motion_task(stimulus, shared, motions_));
   }
+  if (manifest_.equalize.duration) graph_.add(durations_task(manifest_, shared, motions_));
   const FilmSettings settings{.seed = manifest_.seed, .threads = threads(), .sets = &sets_};
   for (Task& task : equalizing_tasks(manifest_, shared, settings, motions_)) {
     graph_.add(std::move(task));

@@ -63,7 +63,7 @@ std::string provenance(const Manifest& manifest, const std::vector<TaskOutcome>&
         {"hash", hash_of_file(manifest.file)},
         {"copy", input_copies(manifest).front().path},
         {"as_run", as_run_path}}},
-      {"code", {{"motion", motion_code()}, {"film", film_code()}, {"pipeline", pipeline_code()}}},
+      {"code", {{"motion", motion_code()}, {"film", film_code()}, {"pipeline", study_code()}}},
       {"libraries", libraries},
       {"inputs", inputs},
       {"equalize", EqualizeForm::write(manifest.equalize, {})},

@@ -46,7 +46,7 @@ Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterm
   task.id = "sheet:" + sheet.id;
   task.kind = "sheet";
   task.determinants.add("libraries", shared.libraries);
-  task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
+  task.determinants.add("code", sheet_code());
   task.determinants.add("study", manifest.study).add("manifest", manifest.file.filename().string());
   bool uses_examples = false;
   for (const std::string& name : motions_on(sheet)) {

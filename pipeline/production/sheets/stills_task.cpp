@@ -55,7 +55,7 @@ Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSetting
   task.id = "sheet:" + sheet.id;
   task.kind = "sheet";
   task.determinants.add("libraries", shared.libraries);
-  task.determinants.add("film", film_code()).add("pipeline", pipeline_code());
+  task.determinants.add("code", sheet_code());
   task.determinants.add("seed", static_cast<std::int64_t>(settings.seed))
       .add("study", manifest.study)
       .add("manifest", manifest.file.filename().string())

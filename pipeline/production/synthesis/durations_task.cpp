@@ -2,10 +2,9 @@
 
 #include <string>
 
-#include "motion/error.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/production/synthesis/synthesis.h"
+#include "pipeline/production/clips/durations.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -20,19 +19,10 @@ std::string durations_csv(const Manifest& manifest, Motions& motions) {
   CsvWriter table = table_of(durations_form);
   const std::string common = shortest(motions.shortest_seconds());
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const motion::Clip own = shown_clip(motions.of(stimulus.id), stimulus.output);
+    const motion::Clip own = shown_clip(motions.clip(stimulus.id), stimulus.output);
     table.row({stimulus.id, shortest(own.frame_count() / own.frames_per_second), common});
   }
   return table.text();
-}
-
-/// All rows say the same.
-double common_duration_in(const fs::path& file) {
-  const CsvTable table = read_csv(file);
-  const auto column = static_cast<std::size_t>(require_column(table, "duration_s"));
-  if (!table.rows.empty()) return number_in(table, table.rows.front()[column]);
-  throw Error({file.string()}, "says of no stimulus how long all films are",
-              "remove it, and run the study again");
 }
 
 }  // namespace
@@ -41,7 +31,7 @@ Task durations_task(const Manifest& manifest, const SharedDeterminants& shared, 
   Task task;
   task.id = task.kind = durations_task_id;
   task.determinants.add("libraries", shared.libraries);
-  task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
+  task.determinants.add("code", motion_code());
   for (const Stimulus& stimulus : manifest.stimuli) task.inputs.push_back("motion:" + stimulus.id);
   task.products.push_back({std::string(durations_form.path), {}});
   task.cost_seconds = duration_cost_seconds * static_cast<double>(manifest.stimuli.size());
@@ -53,10 +43,6 @@ Task durations_task(const Manifest& manifest, const SharedDeterminants& shared, 
         [](const fs::path& file) { common_duration_in(file); });
   };
   return task;
-}
-
-void know_durations(const fs::path& folder, Motions& motions) {
-  motions.know_shortest(common_duration_in(folder / durations_form.path));
 }
 
 }  // namespace mien::pipeline

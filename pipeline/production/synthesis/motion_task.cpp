@@ -8,7 +8,6 @@
 #include "motion/formats/motion_file.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/artifact_keys.h"
-#include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/tasks/code_identity.h"
 
@@ -44,7 +43,7 @@ Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Mot
   task.id = "motion:" + stimulus.id;
   task.kind = "motion";
   task.determinants.add("libraries", shared.libraries);
-  task.determinants.add("motion", motion_code()).add("pipeline", pipeline_code());
+  task.determinants.add("code", motion_code());
   add_motion(task.determinants, stimulus, shared.files);
   if (is_blend(stimulus) || names_examples(stimulus)) {
     task.determinants.add("repertoire", shared.repertoire);
@@ -53,7 +52,8 @@ Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Mot
   task.cost_seconds = motion_cost_seconds;
   task.make = [&stimulus, &motions](TaskRun& run) {
     const Synthesis& synthesis = motions.of(stimulus.id);
-    const std::string record = motion_record(synthesis, shown_clip(synthesis, stimulus.output));
+    const std::string record =
+        motion_record(synthesis, shown_clip(synthesis.motion.clip, stimulus.output));
     run.store.put(
         run.task.products[0].path, run.keys[0],
         [&](const fs::path& file) { write_file(file, record); },
@@ -69,7 +69,7 @@ Task clip_task(const Stimulus& stimulus, const Equalize& equalize, const SharedD
   task.kind = "clip";
   task.inputs = {"motion:" + stimulus.id};
   task.determinants.add("libraries", shared.libraries);
-  task.determinants.add("motion", motion_code());
+  task.determinants.add("code", motion_code());
   const std::string path = "clips/" + stimulus.id;
   if (stimulus.output.clips.bvh) task.products.push_back({path + ".bvh", {}});
   if (stimulus.output.clips.glb) task.products.push_back({path + ".glb", {}});

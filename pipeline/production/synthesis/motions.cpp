@@ -69,19 +69,19 @@ const motion::Example& Motions::measured(const std::string& name) {
 }
 
 motion::Clip Motions::shown(const Stimulus& stimulus) {
-  motion::Clip clip = shown_clip(of(stimulus.id), stimulus.output);
-  if (!manifest_.equalize.duration) return clip;
+  motion::Clip shown = shown_clip(clip(stimulus.id), stimulus.output);
+  if (!manifest_.equalize.duration) return shown;
   const auto frames = static_cast<std::size_t>(
-      std::max(1.0, std::round(shortest_seconds() * clip.frames_per_second)));
-  if (clip.poses.size() > frames) clip.poses.resize(frames);
-  return clip;
+      std::max(1.0, std::round(shortest_seconds() * shown.frames_per_second)));
+  if (shown.poses.size() > frames) shown.poses.resize(frames);
+  return shown;
 }
 
 double Motions::shortest_seconds() {
   std::call_once(shortest_once_, [this] {
     shortest_s_ = std::numeric_limits<double>::infinity();
     for (const Stimulus& one : manifest_.stimuli) {
-      const motion::Clip shown = shown_clip(of(one.id), one.output);
+      const motion::Clip shown = shown_clip(clip(one.id), one.output);
       shortest_s_ = std::min(shortest_s_, shown.frame_count() / shown.frames_per_second);
     }
   });

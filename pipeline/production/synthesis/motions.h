@@ -11,6 +11,7 @@
 
 #include "motion/measures/distance.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/production/synthesis/synthesis.h"
 
@@ -18,18 +19,17 @@ namespace mien::pipeline {
 
 /// The motions of a manifest, each made when it is first asked for and then kept. A run that finds
 /// everything in its store never reads an example. May be used from several threads.
-class Motions {
+class Motions : public FinishedMotions {
  public:
   /// Keeps a reference to the manifest.
   explicit Motions(const Manifest& manifest);
-  ~Motions();
+  ~Motions() override;
   Motions(const Motions&) = delete;
   Motions& operator=(const Motions&) = delete;
 
   const Repertoire& repertoire();
 
-  /// The stimulus of that id, or nullptr. Quick, as the ids of the manifest are taken to stay.
-  const Stimulus* stimulus(const std::string& id) const;
+  const Stimulus* stimulus(const std::string& id) const override;
 
   /// The motion of a stimulus or, if no stimulus is called so, of an example. Throws Error.
   const Synthesis& of(const std::string& name);
@@ -39,16 +39,13 @@ class Motions {
   /// would be most of the distance. Throws Error.
   motion::Distance distance(const std::string& target, const std::string& created);
 
-  /// The clip that is shown of a stimulus (shown_clip); where the study has durations equalized,
-  /// only its beginning, as long as the shortest of all stimuli. Throws Error.
-  motion::Clip shown(const Stimulus& stimulus);
+  const motion::Clip& clip(const std::string& name) override { return of(name).motion.clip; }
+  motion::Clip shown(const Stimulus& stimulus) override;
 
   /// Seconds that the shortest of all clips shown lasts. Makes all motions.
   double shortest_seconds();
 
-  /// Takes this for the shortest, as found before, so that one clip can be shown without making all
-  /// motions. Without effect once it is known.
-  void know_shortest(double seconds);
+  void know_shortest(double seconds) override;
 
  private:
   struct Entry;

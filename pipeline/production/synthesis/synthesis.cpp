@@ -295,8 +295,4 @@ Synthesis synthesize_example(const std::string& name, const Output& output,
   return result;
 }
 
-motion::Clip shown_clip(const Synthesis& synthesis, const Output& output) {
-  return motion::shown_clip(synthesis.motion.clip, {output.cycles, output.in_place});
-}
-
 }  // namespace mien::pipeline

@@ -54,7 +54,4 @@ Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire);
 Synthesis synthesize_example(const std::string& name, const Output& output,
                              const Interpolation& interpolation, const Repertoire& repertoire);
 
-/// What the video shows: a loop repeated `output.cycles` times, in place when asked for.
-motion::Clip shown_clip(const Synthesis& synthesis, const Output& output);
-
 }  // namespace mien::pipeline

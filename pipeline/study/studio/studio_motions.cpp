@@ -116,7 +116,8 @@ std::string looks_of(const ordered_json& about) {
 
 const motion::Example& compared(StudioMotion& made) {
   if (!made.compared)
-    made.compared = motion::compared_example_as_written(shown_clip(made.synthesis, made.output));
+    made.compared =
+        motion::compared_example_as_written(shown_clip(made.synthesis.motion.clip, made.output));
   return *made.compared;
 }
 

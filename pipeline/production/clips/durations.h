@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+
+#include "pipeline/base/documents/table.h"
+#include "pipeline/production/clips/finished_motions.h"
+
+namespace mien::pipeline {
+
+inline constexpr char durations_task_id[] = "durations";
+
+inline constexpr std::array durations_columns = std::to_array<Column>({
+    {"stimulus", "", "id of the stimulus"},
+    {"own_s", "s", "how long its film would be by itself"},
+    {"duration_s", "s", "how long all films are, to their nearest frame: the least of these"},
+});
+
+inline constexpr TableForm durations_form = {
+    "metrics/durations.csv", "a stimulus, where duration is equalized", durations_columns};
+
+/// How long all films are, of a table of that form. Throws Error when it tells of no stimulus.
+double common_duration_in(const std::filesystem::path& file);
+
+/// Tells the motions what was found, in the store's folder. Throws Error when there is nothing.
+void know_durations(const std::filesystem::path& folder, FinishedMotions& motions);
+
+}  // namespace mien::pipeline

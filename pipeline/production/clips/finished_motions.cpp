@@ -1,0 +1,11 @@
+#include "pipeline/production/clips/finished_motions.h"
+
+#include "motion/skeleton/shown_clip.h"
+
+namespace mien::pipeline {
+
+motion::Clip shown_clip(const motion::Clip& motion, const Output& output) {
+  return motion::shown_clip(motion, {output.cycles, output.in_place});
+}
+
+}  // namespace mien::pipeline
