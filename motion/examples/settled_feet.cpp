@@ -1,7 +1,7 @@
 #include "motion/examples/settled_feet.h"
 
 #include "motion/gait/contact.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 
 namespace mien::motion {
 

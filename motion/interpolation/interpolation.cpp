@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 
 namespace mien::motion {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "motion/live/live_core.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 
 namespace mien::motion {
 

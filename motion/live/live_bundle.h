@@ -9,7 +9,7 @@
 #include "motion/interpolation/parameter_table.h"
 #include "motion/interpolation/synthesis_options.h"
 #include "motion/live/made_motion.h"
-#include "motion/measures/feature_scale.h"
+#include "motion/measures/features/feature_scale.h"
 #include "motion/skeleton/example.h"
 #include "motion/skeleton/shown_clip.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/measures/feature_parameter.h"
+#include "motion/measures/features/feature_parameter.h"
 #include "motion/skeleton/body.h"
 
 namespace mien::motion {

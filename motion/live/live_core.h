@@ -10,7 +10,7 @@
 #include "motion/live/live_bundle.h"
 #include "motion/live/made_motion.h"
 #include "motion/live/slider_interface.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 
 namespace mien::motion {
 

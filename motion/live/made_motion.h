@@ -7,7 +7,7 @@
 #include "motion/gait/foot_plant.h"
 #include "motion/interpolation/interpolation.h"
 #include "motion/live/slider_interface.h"
-#include "motion/measures/feature_scale.h"
+#include "motion/measures/features/feature_scale.h"
 #include "motion/skeleton/example.h"
 
 namespace mien::motion {

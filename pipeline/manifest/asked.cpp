@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/manifest/ratings/emotion_scales.h"
+#include "pipeline/manifest/ratings/scales/emotion_scales.h"
 
 namespace mien::pipeline {
 

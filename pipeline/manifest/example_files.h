@@ -6,7 +6,7 @@
 
 #include "motion/examples/example_set.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/ratings/impressions.h"
+#include "pipeline/manifest/ratings/answers/impressions.h"
 
 namespace mien::pipeline {
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "pipeline/base/documents/concerns.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

@@ -9,7 +9,7 @@
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/field_writer.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/measures/motion_difference.h"
+#include "motion/measures/differences/motion_difference.h"
 #include "pipeline/base/documents/words.h"
 #include "pipeline/regression/comparison/frame_comparison.h"
 #include "pipeline/regression/settings.h"

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "motion/math/rotation.h"
-#include "motion/measures/body_part.h"
-#include "motion/measures/motion_tolerance.h"
+#include "motion/measures/differences/motion_tolerance.h"
+#include "motion/measures/distance/body_part.h"
 #include "pipeline/manifest/own_seed.h"
 #include "pipeline/regression/approved_frames.h"
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "motion/math/rotation.h"
-#include "motion/measures/motion_tolerance.h"
+#include "motion/measures/differences/motion_tolerance.h"
 #include "pipeline/regression/comparison/told_apart.h"
 
 namespace mien::pipeline {

@@ -10,7 +10,7 @@
 #include "pipeline/manifest/checks/manifest_checks.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/manifest/checks/name_checks.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 using namespace mien::pipeline;
 

@@ -114,6 +114,16 @@ void add_unnamed_rooms(const fs::path& tree, const RoomPlan& plan,
   }
 }
 
+void add_higher_floors(const RoomPlan& plan, std::vector<std::string>& faults) {
+  std::set<Room> below(std::begin(modules), std::end(modules));
+  for (const Room& room : plan.rooms) {
+    for (const Room& to : plan.arrows.at(room)) {
+      if (!below.contains(to)) faults.push_back(room + " names " + to + ", which is not below it");
+    }
+    below.insert(room);
+  }
+}
+
 /// "pipeline/base" of "pipeline/base/documents"; the other modules have no wings.
 Room wing_of(const Room& room) {
   if (module_of(room) != "pipeline") return module_of(room);
@@ -145,16 +155,6 @@ std::vector<std::string> faults_of(const fs::path& tree, const RoomPlan& plan) {
   add_unnamed_rooms(tree, plan, faults);
   add_higher_floors(plan, faults);
   return faults;
-}
-
-void add_higher_floors(const RoomPlan& plan, std::vector<std::string>& faults) {
-  std::set<Room> below(std::begin(modules), std::end(modules));
-  for (const Room& room : plan.rooms) {
-    for (const Room& to : plan.arrows.at(room)) {
-      if (!below.contains(to)) faults.push_back(room + " names " + to + ", which is not below it");
-    }
-    below.insert(room);
-  }
 }
 
 }  // namespace

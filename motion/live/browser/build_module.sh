@@ -14,8 +14,8 @@ rooms='biomechanics gait interpolation live live/browser math rig skeleton'
 files='error.cpp
   examples/compared_example.cpp examples/make_example.cpp examples/settled_feet.cpp
   formats/bvh_as_read.cpp formats/bvh_rotation.cpp formats/frame_rate.cpp
-  measures/distance.cpp measures/feature_curves.cpp measures/feature_parameter.cpp
-  measures/feature_scale.cpp measures/motion_feature_list.cpp measures/motion_features.cpp
+  measures/distance/distance.cpp measures/features/feature_curves.cpp measures/features/feature_parameter.cpp
+  measures/features/feature_scale.cpp measures/features/motion_feature_list.cpp measures/features/motion_features.cpp
   procedural/affective_walk.cpp procedural/builtin_styles.cpp
   procedural/expressive_walks.cpp procedural/foot_roll.cpp procedural/leg_cycle.cpp
   procedural/pelvis_path.cpp procedural/stance_fit.cpp procedural/upper_body.cpp

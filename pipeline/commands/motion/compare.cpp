@@ -8,7 +8,7 @@
 
 #include "motion/examples/compared_example.h"
 #include "motion/formats/motion_file.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/commands/take_option.h"
 

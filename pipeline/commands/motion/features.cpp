@@ -11,7 +11,7 @@
 
 #include "motion/examples/make_example.h"
 #include "motion/formats/motion_file.h"
-#include "motion/measures/motion_features.h"
+#include "motion/measures/features/motion_features.h"
 #include "motion/rig/body_mapping.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/commands/motion/motion.h"

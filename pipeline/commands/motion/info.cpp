@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/formats/motion_file.h"
-#include "motion/measures/motion_summary.h"
+#include "motion/measures/features/motion_summary.h"
 #include "pipeline/commands/motion/motion.h"
 #include "pipeline/commands/take_option.h"
 

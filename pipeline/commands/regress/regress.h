@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/measures/motion_tolerance.h"
+#include "motion/measures/differences/motion_tolerance.h"
 #include "pipeline/commands/cli.h"
 
 namespace mien::pipeline {

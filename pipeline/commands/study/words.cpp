@@ -11,7 +11,7 @@
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/word_choice.h"
-#include "pipeline/manifest/ratings/word_answers.h"
+#include "pipeline/manifest/ratings/answers/word_answers.h"
 
 namespace mien::pipeline {
 

@@ -7,7 +7,7 @@
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/base/reading/yaml_tree.h"
 #include "pipeline/manifest/look/set_file.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 #include "pipeline/manifest/recipes.h"
 
 namespace mien::pipeline {

@@ -8,7 +8,7 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/questionnaire_checks.h"
-#include "pipeline/manifest/ratings/feature_parameters.h"
+#include "pipeline/manifest/ratings/scales/feature_parameters.h"
 
 namespace mien::pipeline {
 

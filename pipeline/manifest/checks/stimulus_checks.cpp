@@ -7,7 +7,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/interpolation/interpolation_options.h"
-#include "motion/measures/body_part.h"
+#include "motion/measures/distance/body_part.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"

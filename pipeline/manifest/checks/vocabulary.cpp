@@ -5,9 +5,9 @@
 #include <string>
 
 #include "pipeline/manifest/example_files.h"
-#include "pipeline/manifest/ratings/feature_parameters.h"
-#include "pipeline/manifest/ratings/impressions.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/answers/impressions.h"
+#include "pipeline/manifest/ratings/scales/feature_parameters.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

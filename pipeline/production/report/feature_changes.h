@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "motion/measures/feature_change.h"
+#include "motion/measures/differences/feature_change.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/synthesis/motions.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "motion/math/rotation.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/production/report/table_forms.h"
 

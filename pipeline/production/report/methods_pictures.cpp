@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/report/methods_settings.h"

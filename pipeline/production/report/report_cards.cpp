@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "motion/interpolation/interpolation_options.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/base/documents/html.h"
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/report/lint_timeline.h"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/base/documents/html.h"
 #include "pipeline/production/report/feature_changes.h"
 #include "pipeline/production/report/foils.h"

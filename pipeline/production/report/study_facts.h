@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/ratings/expectation.h"
+#include "pipeline/manifest/ratings/answers/expectation.h"
 #include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {

@@ -5,7 +5,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/artifact_keys.h"
-#include "pipeline/manifest/ratings/impression_table.h"
+#include "pipeline/manifest/ratings/answers/impression_table.h"
 #include "pipeline/production/report/foils.h"
 #include "pipeline/production/report/report.h"
 #include "pipeline/production/report/table_forms.h"

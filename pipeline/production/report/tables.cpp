@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/measures/distance.h"
-#include "pipeline/manifest/ratings/impression_table.h"
+#include "motion/measures/distance/distance.h"
+#include "pipeline/manifest/ratings/answers/impression_table.h"
 #include "pipeline/production/report/feature_changes.h"
 #include "pipeline/production/report/study_facts.h"
 #include "pipeline/production/report/table_forms.h"

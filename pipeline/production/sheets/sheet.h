@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "motion/skeleton/example.h"
 
 namespace mien::pipeline {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/base/drawing/canvas.h"
 
 namespace mien::pipeline {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/synthesis/repertoire.h"
@@ -34,7 +34,7 @@ class Motions : public FinishedMotions {
   /// The motion of a stimulus or, if no stimulus is called so, of an example. Throws Error.
   const Synthesis& of(const std::string& name);
 
-  /// Of two of them (motion/measures/distance.h). Feet of a motion file are settled first
+  /// Of two of them (motion/measures/distance/distance.h). Feet of a motion file are settled first
   /// (settled_feet.h), as those of blends are: captures hang above the floor, and else their height
   /// would be most of the distance. Throws Error.
   motion::Distance distance(const std::string& target, const std::string& created);

@@ -1,6 +1,6 @@
 #include "pipeline/production/synthesis/parameter_label.h"
 
-#include "motion/measures/motion_features.h"
+#include "motion/measures/features/motion_features.h"
 
 namespace mien::pipeline {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 #include "pipeline/production/synthesis/repertoire.h"
 
 namespace mien::pipeline {

@@ -8,9 +8,9 @@
 #include "motion/examples/example_set.h"
 #include "motion/skeleton/example.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/ratings/feature_parameters.h"
-#include "pipeline/manifest/ratings/impressions.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/answers/impressions.h"
+#include "pipeline/manifest/ratings/scales/feature_parameters.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/measures/body_part.h"
-#include "motion/measures/joint_difference.h"
+#include "motion/measures/differences/joint_difference.h"
+#include "motion/measures/distance/body_part.h"
 #include "motion/skeleton/body.h"
 
 namespace mien::pipeline {

@@ -6,8 +6,8 @@
 #include "motion/error.h"
 #include "motion/examples/make_example.h"
 #include "motion/formats/motion_file.h"
-#include "motion/measures/motion_features.h"
-#include "motion/measures/recording_difference.h"
+#include "motion/measures/differences/recording_difference.h"
+#include "motion/measures/features/motion_features.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/measures/motion_tolerance.h"
+#include "motion/measures/differences/motion_tolerance.h"
 
 namespace mien::pipeline {
 

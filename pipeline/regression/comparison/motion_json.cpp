@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "motion/measures/difference_sentence.h"
+#include "motion/measures/differences/difference_sentence.h"
 #include "pipeline/regression/comparison/compared_motions.h"
 
 namespace mien::pipeline {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/measures/difference_sentence.h"
+#include "motion/measures/differences/difference_sentence.h"
 #include "pipeline/regression/comparison/compared_motions.h"
 #include "pipeline/regression/comparison/told_apart.h"
 

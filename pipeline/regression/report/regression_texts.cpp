@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/measures/difference_sentence.h"
+#include "motion/measures/differences/difference_sentence.h"
 #include "pipeline/base/documents/html.h"
 
 namespace mien::pipeline {

@@ -7,7 +7,7 @@
 #include "pipeline/base/statistics/agreement.h"
 #include "pipeline/base/statistics/partition.h"
 #include "pipeline/base/statistics/ward.h"
-#include "pipeline/manifest/ratings/study_answers.h"
+#include "pipeline/manifest/ratings/answers/study_answers.h"
 #include "pipeline/study/analysis/quantification.h"
 
 namespace mien::pipeline {

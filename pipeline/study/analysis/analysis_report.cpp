@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/ratings/impression_table.h"
+#include "pipeline/manifest/ratings/answers/impression_table.h"
 #include "pipeline/study/analysis/analysis_tables.h"
 #include "pipeline/study/analysis/scales_yaml.h"
 #include "pipeline/study/analysis/threshold_chart.h"

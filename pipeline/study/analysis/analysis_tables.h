@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 #include "pipeline/study/analysis/analysis.h"
 
 namespace mien::pipeline {

@@ -9,7 +9,7 @@
 
 #include "motion/error.h"
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/manifest/ratings/personal_values.h"
+#include "pipeline/manifest/ratings/answers/personal_values.h"
 
 namespace mien::pipeline {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/manifest/ratings/answers.h"
-#include "pipeline/manifest/ratings/impressions.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/answers/answers.h"
+#include "pipeline/manifest/ratings/answers/impressions.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "pipeline/manifest/ratings/feature_parameters.h"
+#include "pipeline/manifest/ratings/scales/feature_parameters.h"
 #include "pipeline/study/analysis/dendrogram.h"
 
 namespace mien::pipeline {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/manifest/ratings/adjective_pairs.h"
+#include "pipeline/manifest/ratings/words/adjective_pairs.h"
 
 namespace mien::pipeline {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/manifest/ratings/impressions.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/answers/impressions.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

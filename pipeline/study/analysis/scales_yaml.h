@@ -3,13 +3,13 @@
 #include <map>
 #include <string>
 
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 #include "pipeline/study/analysis/analysis.h"
 
 namespace mien::pipeline {
 
-/// A scales file (pipeline/manifest/ratings/scales.h) that reads back as the same set. `head` are
-/// lines of comment without their "# "; `remarks` are put behind scales, by id.
+/// A scales file (pipeline/manifest/ratings/scales/scales.h) that reads back as the same set.
+/// `head` are lines of comment without their "# "; `remarks` are put behind scales, by id.
 std::string to_yaml(const ScaleSet& set, const std::string& head,
                     const std::map<std::string, std::string>& remarks = {});
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/measures/motion_features.h"
+#include "motion/measures/features/motion_features.h"
 
 namespace mien::pipeline {
 

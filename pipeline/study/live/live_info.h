@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "motion/live/live_bundle.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

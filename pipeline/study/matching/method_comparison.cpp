@@ -9,7 +9,7 @@
 
 #include "motion/interpolation/blend.h"
 #include "motion/interpolation/reach.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/statistics/named_random.h"
 

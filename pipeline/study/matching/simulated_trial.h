@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/production/synthesis/slider_interface.h"
 
 namespace mien::pipeline {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "pipeline/manifest/ratings/parameter_table.h"
+#include "pipeline/manifest/ratings/scales/parameter_table.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 

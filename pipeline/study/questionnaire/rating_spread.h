@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/manifest/ratings/answers.h"
+#include "pipeline/manifest/ratings/answers/answers.h"
 
 namespace mien::pipeline {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "pipeline/manifest/questionnaire.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/study/questionnaire/rating_spread.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "pipeline/manifest/ratings/counted_answers.h"
+#include "pipeline/manifest/ratings/answers/counted_answers.h"
 
 namespace mien::pipeline {
 

@@ -14,7 +14,7 @@
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/manifest/ratings/counted_answers.h"
+#include "pipeline/manifest/ratings/answers/counted_answers.h"
 
 namespace mien::pipeline {
 

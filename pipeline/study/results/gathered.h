@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/ratings/answer_row.h"
-#include "pipeline/manifest/ratings/attention.h"
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
+#include "pipeline/manifest/ratings/answers/attention.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

@@ -8,7 +8,7 @@
 #include "motion/gait/contact.h"
 #include "motion/live/live_answer.h"
 #include "motion/live/live_core.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/synthesis.h"
 #include "pipeline/study/live/live_bundle_writer.h"

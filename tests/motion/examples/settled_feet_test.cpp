@@ -7,7 +7,7 @@
 #include "motion/examples/example_set.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_path.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "motion/procedural/builtin_sets.h"
 
 #include "real_data.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "motion/random_motion.h"
 #include "motion/random_places.h"
 #include "motion/refusal.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/random_motion.h"
 #include "motion/random_places.h"

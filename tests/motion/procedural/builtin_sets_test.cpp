@@ -7,7 +7,7 @@
 
 #include "motion/error.h"
 #include "motion/gait_measures.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "motion/procedural/affective_walk.h"
 
 namespace mien::motion {

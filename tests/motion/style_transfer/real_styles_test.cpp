@@ -2,7 +2,7 @@
 
 #include "motion/examples/make_example.h"
 #include "motion/formats/motion_file.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
 #include "motion/style_transfer/fourier_style.h"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "motion/live/live_core.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/manifest/asked.h"
 
 namespace mien::pipeline {

@@ -9,7 +9,7 @@
 #include "motion/text/shell_word.h"
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 
 namespace mien::pipeline {
 

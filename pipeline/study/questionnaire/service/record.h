@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/study/questionnaire/service/matching_record.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 

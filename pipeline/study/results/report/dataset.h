@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/study/results/result_tables.h"
 #include "pipeline/study/results/results.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/manifest/ratings/scales.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
 

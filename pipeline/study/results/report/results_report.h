@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/study/results/report/results_page.h"
 #include "pipeline/study/results/results.h"
 

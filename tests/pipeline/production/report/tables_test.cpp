@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/formats/motion_file.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/skeleton/recording.h"
 #include "pipeline/base/documents/csv.h"

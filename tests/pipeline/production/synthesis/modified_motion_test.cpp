@@ -5,7 +5,7 @@
 #include "motion/error.h"
 #include "motion/examples/settled_feet.h"
 #include "motion/lint/lint.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "motion/procedural/builtin_sets.h"
 
 namespace mien::pipeline {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/production/synthesis/synthesis.h"
 #include "pipeline/study/matching/simulated_evaluation.h"
 

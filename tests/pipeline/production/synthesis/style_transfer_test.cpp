@@ -4,7 +4,7 @@
 
 #include "motion/error.h"
 #include "motion/examples/settled_feet.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "motion/procedural/builtin_sets.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/production/synthesis/modified_motion.h"

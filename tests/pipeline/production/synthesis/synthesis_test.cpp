@@ -11,7 +11,7 @@
 #include "motion/gait/foot_lock.h"
 #include "motion/interpolation/blend.h"
 #include "motion/math/rotation.h"
-#include "motion/measures/distance.h"
+#include "motion/measures/distance/distance.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/temporary_folder.h"
 

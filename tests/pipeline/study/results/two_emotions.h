@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/manifest/ratings/answer_row.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {

@@ -1,6 +1,6 @@
 import type { Experiment, Item, PageRecord, Session, Trial } from "./experiment";
 
-/** As pipeline/manifest/ratings/answer_row.h has them. */
+/** As pipeline/manifest/ratings/answers/answer_row.h has them. */
 export const answer_columns = [
   "participant", "session", "trial", "block", "kind", "stimulus", "stimulus_sha256", "against",
   "item", "value_raw", "value", "pole_left", "rt_ms", "is_practice", "is_warmup", "is_catch",

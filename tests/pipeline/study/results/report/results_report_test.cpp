@@ -13,7 +13,7 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/ratings/answers.h"
+#include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/planted_names.h"
 #include "pipeline/plot_texts.h"
 #include "pipeline/study/results/figures/result_figures.h"

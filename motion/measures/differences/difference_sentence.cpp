@@ -1,0 +1,210 @@
+#include "motion/measures/differences/difference_sentence.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double told_slide_m = 0.001;
+constexpr double told_place_m = 0.01;
+constexpr double rounding_m = 1e-5;
+constexpr double rounding_radians = 1e-4;
+
+std::string formatted(const char* form, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), form, value);
+  return text.data();
+}
+
+/// With a digit after the point from 1 on, else with two digits that say something, down to 0.001.
+std::string digits(double value) {
+  const double size = std::abs(value);
+  if (size > 0.0 && size < 0.001) return "under 0.001";
+  return formatted(size >= 1.0 ? "%.1f" : "%.2g", value);
+}
+
+std::string frames_told(int frames) {
+  return std::to_string(frames) + (frames == 1 ? " frame" : " frames");
+}
+
+std::string told_shift(const TimeShift& shift) {
+  const int frames = std::abs(shift.frames);
+  return std::string(shift.path_too ? "the motion comes " : "the poses come ") +
+         frames_told(frames) + " (" + in_seconds(std::abs(shift.seconds)) + ") " +
+         (shift.frames > 0 ? "later" : "earlier");
+}
+
+std::string told_gap(const FrameGap& gap, double rate) {
+  const int frames = std::abs(gap.frames);
+  return frames_told(frames) + (frames == 1 ? " was " : " were ") +
+         (gap.frames < 0 ? "left out" : "put in") + " at " + in_seconds(gap.frame / rate);
+}
+
+std::string told_pace(const TimingDifference& timing) {
+  return "the same frames, played at " + formatted("%.4g", timing.now.frames_per_second) +
+         " instead of " + formatted("%.4g", timing.before.frames_per_second) + " a second";
+}
+
+std::string ordinal(int number) {
+  if (number == 2) return "second";
+  return number == 3 ? "third" : std::to_string(number) + "th";
+}
+
+std::string told_whole(const WholeBodyChange& whole) {
+  switch (whole.kind) {
+    case WholeChange::mirrored:
+      return "the motion is mirrored: left and right do each other's part";
+    case WholeChange::flipped:
+      return "the motion is mirrored, but left joints are still called left";
+    case WholeChange::renamed_sides:
+      return "left and right joints have changed names; the motion is where it was";
+    case WholeChange::swapped_turns:
+      return "left and right joints have each other's rotations";
+    case WholeChange::scaled:
+      return "all lengths are " + formatted("%.4g", whole.scale) +
+             " times as long, as of another unit; the motion is the same but for that";
+    case WholeChange::moved:
+    case WholeChange::none:
+      break;
+  }
+  return "";
+}
+
+bool is_of_all(WholeChange kind) { return kind != WholeChange::none && kind != WholeChange::moved; }
+
+std::string at_time(double seconds) { return ", at " + in_seconds(seconds); }
+
+std::string at(const MotionDifference& difference, int frame) {
+  return at_time(frame / difference.frames_per_second());
+}
+
+/// Of a figure whose poses are the same.
+std::string told_root(const MotionDifference& difference) {
+  const RootDifference& root = difference.root;
+  const Peak path = peak_of(root.path_m);
+  const Peak height = peak_of(root.height_m);
+  const Peak heading = peak_of(root.heading_radians);
+  const Peak tilt = peak_of(root.tilt_radians);
+  std::string text;
+  const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
+  if (path.value > rounding_m) add("stands up to " + in_centimetres(path.value) + " elsewhere");
+  if (height.value > rounding_m) add("up to " + in_centimetres(height.value) + " higher or lower");
+  if (heading.value > rounding_radians)
+    add("heads up to " + in_degrees(heading.value) + " elsewhere");
+  if (tilt.value > rounding_radians) add("leans up to " + in_degrees(tilt.value) + " otherwise");
+  return text.empty() ? "" : "the figure " + text + "; its poses are the same";
+}
+
+std::string told_turn(const MotionDifference& difference, const JointDifference& joint) {
+  const Peak turn = peak_of(joint.turn_radians);
+  const double twist = joint.twist_radians[turn.frame];
+  const char* verb = " turned";
+  if (twist >= 0.9 * turn.value) verb = " twisted";
+  if (twist <= 0.3 * turn.value) verb = " bent";
+  return joint.part + verb + " by up to " + in_degrees(turn.value) + at(difference, turn.frame);
+}
+
+/// Joints that carry the whole body are placed in the world, whatever they hang on in the file.
+std::string told_bone(const MotionDifference& difference) {
+  const JointDifference* worst = nullptr;
+  Peak most;
+  for (std::size_t j = 0; j < difference.joints.size(); ++j) {
+    const Peak peak = peak_of(difference.joints[j].offset_m);
+    if (peak.value <= most.value || carries_body(difference, static_cast<int>(j))) continue;
+    worst = &difference.joints[j];
+    most = peak;
+  }
+  if (most.value <= rounding_m) return "";
+  return "the joint of " + worst->part + " sits up to " + in_centimetres(most.value) +
+         " elsewhere on the body";
+}
+
+/// Where the figure stands, of one whose poses differ too.
+std::string told_place(const MotionDifference& difference) {
+  const Peak path = peak_of(difference.root.path_m);
+  return path.value < told_place_m
+             ? ""
+             : "the figure stands up to " + in_centimetres(path.value) + " elsewhere";
+}
+
+std::string told_order(const TimingDifference& timing) {
+  const std::string rates = formatted("%.4g", timing.now.frames_per_second) + " instead of " +
+                            formatted("%.4g", timing.before.frames_per_second) + " a second";
+  if (timing.reversed) return "the same frames in reverse order";
+  if (timing.every > 1) return "only every " + ordinal(timing.every) + " frame, " + rates;
+  return "each frame of before is every " + ordinal(-timing.every) + " one now, " + rates;
+}
+
+std::string told_slide(const MotionDifference& difference) {
+  if (!difference.body) return "";
+  const auto& feet = difference.body->feet;
+  const bool left = feet[0].slide_m >= feet[1].slide_m;
+  const FootDifference& foot = feet[left ? 0 : 1];
+  if (foot.slide_m < told_slide_m) return "";
+  return std::string(left ? "left" : "right") + " foot slides up to " +
+         in_centimetres(foot.slide_m) + " where it stood" + at_time(foot.slide_seconds);
+}
+
+/// What parts of the body do otherwise.
+std::string told_parts(const MotionDifference& difference) {
+  std::string text = told_bone(difference);
+  std::vector<int> joints = causes(difference);
+  std::erase_if(joints, [&](int joint) {  // told by where the figure stands
+    return carries_body(difference, joint) &&
+           peak_of(difference.joints[joint].turn_radians).value <= rounding_radians;
+  });
+  if (text.empty() && !joints.empty())
+    text = told_turn(difference, difference.joints[joints.front()]);
+  if (joints.size() > 1)
+    text += " (and " + std::to_string(joints.size() - 1) +
+            (joints.size() == 2 ? " other joint)" : " other joints)");
+  for (const std::string& more : {told_place(difference), told_slide(difference)}) {
+    if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
+  }
+  return text;
+}
+
+std::string told_names(const MotionDifference& difference) {
+  const auto& [was, is] = difference.renamed.front();
+  const std::size_t count = difference.renamed.size();
+  return std::to_string(count) + (count == 1 ? " joint is" : " joints are") +
+         " called otherwise (" + was + " is " + is + " now); the motion is the same";
+}
+
+std::string told_rest(const MotionDifference& difference) {
+  const TimingDifference& timing = difference.timing;
+  if (timing.before.frames != timing.now.frames)
+    return frames_told(timing.now.frames) + " instead of " + std::to_string(timing.before.frames);
+  if (!timing.same_length()) return "another frame rate";
+  const WorstJoint moved = worst_joint(difference, &JointDifference::point_m);
+  if (moved.peak.value > rounding_m)
+    return difference.joints[moved.joint].part + " differs by up to " +
+           in_centimetres(moved.peak.value) + at(difference, moved.peak.frame);
+  if (!difference.renamed.empty()) return told_names(difference);
+  if (!difference.only_before.empty() || !difference.only_now.empty()) return "other joints";
+  return difference.identical ? "no difference" : "no more than rounding";
+}
+
+}  // namespace
+
+std::string in_degrees(double radians) { return digits(radians / radians_per_degree) + "°"; }
+
+std::string in_centimetres(double metres) { return digits(100.0 * metres) + " cm"; }
+
+std::string in_seconds(double seconds) { return formatted("%.2f s", seconds); }
+
+std::string largest_change(const MotionDifference& difference) {
+  const TimingDifference& timing = difference.timing;
+  if (timing.other_pace) return told_pace(timing);
+  if (timing.reversed || timing.every != 1) return told_order(timing);
+  if (timing.shift) return told_shift(*timing.shift);
+  if (timing.gap) return told_gap(*timing.gap, difference.frames_per_second());
+  if (is_of_all(difference.whole.kind)) return told_whole(difference.whole);
+  std::string text = is_root_only(difference) ? told_root(difference) : told_parts(difference);
+  return text.empty() ? told_rest(difference) : text;
+}
+
+}  // namespace mien::motion

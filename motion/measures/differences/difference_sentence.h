@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "motion/measures/differences/motion_difference.h"
+
+namespace mien::motion {
+
+/// The largest change of a motion in one line: "left forearm twisted by up to 1.0°, at 0.43 s".
+///
+/// What happened to the whole motion comes before what happened to a part: frames that come later
+/// or are missing, another pace, sides that changed, a figure that stands elsewhere; then the joint
+/// that turned most by itself, or whose bone changed, and feet that slide farther. "no difference"
+/// when there is none.
+std::string largest_change(const MotionDifference& difference);
+
+/// "1.0°", "0.25°", "under 0.001°"
+std::string in_degrees(double radians);
+/// "12.3 cm", "0.25 cm"
+std::string in_centimetres(double metres);
+/// "0.43 s"
+std::string in_seconds(double seconds);
+
+}  // namespace mien::motion

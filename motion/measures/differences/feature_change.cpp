@@ -1,0 +1,47 @@
+#include "motion/measures/differences/feature_change.h"
+
+#include <cmath>
+
+namespace mien::motion {
+
+namespace {
+
+constexpr double least_share = 0.1;
+
+double measurable(FeatureUnit unit) {
+  switch (unit) {
+    case FeatureUnit::degrees:
+      return 1.0;
+    case FeatureUnit::metres:
+      return 0.01;
+    case FeatureUnit::metres_per_second:
+      return 0.05;
+    case FeatureUnit::seconds:
+      break;
+  }
+  return 0.03;
+}
+
+}  // namespace
+
+bool FeatureChange::moved() const {
+  const MotionFeature& what = motion_features()[static_cast<std::size_t>(feature)];
+  return std::abs(target_change()) > measurable(what.unit);
+}
+
+bool FeatureChange::agrees() const {
+  return moved() && created_change() / target_change() >= least_share;
+}
+
+std::vector<FeatureChange> feature_changes(const FeatureValues& reference,
+                                           const FeatureValues& target,
+                                           const FeatureValues& created) {
+  std::vector<FeatureChange> changes;
+  for (size_t i = 0; i < reference.size(); ++i) {
+    if (!std::isfinite(reference[i] + target[i] + created[i])) continue;
+    changes.push_back({static_cast<int>(i), reference[i], target[i], created[i]});
+  }
+  return changes;
+}
+
+}  // namespace mien::motion

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/measures/features/motion_features.h"
+
+namespace mien::motion {
+
+/// One motion feature of three motions, in the feature's unit: how a created motion differs from
+/// its reference, beside how a target does.
+struct FeatureChange {
+  int feature = 0;  ///< index into motion_features()
+  double reference = 0.0;
+  double target = 0.0;
+  double created = 0.0;
+
+  double target_change() const { return target - reference; }
+  double created_change() const { return created - reference; }
+  /// Whether the target differs from the reference by more than can be measured of a capture: 1°,
+  /// 1 cm, 0.05 m/s or 0.03 s.
+  bool moved() const;
+  /// Whether the created motion went the same way by at least a tenth of what the target did.
+  bool agrees() const;
+};
+
+/// The changes of the features that all three motions have, in the order of motion_features().
+std::vector<FeatureChange> feature_changes(const FeatureValues& reference,
+                                           const FeatureValues& target,
+                                           const FeatureValues& created);
+
+}  // namespace mien::motion

@@ -1,0 +1,104 @@
+#include "pipeline/manifest/ratings/answers/answers.h"
+
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
+#include "pipeline/manifest/ratings/answers/counted_answers.h"
+#include "pipeline/manifest/ratings/answers/study_answers.h"
+#include "pipeline/manifest/ratings/answers/unknown_names.h"
+#include "pipeline/manifest/ratings/answers/word_answers.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// With the name of the file alone: they go into tables, which do not depend on its folder.
+std::vector<std::string> sentences_of(const std::vector<StudyWarning>& warnings) {
+  std::vector<std::string> sentences;
+  for (const StudyWarning& warning : warnings) {
+    Place place = warning.place;
+    place.file = std::filesystem::path(place.file).filename().string();
+    sentences.push_back(to_string(place) + ": " + warning.text);
+  }
+  return sentences;
+}
+
+/// The rows of a table of words that are about the examples.
+CsvTable rows_about(CsvTable table, const AnswerSubjects& about, const AnswerRules& rules,
+                    std::vector<StudyWarning>& warnings) {
+  if (about.examples.empty()) return table;
+  const int named = find_column(table, "stimulus");
+  const int column = named >= 0 ? named : require_column(table, "motion");
+  std::set<std::string> known;
+  std::vector<std::string> names;
+  for (const RatedExample& example : about.examples) {
+    known.insert(example.name);
+    if (!example.file_stem.empty()) known.insert(example.file_stem);
+    names.push_back(example.name);
+  }
+  UnknownNames unknown("stimulus", "stimuli");
+  std::erase_if(table.rows, [&](const std::vector<CsvField>& row) {
+    const CsvField& stimulus = row[static_cast<std::size_t>(column)];
+    if (known.contains(stimulus.text)) return false;
+    if (!about.left_out.contains(stimulus.text)) unknown.note(stimulus);
+    return true;
+  });
+  std::vector<Fault> faults;
+  unknown.report(table, names, rules, faults, warnings);
+  if (!faults.empty()) throw Faults(faults);
+  return table;
+}
+
+Answers answers_of(const CsvTable& table, const ScaleSet& scales, const AnswerSubjects& about) {
+  if (table.rows.empty()) {
+    throw Error(Place{table.file, 1, 1}, "holds no answers", "add rows below the header");
+  }
+  using Unknown = AnswerRules::Unknown;
+  const AnswerRules rules{.unknown = about.ignore_unknown ? Unknown::ignore : Unknown::refuse,
+                          .plain = true,
+                          .left_out = about.left_out};
+  std::vector<StudyWarning> warnings;
+  Answers answers;
+  if (holds_answer_rows(table)) {
+    CountedAnswers counted = counted_answers(table, scales);
+    answers = answers_of(counted.table, scales, about);
+    answers.warnings.insert(answers.warnings.begin(), counted.told.begin(), counted.told.end());
+    return answers;
+  }
+  if (holds_words(table)) {
+    const CsvTable rows = rows_about(table, about, rules, warnings);
+    answers = answers_from_words(rows, scales, Unmentioned::neutral).answers;
+  } else {
+    StudyAnswers study = study_answers(table, scales, about.examples, rules);
+    answers = study.plain();
+    warnings = std::move(study.warnings);
+  }
+  answers.warnings = sentences_of(warnings);
+  return answers;
+}
+
+}  // namespace
+
+Answers read_answers(const std::filesystem::path& file, const ScaleSet& scales,
+                     const AnswerSubjects& about) {
+  return answers_of(read_csv(file), scales, about);
+}
+
+Answers parse_answers(std::string_view csv, const std::string& file, const ScaleSet& scales,
+                      const AnswerSubjects& about) {
+  return answers_of(parse_csv(csv, file), scales, about);
+}
+
+std::string to_csv(const Answers& answers) {
+  std::vector<std::string> header = {"participant", "stimulus", "scale", "value"};
+  if (answers.simulated) header.emplace_back("simulated");
+  CsvWriter writer(header);
+  for (const Answer& answer : answers.answers) {
+    std::vector<std::string> row = {answer.participant, answer.stimulus, answer.scale,
+                                    shortest(answer.value)};
+    if (answers.simulated) row.emplace_back("1");
+    writer.row(row);
+  }
+  return writer.text();
+}
+
+}  // namespace mien::pipeline

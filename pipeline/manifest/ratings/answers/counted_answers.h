@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/base/documents/csv.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
+#include "pipeline/manifest/ratings/scales/scales.h"
+
+namespace mien::pipeline {
+
+/// Whether a row is an answer on a scale: not which of a list of emotions, nor which of two, nor a
+/// check.
+bool is_on_scale(const AnswerRow& row);
+
+/// The ratings in a table of answer rows (answer_row.h), as the tidy table participant, stimulus,
+/// scale, value, rt_ms, comment, simulated that other answers come as; fields keep their places.
+struct CountedAnswers {
+  CsvTable table;
+  std::vector<std::string> told;  ///< sentences: what was left out
+};
+
+/// Passed over are practice, warm-up, checks, repeated stimuli, what was left empty, choices
+/// (which emotion, which of two) and all of participants who are excluded by the usual
+/// AttentionRule. Throws Faults as answer_rows and where a value is not what its raw answer gives,
+/// and Error when nothing is left.
+CountedAnswers counted_answers(const CsvTable& answer_rows, const ScaleSet& scales);
+
+}  // namespace mien::pipeline

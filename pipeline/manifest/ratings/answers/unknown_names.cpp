@@ -1,0 +1,66 @@
+#include "pipeline/manifest/ratings/answers/unknown_names.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+#include "motion/text/nearest_word.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Where more are unknown, the file is about something else, and naming each does not help.
+constexpr std::size_t most_named = 5;
+
+std::string rows_text(int rows) { return fmt::format("({} row{})", rows, rows == 1 ? "" : "s"); }
+
+/// "--unknown ignore leaves it out".
+std::string way_out(const AnswerRules& rules, const char* them) {
+  return fmt::format("({} leaves {} out)", rules.plain ? "unknown: ignore" : "--unknown ignore",
+                     them);
+}
+
+}  // namespace
+
+void UnknownNames::note(const CsvField& field) {
+  const auto [met, is_new] = index_.emplace(field.text, names_.size());
+  if (is_new) names_.push_back({field, 0});
+  ++names_[met->second].rows;
+}
+
+void UnknownNames::report(const CsvTable& table, const std::vector<std::string>& known,
+                          const AnswerRules& rules, std::vector<Fault>& faults,
+                          std::vector<StudyWarning>& warnings) const {
+  const bool refuses = rules.unknown == AnswerRules::Unknown::refuse;
+  const auto tell = [&](const Met& met, const std::string& wrong, const std::string& remedy) {
+    const Place place = place_of(table, met.field);
+    if (refuses) {
+      faults.push_back({place, "", wrong, remedy});
+    } else {
+      warnings.push_back({"unknown-" + what_, place, wrong + " left out"});
+    }
+  };
+  // A table of warnings has room for all.
+  const bool names_all = !refuses && !rules.plain;
+  const std::size_t named = names_all ? names_.size() : std::min(names_.size(), most_named);
+  for (std::size_t i = 0; i < named; ++i) {
+    const Met& met = names_[i];
+    tell(met,
+         fmt::format("unknown {} {} {}", what_, motion::in_quotes(met.field.text),
+                     rows_text(met.rows)),
+         motion::did_you_mean(met.field.text, known) + " " + way_out(rules, "it"));
+  }
+  if (named == names_.size()) return;
+  int rows = 0;
+  for (std::size_t i = named; i < names_.size(); ++i) rows += names_[i].rows;
+  const std::size_t more = names_.size() - named;
+  tell(names_[named],
+       fmt::format("and {} more unknown {} {}", more, more == 1 ? what_ : what_many_,
+                   rows_text(rows)),
+       "see that the file is about these examples and scales " + way_out(rules, "them"));
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/measures/features/feature_parameter.h"
+#include "motion/measures/features/feature_scale.h"
+#include "motion/skeleton/example.h"
+#include "pipeline/manifest/ratings/scales/parameter_table.h"
+
+namespace mien::pipeline {
+
+/// Measured features of the examples as parameters: nobody has to rate anything.
+struct FeatureParameters {
+  std::vector<motion::FeatureValues> values;  ///< one an example, in the features' own units
+  motion::FeatureScale scale;                 ///< min–max over the examples
+  ParameterTable table;  ///< the four groups, then the features that all examples have
+};
+
+FeatureParameters feature_parameters(const motion::ExampleSet& examples);
+
+using motion::feature_parameter;
+using motion::feature_parameter_names;
+
+}  // namespace mien::pipeline

@@ -1,0 +1,173 @@
+#include "pipeline/manifest/ratings/scales/scales.h"
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include "motion/text/excerpt.h"
+#include "motion/text/file_contents.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/base/documents/environment.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/base/reading/yaml_json.h"
+#include "pipeline/base/reading/yaml_tree.h"
+#include "pipeline/manifest/ratings/words/adjective_pairs.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using nlohmann::json;
+using Range = std::array<double, 2>;
+
+Scale scale_from(const std::string& id, const json& given, Range range) {
+  Scale scale;
+  scale.id = id;
+  scale.low = given["low"];
+  scale.high = given["high"];
+  if (given.contains("ja")) {
+    scale.japanese_low = given["ja"][0];
+    scale.japanese_high = given["ja"][1];
+  }
+  if (given.contains("range")) range = given["range"].get<Range>();
+  scale.least = range[0];
+  scale.most = range[1];
+  if (given.contains("loadings")) {
+    for (const auto& [axis, loading] : given["loadings"].items()) {
+      scale.loadings.emplace_back(axis, loading.get<double>());
+    }
+  }
+  return scale;
+}
+
+ScaleGroup group_from(const std::string& id, const json& given) {
+  ScaleGroup group;
+  group.id = id;
+  group.japanese = given.value("ja", "");
+  group.scales = given["scales"].get<std::vector<std::string>>();
+  return group;
+}
+
+ScaleSet build(const JsonReading& reading) {
+  const json& document = reading.document;
+  ScaleSet set;
+  set.name = document.value("name", "");
+  const Range range = document.value("range", Range{-2.0, 2.0});
+  for (const std::string& id : written_order(document["scales"], "scales", reading.places)) {
+    set.scales.push_back(scale_from(id, document["scales"][id], range));
+  }
+  if (!document.contains("groups")) return set;
+  for (const std::string& id : written_order(document["groups"], "groups", reading.places)) {
+    set.groups.push_back(group_from(id, document["groups"][id]));
+  }
+  return set;
+}
+
+std::vector<std::string> ids_of(const ScaleSet& set) {
+  std::vector<std::string> ids;
+  for (const Scale& scale : set.scales) ids.push_back(scale.id);
+  return ids;
+}
+
+/// Ranges that are empty and groups that name no scale or take a scale's name.
+std::vector<Fault> check(const ScaleSet& set, const Places& places) {
+  std::vector<Fault> faults;
+  const std::vector<std::string> ids = ids_of(set);
+  for (const Scale& scale : set.scales) {
+    if (scale.least < scale.most) continue;
+    const std::string own = member_path(member_path("scales", scale.id), "range");
+    const std::string path = places.values.contains(own) ? own : "range";
+    faults.push_back({place_of(places, path), path, "the low end is not below the high end",
+                      "write [low, high]; to turn a scale round, exchange its names"});
+  }
+  for (const ScaleGroup& group : set.groups) {
+    const std::string path = member_path("groups", group.id);
+    if (find_scale(set, group.id) != nullptr) {
+      faults.push_back({key_place_of(places, path), path, "a scale has the same name",
+                        "name the group otherwise"});
+    }
+    for (std::size_t i = 0; i < group.scales.size(); ++i) {
+      if (find_scale(set, group.scales[i]) != nullptr) continue;
+      const std::string member = element_path(member_path(path, "scales"), i);
+      faults.push_back({place_of(places, member), member,
+                        "unknown scale " + motion::in_quotes(group.scales[i]),
+                        motion::did_you_mean(group.scales[i], ids)});
+    }
+  }
+  return faults;
+}
+
+}  // namespace
+
+ScaleSet builtin_scales() {
+  ScaleSet set;
+  set.name = "adjective pairs";
+  std::map<Primary, std::vector<std::string>> members;
+  for (const AdjectivePair& pair : adjective_pairs()) {
+    set.scales.push_back({std::string(pair.key),
+                          std::string(pair.low),
+                          std::string(pair.high),
+                          std::string(pair.ja_low),
+                          std::string(pair.ja_high),
+                          -2.0,
+                          2.0,
+                          {}});
+    if (pair.table_2) members[*pair.table_2].emplace_back(pair.key);
+  }
+  for (int i = 0; i < primary_count; ++i) {
+    const auto primary = static_cast<Primary>(i);
+    set.groups.push_back(
+        {std::string(name_of(primary)), std::string(japanese_name_of(primary)), members[primary]});
+  }
+  return set;
+}
+
+ScaleSet read_scales(const std::filesystem::path& file) {
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::most_of_document);
+  if (reading.bytes) return parse_scales(*reading.bytes, file.string());
+  throw Error({file.string(), 0, 0}, reading.hindrance, "name a scales file (YAML)");
+}
+
+ScaleSet parse_scales(std::string_view yaml, const std::string& file) {
+  std::vector<Fault> faults;
+  const YamlNode tree = read_yaml(yaml, file, faults);
+  if (!faults.empty()) throw Faults(faults);
+  const json& schema = scales_schema();
+  const JsonReading reading = to_json(tree, root_of(schema), process_environment(), faults);
+  for (Fault& fault : check_schema(reading.document, schema, reading.places)) {
+    faults.push_back(std::move(fault));
+  }
+  if (!faults.empty()) throw Faults(faults);
+  ScaleSet set = build(reading);
+  faults = check(set, reading.places);
+  set.lexicon = lexicon_from(reading.document, ids_of(set), reading.places, faults);
+  if (!faults.empty()) throw Faults(faults);
+  return set;
+}
+
+const Scale* find_scale(const ScaleSet& set, std::string_view id) {
+  for (const Scale& scale : set.scales) {
+    if (scale.id == id) return &scale;
+  }
+  return nullptr;
+}
+
+std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& set) {
+  std::unordered_map<std::string_view, const Scale*> scales;
+  for (const Scale& scale : set.scales) scales.emplace(scale.id, &scale);
+  return scales;
+}
+
+std::vector<std::string> parameter_names(const ScaleSet& set) {
+  std::vector<std::string> names;
+  for (const ScaleGroup& group : set.groups) names.push_back(group.id);
+  for (const Scale& scale : set.scales) names.push_back(scale.id);
+  return names;
+}
+
+double share_of(const Scale& scale, double answer) {
+  return (answer - scale.least) / (scale.most - scale.least);
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "pipeline/manifest/ratings/words/lexicon.h"
+
+namespace mien::pipeline {
+
+/// A rating scale with two ends, as a study names it.
+struct Scale {
+  std::string id;    ///< as manifests and answers name it: "sad-happy", "extraversion"
+  std::string low;   ///< English name of the low end
+  std::string high;  ///< English name of the high end
+  std::string japanese_low;
+  std::string japanese_high;
+  double least = -2.0;  ///< the answer that means `low`
+  double most = 2.0;    ///< the answer that means `high`
+
+  /// For simulated raters only: how much each style impression (simulated_raters.h) counts.
+  std::vector<std::pair<std::string, double>> loadings = {};
+};
+
+/// Several scales whose mean is a parameter of its own.
+struct ScaleGroup {
+  std::string id;  ///< "quickness"
+  std::string japanese;
+  std::vector<std::string> scales;  ///< ids
+};
+
+/// The scales of a study.
+struct ScaleSet {
+  std::string name;
+  std::vector<Scale> scales;
+  std::vector<ScaleGroup> groups;  ///< primary parameters; may be empty
+  Lexicon lexicon = {};            ///< for answers in words; may be empty
+};
+
+/// The 41 adjective pairs and the four primary groups (Table 2) of the adjective paper, answered on
+/// −2 … 2.
+ScaleSet builtin_scales();
+
+/// Reads a scales file. Throws Faults that list everything wrong with it:
+///
+///     name: five factors
+///     range: [-3, 3]              # of every scale that does not give its own
+///     scales:
+///       extraversion: {low: introverted, high: extraverted, ja: [内向的な, 外向的な]}
+///     groups:                     # optional
+///       energy: {scales: [extraversion], ja: 活力}
+///     languages:                  # optional: for answers in words
+///       english: {called: [en], strengthened: [very], softened: [a little], negated: [not]}
+///     words:
+///       extraversion: {low: {english: [shy]}, high: {english: [outgoing]}}
+ScaleSet read_scales(const std::filesystem::path& file);
+ScaleSet parse_scales(std::string_view yaml, const std::string& file);
+
+/// The scale of that id, or nullptr.
+const Scale* find_scale(const ScaleSet& set, std::string_view id);
+
+/// All scales by id, for those who look up many. Points into the set.
+std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& set);
+
+/// What `adjectives:` may name: the groups, then the scales.
+std::vector<std::string> parameter_names(const ScaleSet& set);
+
+/// An answer as a share of the scale: 0 at the low end, 1 at the high end.
+double share_of(const Scale& scale, double answer);
+
+}  // namespace mien::pipeline

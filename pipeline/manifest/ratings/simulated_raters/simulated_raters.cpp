@@ -1,0 +1,182 @@
+#include "pipeline/manifest/ratings/simulated_raters/simulated_raters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Core>
+#include <fmt/format.h>
+
+#include "motion/error.h"
+#include "pipeline/base/statistics/named_random.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+constexpr std::array<std::string_view, style_impression_count> impression_names = {
+    "quickness", "clearness", "activeness", "largeness",
+    "valence",   "arousal",   "tension",    "stability"};
+
+/// What a pair means to simulated raters.
+struct PairMeaning {
+  std::string_view pair;
+  StyleProfile loadings;
+  double doubt;  ///< standard deviation of an answer; replaces SimulatedRaters::noise when larger
+};
+
+constexpr double sure = 0.0;
+constexpr double doubtful = 0.7;
+
+// Ours. The 29 pairs of Table 3 of the adjective paper mean above all the impression of their
+// cluster, each with a shade of its own. Of the pairs that its raters could not use, those about
+// texture and shape say little of a walk and stay near the middle, and those about what a walker
+// feels or could do are read by each rater in his own way.
+// Columns: quickness, clearness, activeness, largeness, valence, arousal, tension, stability.
+constexpr std::array<PairMeaning, 41> pair_meanings = {{
+    {"slow-fast", {0.9, 0, 0, 0, 0, 0, 0, 0}, sure},
+    {"mild-violent", {0, 0, 0, 0.9, 0, 0, 0.15, 0}, sure},
+    {"hard-soft", {0, 0, 0, 0, 0, 0, -0.27, 0}, sure},
+    {"dull-quick", {0.9, 0, 0, 0, 0, 0.15, 0, 0}, sure},
+    {"quiet-noisy", {0, 0, 0, 0.9, 0, 0.15, 0, 0}, sure},
+    {"angular-circular", {0, 0, 0, 0, 0, 0, -0.27, 0}, sure},
+    {"blunt-sharp", {0.15, 0, 0, 0.9, 0, 0, 0, 0}, sure},
+    {"dormant-brisk", {0.15, 0, 0.9, 0, 0, 0, 0, 0}, sure},
+    {"edgy-round", {0, 0, 0, 0.9, 0, 0, -0.15, 0}, sure},
+    {"weak-strong", {0, 0, 0, 0.5, 0, 0, 0, 0}, doubtful},
+    {"unpleasant-pleasant", {0, 0, 0.9, 0, 0.2, 0, 0, 0}, sure},
+    {"inelastic-elastic", {0, 0, 0.4, 0, 0, 0, 0, 0}, doubtful},
+    {"dirty-clean", {0, 0.27, 0, 0, 0, 0, 0, 0}, sure},
+    {"sad-happy", {0, 0, 0.9, 0, 0.2, 0, 0, 0}, sure},
+    {"bumpy-smooth", {0, 0.9, 0, 0, 0, 0, 0, 0.15}, sure},
+    {"uncool-cool", {0, 0.9, 0, 0, 0, 0, 0, 0}, sure},
+    {"dark-bright", {0, 0, 0.9, 0, 0.15, 0, 0, 0}, sure},
+    {"thin-thick", {0, 0, 0, 0.27, 0, 0, 0, 0}, sure},
+    {"ugly-cute", {0, 0.9, 0, 0, 0.15, 0, 0, 0}, sure},
+    {"simple-gaudy", {0, 0, 0.9, 0.15, 0, 0, 0, 0}, sure},
+    {"coarse-fine", {0, 0.27, 0, 0, 0, 0, 0, 0}, sure},
+    {"old-young", {0.1, 0, 0.9, 0, 0, 0, 0, 0}, sure},
+    {"heavy-light", {0.1, 0, 0.9, 0, 0, 0, 0, 0}, sure},
+    {"strained-relaxed", {0, 0, 0, 0, 0, 0, -0.5, 0}, doubtful},
+    {"unstable-stable", {0, 0.9, 0, 0, 0, 0, 0, 0.2}, sure},
+    {"small-large", {0, 0, 0, 0.9, 0, 0, 0, 0}, sure},
+    {"unafraid-afraid", {0, 0, 0, 0, 0, 0, 0.5, 0}, doubtful},
+    {"artificial-natural", {0, 0.9, 0, 0, 0, 0, -0.15, 0}, sure},
+    {"closed-open", {0, 0, 0.9, 0.15, 0, 0, 0, 0}, sure},
+    {"adult-childish", {0, 0, 0, 0.9, 0.1, 0, 0, -0.1}, sure},
+    {"vague-distinct", {0, 0.27, 0, 0, 0, 0, 0, 0}, sure},
+    {"narrow-broad", {0, 0, 0, 0.27, 0, 0, 0, 0}, sure},
+    {"ugly-beautiful", {0, 0.9, 0, 0, 0.1, 0, 0, 0}, sure},
+    {"poor-rich", {0, 0, 0.9, 0.1, 0, 0, 0, 0}, sure},
+    {"tight-free", {0, 0, 0, 0.5, 0, 0, 0, 0}, doubtful},
+    {"dim-sharp", {0.1, 0, 0.9, 0, 0, 0, 0, 0}, sure},
+    {"drab-clear", {0, 0.9, 0.1, 0, 0, 0, 0, 0}, sure},
+    {"gloomy-cheerful", {0, 0, 0.9, 0, 0.2, 0, 0, 0}, sure},
+    {"lonely-bustling", {0, 0, 0.9, 0.1, 0, 0, 0, 0}, sure},
+    {"calm-excited", {0, 0, 0, 0.9, 0, 0.2, 0, 0}, sure},
+    {"narrow-wide", {0, 0, 0, 0.9, 0, 0, 0, 0}, sure},
+}};
+
+const PairMeaning* builtin_meaning(std::string_view id) {
+  const auto found = std::ranges::find(pair_meanings, id, &PairMeaning::pair);
+  return found == pair_meanings.end() ? nullptr : &*found;
+}
+
+/// Standard deviation of one answer, as a share of half the range.
+double noise_of(const Scale& scale, const SimulatedRaters& raters) {
+  const PairMeaning* meaning = scale.loadings.empty() ? builtin_meaning(scale.id) : nullptr;
+  return meaning != nullptr ? std::max(raters.noise, meaning->doubt) : raters.noise;
+}
+
+double answer_of(const Scale& scale, double share_of_half_range) {
+  const double middle = 0.5 * (scale.least + scale.most);
+  const double half = 0.5 * (scale.most - scale.least);
+  const double value = std::clamp(middle + half * share_of_half_range, scale.least, scale.most);
+  const bool whole_ends =
+      scale.least == std::round(scale.least) && scale.most == std::round(scale.most);
+  return whole_ends ? std::round(value) : value;
+}
+
+}  // namespace
+
+const std::array<std::string_view, style_impression_count>& style_impression_names() {
+  return impression_names;
+}
+
+StyleProfile loadings_of(const Scale& scale) {
+  if (!scale.loadings.empty()) {
+    StyleProfile loadings{};
+    for (const auto& [impression, value] : scale.loadings) {
+      const auto found = std::find(impression_names.begin(), impression_names.end(), impression);
+      loadings[static_cast<size_t>(found - impression_names.begin())] = value;
+    }
+    return loadings;
+  }
+  if (const PairMeaning* meaning = builtin_meaning(scale.id)) return meaning->loadings;
+  throw Error(fmt::format("simulated raters do not know what \"{}\" means", scale.id),
+              "give the scale `loadings:` in the scales file, for instance {activeness: 0.6}");
+}
+
+namespace {
+
+/// What each stimulus makes of each scale, a row a scale and a column a stimulus.
+Eigen::MatrixXd impressions_on(const std::vector<StyledStimulus>& stimuli, const ScaleSet& scales) {
+  Eigen::MatrixXd impressions(scales.scales.size(), stimuli.size());
+  for (Eigen::Index s = 0; s < impressions.rows(); ++s) {
+    const StyleProfile weights = loadings_of(scales.scales[static_cast<std::size_t>(s)]);
+    for (Eigen::Index i = 0; i < impressions.cols(); ++i) {
+      const StyleProfile& profile = stimuli[static_cast<std::size_t>(i)].profile;
+      impressions(s, i) = std::inner_product(weights.begin(), weights.end(), profile.begin(), 0.0);
+    }
+  }
+  return impressions;
+}
+
+/// How a rater uses a scale.
+struct Habit {
+  double gain;
+  double offset;
+  double noise;  ///< standard deviation
+};
+
+std::vector<Habit> habits_of(const std::string& rater, const ScaleSet& scales,
+                             const SimulatedRaters& raters) {
+  std::vector<Habit> habits;
+  for (const Scale& scale : scales.scales) {
+    const auto draw = [&](const char* what) {
+      return normal(raters.seed, fmt::format("{}/{}/{}", what, rater, scale.id));
+    };
+    habits.push_back({1.0 + raters.gain_spread * draw("gain"),
+                      raters.offset_spread * draw("offset"), noise_of(scale, raters)});
+  }
+  return habits;
+}
+
+}  // namespace
+
+Answers simulate_answers(const std::vector<StyledStimulus>& stimuli, const ScaleSet& scales,
+                         const SimulatedRaters& raters) {
+  Answers result;
+  result.simulated = true;
+  const Eigen::MatrixXd impressions = impressions_on(stimuli, scales);
+  for (int r = 0; r < raters.count; ++r) {
+    const std::string rater = fmt::format("simulated-{:02}", r + 1);
+    const std::vector<Habit> habits = habits_of(rater, scales, raters);
+    for (std::size_t i = 0; i < stimuli.size(); ++i) {
+      const std::string& name = stimuli[i].name;
+      for (std::size_t s = 0; s < scales.scales.size(); ++s) {
+        const Scale& scale = scales.scales[s];
+        const Habit& habit = habits[s];
+        const double noise =
+            habit.noise * normal(raters.seed, fmt::format("noise/{}/{}/{}", rater, name, scale.id));
+        const double impression =
+            impressions(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(i));
+        const double share = std::tanh(1.2 * habit.gain * impression) + habit.offset + noise;
+        result.answers.push_back({rater, name, scale.id, answer_of(scale, share)});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,177 @@
+#include "pipeline/manifest/ratings/answers/answer_row.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/documents/fault.h"
+
+namespace mien::pipeline {
+namespace {
+
+AnswerRow full_row() {
+  return {.participant = "p001",
+          .session = "a1",
+          .trial = 7,
+          .block = "main",
+          .kind = "rating",
+          .stimulus = "walk-sad",
+          .stimulus_sha256 = "00ff",
+          .against = "walk-normal",
+          .item = "sad-happy",
+          .value_raw = "5",
+          .value = "-2",
+          .pole_left = "high",
+          .rt_ms = 2310.25,
+          .is_catch = true,
+          .expected = "5",
+          .passed = true,
+          .replays = 2,
+          .trial_ms = 8123,
+          .play_start_ms = 12.5,
+          .ended_ms = 2420,
+          .stalls = 1,
+          .stall_ms = 30,
+          .dropped_frames = 4,
+          .blurs = 1,
+          .viewport_width = 1366,
+          .viewport_height = 768,
+          .refresh_hz = 59.94,
+          .comment = "\"sad\", 悲しい\nor tired",
+          .seed = 18446744073709551615ULL,
+          .design = "0123456789abcdef",
+          .simulated = true};
+}
+
+AnswerRow row_of(const std::string& participant, int trial, const std::string& item,
+                 const std::string& session = "s") {
+  return {.participant = participant,
+          .session = session,
+          .trial = trial,
+          .stimulus = "walk",
+          .item = item,
+          .value_raw = "1",
+          .value = "-2"};
+}
+
+std::string faults_of(const std::string& csv) {
+  try {
+    answer_rows(parse_csv(csv, "a.csv"));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// A good file with one field replaced.
+std::string faults_with(std::string_view column, const std::string& text) {
+  std::vector<std::string> fields = fields_of_row(full_row());
+  const std::vector<std::string> header = header_of(answer_form);
+  for (std::size_t i = 0; i < header.size(); ++i)
+    if (header[i] == column) fields[i] = text;
+  CsvWriter writer(header);
+  writer.row(fields);
+  return faults_of(writer.text());
+}
+
+TEST(AnswerRow, GoesThroughCsvUnchanged) {
+  const std::vector<AnswerRow> rows = {full_row(), row_of("p002", 1, "weak-strong")};
+  const std::string csv = to_csv(rows);
+  const std::vector<AnswerRow> read = answer_rows(parse_csv(csv, "a.csv"));
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(fields_of_row(read[0]), fields_of_row(rows[0]));
+  EXPECT_EQ(fields_of_row(read[1]), fields_of_row(rows[1]));
+  EXPECT_EQ(read[0].comment, rows[0].comment);
+  EXPECT_EQ(read[0].seed, rows[0].seed);
+  EXPECT_EQ(read[0].rt_ms, 2310.25);
+  EXPECT_FALSE(read[1].rt_ms);
+  EXPECT_FALSE(read[1].passed);
+  EXPECT_EQ(to_csv(read), csv);
+}
+
+TEST(AnswerRow, HasAColumnForEachOfItsFieldsAndAMeaningForEachColumn) {
+  EXPECT_EQ(fields_of_row(full_row()).size(), answer_form.columns.size());
+  std::set<std::string_view> names;
+  for (const Column& column : answer_form.columns) {
+    EXPECT_FALSE(column.meaning.empty()) << column.name;
+    EXPECT_TRUE(names.insert(column.name).second) << column.name;
+  }
+}
+
+TEST(AnswerRow, IsReadFromColumnsInAnyOrderAndBesideOthers) {
+  std::string header = "mood";
+  std::string line = "good";
+  const std::vector<std::string> names = header_of(answer_form);
+  const std::vector<std::string> fields = fields_of_row(row_of("p", 3, "sad-happy"));
+  for (std::size_t i = names.size(); i-- > 0;) {
+    header += "," + names[i];
+    line += "," + fields[i];
+  }
+  const auto rows = answer_rows(parse_csv(header + "\n" + line + "\n", "a.csv"));
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(fields_of_row(rows[0]), fields);
+}
+
+TEST(AnswerRow, TellsEveryFaultWithItsPlace) {
+  EXPECT_EQ(faults_with("kind", "guess"),
+            "a.csv:2:16: \"guess\" is no kind; there are rating, emotion, pair, attention");
+  EXPECT_NE(faults_with("rt_ms", "soon").find("\"soon\" is not a number"), std::string::npos);
+  EXPECT_NE(faults_with("rt_ms", "-3").find("-3 is below 0"), std::string::npos);
+  EXPECT_NE(faults_with("stalls", "1.5").find("1.5 is no whole number"), std::string::npos);
+  EXPECT_NE(faults_with("trial", "0").find("there is no trial 0"), std::string::npos);
+  EXPECT_NE(faults_with("trial", "").find("the trial is not told"), std::string::npos);
+  EXPECT_NE(faults_with("participant", "").find("a.csv:2:1: the participant"), std::string::npos);
+  EXPECT_NE(faults_with("simulated", "yes").find("\"yes\" is neither 0 nor 1"), std::string::npos);
+  EXPECT_NE(faults_with("pole_left", "up").find("there are low, high"), std::string::npos);
+  EXPECT_NE(faults_with("seed", "-1").find("\"-1\" is no seed"), std::string::npos);
+  EXPECT_NE(faults_with("item", "").find("the item is not told"), std::string::npos);
+}
+
+TEST(AnswerRow, TellsSeveralFaultsAtOnce) {
+  std::string table = to_csv({row_of("p", 1, "a")});
+  for (const std::string name : {"stimulus", "simulated"})
+    table.replace(table.find(name), name.size(), "x_" + name);
+  const std::string told = faults_of(table);
+  EXPECT_NE(told.find("no column \"stimulus\""), std::string::npos);
+  EXPECT_NE(told.find("no column \"simulated\""), std::string::npos);
+  EXPECT_NE(faults_of(to_csv({})).find("a.csv:1:1: holds no answers"), std::string::npos);
+  EXPECT_NE(faults_of("").find("the table is empty"), std::string::npos);
+}
+
+TEST(AnswerRow, IsNotThereTwice) {
+  const std::string told =
+      faults_of(to_csv({row_of("p", 1, "a"), row_of("p", 1, "b"), row_of("p", 1, "a")}));
+  EXPECT_NE(told.find("a.csv:4:"), std::string::npos);
+  EXPECT_NE(told.find("participant \"p\" answers trial 1 on \"a\" a second time (the first: "
+                      "a.csv:2:"),
+            std::string::npos)
+      << told;
+}
+
+TEST(AnswerRow, TellsPeopleWithOneNameApartByWhatTheyAnsweredTwice) {
+  std::vector<AnswerRow> rows = {row_of("p1", 1, "a", "x"), row_of("p1", 2, "a", "y"),
+                                 row_of("p2", 1, "a", "x"), row_of("p2", 1, "a", "y")};
+  const std::vector<std::string> told = tell_people_apart(rows);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0], "participant \"p2\" is 2 people: sessions x, y");
+  EXPECT_EQ(rows[0].participant, "p1");
+  EXPECT_EQ(rows[1].participant, "p1");
+  EXPECT_EQ(rows[2].participant, "p2/x");
+  EXPECT_EQ(rows[3].participant, "p2/y");
+}
+
+TEST(AnswerRow, CountsUnlessItIsPracticeWarmUpACheckOrEmpty) {
+  AnswerRow row = row_of("p", 1, "a");
+  EXPECT_TRUE(row.counts());
+  for (bool AnswerRow::*flag :
+       {&AnswerRow::is_practice, &AnswerRow::is_warmup, &AnswerRow::is_catch}) {
+    AnswerRow other = row;
+    other.*flag = true;
+    EXPECT_FALSE(other.counts());
+  }
+  row.value = "NA";
+  EXPECT_FALSE(row.counts());
+}
+
+}  // namespace
+}  // namespace mien::pipeline
