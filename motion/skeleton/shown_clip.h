@@ -10,6 +10,8 @@ struct Showing {
   bool in_place = false;
 };
 
+/// A loop is repeated; another clip is shown once. In place, both stay where they begin
+/// (straighten.h).
 Clip shown_clip(const Clip& clip, const Showing& showing);
 
 }  // namespace mien::motion

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/error.h"
 #include "motion/text/shell_word.h"
 #include "pipeline/commands/cli.h"
 #include "pipeline/commands/verification_text.h"
