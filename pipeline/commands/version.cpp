@@ -20,7 +20,7 @@ int show_versions(bool as_json, const Console& console) {
   std::vector<std::pair<std::string, std::string>> versions = library_versions();
   // Of no artifact's bytes, but of archives' and of those who serve.
   versions.emplace_back("libarchive", archive_library());
-  versions.emplace_back("cpp-httplib", http_library());
+  versions.emplace_back("Boost", http_library());
   versions.emplace_back("SQLite", database_library());
   if (!as_json) {
     console.out << "mien " << program_version() << '\n';

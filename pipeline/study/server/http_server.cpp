@@ -3,26 +3,34 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
+#include <sstream>
 #include <thread>
 #include <utility>
+#include <vector>
 
-#include <httplib.h>
-#include <sys/socket.h>
-#include <unistd.h>
+#include <boost/asio/post.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/read_until.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/http/write.hpp>
+#include <boost/version.hpp>
+#include <fcntl.h>
+#include <fmt/format.h>
 
 #include "motion/error.h"
-#include "pipeline/study/server/http_connection.h"
+#include "pipeline/study/server/timed_stream.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-constexpr int requests_a_connection = 1000;
+namespace net = boost::asio;
+namespace http = boost::beast::http;
+using net::ip::tcp;
 
-constexpr char policy_header[] = "Content-Security-Policy";
+constexpr int requests_a_connection = 1000;
 
 /// What a page may load and run.
 std::string content_policy(bool webassembly) {
@@ -67,135 +75,200 @@ HttpResponse refusal_of(int status, bool lacks_host) {
   }
 }
 
-/// As the library would write it, of what it is not to see.
-std::string farewell_text(int status, bool lacks_host = false) {
-  HttpResponse response = refusal_of(status, lacks_host);
-  std::string text = "HTTP/1.1 " + std::to_string(status) + " Refused\r\nConnection: close\r\n";
-  if (status == 503) text += "Retry-After: 2\r\n";
-  text += std::string(policy_header) + ": " + content_policy(false) + "\r\n";
-  for (const auto& [name, value] : guarding_headers)
-    text += std::string(name) + ": " + value + "\r\n";
-  return text + "Content-Type: " + response.type +
-         "\r\nContent-Length: " + std::to_string(response.body.size()) + "\r\n\r\n" + response.body;
+/// Status line and headers.
+std::string head_text(const HttpResponse& response, std::uint64_t length, bool stays) {
+  http::response_header<> head;
+  head.result(static_cast<unsigned>(response.status));
+  head.set(http::field::connection, stays ? "keep-alive" : "close");
+  if (response.status == 503) head.set(http::field::retry_after, "2");
+  head.set("Content-Security-Policy", content_policy(response.webassembly));
+  for (const auto& [name, value] : guarding_headers) head.set(name, value);
+  for (const auto& [name, value] : response.headers) head.set(name, value);
+  head.set(http::field::content_type, response.type);
+  head.set(http::field::content_length, std::to_string(length));
+  std::ostringstream text;
+  text << head;
+  return text.str();
 }
 
 /// Sends a part of a file, piece by piece.
-httplib::ContentProvider provider_of(const FilePart& part) {
-  auto file = std::make_shared<std::ifstream>(part.file, std::ios::binary);
-  return [file, part](size_t offset, size_t length, httplib::DataSink& sink) {
-    std::array<char, 65536> piece;
-    const std::size_t wanted = std::min(length, piece.size());
-    file->seekg(static_cast<std::streamoff>(part.offset + offset));
-    file->read(piece.data(), static_cast<std::streamsize>(wanted));
-    return file->gcount() == static_cast<std::streamsize>(wanted) &&
-           sink.write(piece.data(), wanted);
-  };
-}
-
-void send_response(const HttpResponse& response, httplib::Response& sent) {
-  sent.status = response.status;
-  sent.set_header(policy_header, content_policy(response.webassembly));
-  for (const auto& [name, value] : guarding_headers) sent.set_header(name, value);
-  for (const auto& [name, value] : response.headers) sent.set_header(name, value);
-  if (!response.part) {
-    sent.set_content(response.body, response.type);
-  } else if (response.part->length == 0) {
-    sent.set_content("", response.type);
-  } else {
-    sent.set_content_provider(response.part->length, response.type, provider_of(*response.part));
+void send_part(TimedStream& client, const FilePart& part, TimedStream::ErrorCode& error) {
+  std::ifstream file(part.file, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(part.offset));
+  std::vector<char> piece(65536);
+  for (std::uint64_t left = part.length; left > 0 && !error; left -= piece.size()) {
+    piece.resize(std::min<std::uint64_t>(left, piece.size()));
+    if (!file.read(piece.data(), static_cast<std::streamsize>(piece.size())))
+      error = net::error::eof;
+    else
+      net::write(client, net::buffer(piece), error);
   }
 }
 
-/// The request line and nothing else: what else the head says has been read.
-std::string bare_head(const RequestHead& head, bool stays) {
-  return head.method + " " + head.target + " HTTP/1.1\r\n" +
-         (stays ? "\r\n" : "Connection: close\r\n\r\n");
+/// False when the client did not get all of it.
+bool send_response(TimedStream& client, const HttpResponse& response, bool stays,
+                   bool only_head = false) {
+  TimedStream::ErrorCode error;
+  const std::uint64_t length = response.part ? response.part->length : response.body.size();
+  const std::string head = head_text(response, length, stays);
+  const bool has_text = !response.part && !only_head;
+  const std::array<net::const_buffer, 2> text = {
+      net::buffer(head), has_text ? net::buffer(response.body) : net::const_buffer()};
+  net::write(client, text, error);
+  if (response.part && !only_head && !error) send_part(client, *response.part, error);
+  return !error;
 }
 
-/// A thread a connection, as many as there may be. Those that are too many are served, and thereby
-/// refused, by the thread that accepts connections.
-class ConnectionThreads : public httplib::TaskQueue {
- public:
-  /// Nothing or a bool, as the version of the library has it.
-  using Enqueued = decltype(std::declval<httplib::TaskQueue>().enqueue({}));
-
-  explicit ConnectionThreads(int most) : pool_(static_cast<std::size_t>(most)), most_(most) {}
-
-  Enqueued enqueue(std::function<void()> connection) override {
-    if (open_ >= most_) {
-      connection();
-      return Enqueued(true);
-    }
-    ++open_;
-    return Enqueued(pool_.enqueue([this, connection = std::move(connection)] {
-      connection();
-      --open_;
-    }));
-  }
-
-  void shutdown() override { pool_.shutdown(); }
-
- private:
-  httplib::ThreadPool pool_;
-  int most_;
-  std::atomic<int> open_ = 0;
-};
-
-void reuse_port_of_the_dead(socket_t socket) {
-  const int yes = 1;
-  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+/// Closes the way out and takes for a moment what still comes: a client that is refused while it
+/// sends would not get to read why.
+void take_the_rest(TimedStream& client) {
+  TimedStream::ErrorCode error;
+  client.socket().shutdown(tcp::socket::shutdown_send, error);
+  client.expires_after(std::chrono::seconds(1));
+  std::vector<char> rest(std::size_t{256} << 10U);
+  net::read(client, net::buffer(rest), error);
 }
+
+/// Children of this program do not inherit it.
+void keep_from_children(int socket) { fcntl(socket, F_SETFD, FD_CLOEXEC); }
 
 }  // namespace
 
-std::string http_library() { return CPPHTTPLIB_VERSION; }
+std::string http_library() {
+  return fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
+                     BOOST_VERSION % 100);
+}
 
-class HttpServer::Listener : private httplib::Server {
+class HttpServer::Listener {
  public:
   Listener(const HttpSettings& settings, HttpAnswer answer, HttpFailure failure)
       : settings_(settings),
         requests_(settings.requests),
         answer_(std::move(answer)),
-        failure_(std::move(failure)) {
-    new_task_queue = [this] { return new ConnectionThreads(settings_.connections); };
-    set_socket_options(reuse_port_of_the_dead);
-    set_tcp_nodelay(true);
-    set_keep_alive_timeout(settings_.limits.idle.count() / 1000);  // told to clients
-    set_keep_alive_max_count(requests_a_connection);
-    set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-      respond(request, response);
-      return HandlerResponse::Handled;
-    });
-    bind();
-    thread_ = std::thread([this] {
-      accepting_ = std::this_thread::get_id();
-      listen_after_bind();
-    });
-    while (!is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+        failure_(std::move(failure)),
+        acceptor_(bound()),
+        connections_(static_cast<std::size_t>(settings.connections)),
+        thread_([this] { accept_connections(); }) {}
 
-  ~Listener() override {
+  ~Listener() {
     is_stopping_ = true;
-    stop();
+    shutdown(acceptor_.native_handle(), SHUT_RDWR);  // wakes the thread that accepts
     thread_.join();
+    connections_.join();
   }
 
-  int port() const { return port_; }
+  int port() const { return acceptor_.local_endpoint().port(); }
 
  private:
-  void bind() {
-    errno = 0;
-    port_ = settings_.port;
-    const bool is_bound = settings_.port == 0 ? (port_ = bind_to_any_port(settings_.listen)) > 0
-                                              : bind_to_port(settings_.listen, settings_.port);
-    if (is_bound) return;
-    const std::string reason = errno != 0 ? std::strerror(errno) : "no such address here";
+  tcp::acceptor bound() {
+    std::string reason = "no such address here";
+    TimedStream::ErrorCode error;
+    for (const auto& address : tcp::resolver(context_).resolve(
+             settings_.listen, std::to_string(settings_.port), tcp::resolver::passive, error)) {
+      try {
+        tcp::acceptor acceptor(context_, address);
+        keep_from_children(acceptor.native_handle());
+        return acceptor;
+      } catch (const boost::system::system_error& failed) {
+        reason = failed.code().message();
+      }
+    }
     throw Error({settings_.listen + ":" + std::to_string(settings_.port)},
                 "cannot be listened at: " + reason,
                 "choose another port with --port (0: any that is free) or address with --listen");
   }
 
-  HttpResponse answer_to(const HttpRequest& request) {
+  /// A thread a connection, as many as there may be; more are refused.
+  void accept_connections() {
+    while (!is_stopping_) {
+      TimedStream::ErrorCode error;
+      tcp::socket socket = acceptor_.accept(error);
+      if (error) {  // too many open files, for example
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        continue;
+      }
+      keep_from_children(socket.native_handle());
+      TimedStream client(std::move(socket), is_stopping_);
+      if (open_ >= settings_.connections) {
+        send_response(client, refusal_of(503, false), false);
+        continue;
+      }
+      ++open_;
+      net::post(connections_, [this, client = std::move(client)]() mutable {
+        answer_requests(TimedStream(std::move(client)));
+        --open_;
+      });
+    }
+  }
+
+  void answer_requests(TimedStream client) {
+    TimedStream::ErrorCode error;
+    client.socket().set_option(tcp::no_delay(true), error);
+    const std::string address = client.socket().remote_endpoint(error).address().to_string();
+    std::string received;
+    for (int count = 1; count <= requests_a_connection; ++count) {
+      if (!has_more(client, received)) return;
+      RequestHead head = read_head(client, received);
+      HttpRequest request{.method = head.method, .headers = head.headers, .address = address};
+      if (head.refused == 0) head.refused = read_body(client, head, received, request.body);
+      if (head.refused == 0 && !requests_.allows(address)) head.refused = 429;
+      if (head.refused != 0) {
+        client.expires_after({});
+        send_response(client, refusal_of(head.refused, head.lacks_host), false);
+        take_the_rest(client);
+        return;
+      }
+      const bool stays = head.stays && count < requests_a_connection && !is_stopping_;
+      HttpResponse response = answer_to(head.target, request);
+      if (stays) response.headers["Keep-Alive"] = keep_alive_;
+      client.expires_after(settings_.limits.answer);
+      if (!send_response(client, response, stays, request.method == "HEAD") || !stays) return;
+    }
+  }
+
+  /// Whether a request begins in time.
+  bool has_more(TimedStream& client, std::string& received) {
+    TimedStream::ErrorCode error;
+    client.expires_after(settings_.limits.idle);
+    if (received.empty())
+      net::read(client, net::dynamic_buffer(received, settings_.limits.head_bytes),
+                net::transfer_at_least(1), error);
+    return !error;
+  }
+
+  RequestHead read_head(TimedStream& client, std::string& received) {
+    TimedStream::ErrorCode error;
+    client.expires_after(settings_.limits.head);
+    const std::size_t size = net::read_until(
+        client, net::dynamic_buffer(received, settings_.limits.head_bytes), "\r\n\r\n", error);
+    if (error) return {.refused = error == net::error::not_found ? 431 : 408};
+    RequestHead head =
+        parse_request_head(std::string_view(received).substr(0, size), settings_.limits);
+    received.erase(0, size);
+    return head;
+  }
+
+  /// The status with which it is refused; 0: it is not.
+  int read_body(TimedStream& client, const RequestHead& head, std::string& received,
+                std::string& body) {
+    TimedStream::ErrorCode error;
+    client.expires_after(settings_.limits.body);
+    if (received.size() < head.body_length) {
+      constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
+      if (head.awaits_word) net::write(client, net::buffer(go_on), error);
+      net::read(client, net::dynamic_buffer(received),
+                net::transfer_exactly(head.body_length - received.size()), error);
+      if (error) return 408;
+    }
+    body = received.substr(0, head.body_length);
+    received.erase(0, head.body_length);
+    return 0;
+  }
+
+  HttpResponse answer_to(const std::string& target, HttpRequest& request) {
+    std::optional<std::vector<std::string>> path = plain_path(target);
+    if (!path) return http_refusal(404, "unknown", "there is nothing here", "check the address");
+    request.path = std::move(*path);
     try {
       return answer_(request);
     } catch (const std::exception& error) {
@@ -204,88 +277,17 @@ class HttpServer::Listener : private httplib::Server {
     }
   }
 
-  void respond(const httplib::Request& request, httplib::Response& sent) {
-    const std::optional<std::vector<std::string>> path = plain_path(request.target);
-    if (!path) {
-      send_response(http_refusal(404, "unknown", "there is nothing here", "check the address"),
-                    sent);
-      return;
-    }
-    HttpRequest asked{.method = request.method,
-                      .path = *path,
-                      .body = request.body,
-                      .address = request.remote_addr};
-    for (const auto& [name, value] : request.headers) asked.headers.emplace(name, value);
-    send_response(answer_to(asked), sent);
-  }
-
-  bool process_and_close_socket(socket_t socket) override {
-    if (std::this_thread::get_id() == accepting_) {
-      send_now(socket, farewell_text(503));
-    } else {
-      answer_requests(socket);
-    }
-    shutdown(socket, SHUT_RDWR);
-    close(socket);
-    return true;
-  }
-
-  void answer_requests(socket_t socket) {
-    const std::string address = client_address(socket);
-    RequestReader reader(socket, settings_.limits, [this] { return is_stopping_.load(); });
-    for (int count = 1; count <= requests_a_connection; ++count) {
-      RawRequest request = reader.next();
-      if (request.is_over) return;
-      if (request.head.refused == 0 && !requests_.allows(address)) request.head.refused = 429;
-      if (request.head.refused != 0) {
-        send_now(socket, farewell_text(request.head.refused, request.head.lacks_host));
-        take_the_rest(socket);
-        return;
-      }
-      const bool stays = request.head.stays && count < requests_a_connection && !is_stopping_;
-      if (!answer_one(socket, request, stays) || !stays) return;
-    }
-  }
-
-  bool answer_one(socket_t socket, const RawRequest& request, bool stays) {
-    HttpConnection connection(socket, bare_head(request.head, stays), settings_.limits.answer);
-    const auto set_up = [&](httplib::Request& asked) {
-      asked.body = request.body;
-      asked.headers.clear();
-      for (const auto& [name, value] : request.head.headers) asked.headers.emplace(name, value);
-      asked.headers.erase("accept-encoding");  // videos do not shrink, and secrets are not packed
-      asked.headers.erase("expect");
-    };
-    bool closes = !stays;
-    return process(*this, connection, !stays, closes, set_up);
-  }
-
-  /// The library has had two forms of this.
-  template <class Self>
-  static bool process(Self& self, HttpConnection& connection, bool is_last, bool& closes,
-                      const std::function<void(httplib::Request&)>& set_up) {
-    std::string remote, local;
-    int remote_port = 0, local_port = 0;
-    connection.get_remote_ip_and_port(remote, remote_port);
-    connection.get_local_ip_and_port(local, local_port);
-    if constexpr (requires {
-                    self.process_request(connection, remote, remote_port, local, local_port,
-                                         is_last, closes, set_up);
-                  }) {
-      return self.process_request(connection, remote, remote_port, local, local_port, is_last,
-                                  closes, set_up);
-    } else {
-      return self.process_request(connection, is_last, closes, set_up);
-    }
-  }
-
   HttpSettings settings_;
   RateLimit requests_;
   HttpAnswer answer_;
   HttpFailure failure_;
-  int port_ = 0;
+  const std::string keep_alive_ =
+      "timeout=" + std::to_string(settings_.limits.idle / std::chrono::seconds(1));
   std::atomic<bool> is_stopping_ = false;
-  std::atomic<std::thread::id> accepting_;
+  std::atomic<int> open_ = 0;
+  net::io_context context_;
+  tcp::acceptor acceptor_;
+  net::thread_pool connections_;
   std::thread thread_;
 };
 

@@ -6,11 +6,11 @@
 
 #include "pipeline/study/server/http_message.h"
 #include "pipeline/study/server/rate_limit.h"
-#include "pipeline/study/server/request_reader.h"
+#include "pipeline/study/server/request_head.h"
 
 namespace mien::pipeline {
 
-/// Version of the library that listens: "0.11.4".
+/// Version of the library (Boost) that listens: "1.74.0".
 std::string http_library();
 
 struct HttpSettings {

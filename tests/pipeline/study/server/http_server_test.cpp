@@ -119,6 +119,39 @@ TEST(HttpServer, RefusesWhatIsNoRequest) {
   EXPECT_EQ(status(post_request("/", "a", "Content-Encoding: gzip\r\n")), 415);
 }
 
+TEST(HttpServer, RefusesABodyWhoseEndOthersMightSeeElsewhere) {
+  const HttpServer server(quick_settings(), echo);
+  const auto status = [&](const std::string& lines) {
+    return status_in(
+        reply_of(server.port(), "POST / HTTP/1.1\r\nHost: here\r\n" + lines + "\r\nabc"));
+  };
+  EXPECT_EQ(status("Content-Length: 3\r\nConnection: close\r\n"), 200);
+  EXPECT_EQ(status("Content-Length: 3\r\nContent-Length: 3\r\n"), 400);
+  EXPECT_EQ(status("Content-Length: 3, 3\r\n"), 400);
+  EXPECT_EQ(status("Content-Length: 3x\r\n"), 400);
+  EXPECT_EQ(status("Content-Length: 99999999999999999999x\r\n"), 400);
+  EXPECT_EQ(status("Content-Length: 0x3\r\n"), 400);
+  EXPECT_EQ(status("Content-Length:\r\n 3\r\n"), 400);
+  EXPECT_EQ(status("Content-Length: 3\r\nTransfer-Encoding: chunked\r\n"), 411);
+  EXPECT_EQ(status("Transfer-Encoding: chunked\r\nContent-Length: 3\r\n"), 411);
+  EXPECT_EQ(status("Transfer-Encoding: identity\r\nContent-Length: 3\r\n"), 411);
+}
+
+TEST(HttpServer, AsksForABodyThatAwaitsIt) {
+  const HttpServer server(quick_settings(), echo);
+  RawClient client(server.port());
+  client.send(
+      "POST /a HTTP/1.1\r\nHost: here\r\nContent-Length: 3\r\nExpect: 100-continue\r\n\r\n");
+  EXPECT_EQ(status_in(client.receive_answer()), 100);
+  client.send("abc");
+  EXPECT_EQ(body_in(client.receive_answer()), "POST a abc");
+  RawClient greedy(server.port());
+  greedy.send(
+      "POST /a HTTP/1.1\r\nHost: here\r\nContent-Length: 70000\r\n"
+      "Expect: 100-continue\r\n\r\n");
+  EXPECT_EQ(status_in(greedy.receive_answer()), 413);
+}
+
 TEST(HttpServer, RefusesARequestThatDoesNotSayWhomItIsFor) {
   const HttpServer server(quick_settings(), echo);
   for (const char* request :
@@ -157,6 +190,26 @@ TEST(HttpServer, WaitsForNoSlowClient) {
   }
   EXPECT_EQ(status_in(head.receive()), 408);
   EXPECT_EQ(status_in(body.receive()), 408);
+}
+
+TEST(HttpServer, WaitsForNoClientThatDoesNotReadItsAnswer) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "film");
+  std::filesystem::resize_file(folder.path() / "film", std::uintmax_t{64} << 20U);
+  HttpSettings settings = quick_settings();
+  settings.limits.answer = std::chrono::milliseconds(400);
+  settings.connections = 1;
+  const HttpServer server(settings, [&](const HttpRequest& request) {
+    return http_file(request, folder.path() / "film", "video/mp4");
+  });
+  RawClient client(server.port());
+  client.send("GET /film HTTP/1.1\r\nHost: here\r\n\r\n");
+  int status = 0;
+  for (int attempt = 0; attempt < 200 && status != 206; ++attempt) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    status = status_in(reply_of(server.port(), get_request("/film", "Range: bytes=0-9\r\n")));
+  }
+  EXPECT_EQ(status, 206);
 }
 
 TEST(HttpServer, RefusesMoreConnectionsThanItHasRoomForAndRecovers) {
@@ -234,11 +287,28 @@ TEST(HttpServer, TellsAClientNothingOfAFailure) {
   EXPECT_EQ(told, "/a/secret/place");
 }
 
+/// Why nothing is listened at.
+std::string refusal_to_listen(const HttpSettings& settings) {
+  try {
+    const HttpServer server(settings, echo);
+  } catch (const Error& error) {
+    const std::string words = error.what(), begin = "cannot be listened at: ";
+    const std::size_t from = words.find(begin) + begin.size();
+    return words.substr(from, words.find(';', from) - from);
+  }
+  return {};
+}
+
 TEST(HttpServer, RefusesAPortThatIsTaken) {
   const HttpServer server(HttpSettings{}, echo);
   HttpSettings same;
   same.port = server.port();
-  EXPECT_THROW(HttpServer(same, echo), Error);
+  EXPECT_EQ(refusal_to_listen(same), "Address already in use");
+}
+
+TEST(HttpServer, RefusesAnAddressThatIsNotHere) {
+  EXPECT_EQ(refusal_to_listen({.listen = "192.0.2.1"}), "Cannot assign requested address");
+  EXPECT_EQ(refusal_to_listen({.listen = "not.an.address.invalid"}), "no such address here");
 }
 
 TEST(HttpServer, EndsWhileClientsAreConnected) {

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
-#include <map>
-#include <string>
 #include <string_view>
+
+#include "pipeline/study/server/http_message.h"
 
 namespace mien::pipeline {
 
@@ -35,36 +34,5 @@ struct RequestHead {
 /// Refuses malformed lines, a request that does not say whom it is for (Host), a body whose length
 /// is not told plainly once, a compressed or too long one. `text` ends with the empty line.
 RequestHead parse_request_head(std::string_view text, const RequestLimits& limits);
-
-/// A request as it came.
-struct RawRequest {
-  RequestHead head;
-  std::string body;
-  bool is_over = false;  ///< nothing came, and nothing more is to be expected
-};
-
-/// Reads one request after the other from a socket.
-class RequestReader {
- public:
-  /// `is_stopping` is asked a few times a second while nothing comes.
-  RequestReader(int socket, const RequestLimits& limits, std::function<bool()> is_stopping)
-      : socket_(socket), limits_(limits), is_stopping_(std::move(is_stopping)) {}
-
-  RawRequest next();
-
- private:
-  using Clock = std::chrono::steady_clock;
-  enum class Reading { some, ended, late };
-
-  Reading read_more(Clock::time_point deadline);
-  bool wait_for_first_byte();
-  RequestHead read_head();
-  int read_body(std::size_t length, std::string& body);
-
-  int socket_;
-  const RequestLimits& limits_;
-  std::function<bool()> is_stopping_;
-  std::string buffer_;
-};
 
 }  // namespace mien::pipeline

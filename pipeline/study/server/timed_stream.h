@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+#include <boost/asio/error.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <poll.h>
+
+namespace mien::pipeline {
+
+/// A client's socket for Boost.Asio, at which nothing waits beyond a deadline, and no reading once
+/// the server ends. What is cut short fails with timed_out or operation_aborted.
+class TimedStream {
+ public:
+  using ErrorCode = boost::system::error_code;
+
+  TimedStream(boost::asio::ip::tcp::socket socket, const std::atomic<bool>& is_stopping)
+      : socket_(std::move(socket)), is_stopping_(is_stopping) {
+    socket_.non_blocking(true);
+  }
+
+  /// For all that comes until it is called again: a byte now and then holds nobody up.
+  void expires_after(std::chrono::milliseconds time) { deadline_ = Clock::now() + time; }
+
+  template <class Buffers>
+  std::size_t read_some(const Buffers& buffers, ErrorCode& error) {
+    std::size_t count = 0;
+    do count = socket_.read_some(buffers, error);
+    while (error == boost::asio::error::would_block && wait(POLLIN, error));
+    return count;
+  }
+
+  template <class Buffers>
+  std::size_t write_some(const Buffers& buffers, ErrorCode& error) {
+    std::size_t count = 0;
+    do count = socket_.write_some(buffers, error);
+    while (error == boost::asio::error::would_block && wait(POLLOUT, error));
+    return count;
+  }
+
+  boost::asio::ip::tcp::socket& socket() { return socket_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// Waits for a moment; false, with the reason, when it may not.
+  bool wait(short event, ErrorCode& error) {
+    constexpr std::chrono::milliseconds glance{200};
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());
+    if (left.count() <= 0) error = boost::asio::error::timed_out;
+    if (event == POLLIN && is_stopping_) error = boost::asio::error::operation_aborted;
+    if (error != boost::asio::error::would_block) return false;
+    pollfd watched{socket_.native_handle(), event, 0};
+    poll(&watched, 1, static_cast<int>(std::min(left, glance).count()));
+    return true;
+  }
+
+  boost::asio::ip::tcp::socket socket_;
+  const std::atomic<bool>& is_stopping_;
+  Clock::time_point deadline_;
+};
+
+}  // namespace mien::pipeline
