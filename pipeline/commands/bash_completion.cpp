@@ -38,10 +38,10 @@ std::string joined_words(const std::vector<std::string>& words, const std::strin
 }
 
 /// Every path to a command, which is how the script knows where it is.
-std::string bash_commands(const CommandPage& program) {
+std::string bash_commands(const Command& program) {
   std::vector<std::string> names;
-  for (const CommandPage* page : every_page(program)) {
-    if (page != &program) names.push_back("'" + page->name + "'");
+  for (const CommandPage& page : every_page(program)) {
+    if (&page.command != &program) names.push_back("'" + page.name + "'");
   }
   return "      " + joined_words(names, " | \\\n        ") +
          ")\n        command+=\" ${COMP_WORDS[i]}\" ;;\n    esac\n  done\n";
@@ -54,14 +54,14 @@ std::string bash_value(const CommandOption& option) {
 }
 
 /// Cases of `"$command $before"`: options that take a value.
-std::string bash_values(const CommandPage& program) {
+std::string bash_values(const Command& program) {
   std::string cases;
-  for (const CommandPage* page : every_page(program)) {
-    for (const CommandOption& option : page->options) {
+  for (const CommandPage& page : every_page(program)) {
+    for (const CommandOption& option : page.command.named_options()) {
       if (option.value.empty()) continue;
       std::vector<std::string> patterns;
       for (const std::string& name : option.names) {
-        patterns.push_back("'" + page->name + " " + name + "'");
+        patterns.push_back("'" + page.name + " " + name + "'");
       }
       cases += fmt::format("    {}) {} ;;\n", joined_words(patterns, " | "), bash_value(option));
     }
@@ -71,22 +71,23 @@ std::string bash_values(const CommandPage& program) {
 
 std::string bash_options(const CommandPage& page) {
   std::string names = "-h --help";
-  for (const CommandOption& option : page.options) {
+  for (const CommandOption& option : page.command.named_options()) {
     names += " " + joined_words(option.names, " ");
   }
   return names;
 }
 
 /// What may stand where no option does.
-std::string bash_arguments(const CommandPage& program, const CommandPage& page) {
-  if (!page.commands.empty()) {
+std::string bash_arguments(const Command& program, const CommandPage& page) {
+  if (!page.command.commands.empty()) {
     std::vector<std::string> names;
-    for (const CommandPage& command : page.commands) names.push_back(last_word(command));
-    if (&page == &program) names.emplace_back("help");
+    for (const Command& command : page.command.commands) names.push_back(command.name);
+    if (&page.command == &program) names.emplace_back("help");
     return "words='" + joined_words(names, " ") + "'";
   }
-  if (page.arguments.empty()) return ":";
-  const CommandOption& first = page.arguments.front();
+  const std::vector<CommandOption> arguments = page.command.arguments();
+  if (arguments.empty()) return ":";
+  const CommandOption& first = arguments.front();
   if (const std::string list = command_that_lists(page, first); !list.empty()) {
     const bool takes_files = first.argument == "manifest";
     return fmt::format("words=$({} 2>/dev/null | cut -d' ' -f1){}", list,
@@ -97,16 +98,16 @@ std::string bash_arguments(const CommandPage& program, const CommandPage& page) 
 
 }  // namespace
 
-std::string bash_completion(const CommandPage& program) {
+std::string bash_completion(const Command& program) {
   std::string script = bash_head + bash_commands(program);
   script += "  case \"$command $before\" in\n" + bash_values(program);
   script += "    *)\n      if [[ $word == -* ]]; then\n        case $command in\n";
-  for (const CommandPage* page : every_page(program)) {
-    script += fmt::format("          '{}') words='{}' ;;\n", page->name, bash_options(*page));
+  for (const CommandPage& page : every_page(program)) {
+    script += fmt::format("          '{}') words='{}' ;;\n", page.name, bash_options(page));
   }
   script += "        esac\n      else\n        case $command in\n";
-  for (const CommandPage* page : every_page(program)) {
-    script += fmt::format("          '{}') {} ;;\n", page->name, bash_arguments(program, *page));
+  for (const CommandPage& page : every_page(program)) {
+    script += fmt::format("          '{}') {} ;;\n", page.name, bash_arguments(program, page));
   }
   return script + "        esac\n      fi ;;\n  esac" + bash_tail;
 }

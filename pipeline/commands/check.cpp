@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -131,28 +130,25 @@ int check(const CheckOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("check", "Find everything wrong with a manifest, or a file that it names");
+Command check_command() {
   const auto options = std::make_shared<CheckOptions>();
-  command
-      ->add_option("manifest", options->manifests,
-                   "Manifests, or files of scales, recipes or a set (YAML)")
-      ->required();
-  command->add_option("--out,-o", options->out, "As of run: where results would go")
-      ->capture_default_str();
-  command->add_flag("--quick", options->quick, "Make no motion: look at the files alone");
-  command->add_flag("--thorough", options->thorough,
-                    fmt::format("Make all motions, and of a large study not {} of every kind alone",
-                                most_rehearsed));
-  command->add_flag("--json", options->json, "Faults and warnings as JSON on standard output");
-  command->footer(
-      "\nMakes and stages the motions of a manifest without faults; draws nothing and writes no "
-      "file. Faults are told as file:line:column: path.to.key: what is wrong; how to "
-      "mend it.\n\nExample:\n  mien check my.yaml");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return check(*options, console); };
-  });
+  return {
+      .name = "check",
+      .summary = "Find everything wrong with a manifest, or a file that it names",
+      .options =
+          {argument("manifest", &options->manifests,
+                    "Manifests, or files of scales, recipes or a set (YAML)"),
+           option("--out,-o", &options->out, "As of run: where results would go").with_default(),
+           flag("--quick", &options->quick, "Make no motion: look at the files alone"),
+           flag("--thorough", &options->thorough,
+                fmt::format("Make all motions, and of a large study not {} of every kind alone",
+                            most_rehearsed)),
+           flag("--json", &options->json, "Faults and warnings as JSON on standard output")},
+      .notes =
+          "Makes and stages the motions of a manifest without faults; draws nothing and writes no "
+          "file. Faults are told as file:line:column: path.to.key: what is wrong; how to mend "
+          "it.\n\nExample:\n  mien check my.yaml",
+      .run = [options](const Console& console) { return check(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -4,7 +4,6 @@
 #include <system_error>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +11,6 @@
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
 #include "pipeline/commands/verification_text.h"
-#include "pipeline/commands/word_choice.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/archive/keep.h"
 #include "pipeline/production/archive/not_kept.h"
@@ -36,10 +34,10 @@ struct CleanOptions {
   bool json = false;
 };
 
-std::map<std::string, ArtifactKind> kind_words() {
-  std::map<std::string, ArtifactKind> words;
-  for (const ArtifactKindName& one : artifact_kinds) words[std::string(one.name)] = one.kind;
-  return words;
+WordValues<ArtifactKind> kinds_by_name() {
+  WordValues<ArtifactKind> kinds;
+  for (const ArtifactKindName& one : artifact_kinds) kinds.emplace_back(one.name, one.kind);
+  return kinds;
 }
 
 Cleaning stale_cleaned(const fs::path& folder, const Production& production, bool dry_run) {
@@ -135,37 +133,32 @@ int clean(const CleanOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_clean_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand("clean", "Remove artifacts that nobody needs any more");
+Command clean_command() {
   const auto options = std::make_shared<CleanOptions>();
-  command
-      ->add_option("study", options->study,
-                   "Manifest (YAML), or the name of one of mien manifests; with --keep also the "
-                   "folder of a study, or its provenance.json")
-      ->required();
-  CLI::Option* stale = command->add_flag(
-      "--stale", options->stale, "What the manifest does not make any more: mien plan lists it");
-  command
-      ->add_option(
-          "--keep", options->keep,
-          "All but these kinds, separated by commas: videos, frames, clips, sheets, metrics")
-      ->delimiter(',')
-      ->transform(choice_of(kind_words()))
-      ->excludes(stale);
-  command->add_flag("--dry-run", options->dry_run, "Tell what would go, and remove nothing");
-  command
-      ->add_option("--out,-o", options->out, "Folder of all studies; results are in <out>/<study>")
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "What was removed as JSON on standard output");
-  command->footer(
-      "\nOnly what mien made and nobody has changed is removed. provenance.json, inputs/ and the "
-      "report stay. What --keep removed stands in not-kept.json: mien verify knows that it is not "
-      "missing, and mien run makes it again.\n\nExamples:\n"
-      "  mien clean --stale my.yaml\n"
-      "  mien clean out/my-study --keep videos,sheets --dry-run");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return clean(*options, console); };
-  });
+  return {
+      .name = "clean",
+      .summary = "Remove artifacts that nobody needs any more",
+      .options = {argument(
+                      "study", &options->study,
+                      "Manifest (YAML), or the name of one of mien manifests; with --keep also the "
+                      "folder of a study, or its provenance.json"),
+                  flag("--stale", &options->stale,
+                       "What the manifest does not make any more: mien plan lists it"),
+                  choice("--keep", options->keep, kinds_by_name(),
+                         "All but these kinds, separated by commas")
+                      .excludes("--stale"),
+                  flag("--dry-run", &options->dry_run, "Tell what would go, and remove nothing"),
+                  option("--out,-o", &options->out,
+                         "Folder of all studies; results are in <out>/<study>")
+                      .with_default(),
+                  flag("--json", &options->json, "What was removed as JSON on standard output")},
+      .notes =
+          "Only what mien made and nobody has changed is removed. provenance.json, inputs/ and the "
+          "report stay. What --keep removed stands in not-kept.json: mien verify knows that it is "
+          "not missing, and mien run makes it again.\n\nExamples:\n"
+          "  mien clean --stale my.yaml\n"
+          "  mien clean out/my-study --keep videos,sheets --dry-run",
+      .run = [options](const Console& console) { return clean(*options, console); }};
 }
 
 }  // namespace mien::pipeline

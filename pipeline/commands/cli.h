@@ -1,13 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <ostream>
 #include <stop_token>
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "pipeline/commands/command.h"
 
 namespace mien::pipeline {
 
@@ -33,30 +30,25 @@ struct Console {
   std::stop_token stop;  ///< requested by Ctrl-C
 };
 
-/// A command that was chosen on the command line; returns the exit code.
-using Command = std::function<int(const Console&)>;
+/// All that the program can.
+Command mien_program();
 
-/// Each adds its subcommand to `app` and sets `chosen` when it is the one that was typed.
-void add_check_command(CLI::App& app, Command& chosen);
-void add_clean_command(CLI::App& app, Command& chosen);
-void add_completion_command(CLI::App& app, Command& chosen);
-void add_farm_command(CLI::App& app, Command& chosen);
-void add_man_command(CLI::App& app, Command& chosen);
-void add_manifests_command(CLI::App& app, Command& chosen);
-void add_pack_command(CLI::App& app, Command& chosen);
-void add_plan_command(CLI::App& app, Command& chosen);
-void add_regress_command(CLI::App& app, Command& chosen);
-void add_run_command(CLI::App& app, Command& chosen);
-void add_render_command(CLI::App& app, Command& chosen);
-void add_motion_command(CLI::App& app, Command& chosen);
-void add_sets_command(CLI::App& app, Command& chosen);
-void add_studio_command(CLI::App& app, Command& chosen);
-void add_study_command(CLI::App& app, Command& chosen);
-void add_verify_command(CLI::App& app, Command& chosen);
-void add_version_command(CLI::App& app, Command& chosen);
-
-/// Runs the program; never throws. Faults of the input are told on `err` with exit code 2, failures
-/// of the machine with 1.
-int run_command_line(int argc, const char* const* argv, const Console& console);
+Command check_command();
+Command clean_command();
+Command completion_command();
+Command farm_command();
+Command man_command();
+Command manifests_command();
+Command motion_command();
+Command pack_command();
+Command plan_command();
+Command regress_command();
+Command render_command();
+Command run_command();
+Command sets_command();
+Command studio_command();
+Command study_command();
+Command verify_command();
+Command version_command();
 
 }  // namespace mien::pipeline

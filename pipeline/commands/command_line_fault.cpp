@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -93,15 +92,6 @@ std::string unknown_flag_fault(const CLI::App& command, const std::string& given
                      near ? fmt::format("did you mean {}? ", *near) : "", help_line(command));
 }
 
-/// Of a command that asked for it itself: "before is required" in our words; else empty.
-std::string asked_for_fault(const CLI::App& command, const CLI::ParseError& fault) {
-  constexpr std::string_view ending = " is required";
-  std::string name = fault.what();
-  if (!name.ends_with(ending)) return "";
-  name.erase(name.size() - ending.size());
-  return fmt::format("{} is missing; {}", name, help_line(command));
-}
-
 /// Of what CLI11 found wrong with a value.
 std::string told_by_parser(const CLI::App& command, const CLI::ParseError& fault) {
   std::string wrong = fault.what();
@@ -140,9 +130,8 @@ std::string told_fault(const CLI::App& command, const std::vector<std::string>& 
   if (fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !extras.empty())
     return fmt::format("{} is a word too many; {}", motion::in_quotes(extras.front()),
                        help_line(command));
-  for (const std::string& told : {asked_for_fault(command, fault), valueless_fault(command, fault)})
-    if (!told.empty()) return told;
-  return told_by_parser(command, fault);
+  const std::string told = valueless_fault(command, fault);
+  return told.empty() ? told_by_parser(command, fault) : told;
 }
 
 }  // namespace

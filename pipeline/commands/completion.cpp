@@ -2,8 +2,6 @@
 
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "pipeline/commands/cli.h"
 
 namespace mien::pipeline {
@@ -13,24 +11,19 @@ std::string command_that_lists(const CommandPage& page, const CommandOption& arg
   return argument.argument == "name" ? page.name : "";
 }
 
-void add_completion_command(CLI::App& app, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("completion", "Print the script that lets a shell complete commands");
+Command completion_command() {
   const auto shell = std::make_shared<std::string>();
-  command->add_option("shell", *shell, "For which shell")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh"}));
-  command->footer(
-      "\nThe Debian package brings both. Without it:\n"
-      "  source <(mien completion bash)     in ~/.bashrc\n"
-      "  source <(mien completion zsh)      in ~/.zshrc, after compinit");
-  command->callback([&app, &chosen, shell] {
-    chosen = [&app, shell](const Console& console) {
-      const CommandPage program = command_tree(app);
-      console.out << (*shell == "bash" ? bash_completion(program) : zsh_completion(program));
-      return exit_done;
-    };
-  });
+  return {.name = "completion",
+          .summary = "Print the script that lets a shell complete commands",
+          .options = {argument("shell", shell.get(), "For which shell").one_of({"bash", "zsh"})},
+          .notes =
+              "The Debian package brings both. Without it:\n"
+              "  source <(mien completion bash)     in ~/.bashrc\n"
+              "  source <(mien completion zsh)      in ~/.zshrc, after compinit",
+          .run = [shell](const Console& console) {
+            console.out << (*shell == "bash" ? bash_completion : zsh_completion)(mien_program());
+            return exit_done;
+          }};
 }
 
 }  // namespace mien::pipeline

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "pipeline/commands/command_tree.h"
+#include "pipeline/commands/command.h"
 
 namespace mien::pipeline {
 
@@ -12,7 +12,7 @@ std::string command_that_lists(const CommandPage& page, const CommandOption& arg
 
 /// Scripts that let a shell complete commands, options, values of options with fixed choices,
 /// names of manifests and sets, and files.
-std::string bash_completion(const CommandPage& program);
-std::string zsh_completion(const CommandPage& program);
+std::string bash_completion(const Command& program);
+std::string zsh_completion(const Command& program);
 
 }  // namespace mien::pipeline

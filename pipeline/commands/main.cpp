@@ -11,6 +11,7 @@
 #include "pipeline/base/documents/failure_text.h"
 #include "pipeline/base/documents/printable_stream.h"
 #include "pipeline/commands/cli.h"
+#include "pipeline/commands/command_line.h"
 #include "pipeline/commands/standard_output.h"
 #include "pipeline/tasks/interruption.h"
 
@@ -54,7 +55,8 @@ int main(int argc, char** argv) {
   {
     PrintableStream out(output.stream(), isatty(STDOUT_FILENO) != 0 ? StreamReader::terminal
                                                                     : StreamReader::program);
-    code = mien::pipeline::run_command_line(argc, argv, {out, err, is_terminal, signals.token()});
+    code = mien::pipeline::run_command_line(mien::pipeline::mien_program(), argc, argv,
+                                            {out, err, is_terminal, signals.token()});
   }  // what it still held is passed on
   return output.finish(code, err);
 }

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/commands/cli.h"
@@ -126,28 +125,28 @@ std::string option_in_roff(const CommandOption& option) {
   if (!option.usual.empty() && told.find("[" + option.usual + "]") == std::string::npos) {
     told += " [" + option.usual + "]";
   }
-  if (option.required && !option.names.empty()) told += " (required)";
+  if (option.is_required && !option.names.empty()) told += " (required)";
   return page + "\n" + running_text(told);
 }
 
 /// "mien run [options] manifest" with what is typed in bold.
 std::string usage_in_roff(const CommandPage& page) {
   std::string usage = bold(page.name);
-  if (!page.options.empty()) usage += " [" + italic("options") + "]";
-  for (const CommandOption& argument : page.arguments) {
+  if (!page.command.named_options().empty()) usage += " [" + italic("options") + "]";
+  for (const CommandOption& argument : page.command.arguments()) {
     const std::string name = italic(argument.argument) + (argument.repeats ? "\\ .\\|.\\|." : "");
-    usage += argument.required ? " " + name : " [" + name + "]";
+    usage += argument.is_required ? " " + name : " [" + name + "]";
   }
-  if (!page.commands.empty()) usage += " " + italic("command") + " .\\|.\\|.";
+  if (!page.command.commands.empty()) usage += " " + italic("command") + " .\\|.\\|.";
   return usage + "\n";
 }
 
 std::string command_in_roff(const CommandPage& page) {
-  std::string text =
-      ".SS " + roff(page.name) + "\n" + usage_in_roff(page) + ".PP\n" + running_text(page.summary);
-  for (const CommandOption& argument : page.arguments) text += option_in_roff(argument);
-  for (const CommandOption& option : page.options) text += option_in_roff(option);
-  return text + notes_in_roff(page.notes);
+  std::string text = ".SS " + roff(page.name) + "\n" + usage_in_roff(page) + ".PP\n" +
+                     running_text(page.command.summary);
+  for (const CommandOption& argument : page.command.arguments()) text += option_in_roff(argument);
+  for (const CommandOption& option : page.command.named_options()) text += option_in_roff(option);
+  return text + notes_in_roff(page.command.notes);
 }
 
 /// The indented lines of a text, as they are.
@@ -182,31 +181,29 @@ lists, and the JSON Schemas that editors help with.
 
 }  // namespace
 
-std::string manual_page(const CommandPage& program, const std::string& version,
+std::string manual_page(const Command& program, const std::string& version,
                         const std::string& date) {
+  const std::vector<CommandPage> pages = every_page(program);
   std::string page = fmt::format(".TH MIEN 1 {} \"mien {}\" \"User Commands\"\n", date, version);
-  page += ".SH NAME\nmien \\- make human motion stimuli\n.SH SYNOPSIS\n" + usage_in_roff(program);
+  page += ".SH NAME\nmien \\- make human motion stimuli\n.SH SYNOPSIS\n" + usage_in_roff(pages[0]);
   page += ".SH DESCRIPTION\n" + running_text(program.summary);
   page += "Results go to standard output, progress and faults to standard error.\n";
   page += ".SH OPTIONS\n.TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nSay what a command takes.\n";
-  for (const CommandOption& option : program.options) page += option_in_roff(option);
+  for (const CommandOption& option : program.named_options()) page += option_in_roff(option);
   page += ".SH COMMANDS\n";
-  for (const CommandPage* command : every_page(program)) {
-    if (command != &program) page += command_in_roff(*command);
-  }
+  for (std::size_t i = 1; i < pages.size(); ++i) page += command_in_roff(pages[i]);
   return page + exit_codes_in_roff() + files_in_roff + examples_in_roff(program.notes);
 }
 
-void add_man_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand("man", "Print the manual page");
-  command->footer("\nExample:\n  mien man | man -l -");
-  command->callback([&app, &chosen] {
-    chosen = [&app](const Console& console) {
-      console.out << manual_page(command_tree(app), std::string(program_version()),
-                                 std::string(release_date()));
-      return exit_done;
-    };
-  });
+Command man_command() {
+  return {.name = "man",
+          .summary = "Print the manual page",
+          .notes = "Example:\n  mien man | man -l -",
+          .run = [](const Console& console) {
+            console.out << manual_page(mien_program(), std::string(program_version()),
+                                       std::string(release_date()));
+            return exit_done;
+          }};
 }
 
 }  // namespace mien::pipeline

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "motion/error.h"
@@ -90,19 +89,20 @@ int show_manifest(const std::string& name, const Console& console) {
 
 }  // namespace
 
-void add_manifests_command(CLI::App& app, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("manifests", "List the manifests that came with mien, or print one");
+Command manifests_command() {
   const auto name = std::make_shared<std::string>();
-  command->add_option("name", *name, "Manifest, or file of scales or recipes, that is printed");
-  command->footer(
-      "\nA manifest that mien does not find where it is said to be is looked for among these, "
-      "with and without manifests/ before its name and .yaml behind it.\n\nExamples:\n"
-      "  mien run quickstart\n"
-      "  mien manifests quickstart > my.yaml");
-  command->callback([&chosen, name] {
-    chosen = [name](const Console& console) { return show_manifest(*name, console); };
-  });
+  return {
+      .name = "manifests",
+      .summary = "List the manifests that came with mien, or print one",
+      .options = {argument("name", name.get(),
+                           "Manifest, or file of scales or recipes, that is printed")
+                      .optional()},
+      .notes =
+          "A manifest that mien does not find where it is said to be is looked for among these, "
+          "with and without manifests/ before its name and .yaml behind it.\n\nExamples:\n"
+          "  mien run quickstart\n"
+          "  mien manifests quickstart > my.yaml",
+      .run = [name](const Console& console) { return show_manifest(*name, console); }};
 }
 
 }  // namespace mien::pipeline

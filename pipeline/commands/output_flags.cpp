@@ -82,22 +82,20 @@ std::string default_of(const json& schema) {
 
 }  // namespace
 
-void OutputFlags::add(CLI::App& command, const std::string& key) {
+CommandOption OutputFlags::option_of(const std::string& key) {
   const json& schema = manifest_schema()["definitions"]["output"]["properties"][key];
   const std::string text = schema["description"].get<std::string>() + limits_of(schema);
+  const auto take = [this, key](const std::string& value) { given_[key] = value; };
   is_array_[key] = schema["type"] == "array";
-  if (schema["type"] == "boolean") {
-    command.add_flag_callback(
-        flag_of(key), [this, key] { given_[key] = "true"; }, text);
-    return;
-  }
-  CLI::Option* option = command.add_option_function<std::string>(
-      flag_of(key), [this, key](const std::string& value) { given_[key] = value; }, text);
-  if (schema.contains("default")) option->default_str(default_of(schema));
+  if (schema["type"] == "boolean") return flag(flag_of(key), take, text);
+  return option(flag_of(key), take, text)
+      .with_default(schema.contains("default") ? default_of(schema) : "");
 }
 
-void OutputFlags::add_to(CLI::App& command) {
-  for (const std::string& key : picture_keys()) add(command, key);
+std::vector<CommandOption> OutputFlags::options() {
+  std::vector<CommandOption> options;
+  for (const std::string& key : picture_keys()) options.push_back(option_of(key));
+  return options;
 }
 
 OutputReading OutputFlags::read() const {

@@ -2,10 +2,10 @@
 
 #include <map>
 #include <string>
-
-#include <CLI/CLI.hpp>
+#include <vector>
 
 #include "pipeline/base/documents/places.h"
+#include "pipeline/commands/command.h"
 #include "pipeline/manifest/output.h"
 
 namespace mien::pipeline {
@@ -20,14 +20,14 @@ struct OutputReading {
 /// described and limited as the manifest's schema does it.
 class OutputFlags {
  public:
-  /// Adds --size, --scale, … to the command, which must not outlive this.
-  void add_to(CLI::App& command);
+  /// --size, --scale, …, which must not outlive this.
+  std::vector<CommandOption> options();
 
   /// Throws Faults for what the schema does not allow.
   OutputReading read() const;
 
  private:
-  void add(CLI::App& command, const std::string& key);
+  CommandOption option_of(const std::string& key);
 
   std::map<std::string, std::string> given_;  ///< key → YAML text
   std::map<std::string, bool> is_array_;

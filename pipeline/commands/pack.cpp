@@ -5,7 +5,6 @@
 #include <string>
 #include <thread>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -81,43 +80,40 @@ int run_pack(const PackOptions& options, const Console& console) {
   return exit_done;
 }
 
-void add_info_options(CLI::App& command, BagInfo& info) {
-  command.add_option("--organization", info.organization,
-                     "Whose study it is (Source-Organization of bag-info.txt)");
-  command.add_option("--contact-name", info.contact_name, "Whom to ask (Contact-Name)");
-  command.add_option("--contact-email", info.contact_email, "Where to ask (Contact-Email)");
-  command.add_option("--description", info.description,
-                     "What it is, instead of the command that made it (External-Description)");
-  command.add_option("--license", info.license, "Under what licence: CC-BY-4.0, say (License)");
+std::vector<CommandOption> info_options(BagInfo& info) {
+  return {option("--organization", &info.organization,
+                 "Whose study it is (Source-Organization of bag-info.txt)"),
+          option("--contact-name", &info.contact_name, "Whom to ask (Contact-Name)"),
+          option("--contact-email", &info.contact_email, "Where to ask (Contact-Email)"),
+          option("--description", &info.description,
+                 "What it is, instead of the command that made it (External-Description)"),
+          option("--license", &info.license, "Under what licence: CC-BY-4.0, say (License)")};
 }
 
 }  // namespace
 
-void add_pack_command(CLI::App& app, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("pack", "Put a finished study into one file for an archive");
+Command pack_command() {
   const auto options = std::make_shared<PackOptions>();
-  command->add_option("study", options->study, "Folder of a study, or its provenance.json")
-      ->required();
-  command->add_option("-o,--output", options->output,
-                      "Archive, .tar.zst, .tar.gz or .tar; <study>.tar.zst without it");
-  command->add_flag("--force", options->force, "Replace an archive that is there");
-  add_info_options(*command, options->info);
-  command->add_flag("--json", options->json, "What was packed as JSON on standard output");
-  command->footer(
-      "\nA bag (BagIt, RFC 8493): everything of the study in data/, its SHA-256 sums beside it, "
-      "for "
-      "sha256sum -c manifest-sha256.txt. The same study with the same options gives the same "
-      "bytes. The study is "
-      "verified "
-      "first, and refused when something is missing or changed.\n"
-      "\nExamples:\n"
-      "  mien pack out/my-study -o my-study.tar.zst\n"
-      "  mien pack out/my-study --organization \"University of Somewhere\" --license CC-BY-4.0\n"
-      "  mien verify my-study                       after tar xf my-study.tar.zst");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return run_pack(*options, console); };
-  });
+  return {.name = "pack",
+          .summary = "Put a finished study into one file for an archive",
+          .options = all_of(
+              argument("study", &options->study, "Folder of a study, or its provenance.json"),
+              option("-o,--output", &options->output,
+                     "Archive, .tar.zst, .tar.gz or .tar; <study>.tar.zst without it"),
+              flag("--force", &options->force, "Replace an archive that is there"),
+              info_options(options->info),
+              flag("--json", &options->json, "What was packed as JSON on standard output")),
+          .notes =
+              "A bag (BagIt, RFC 8493): everything of the study in data/, its SHA-256 sums beside "
+              "it, for sha256sum -c manifest-sha256.txt. The same study with the same options "
+              "gives the same bytes. The study is verified first, and refused when something is "
+              "missing or changed.\n"
+              "\nExamples:\n"
+              "  mien pack out/my-study -o my-study.tar.zst\n"
+              "  mien pack out/my-study --organization \"University of Somewhere\" --license "
+              "CC-BY-4.0\n"
+              "  mien verify my-study                       after tar xf my-study.tar.zst",
+          .run = [options](const Console& console) { return run_pack(*options, console); }};
 }
 
 }  // namespace mien::pipeline

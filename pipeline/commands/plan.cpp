@@ -1,7 +1,6 @@
 #include <memory>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -87,17 +86,16 @@ int show_plan(const ProductionArguments& arguments, const Console& console) {
 
 }  // namespace
 
-void add_plan_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand("plan", "Show what a run would do, without doing it");
+Command plan_command() {
   const auto arguments = std::make_shared<ProductionArguments>();
-  add_production_options(*command, *arguments);
-  command->footer(
-      "\ncached: present; due: will be made; waiting: depends on what is due. Files are told by "
-      "their receipts and sizes: one that was damaged and kept its size is found by run, which "
-      "reads them all. Times are estimates.\n\nExample:\n  mien plan quickstart");
-  command->callback([&chosen, arguments] {
-    chosen = [arguments](const Console& console) { return show_plan(*arguments, console); };
-  });
+  return {.name = "plan",
+          .summary = "Show what a run would do, without doing it",
+          .options = production_options(*arguments),
+          .notes =
+              "cached: present; due: will be made; waiting: depends on what is due. Files are told "
+              "by their receipts and sizes: one that was damaged and kept its size is found by "
+              "run, which reads them all. Times are estimates.\n\nExample:\n  mien plan quickstart",
+          .run = [arguments](const Console& console) { return show_plan(*arguments, console); }};
 }
 
 }  // namespace mien::pipeline

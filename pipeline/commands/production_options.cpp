@@ -3,34 +3,32 @@
 #include <algorithm>
 #include <thread>
 
-#include <CLI/CLI.hpp>
-
 #include "motion/text/shell_word.h"
 
 namespace mien::pipeline {
 
-void add_manifest_options(CLI::App& command, ProductionArguments& arguments) {
-  command
-      .add_option(
-          "manifest", arguments.manifest,
-          "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json")
-      ->required();
-  command
-      .add_option("--out,-o", arguments.out, "Folder of all studies; results go to <out>/<study>")
-      ->capture_default_str();
-  command.add_option("--quality", arguments.quality, "Instead of the manifest's quality")
-      ->check(CLI::IsMember({"draft", "standard", "final"}));
-  command.add_option("--jobs,-j", arguments.jobs, "Tasks at a time (default: one a processor)")
-      ->check(CLI::Range(1, 1024));
+CommandOption quality_option(std::string& quality) {
+  return option("--quality", &quality, "Instead of the manifest's quality")
+      .one_of({"draft", "standard", "final"});
 }
 
-void add_production_options(CLI::App& command, ProductionArguments& arguments) {
-  add_manifest_options(command, arguments);
-  command
-      .add_option("--only", arguments.only,
-                  "Ids of stimuli, overlays or sheets, separated by commas")
-      ->delimiter(',');
-  command.add_flag("--json", arguments.json, "Result as JSON on standard output");
+std::vector<CommandOption> manifest_options(ProductionArguments& arguments) {
+  return {
+      argument("manifest", &arguments.manifest,
+               "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json"),
+      option("--out,-o", &arguments.out, "Folder of all studies; results go to <out>/<study>")
+          .with_default(),
+      quality_option(arguments.quality),
+      option("--jobs,-j", &arguments.jobs, "Tasks at a time (default: one a processor)")
+          .between(1, 1024)};
+}
+
+std::vector<CommandOption> production_options(ProductionArguments& arguments) {
+  return all_of(
+      manifest_options(arguments),
+      option("--only", &arguments.only, "Ids of stimuli, overlays or sheets, separated by commas")
+          .with_commas(),
+      flag("--json", &arguments.json, "Result as JSON on standard output"));
 }
 
 int jobs_of(const ProductionArguments& arguments) {

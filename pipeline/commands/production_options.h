@@ -7,10 +7,6 @@
 #include "pipeline/commands/cli.h"
 #include "pipeline/production/run/production.h"
 
-namespace CLI {
-class App;
-}
-
 namespace mien::pipeline {
 
 /// What `run` and `plan` take on the command line.
@@ -24,10 +20,13 @@ struct ProductionArguments {
   bool exclusive = false;
 };
 
-void add_production_options(CLI::App& command, ProductionArguments& arguments);
+/// --quality
+CommandOption quality_option(std::string& quality);
+
+std::vector<CommandOption> production_options(ProductionArguments& arguments);
 
 /// Those of them that tell which study it is and with how many threads it is made.
-void add_manifest_options(CLI::App& command, ProductionArguments& arguments);
+std::vector<CommandOption> manifest_options(ProductionArguments& arguments);
 
 int jobs_of(const ProductionArguments& arguments);
 ProductionOptions options_of(const ProductionArguments& arguments);

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
@@ -189,86 +188,76 @@ int render_file(const RenderOptions& options, const Console& console) {
 }
 
 /// Which motions, and what is made of them.
-void add_file_options(CLI::App* command, const std::shared_ptr<RenderOptions>& options) {
-  command
-      ->add_option(
-          "files", options->files,
-          "Motion file: BVH, AMC, glTF, GLB; or two or three in one scene: target (green), "
-          "created (blue), reference (red)")
-      ->required()
-      ->expected(1, 3);
-  add_take_option(*command, options->take);
-  command->add_option("--layout", options->layout, "Of several motions")
-      ->check(CLI::IsMember({"superimposed", "side-by-side"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", options->out,
-                      "Video (" + video_endings() +
-                          ") or contact sheet (.png), in a folder that is made if need be; "
-                          "<file>.mp4 in this folder without it");
-  command->add_flag("--repeat", options->repeat,
-                    "Animated pictures (webp, gif, apng): repeat for ever instead of playing once");
+std::vector<CommandOption> file_options(RenderOptions& options) {
+  return {
+      argument("files", &options.files,
+               "Motion file: BVH, AMC, glTF, GLB; or two or three in one scene: target (green), "
+               "created (blue), reference (red)")
+          .values(1, 3),
+      take_option(options.take),
+      option("--layout", &options.layout, "Of several motions")
+          .one_of({"superimposed", "side-by-side"})
+          .with_default(),
+      option("-o,--output", &options.out,
+             "Video (" + video_endings() +
+                 ") or contact sheet (.png), in a folder that is made if need be; <file>.mp4 in "
+                 "this folder without it"),
+      flag("--repeat", &options.repeat,
+           "Animated pictures (webp, gif, apng): repeat for ever instead of playing once")};
 }
 
 /// How they are shown.
-void add_look_options(CLI::App* command, const std::shared_ptr<RenderOptions>& options) {
-  options->output.add_to(*command);
-  command
-      ->add_option("--camera", options->look.camera,
-                   "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
-      ->capture_default_str();
-  command
-      ->add_option("--figure", options->look.figure,
-                   "stick, mannequin, point-light or trail, options (\"point-light: {scrambled: "
-                   "true}\"), or a character's file (.glb, .gltf, .vrm)")
-      ->capture_default_str();
-  command->add_option("--scene", options->look.scene,
-                      "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see "
-                      "mien sets); studio, or void for point lights, without it");
+std::vector<CommandOption> look_options(LookOptions& look) {
+  return {option("--camera", &look.camera,
+                 "front, side, three-quarter, follow or orbit, or options: \"view: side\"")
+              .with_default(),
+          option("--figure", &look.figure,
+                 "stick, mannequin, point-light or trail, options (\"point-light: {scrambled: "
+                 "true}\"), or a character's file (.glb, .gltf, .vrm)")
+              .with_default(),
+          option("--scene", &look.scene,
+                 "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "
+                 "sets); studio, or void for point lights, without it")};
 }
 
 /// Stills, dots and noise.
-void add_picture_options(CLI::App* command, const std::shared_ptr<RenderOptions>& options) {
-  command
-      ->add_option(
-          "--still", options->still,
-          "One picture (.png) instead of a contact sheet: of that moment in seconds, or of "
-          "the middle (a trail's end) without a number")
-      ->expected(0, 1)
-      ->default_str("middle");
-  command->add_option("--dots", options->dots, "Also write where the point lights are (CSV)");
-  command->add_option("--seed", options->seed, "Of what is random about point lights")
-      ->capture_default_str();
-  command
-      ->add_option("--background", options->background,
-                   "Of a still: shown, transparent, or shadow (the figure and its shadow alone)")
-      ->check(CLI::IsMember({"shown", "transparent", "shadow"}))
-      ->capture_default_str();
-  command->add_option("--jobs,-j", options->jobs, "Threads (default: one a processor)")
-      ->check(CLI::Range(1, 1024));
+std::vector<CommandOption> picture_options(RenderOptions& options) {
+  return {
+      option("--still", &options.still,
+             "One picture (.png) instead of a contact sheet: of that moment in seconds, or of the "
+             "middle (a trail's end) without a number")
+          .values(0, 1)
+          .with_default("middle"),
+      option("--dots", &options.dots, "Also write where the point lights are (CSV)"),
+      option("--seed", &options.seed, "Of what is random about point lights").with_default(),
+      option("--background", &options.background,
+             "Of a still: shown, transparent, or shadow (the figure and its shadow alone)")
+          .one_of({"shown", "transparent", "shadow"})
+          .with_default(),
+      option("--jobs,-j", &options.jobs, "Threads (default: one a processor)").between(1, 1024)};
 }
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand("render", "Make a video of a motion file");
+Command render_command() {
   const auto options = std::make_shared<RenderOptions>();
-  add_file_options(command, options);
-  add_look_options(command, options);
-  add_picture_options(command, options);
-  command->footer(
-      "\nUnits, up axis, ground and camera are found by themselves.\n\nExamples:\n"
-      "  mien render walk.bvh\n  mien render walk.bvh -o side.mp4 --camera side --size 1920x1080\n"
-      "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
-      "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
-      "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"
-      "Endings: .mp4 is H.264, .lossless.mp4 H.264 in lossless RGB, .webm VP9, .av1.webm AV1, "
-      ".mkv\n"
-      "FFV1 (lossless); .webp, .gif and .apng are animated pictures. Each file is decoded again "
-      "and\n"
-      "held against the frames.");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return render_file(*options, console); };
-  });
+  return {.name = "render",
+          .summary = "Make a video of a motion file",
+          .options = all_of(file_options(*options), options->output.options(),
+                            look_options(options->look), picture_options(*options)),
+          .notes =
+              "Units, up axis, ground and camera are found by themselves.\n\nExamples:\n"
+              "  mien render walk.bvh\n  mien render walk.bvh -o side.mp4 --camera side --size "
+              "1920x1080\n"
+              "  mien render walk.bvh -o teaser.png --figure \"trail: {traces: [feet, hands]}\"\n"
+              "  mien render walk.bvh --figure \"point-light: {scrambled: true}\" --dots dots.csv\n"
+              "  mien render walk.bvh -o slide.gif --repeat --size 480x270 --fps 15\n\n"
+              "Endings: .mp4 is H.264, .lossless.mp4 H.264 in lossless RGB, .webm VP9, .av1.webm "
+              "AV1, .mkv\n"
+              "FFV1 (lossless); .webp, .gif and .apng are animated pictures. Each file is decoded "
+              "again and\n"
+              "held against the frames.",
+          .run = [options](const Console& console) { return render_file(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -139,21 +138,21 @@ int run_production(const ProductionArguments& arguments, const Console& console)
 
 }  // namespace
 
-void add_run_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand("run", "Make everything that a manifest asks for");
+Command run_command() {
   const auto arguments = std::make_shared<ProductionArguments>();
-  add_production_options(*command, *arguments);
-  command->add_flag("--exclusive", arguments->exclusive,
-                    "Refuse to work beside another process in the study's folder; without it, two "
-                    "share the work");
-  command->footer(
-      "\nWhat is there and unchanged is not made again; an interrupted run goes on where it "
-      "stopped.\n\nExamples:\n"
-      "  mien run quickstart\n"
-      "  mien run my.yaml --only target-1,guess-1 --quality draft");
-  command->callback([&chosen, arguments] {
-    chosen = [arguments](const Console& console) { return run_production(*arguments, console); };
-  });
+  return {
+      .name = "run",
+      .summary = "Make everything that a manifest asks for",
+      .options = all_of(production_options(*arguments),
+                        flag("--exclusive", &arguments->exclusive,
+                             "Refuse to work beside another process in the study's folder; without "
+                             "it, two share the work")),
+      .notes =
+          "What is there and unchanged is not made again; an interrupted run goes on where it "
+          "stopped.\n\nExamples:\n"
+          "  mien run quickstart\n"
+          "  mien run my.yaml --only target-1,guess-1 --quality draft",
+      .run = [arguments](const Console& console) { return run_production(*arguments, console); }};
 }
 
 }  // namespace mien::pipeline

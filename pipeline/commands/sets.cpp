@@ -1,8 +1,6 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "motion/error.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
@@ -29,16 +27,15 @@ int show_set(const std::string& name, const Console& console) {
 
 }  // namespace
 
-void add_sets_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand("sets", "List the sets for looks, or print one to change");
+Command sets_command() {
   const auto name = std::make_shared<std::string>();
-  command->add_option("name", *name, "Set whose file is printed");
-  command->footer(
-      "\nExample:\n  mien sets studio > my.set.yaml\n"
-      "  mien render walk.bvh --scene my.set.yaml");
-  command->callback([&chosen, name] {
-    chosen = [name](const Console& console) { return show_set(*name, console); };
-  });
+  return {.name = "sets",
+          .summary = "List the sets for looks, or print one to change",
+          .options = {argument("name", name.get(), "Set whose file is printed").optional()},
+          .notes =
+              "Example:\n  mien sets studio > my.set.yaml\n"
+              "  mien render walk.bvh --scene my.set.yaml",
+          .run = [name](const Console& console) { return show_set(*name, console); }};
 }
 
 }  // namespace mien::pipeline

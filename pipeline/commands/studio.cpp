@@ -7,7 +7,6 @@
 #include <string>
 #include <thread>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -126,42 +125,40 @@ int run_studio(const StudioOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_studio_command(CLI::App& app, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("studio", "Make motions with sliders in the browser, into a manifest");
+Command studio_command() {
   const auto options = std::make_shared<StudioOptions>();
-  command->add_option("manifest", options->manifest,
-                      "Manifest (YAML) to open, or the name of one of mien manifests; without it, "
-                      "studio.yaml in this folder");
-  command->add_option("--out", options->out, "Folder of the studies' folders")
-      ->capture_default_str();
-  command->add_option("--port", options->port, "Port to listen at; 0: any that is free")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
-  command
-      ->add_option("--jobs,-j", options->jobs,
-                   "Threads of stills and videos (default: one a processor)")
-      ->check(CLI::Range(1, 1024));
-  command->add_flag("--walk", options->walk,
-                    "Open a walker that arrow keys or a gamepad steer, and sliders of moods; the "
-                    "studio's page leads there, too, once this has compiled what it needs");
-  command->add_flag("--no-browser", options->no_browser, "Tell the link and open nothing");
-  command->add_flag("--json", options->json, "Tell the link as JSON and open nothing");
-  command->footer(
-      "\nOpens a page that shows the manifest's stimuli and makes what is changed at once. Only "
-      "this\n"
-      "machine reaches it, by a link that is new each time. Saving changes the lines of the "
-      "manifest\n"
-      "that were changed in the page; comments stay. Stills and videos by the real renderer lie "
-      "in\n"
-      "<out>/<study>.studio.\n"
-      "\nExamples:\n"
-      "  mien studio my.yaml\n"
-      "  mien studio --walk\n"
-      "  mien studio quickstart --no-browser");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return run_studio(*options, console); };
-  });
+  return {
+      .name = "studio",
+      .summary = "Make motions with sliders in the browser, into a manifest",
+      .options = {argument("manifest", &options->manifest,
+                           "Manifest (YAML) to open, or the name of one of mien manifests; without "
+                           "it, studio.yaml in this folder")
+                      .optional(),
+                  option("--out", &options->out, "Folder of the studies' folders").with_default(),
+                  option("--port", &options->port, "Port to listen at; 0: any that is free")
+                      .between(0, 65535)
+                      .with_default(),
+                  option("--jobs,-j", &options->jobs,
+                         "Threads of stills and videos (default: one a processor)")
+                      .between(1, 1024),
+                  flag("--walk", &options->walk,
+                       "Open a walker that arrow keys or a gamepad steer, and sliders of moods; "
+                       "the studio's page leads there, too, once this has compiled what it needs"),
+                  flag("--no-browser", &options->no_browser, "Tell the link and open nothing"),
+                  flag("--json", &options->json, "Tell the link as JSON and open nothing")},
+      .notes =
+          "Opens a page that shows the manifest's stimuli and makes what is changed at once. Only "
+          "this\n"
+          "machine reaches it, by a link that is new each time. Saving changes the lines of the "
+          "manifest\n"
+          "that were changed in the page; comments stay. Stills and videos by the real renderer "
+          "lie in\n"
+          "<out>/<study>.studio.\n"
+          "\nExamples:\n"
+          "  mien studio my.yaml\n"
+          "  mien studio --walk\n"
+          "  mien studio quickstart --no-browser",
+      .run = [options](const Console& console) { return run_studio(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -5,18 +5,18 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
+#include "pipeline/commands/command.h"
 
 namespace mien::pipeline {
 
 /// `--take`: which motion of a file that holds several.
-inline void add_take_option(CLI::App& command, std::string& take) {
-  command.add_option("--take", take,
-                     "Of a glTF file with several motions: which (mien motion info lists them)");
+inline CommandOption take_option(std::string& take) {
+  return option("--take", &take,
+                "Of a glTF file with several motions: which (mien motion info lists them)");
 }
 
 /// The motion of a file; the first of several where no take is named.
@@ -30,13 +30,11 @@ inline std::string chosen_take(const motion::Recording& recording) {
 }
 
 /// `--take` of a command that compares two files: of both, or of each by its own.
-inline void add_takes_option(CLI::App& command, std::vector<std::string>& takes) {
-  command
-      .add_option("--take", takes,
-                  "Of glTF files with several motions: which (mien motion info lists them); given "
-                  "twice, of the first file and of the second")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+inline CommandOption takes_option(std::vector<std::string>& takes) {
+  return option("--take", &takes,
+                "Of glTF files with several motions: which (mien motion info lists them); given "
+                "twice, of the first file and of the second")
+      .values(1, 1);
 }
 
 /// The takes of two files that are compared. One name alone is of both, as far as both may hold

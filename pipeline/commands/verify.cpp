@@ -7,7 +7,6 @@
 #include <string>
 #include <thread>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -108,40 +107,33 @@ int run_verify(const VerifyOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_verify_command(CLI::App& app, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("verify", "Compare everything of a finished study with its provenance");
+Command verify_command() {
   const auto options = std::make_shared<VerifyOptions>();
-  command
-      ->add_option("study", options->study,
-                   "Folder of a study, its provenance.json, or an unpacked archive of it")
-      ->required();
-  command
-      ->add_option("--rerender", options->rerender,
-                   "Draw so many frames again, by lot, and compare them")
-      ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--seed", options->seed,
-                      "Of the lot that --rerender draws; the study's own without it");
-  command->add_option("--jobs,-j", options->jobs, "Files at a time (default: one a processor)")
-      ->check(CLI::Range(1, 1024));
-  command->add_flag("--json", options->json, "What was found as JSON on standard output");
-  command->footer(
-      "\nEvery artifact is hashed and decoded, frame by frame, every copied input hashed. Tells "
-      "what "
-      "is missing, changed or extra (in the folder, and made by nobody that is known), and what "
-      "mien clean has removed. Ends with 1 when something is missing or changed, or a frame that "
-      "was "
-      "drawn again differs; what is extra is only told.\n"
-      "\nA frame that is drawn again has to have the bytes of the frame that was kept. Where only "
-      "a "
-      "video was kept, it has to be the frame that the video shows: in every pixel for lossless "
-      "kinds, else as nearly as the least like frame was when the film was made.\n"
-      "\nExamples:\n"
-      "  mien verify out/my-study\n"
-      "  mien verify out/my-study --rerender 20");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return run_verify(*options, console); };
-  });
+  return {
+      .name = "verify",
+      .summary = "Compare everything of a finished study with its provenance",
+      .options = {argument("study", &options->study,
+                           "Folder of a study, its provenance.json, or an unpacked archive of it"),
+                  option("--rerender", &options->rerender,
+                         "Draw so many frames again, by lot, and compare them")
+                      .between(1, 1'000'000),
+                  option("--seed", &options->seed,
+                         "Of the lot that --rerender draws; the study's own without it"),
+                  option("--jobs,-j", &options->jobs, "Files at a time (default: one a processor)")
+                      .between(1, 1024),
+                  flag("--json", &options->json, "What was found as JSON on standard output")},
+      .notes =
+          "Every artifact is hashed and decoded, frame by frame, every copied input hashed. Tells "
+          "what is missing, changed or extra (in the folder, and made by nobody that is known), "
+          "and what mien clean has removed. Ends with 1 when something is missing or changed, or a "
+          "frame that was drawn again differs; what is extra is only told.\n"
+          "\nA frame that is drawn again has to have the bytes of the frame that was kept. Where "
+          "only a video was kept, it has to be the frame that the video shows: in every pixel for "
+          "lossless kinds, else as nearly as the least like frame was when the film was made.\n"
+          "\nExamples:\n"
+          "  mien verify out/my-study\n"
+          "  mien verify out/my-study --rerender 20",
+      .run = [options](const Console& console) { return run_verify(*options, console); }};
 }
 
 }  // namespace mien::pipeline

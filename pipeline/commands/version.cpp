@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/cli.h"
@@ -37,13 +36,12 @@ int show_versions(bool as_json, const Console& console) {
 
 }  // namespace
 
-void add_version_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand("version", "Show the versions of mien and its libraries");
+Command version_command() {
   const auto as_json = std::make_shared<bool>(false);
-  command->add_flag("--json", *as_json, "As JSON");
-  command->callback([&chosen, as_json] {
-    chosen = [as_json](const Console& console) { return show_versions(*as_json, console); };
-  });
+  return {.name = "version",
+          .summary = "Show the versions of mien and its libraries",
+          .options = {flag("--json", as_json.get(), "As JSON")},
+          .run = [as_json](const Console& console) { return show_versions(*as_json, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -22,8 +22,8 @@ fi
 )";
 
 /// "mien study analyze" as "_mien_study_analyze".
-std::string zsh_function(const CommandPage& page) {
-  std::string name = "_" + page.name;
+std::string zsh_function(const std::string& command) {
+  std::string name = "_" + command;
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
@@ -79,7 +79,7 @@ std::string zsh_option(const CommandPage& page, const CommandOption& option) {
 
 std::string zsh_options(const CommandPage& page) {
   std::string lines = " \\\n    '(- *)'{-h,--help}'[Say what it takes]'";
-  for (const CommandOption& option : page.options) {
+  for (const CommandOption& option : page.command.named_options()) {
     lines += " \\\n    " + zsh_option(page, option);
   }
   return lines;
@@ -87,24 +87,25 @@ std::string zsh_options(const CommandPage& page) {
 
 std::string zsh_arguments(const CommandPage& page) {
   std::string lines;
-  for (const CommandOption& argument : page.arguments) {
-    const std::string place = argument.repeats ? "*" : argument.required ? "" : ":";
+  for (const CommandOption& argument : page.command.arguments()) {
+    const std::string place = argument.repeats ? "*" : argument.is_required ? "" : ":";
     lines += " \\\n    '" + place + zsh_value(page, argument) + "'";
   }
   return lines;
 }
 
 /// A command with commands below it: completes their names, then hands over to theirs.
-std::string zsh_group(const CommandPage& program, const CommandPage& page) {
+std::string zsh_group(const Command& program, const CommandPage& page) {
   std::string names;
   std::string calls;
-  for (const CommandPage& command : page.commands) {
-    names += fmt::format("    '{}:{}'\n", last_word(command), zsh_text(command.summary));
-    calls += fmt::format("        {}) {} ;;\n", last_word(command), zsh_function(command));
+  for (const Command& command : page.command.commands) {
+    names += fmt::format("    '{}:{}'\n", command.name, zsh_text(command.summary));
+    calls += fmt::format("        {}) {} ;;\n", command.name,
+                         zsh_function(page.name + " " + command.name));
   }
-  if (&page == &program) {
+  if (&page.command == &program) {
     names += "    'help:Say what a command takes'\n";
-    calls += "        help) " + zsh_function(program) + " ;;\n";
+    calls += "        help) " + zsh_function(program.name) + " ;;\n";
   }
   return fmt::format(
       "  local curcontext=\"$curcontext\" state line\n  typeset -A opt_args\n"
@@ -117,13 +118,13 @@ std::string zsh_group(const CommandPage& program, const CommandPage& page) {
 
 }  // namespace
 
-std::string zsh_completion(const CommandPage& program) {
+std::string zsh_completion(const Command& program) {
   std::string script = zsh_head;
-  for (const CommandPage* page : every_page(program)) {
-    script += "\n" + zsh_function(*page) + "() {\n";
-    script += page->commands.empty()
-                  ? "  _arguments -s" + zsh_options(*page) + zsh_arguments(*page) + "\n"
-                  : zsh_group(program, *page);
+  for (const CommandPage& page : every_page(program)) {
+    script += "\n" + zsh_function(page.name) + "() {\n";
+    script += page.command.commands.empty()
+                  ? "  _arguments -s" + zsh_options(page) + zsh_arguments(page) + "\n"
+                  : zsh_group(program, page);
     script += "}\n";
   }
   return script + zsh_tail;

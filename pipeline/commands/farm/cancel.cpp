@@ -1,6 +1,5 @@
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/farm/farm.h"
@@ -56,15 +55,15 @@ int cancel_study(const CancelCommand& command, const Console& console) {
 
 }  // namespace
 
-void add_farm_cancel_command(CLI::App& farm, Command& chosen) {
-  CLI::App* command = farm.add_subcommand("cancel", "Take the jobs of a study back, and no others");
+Command farm_cancel_command() {
   const auto options = std::make_shared<CancelCommand>();
-  add_farm_arguments(*command, options->study);
-  command->add_flag("--json", options->json, "What was cancelled as JSON on standard output");
-  command->footer("\nExample:\n  mien farm cancel my.yaml");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return cancel_study(*options, console); };
-  });
+  return {.name = "cancel",
+          .summary = "Take the jobs of a study back, and no others",
+          .options = all_of(
+              farm_options(options->study),
+              flag("--json", &options->json, "What was cancelled as JSON on standard output")),
+          .notes = "Example:\n  mien farm cancel my.yaml",
+          .run = [options](const Console& console) { return cancel_study(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -1,10 +1,10 @@
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/farm/submission_options.h"
+#include "pipeline/commands/production_options.h"
 #include "pipeline/farm/open_job_description.h"
 
 namespace mien::pipeline {
@@ -38,34 +38,30 @@ int export_study(const ExportCommand& command, const Console& console) {
 
 }  // namespace
 
-void add_farm_export_command(CLI::App& farm, Command& chosen) {
-  CLI::App* command = farm.add_subcommand("export", "A study as a job of other render farms");
+Command farm_export_command() {
   const auto options = std::make_shared<ExportCommand>();
-  command
-      ->add_option(
-          "manifest", options->study.manifest,
-          "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json")
-      ->required();
-  command->add_option("--format", options->format, "openjd: a job template of Open Job Description")
-      ->check(CLI::IsMember({"openjd"}))
-      ->required();
-  command->add_option("-o,--output", options->file,
-                      "File to write (.yaml, .json); standard output without it");
-  command
-      ->add_option("--out", options->study.out, "Folder of all studies, which all machines share")
-      ->capture_default_str();
-  command->add_option("--quality", options->study.quality, "Instead of the manifest's quality")
-      ->check(CLI::IsMember({"draft", "standard", "final"}));
-  command->add_option("--chunk", options->chunk,
-                      "Frames that a task draws at most: auto, or a number");
-  command->add_option("--jobs,-j", options->jobs, "Processors of a task (1)")
-      ->check(CLI::Range(1, 1024));
-  command->footer(
-      "\nAll of the study, whether it is there or not: tasks find what is.\n\nExample:\n"
-      "  mien farm export my.yaml --format openjd -o my.job.yaml --out /shared/studies");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return export_study(*options, console); };
-  });
+  return {
+      .name = "export",
+      .summary = "A study as a job of other render farms",
+      .options =
+          {argument(
+               "manifest", &options->study.manifest,
+               "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json"),
+           option("--format", &options->format, "openjd: a job template of Open Job Description")
+               .one_of({"openjd"})
+               .required(),
+           option("-o,--output", &options->file,
+                  "File to write (.yaml, .json); standard output without it"),
+           option("--out", &options->study.out, "Folder of all studies, which all machines share")
+               .with_default(),
+           quality_option(options->study.quality),
+           option("--chunk", &options->chunk,
+                  "Frames that a task draws at most: auto, or a number"),
+           option("--jobs,-j", &options->jobs, "Processors of a task (1)").between(1, 1024)},
+      .notes =
+          "All of the study, whether it is there or not: tasks find what is.\n\nExample:\n"
+          "  mien farm export my.yaml --format openjd -o my.job.yaml --out /shared/studies",
+      .run = [options](const Console& console) { return export_study(*options, console); }};
 }
 
 }  // namespace mien::pipeline

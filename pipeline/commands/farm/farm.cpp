@@ -1,7 +1,5 @@
 #include "pipeline/commands/farm/farm.h"
 
-#include <CLI/CLI.hpp>
-
 #include "motion/text/shell_word.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/production_options.h"
@@ -28,18 +26,14 @@ ProductionOptions production_options(const FarmArguments& arguments) {
 
 }  // namespace
 
-void add_farm_arguments(CLI::App& command, FarmArguments& arguments) {
-  command
-      .add_option(
-          "manifest", arguments.manifest,
-          "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json")
-      ->required();
-  command
-      .add_option("--out,-o", arguments.out,
-                  "Folder of all studies, which all machines share; results go to <out>/<study>")
-      ->capture_default_str();
-  command.add_option("--quality", arguments.quality, "Instead of the manifest's quality")
-      ->check(CLI::IsMember({"draft", "standard", "final"}));
+std::vector<CommandOption> farm_options(FarmArguments& arguments) {
+  return {
+      argument("manifest", &arguments.manifest,
+               "Manifest (YAML), the name of one of mien manifests, or a study's provenance.json"),
+      option("--out,-o", &arguments.out,
+             "Folder of all studies, which all machines share; results go to <out>/<study>")
+          .with_default(),
+      quality_option(arguments.quality)};
 }
 
 FarmStudy::FarmStudy(const FarmArguments& arguments, const Console& console)
@@ -67,22 +61,16 @@ std::string study_words(const FarmArguments& arguments) {
   return words;
 }
 
-void add_farm_command(CLI::App& app, Command& chosen) {
-  CLI::App* farm =
-      app.add_subcommand("farm", "Make a study on many machines, with Slurm or without");
-  farm->require_subcommand(1);
-  farm->footer(
-      "\nmien farm submit hands a study to Slurm, status shows how it goes, and resume submits "
-      "what "
-      "is missing, whatever happened. What is there is never made again. Without Slurm, start "
-      "workers.");
-  add_farm_submit_command(*farm, chosen);
-  add_farm_status_command(*farm, chosen);
-  add_farm_logs_command(*farm, chosen);
-  add_farm_resume_command(*farm, chosen);
-  add_farm_cancel_command(*farm, chosen);
-  add_farm_export_command(*farm, chosen);
-  add_farm_worker_command(*farm, chosen);
+Command farm_command() {
+  return {.name = "farm",
+          .summary = "Make a study on many machines, with Slurm or without",
+          .commands = {farm_submit_command(), farm_status_command(), farm_logs_command(),
+                       farm_resume_command(), farm_cancel_command(), farm_export_command(),
+                       farm_worker_command()},
+          .notes =
+              "mien farm submit hands a study to Slurm, status shows how it goes, and resume "
+              "submits what is missing, whatever happened. What is there is never made again. "
+              "Without Slurm, start workers."};
 }
 
 }  // namespace mien::pipeline

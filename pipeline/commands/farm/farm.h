@@ -17,7 +17,7 @@ struct FarmArguments {
 };
 
 /// The manifest, --out and --quality.
-void add_farm_arguments(CLI::App& command, FarmArguments& arguments);
+std::vector<CommandOption> farm_options(FarmArguments& arguments);
 
 /// A study as the commands of a farm see it. Paths are absolute, because jobs begin elsewhere.
 struct FarmStudy {
@@ -36,12 +36,12 @@ struct FarmStudy {
 std::string study_words(const FarmArguments& arguments);
 
 // Subcommands of `mien farm`, one a source file; each adds itself to `farm`.
-void add_farm_cancel_command(CLI::App& farm, Command& chosen);
-void add_farm_export_command(CLI::App& farm, Command& chosen);
-void add_farm_logs_command(CLI::App& farm, Command& chosen);
-void add_farm_resume_command(CLI::App& farm, Command& chosen);
-void add_farm_status_command(CLI::App& farm, Command& chosen);
-void add_farm_submit_command(CLI::App& farm, Command& chosen);
-void add_farm_worker_command(CLI::App& farm, Command& chosen);
+Command farm_cancel_command();
+Command farm_export_command();
+Command farm_logs_command();
+Command farm_resume_command();
+Command farm_status_command();
+Command farm_submit_command();
+Command farm_worker_command();
 
 }  // namespace mien::pipeline

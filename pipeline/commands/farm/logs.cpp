@@ -3,8 +3,6 @@
 #include <memory>
 #include <set>
 
-#include <CLI/CLI.hpp>
-
 #include "motion/error.h"
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/farm/element_logs.h"
@@ -105,18 +103,19 @@ int show_logs(const LogsCommand& command, const Console& console) {
 
 }  // namespace
 
-void add_farm_logs_command(CLI::App& farm, Command& chosen) {
-  CLI::App* command = farm.add_subcommand("logs", "The last lines that jobs wrote: of what failed");
+Command farm_logs_command() {
   const auto options = std::make_shared<LogsCommand>();
-  add_farm_arguments(*command, options->study);
-  command->add_option("item", options->item, "Of this item instead: film:walk, or film:walk[3/12]");
-  command->add_option("--lines,-n", options->lines, "How many lines of each")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command->footer("\nExamples:\n  mien farm logs my.yaml\n  mien farm logs my.yaml film:target-1");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return show_logs(*options, console); };
-  });
+  return {.name = "logs",
+          .summary = "The last lines that jobs wrote: of what failed",
+          .options = all_of(farm_options(options->study),
+                            argument("item", &options->item,
+                                     "Of this item instead: film:walk, or film:walk[3/12]")
+                                .optional(),
+                            option("--lines,-n", &options->lines, "How many lines of each")
+                                .between(1, 10000)
+                                .with_default()),
+          .notes = "Examples:\n  mien farm logs my.yaml\n  mien farm logs my.yaml film:target-1",
+          .run = [options](const Console& console) { return show_logs(*options, console); }};
 }
 
 }  // namespace mien::pipeline

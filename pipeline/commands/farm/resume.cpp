@@ -2,8 +2,6 @@
 #include <iterator>
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "motion/error.h"
 #include "pipeline/commands/farm/submission_options.h"
 #include "pipeline/farm/resumption.h"
@@ -175,23 +173,21 @@ int resume_study(const ResumeCommand& command, const Console& console) {
 
 }  // namespace
 
-void add_farm_resume_command(CLI::App& farm, Command& chosen) {
-  CLI::App* command =
-      farm.add_subcommand("resume", "Submit what is missing and what no job in the queue makes");
+Command farm_resume_command() {
   const auto options = std::make_shared<ResumeCommand>();
-  add_farm_arguments(*command, options->study);
-  add_submission_options(*command, options->options);
-  command->add_flag("--dry-run", options->dry_run,
-                    "Print the jobs and their batch files; write, cancel and submit nothing");
-  command->add_flag("--json", options->json, "What was submitted as JSON on standard output");
-  command->footer(
-      "\nAsks for what the last submission asked for, unless told otherwise; twice the memory "
-      "where a "
-      "job\nran out of it. Jobs that Slurm holds are taken back and submitted anew.\n\nExample:\n"
-      "  mien farm resume my.yaml --out /shared/studies");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return resume_study(*options, console); };
-  });
+  return {.name = "resume",
+          .summary = "Submit what is missing and what no job in the queue makes",
+          .options = all_of(
+              farm_options(options->study), submission_options(options->options),
+              flag("--dry-run", &options->dry_run,
+                   "Print the jobs and their batch files; write, cancel and submit nothing"),
+              flag("--json", &options->json, "What was submitted as JSON on standard output")),
+          .notes =
+              "Asks for what the last submission asked for, unless told otherwise; twice the "
+              "memory where a job\nran out of it. Jobs that Slurm holds are taken back and "
+              "submitted anew.\n\nExample:\n"
+              "  mien farm resume my.yaml --out /shared/studies",
+          .run = [options](const Console& console) { return resume_study(*options, console); }};
 }
 
 }  // namespace mien::pipeline

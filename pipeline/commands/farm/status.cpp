@@ -5,7 +5,6 @@
 #include <mutex>
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/base/documents/printable_stream.h"
@@ -80,25 +79,22 @@ int show_status(const StatusCommand& command, const Console& console) {
 
 }  // namespace
 
-void add_farm_status_command(CLI::App& farm, Command& chosen) {
-  CLI::App* command =
-      farm.add_subcommand("status", "What is done, what runs where, what failed and why");
+Command farm_status_command() {
   const auto options = std::make_shared<StatusCommand>();
-  add_farm_arguments(*command, options->study);
-  command
-      ->add_option("--watch", options->watch,
-                   "Look again every so many seconds until all is done, or every 5")
-      ->expected(0, 1)
-      ->default_str("5")
-      ->check(CLI::Range(0.5, 86400.0));
-  command->add_flag("--json", options->json,
-                    "As JSON on standard output; a line a look with --watch");
-  command->footer(
-      "\nFrom the study's folder, from what workers write into it, and from squeue where there is "
-      "Slurm.\n\nExample:\n  mien farm status my.yaml --watch");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return show_status(*options, console); };
-  });
+  return {.name = "status",
+          .summary = "What is done, what runs where, what failed and why",
+          .options = all_of(farm_options(options->study),
+                            option("--watch", &options->watch,
+                                   "Look again every so many seconds until all is done, or every 5")
+                                .values(0, 1)
+                                .with_default("5")
+                                .between(0.5, 86400.0),
+                            flag("--json", &options->json,
+                                 "As JSON on standard output; a line a look with --watch")),
+          .notes =
+              "From the study's folder, from what workers write into it, and from squeue where "
+              "there is Slurm.\n\nExample:\n  mien farm status my.yaml --watch",
+          .run = [options](const Console& console) { return show_status(*options, console); }};
 }
 
 }  // namespace mien::pipeline

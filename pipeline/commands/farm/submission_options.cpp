@@ -5,7 +5,6 @@
 #include <regex>
 #include <set>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -85,19 +84,18 @@ double longest(const SubmissionJob& job) {
 
 }  // namespace
 
-void add_submission_options(CLI::App& command, SubmissionOptions& options) {
-  command.add_option("--chunk", options.chunk,
-                     "Frames that an element of a job array draws at most: auto, so that it takes "
-                     "about five minutes, or a number");
-  command.add_option("--partition", options.partition, "Slurm's partition");
-  command.add_option("--time", options.time,
-                     "Time limit of an element: minutes, HH:MM:SS or D-HH:MM:SS");
-  command.add_option("--mem", options.memory, "Memory of an element: 2G");
-  command.add_option("--account", options.account, "Slurm's account");
-  command.add_option("--array-limit", options.array_limit, "Elements of an array that run at once")
-      ->check(CLI::Range(1, 1'000'000));
-  command.add_option("--jobs,-j", options.jobs, "Processors of an element (1)")
-      ->check(CLI::Range(1, 1024));
+std::vector<CommandOption> submission_options(SubmissionOptions& options) {
+  return {
+      option("--chunk", &options.chunk,
+             "Frames that an element of a job array draws at most: auto, so that it takes about "
+             "five minutes, or a number"),
+      option("--partition", &options.partition, "Slurm's partition"),
+      option("--time", &options.time, "Time limit of an element: minutes, HH:MM:SS or D-HH:MM:SS"),
+      option("--mem", &options.memory, "Memory of an element: 2G"),
+      option("--account", &options.account, "Slurm's account"),
+      option("--array-limit", &options.array_limit, "Elements of an array that run at once")
+          .between(1, 1'000'000),
+      option("--jobs,-j", &options.jobs, "Processors of an element (1)").between(1, 1024)};
 }
 
 const JournalSubmission* last_accepted(const JournalContent& journal) {

@@ -23,7 +23,7 @@ struct SubmissionOptions {
   std::optional<int> jobs;
 };
 
-void add_submission_options(CLI::App& command, SubmissionOptions& options);
+std::vector<CommandOption> submission_options(SubmissionOptions& options);
 
 /// The newest submission of which Slurm refused nothing; null where there is none.
 const JournalSubmission* last_accepted(const JournalContent& journal);

@@ -1,6 +1,5 @@
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "motion/error.h"
@@ -90,23 +89,21 @@ int submit_study(const SubmitCommand& command, const Console& console) {
 
 }  // namespace
 
-void add_farm_submit_command(CLI::App& farm, Command& chosen) {
-  CLI::App* command = farm.add_subcommand("submit", "Hand a study to Slurm as job arrays");
+Command farm_submit_command() {
   const auto options = std::make_shared<SubmitCommand>();
-  add_farm_arguments(*command, options->study);
-  add_submission_options(*command, options->options);
-  command->add_flag("--dry-run", options->dry_run,
-                    "Print the jobs and their batch files; write and submit nothing");
-  command->add_flag("--json", options->json, "What was submitted as JSON on standard output");
-  command->footer(
-      "\nThe batch files are in <out>/<study>/farm/0001, 0002, …: read them, change them, submit "
-      "them "
-      "again.\n\nExamples:\n"
-      "  mien farm submit my.yaml --out /shared/studies --time 1:00:00 --mem 2G\n"
-      "  mien farm submit my.yaml --dry-run");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return submit_study(*options, console); };
-  });
+  return {.name = "submit",
+          .summary = "Hand a study to Slurm as job arrays",
+          .options = all_of(
+              farm_options(options->study), submission_options(options->options),
+              flag("--dry-run", &options->dry_run,
+                   "Print the jobs and their batch files; write and submit nothing"),
+              flag("--json", &options->json, "What was submitted as JSON on standard output")),
+          .notes =
+              "The batch files are in <out>/<study>/farm/0001, 0002, …: read them, change them, "
+              "submit them again.\n\nExamples:\n"
+              "  mien farm submit my.yaml --out /shared/studies --time 1:00:00 --mem 2G\n"
+              "  mien farm submit my.yaml --dry-run",
+          .run = [options](const Console& console) { return submit_study(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -6,7 +6,6 @@
 #include <memory>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "motion/text/shell_word.h"
@@ -171,32 +170,30 @@ int worker(const WorkerArguments& arguments, const Console& console) {
 
 }  // namespace
 
-void add_farm_worker_command(CLI::App& farm, Command& chosen) {
-  CLI::App* command = farm.add_subcommand(
-      "worker", "Make items of a study, as one process of many: what a job of a farm runs");
+Command farm_worker_command() {
   const auto arguments = std::make_shared<WorkerArguments>();
-  add_manifest_options(*command, arguments->production);
-  command->add_option("--tasks", arguments->tasks,
-                      "Items: tasks of mien plan (film:walk-1), or chunks of a film's frames "
-                      "(film:walk-1[3/12])");
-  CLI::Option* list =
-      command->add_option("--list", arguments->list, "File with a line of items for each job");
-  command->add_option("--line", arguments->line, "The line to make, from 1")
-      ->check(CLI::Range(1, 100000000))
-      ->needs(list);
-  list->needs(command->get_option("--line"));
-  command->add_option("--expect", arguments->expected,
-                      "Key of the study that was submitted: another one is not made");
-  command->footer(
-      "\nAny number of workers may work on a study at a time, on machines that share its folder; "
-      "what they need and is not there they make themselves.\nExit codes: 0 made, 65 bad input, 70 "
-      "failed, 74 the disk is full, read-only or away, 75 stopped or perhaps better next time, 78 "
-      "the set-up is wrong.\n\nExamples:\n"
-      "  mien farm worker my.yaml --tasks \"film:walk-1[1/2]\"\n"
-      "  mien farm worker my.yaml --list films.tasks --line 3");
-  command->callback([&chosen, arguments] {
-    chosen = [arguments](const Console& console) { return worker(*arguments, console); };
-  });
+  return {.name = "worker",
+          .summary = "Make items of a study, as one process of many: what a job of a farm runs",
+          .options =
+              all_of(manifest_options(arguments->production),
+                     option("--tasks", &arguments->tasks,
+                            "Items: tasks of mien plan (film:walk-1), or chunks of a film's frames "
+                            "(film:walk-1[3/12])"),
+                     option("--list", &arguments->list, "File with a line of items for each job")
+                         .needs("--line"),
+                     option("--line", &arguments->line, "The line to make, from 1")
+                         .between(1, 100000000)
+                         .needs("--list"),
+                     option("--expect", &arguments->expected,
+                            "Key of the study that was submitted: another one is not made")),
+          .notes =
+              "Any number of workers may work on a study at a time, on machines that share its "
+              "folder; what they need and is not there they make themselves.\nExit codes: 0 made, "
+              "65 bad input, 70 failed, 74 the disk is full, read-only or away, 75 stopped or "
+              "perhaps better next time, 78 the set-up is wrong.\n\nExamples:\n"
+              "  mien farm worker my.yaml --tasks \"film:walk-1[1/2]\"\n"
+              "  mien farm worker my.yaml --list films.tasks --line 3",
+          .run = [arguments](const Console& console) { return worker(*arguments, console); }};
 }
 
 }  // namespace mien::pipeline

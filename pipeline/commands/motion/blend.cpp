@@ -2,7 +2,6 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
@@ -61,27 +60,26 @@ int blend(const BlendCommandOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_motion_blend_command(CLI::App& motion, Command& chosen) {
-  CLI::App* command = motion.add_subcommand("blend", "Mix motions by weights");
+Command motion_blend_command() {
   const auto options = std::make_shared<BlendCommandOptions>();
-  command->add_option("--examples", options->examples, examples_help)->required();
-  command->add_option("--weights", options->weights, "Shares by name: normal=0.6,proud=0.4")
-      ->required();
-  command->add_option("-o,--output", options->out, "File to write: .bvh or .glb")->required();
-  command->add_option("--fps", options->fps, "Frames per second")
-      ->check(CLI::Range(1.0, 240.0))
-      ->capture_default_str();
-  command->add_option("--cycles", options->cycles, "Repetitions of a loop")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_flag("--in-place", options->in_place, "Walk on the spot");
-  command->add_flag("--no-foot-lock", options->no_foot_lock, "Leave planted feet as blended");
-  command->footer(
-      "\nExample:\n  mien motion blend --examples builtin:walks-10 --weights happy=0.7,tired=0.3 "
-      "-o mix.bvh");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return blend(*options, console); };
-  });
+  return {
+      .name = "blend",
+      .summary = "Mix motions by weights",
+      .options =
+          {option("--examples", &options->examples, examples_help).required(),
+           option("--weights", &options->weights, "Shares by name: normal=0.6,proud=0.4")
+               .required(),
+           option("-o,--output", &options->out, "File to write: .bvh or .glb").required(),
+           option("--fps", &options->fps, "Frames per second").between(1.0, 240.0).with_default(),
+           option("--cycles", &options->cycles, "Repetitions of a loop")
+               .between(1, 1000)
+               .with_default(),
+           flag("--in-place", &options->in_place, "Walk on the spot"),
+           flag("--no-foot-lock", &options->no_foot_lock, "Leave planted feet as blended")},
+      .notes =
+          "Example:\n  mien motion blend --examples builtin:walks-10 --weights happy=0.7,tired=0.3 "
+          "-o mix.bvh",
+      .run = [options](const Console& console) { return blend(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -119,30 +118,29 @@ int compare(const CompareOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_motion_compare_command(CLI::App& motion, Command& chosen) {
-  CLI::App* command = motion.add_subcommand("compare", "Measure the distance between two motions");
+Command motion_compare_command() {
   const auto options = std::make_shared<CompareOptions>();
-  command->add_option("target", options->target, "Motion file that was to be matched")->required();
-  command->add_option("created", options->created, "Motion file that was made")->required();
-  add_takes_option(*command, options->takes);
-  command
-      ->add_option("--align", options->align,
-                   "pelvis: place and heading removed in every frame; world: at the start only")
-      ->check(CLI::IsMember({"pelvis", "world"}))
-      ->capture_default_str();
-  command->add_flag("--as-captured", options->as_captured,
-                    "Leave planted feet where they are; else those of both are locked first, as "
-                    "those of blends are");
-  command->add_flag("--json", options->json, "As JSON");
-  command->footer(
-      "\nWalks are compared over their steadiest gait cycle, keytime by keytime; motions without "
-      "a cycle over their whole duration. D is the mean distance of 20 joints at 11 times. Its "
-      "threshold of 0.06 m ends a trial of the adjective paper's matching task; it does not say "
-      "that people see no difference.\n\n"
-      "Example:\n  mien motion compare captured.bvh made.bvh --json");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return compare(*options, console); };
-  });
+  return {.name = "compare",
+          .summary = "Measure the distance between two motions",
+          .options = all_of(
+              argument("target", &options->target, "Motion file that was to be matched"),
+              argument("created", &options->created, "Motion file that was made"),
+              takes_option(options->takes),
+              option("--align", &options->align,
+                     "pelvis: place and heading removed in every frame; world: at the start only")
+                  .one_of({"pelvis", "world"})
+                  .with_default(),
+              flag("--as-captured", &options->as_captured,
+                   "Leave planted feet where they are; else those of both are locked first, as "
+                   "those of blends are"),
+              flag("--json", &options->json, "As JSON")),
+          .notes =
+              "Walks are compared over their steadiest gait cycle, keytime by keytime; motions "
+              "without a cycle over their whole duration. D is the mean distance of 20 joints at "
+              "11 times. Its threshold of 0.06 m ends a trial of the adjective paper's matching "
+              "task; it does not say that people see no difference.\n\n"
+              "Example:\n  mien motion compare captured.bvh made.bvh --json",
+          .run = [options](const Console& console) { return compare(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -3,8 +3,6 @@
 #include <string>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
@@ -48,24 +46,21 @@ int convert(const ConvertOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_motion_convert_command(CLI::App& motion, Command& chosen) {
-  CLI::App* command = motion.add_subcommand("convert", "Write a motion in another format");
+Command motion_convert_command() {
   const auto options = std::make_shared<ConvertOptions>();
-  command->add_option("in", options->in, "Motion file")->required();
-  command
-      ->add_option(
-          "out", options->out,
-          "File to write: .bvh, in the unit of what is read, or .glb, in metres and with +Y up")
-      ->required();
-  add_take_option(*command, options->take);
-  command->add_flag("--body", options->body,
-                    "Map it onto the canonical body: 21 joints, metres, +Y up");
-  command->footer(
-      "\nExamples:\n  mien motion convert walk.bvh walk.glb\n"
-      "  mien motion convert 02_01.amc walk.bvh --body");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return convert(*options, console); };
-  });
+  return {.name = "convert",
+          .summary = "Write a motion in another format",
+          .options = all_of(argument("in", &options->in, "Motion file"),
+                            argument("out", &options->out,
+                                     "File to write: .bvh, in the unit of what is read, or .glb, "
+                                     "in metres and with +Y up"),
+                            take_option(options->take),
+                            flag("--body", &options->body,
+                                 "Map it onto the canonical body: 21 joints, metres, +Y up")),
+          .notes =
+              "Examples:\n  mien motion convert walk.bvh walk.glb\n"
+              "  mien motion convert 02_01.amc walk.bvh --body",
+          .run = [options](const Console& console) { return convert(*options, console); }};
 }
 
 }  // namespace mien::pipeline

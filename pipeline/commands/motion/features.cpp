@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -167,38 +166,33 @@ int show_features(const FeaturesOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_motion_features_command(CLI::App& motion, Command& chosen) {
-  CLI::App* command = motion.add_subcommand(
-      "features", "Measure the 51 features of a walk that motions can be made from");
+Command motion_features_command() {
   const auto options = std::make_shared<FeaturesOptions>();
-  command->add_option("files", options->files, "Motion files")->required();
-  add_take_option(*command, options->take);
-  command
-      ->add_option("--masses", options->masses,
-                   "Masses of the body's segments: male, female (de Leva 1996), winter (Winter "
-                   "2009)")
-      ->check(CLI::IsMember({"male", "female", "winter"}))
-      ->capture_default_str();
-  command
-      ->add_option("--sideways", options->sideways,
-                   "Sideways angles of arms, legs and feet count outward from the body, or all to "
-                   "the left")
-      ->check(CLI::IsMember({"outward", "left"}))
-      ->capture_default_str();
-  CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
-  command->add_flag("--csv", options->csv, "As a table with a row a motion and feature")
-      ->excludes(json);
-  command->footer(
-      "\nMeasures the steadiest gait cycle; the whole motion where there is none. \"mu\" is a "
-      "mean, "
-      "\"sigma\" a standard deviation over the cycle; fb is forward and backward, lr left and "
-      "right, v up and down.\n\n"
-      "Examples:\n"
-      "  mien motion features walk.bvh\n"
-      "  mien motion features --csv captures/*.bvh > features.csv");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return show_features(*options, console); };
-  });
+  return {
+      .name = "features",
+      .summary = "Measure the 51 features of a walk that motions can be made from",
+      .options = all_of(
+          argument("files", &options->files, "Motion files"), take_option(options->take),
+          option("--masses", &options->masses,
+                 "Masses of the body's segments: male, female (de Leva 1996), winter (Winter 2009)")
+              .one_of({"male", "female", "winter"})
+              .with_default(),
+          option("--sideways", &options->sideways,
+                 "Sideways angles of arms, legs and feet count outward from the body, or all to "
+                 "the left")
+              .one_of({"outward", "left"})
+              .with_default(),
+          flag("--json", &options->json, "As JSON"),
+          flag("--csv", &options->csv, "As a table with a row a motion and feature")
+              .excludes("--json")),
+      .notes =
+          "Measures the steadiest gait cycle; the whole motion where there is none. \"mu\" is a "
+          "mean, \"sigma\" a standard deviation over the cycle; fb is forward and backward, lr "
+          "left and right, v up and down.\n\n"
+          "Examples:\n"
+          "  mien motion features walk.bvh\n"
+          "  mien motion features --csv captures/*.bvh > features.csv",
+      .run = [options](const Console& console) { return show_features(*options, console); }};
 }
 
 }  // namespace mien::pipeline

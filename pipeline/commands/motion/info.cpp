@@ -2,7 +2,6 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -129,17 +128,14 @@ int show_info(const InfoOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_motion_info_command(CLI::App& motion, Command& chosen) {
-  CLI::App* command =
-      motion.add_subcommand("info", "Show what is in a motion file and how it was recognised");
+Command motion_info_command() {
   const auto options = std::make_shared<InfoOptions>();
-  command->add_option("file", options->file, "Motion file")->required();
-  add_take_option(*command, options->take);
-  command->add_flag("--json", options->json, "As JSON");
-  command->footer("\nExample:\n  mien motion info walk.bvh --json | jq .speed_m_s");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return show_info(*options, console); };
-  });
+  return {.name = "info",
+          .summary = "Show what is in a motion file and how it was recognised",
+          .options = all_of(argument("file", &options->file, "Motion file"),
+                            take_option(options->take), flag("--json", &options->json, "As JSON")),
+          .notes = "Example:\n  mien motion info walk.bvh --json | jq .speed_m_s",
+          .run = [options](const Console& console) { return show_info(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -227,34 +226,29 @@ std::string footer() {
 
 }  // namespace
 
-void add_motion_lint_command(CLI::App& motion, Command& chosen) {
-  CLI::App* command =
-      motion.add_subcommand("lint", "Find what no body does: faults of motions, where and how bad");
+Command motion_lint_command() {
   const auto options = std::make_shared<LintCommand>();
-  command->add_option("files", options->files, "Motion files")->required();
-  add_take_option(*command, options->take);
-  CLI::Option* original =
-      command->add_option("--original", options->original,
-                          "The motion before it was modified: what it did already counts less, "
-                          "and timing is compared");
-  command->add_option("--original-take", options->original_take, "Likewise of the original")
-      ->needs(original);
-  command
-      ->add_option("--mass", options->mass_kg,
-                   "Of the body, kg; joints of heavier bodies may give more torque")
-      ->check(CLI::Range(1.0, 500.0))
-      ->capture_default_str();
-  command->add_flag(
-      "--loop", options->loop,
-      "The files hold one cycle each, which goes on from the last frame to the first");
-  command->add_flag("--errors-only", options->errors_only, "Leave warnings out");
-  command->add_option("--timeline", options->timeline, "Draw the findings over time: .png or .svg");
-  CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
-  command->add_flag("--csv", options->csv, "As a table with a row a finding")->excludes(json);
-  command->footer(footer());
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return show_findings(*options, console); };
-  });
+  return {.name = "lint",
+          .summary = "Find what no body does: faults of motions, where and how bad",
+          .options = all_of(
+              argument("files", &options->files, "Motion files"), take_option(options->take),
+              option("--original", &options->original,
+                     "The motion before it was modified: what it did already counts less, and "
+                     "timing is compared"),
+              option("--original-take", &options->original_take, "Likewise of the original")
+                  .needs("--original"),
+              option("--mass", &options->mass_kg,
+                     "Of the body, kg; joints of heavier bodies may give more torque")
+                  .between(1.0, 500.0)
+                  .with_default(),
+              flag("--loop", &options->loop,
+                   "The files hold one cycle each, which goes on from the last frame to the first"),
+              flag("--errors-only", &options->errors_only, "Leave warnings out"),
+              option("--timeline", &options->timeline, "Draw the findings over time: .png or .svg"),
+              flag("--json", &options->json, "As JSON"),
+              flag("--csv", &options->csv, "As a table with a row a finding").excludes("--json")),
+          .notes = footer(),
+          .run = [options](const Console& console) { return show_findings(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "motion/formats/motion_file.h"
@@ -79,57 +78,53 @@ int emotions(const std::string& recipes, bool as_yaml, bool posture, const Conso
 
 }  // namespace
 
-void add_motion_modify_command(CLI::App& motion, Command& chosen) {
-  CLI::App* command =
-      motion.add_subcommand("modify", "Change the emotional content of a captured motion");
+Command motion_modify_command() {
   const auto options = std::make_shared<ModifyOptions>();
-  command->add_option("in", options->in, "Motion file")->required();
-  command
-      ->add_option("change", options->change,
-                   "An emotion, or what stands behind `modify:` in a manifest")
-      ->required();
-  command->add_option("out", options->out, "File to write: .bvh or .glb")->required();
-  add_take_option(*command, options->take);
-  command->add_option("--recipes", options->recipes, "builtin, fig29, or a file of recipes")
-      ->capture_default_str();
-  command->add_option("--on-fault", options->on_fault, "When the change breaks the motion")
-      ->check(CLI::IsMember({"warn", "fail", "revert", "reduce"}))
-      ->capture_default_str();
-  command->add_option("--fps", options->fps, "Frames per second to write; the file's without it")
-      ->check(CLI::Range(1.0, 1000.0));
-  command->footer(
-      "\nThe result is of the canonical body (21 joints, metres, +Y up). What names examples "
-      "(method:, "
-      "pose: of\nan example) needs a manifest. Examples:\n"
-      "  mien motion modify walk.bvh sad sad.bvh\n"
-      "  mien motion modify walk.bvh 'emotion: angry, strength: 0.6' angry.glb\n"
-      "  mien motion modify walk.bvh '[{emotion: sad}, {tempo: 1.2}]' brisk-sad.bvh\n"
-      "  mien motion modify walk.bvh 'paths: 1.4, posture: {head-flexion: 12}' longer.bvh");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return modify_file(*options, console); };
-  });
+  return {
+      .name = "modify",
+      .summary = "Change the emotional content of a captured motion",
+      .options = all_of(
+          argument("in", &options->in, "Motion file"),
+          argument("change", &options->change,
+                   "An emotion, or what stands behind `modify:` in a manifest"),
+          argument("out", &options->out, "File to write: .bvh or .glb"), take_option(options->take),
+          option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
+              .with_default(),
+          option("--on-fault", &options->on_fault, "When the change breaks the motion")
+              .one_of({"warn", "fail", "revert", "reduce"})
+              .with_default(),
+          option("--fps", &options->fps, "Frames per second to write; the file's without it")
+              .between(1.0, 1000.0)),
+      .notes =
+          "The result is of the canonical body (21 joints, metres, +Y up). What names examples "
+          "(method:, pose: of\nan example) needs a manifest. Examples:\n"
+          "  mien motion modify walk.bvh sad sad.bvh\n"
+          "  mien motion modify walk.bvh 'emotion: angry, strength: 0.6' angry.glb\n"
+          "  mien motion modify walk.bvh '[{emotion: sad}, {tempo: 1.2}]' brisk-sad.bvh\n"
+          "  mien motion modify walk.bvh 'paths: 1.4, posture: {head-flexion: 12}' longer.bvh",
+      .run = [options](const Console& console) { return modify_file(*options, console); }};
 }
 
-void add_motion_emotions_command(CLI::App& motion, Command& chosen) {
+Command motion_emotions_command() {
   struct Options {
     std::string recipes = "builtin";
     bool yaml = false;
     bool posture = false;
   };
-  CLI::App* command = motion.add_subcommand("emotions", "List the emotions that motions can get");
   const auto options = std::make_shared<Options>();
-  command->add_option("--recipes", options->recipes, "builtin, fig29, or a file of recipes")
-      ->capture_default_str();
-  command->add_flag("--yaml", options->yaml, "Print the recipes as the file that they are");
-  command->add_flag("--posture", options->posture, "List the turns that posture: may name");
-  command->footer(
-      "\nA file of recipes of your own:\n"
-      "  mien motion emotions --yaml > my.recipes.yaml");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) {
-      return emotions(options->recipes, options->yaml, options->posture, console);
-    };
-  });
+  return {
+      .name = "emotions",
+      .summary = "List the emotions that motions can get",
+      .options = {option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
+                      .with_default(),
+                  flag("--yaml", &options->yaml, "Print the recipes as the file that they are"),
+                  flag("--posture", &options->posture, "List the turns that posture: may name")},
+      .notes =
+          "A file of recipes of your own:\n"
+          "  mien motion emotions --yaml > my.recipes.yaml",
+      .run = [options](const Console& console) {
+        return emotions(options->recipes, options->yaml, options->posture, console);
+      }};
 }
 
 }  // namespace mien::pipeline

@@ -5,14 +5,14 @@
 namespace mien::pipeline {
 
 // The subcommands of `mien motion`; each adds itself to `motion`.
-void add_motion_info_command(CLI::App& motion, Command& chosen);
-void add_motion_compare_command(CLI::App& motion, Command& chosen);
-void add_motion_convert_command(CLI::App& motion, Command& chosen);
-void add_motion_blend_command(CLI::App& motion, Command& chosen);
-void add_motion_features_command(CLI::App& motion, Command& chosen);
-void add_motion_modify_command(CLI::App& motion, Command& chosen);
-void add_motion_emotions_command(CLI::App& motion, Command& chosen);
-void add_motion_lint_command(CLI::App& motion, Command& chosen);
-void add_motion_stream_command(CLI::App& motion, Command& chosen);
+Command motion_info_command();
+Command motion_compare_command();
+Command motion_convert_command();
+Command motion_blend_command();
+Command motion_features_command();
+Command motion_modify_command();
+Command motion_emotions_command();
+Command motion_lint_command();
+Command motion_stream_command();
 
 }  // namespace mien::pipeline

@@ -4,7 +4,6 @@
 #include <thread>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -213,48 +212,42 @@ int stream_motion(const StreamOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_motion_stream_command(CLI::App& motion, Command& chosen) {
-  CLI::App* command = motion.add_subcommand(
-      "stream", "Change the emotional content of a motion while it is captured");
+Command motion_stream_command() {
   const auto options = std::make_shared<StreamOptions>();
-  command->add_option("in", options->in, "BVH file or pipe, - for standard input")->required();
-  command
-      ->add_option("change", options->change,
-                   "An emotion, or what stands behind `modify:` in a manifest")
-      ->required();
-  command->add_option("-o,--out", options->out, "BVH file to write; else standard output");
-  command->add_flag("--lines", options->lines, "Write the frames' lines without the hierarchy");
-  command
-      ->add_option("--delay", options->delay_ms,
-                   "Milliseconds that frames may come late; without it the fewest that keep path "
-                   "lengths within 1 cm, and none for posture and acceleration")
-      ->check(CLI::Range(0.0, 10000.0));
-  command
-      ->add_option("--leave-out", options->leave_out,
-                   "Part of the change that is not done: tempo, variation, acceleration, paths")
-      ->check(CLI::IsMember({"tempo", "variation", "acceleration", "paths"}));
-  command->add_flag("--still-legs", options->still_legs,
-                    "Change path lengths of trunk, head and arms alone, so that feet do not slide");
-  command->add_option(
-      "--calibration", options->calibration,
-      "A recording of the same rig that tells how it is built and where its floor is");
-  command->add_option("--recipes", options->recipes, "builtin, fig29, or a file of recipes")
-      ->capture_default_str();
-  command->add_flag(
-      "--measure", options->measure,
-      "Keep all frames, and tell at the end how far they are from what is made of the "
-      "whole motion");
-  command->add_flag("--paced", options->paced, "Take frames no faster than they were captured");
-  command->add_option("--json", options->json, "File for the delay and what was measured, as JSON");
-  command->footer(
-      "\nFrames are written as soon as they are there; what was done is told on standard error. "
-      "Feet are\nnot repaired, and tempo and variation cannot be streamed. Examples:\n"
-      "  capture | mien motion stream - 'emotion: sad' --leave-out tempo > sad.bvh\n"
-      "  mien motion stream walk.bvh 'posture: {head-flexion: 20}' --paced | viewer\n"
-      "  mien motion stream walk.bvh 'paths: 1.6' --measure -o longer.bvh");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return stream_motion(*options, console); };
-  });
+  return {
+      .name = "stream",
+      .summary = "Change the emotional content of a motion while it is captured",
+      .options =
+          {argument("in", &options->in, "BVH file or pipe, - for standard input"),
+           argument("change", &options->change,
+                    "An emotion, or what stands behind `modify:` in a manifest"),
+           option("-o,--out", &options->out, "BVH file to write; else standard output"),
+           flag("--lines", &options->lines, "Write the frames' lines without the hierarchy"),
+           option("--delay", &options->delay_ms,
+                  "Milliseconds that frames may come late; without it the fewest that keep path "
+                  "lengths within 1 cm, and none for posture and acceleration")
+               .between(0.0, 10000.0),
+           option("--leave-out", &options->leave_out,
+                  "Part of the change that is not done: tempo, variation, acceleration, paths")
+               .one_of({"tempo", "variation", "acceleration", "paths"}),
+           flag("--still-legs", &options->still_legs,
+                "Change path lengths of trunk, head and arms alone, so that feet do not slide"),
+           option("--calibration", &options->calibration,
+                  "A recording of the same rig that tells how it is built and where its floor is"),
+           option("--recipes", &options->recipes, "builtin, fig29, or a file of recipes")
+               .with_default(),
+           flag("--measure", &options->measure,
+                "Keep all frames, and tell at the end how far they are from what is made of the "
+                "whole motion"),
+           flag("--paced", &options->paced, "Take frames no faster than they were captured"),
+           option("--json", &options->json, "File for the delay and what was measured, as JSON")},
+      .notes =
+          "Frames are written as soon as they are there; what was done is told on standard error. "
+          "Feet are\nnot repaired, and tempo and variation cannot be streamed. Examples:\n"
+          "  capture | mien motion stream - 'emotion: sad' --leave-out tempo > sad.bvh\n"
+          "  mien motion stream walk.bvh 'posture: {head-flexion: 20}' --paced | viewer\n"
+          "  mien motion stream walk.bvh 'paths: 1.6' --measure -o longer.bvh",
+      .run = [options](const Console& console) { return stream_motion(*options, console); }};
 }
 
 }  // namespace mien::pipeline

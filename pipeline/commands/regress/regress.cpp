@@ -4,8 +4,6 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "motion/math/geometry.h"
@@ -23,20 +21,14 @@ constexpr char study_group[] = "Of a study";
 constexpr char files_group[] = "How much is no difference between two files";
 
 /// What is of no use there must not seem to be of use.
-void refuse_options(const CLI::App& command, const std::string& group, const std::string& remedy) {
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->get_group() == group && option->count() > 0)
-      throw Error({option->get_name()},
-                  group == study_group ? "is for studies, not for two files"
-                                       : "is for two files, not for a study",
-                  remedy);
-  }
+void refuse_options(const std::vector<std::string>& given, const char* wrong, const char* remedy) {
+  if (!given.empty()) throw Error({given.front()}, wrong, remedy);
 }
 
 /// 1 means that something differs: whatever keeps it from being known is 2.
-int compared(const Command& comparison, const Console& console) {
+int compared(const std::function<int()>& comparison, const Console& console) {
   try {
-    return comparison(console);
+    return comparison();
   } catch (const Interrupted&) {
     throw;
   } catch (const Error&) {
@@ -82,52 +74,70 @@ void refuse_lone_file(const std::string& file) {
               "name what is now after what was: mien regress approved.bvh walk.bvh");
 }
 
+int regress(RegressOptions options, StudyArguments study, const Console& console) {
+  if (options.before.empty())
+    throw Error("mien regress: before is missing", "mien regress --help tells more");
+  if (!options.now.empty()) {
+    refuse_options(study.given, "is for studies, not for two files", "leave it out");
+    options.tolerance.rotation_radians = options.rotation_degrees * motion::radians_per_degree;
+    return regress_files(options, console);
+  }
+  refuse_lone_file(options.before);
+  if (!options.takes.empty())
+    throw Error({"--take"}, "is for two motion files, not for a study",
+                "set take: in the manifest");
+  refuse_options(options.given, "is for two files, not for a study",
+                 "set regression: in the manifest");
+  study.production.manifest = options.before;
+  study.production.json = options.json;
+  return regress_study(study, console);
+}
+
 /// Somebody will want to know in a year.
-std::string refuse_blank(const std::string& text) {
-  const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string::npos;
-  return is_blank ? "say in a sentence why it may look as it does now" : "";
+CommandOption why_option(std::string& why) {
+  CommandOption made = option("--why", &why, "Why it may look as it does now").required();
+  made.fault = [](const std::string& text) -> std::string {
+    const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string::npos;
+    return is_blank ? "say in a sentence why it may look as it does now" : "";
+  };
+  return made;
 }
 
-CLI::Option* add_tolerance(CLI::App& command, const std::string& flag, double& value,
-                           const std::string& help) {
-  return command.add_option(flag, value, help)
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str()
-      ->group(files_group);
+/// Options of one heading, of which it is noted which are used.
+std::vector<CommandOption> in_group(const char* heading, std::vector<std::string>& given,
+                                    std::vector<CommandOption> options) {
+  for (CommandOption& option : options) {
+    option.group = heading;
+    option.given = &given;
+  }
+  return options;
 }
 
-/// In degrees on the command line, in radians inside.
-void add_rotation_tolerance(CLI::App& command, motion::MotionTolerance& tolerance) {
-  command
-      .add_option_function<double>(
-          "--rotation",
-          [&tolerance](double degrees) {
-            tolerance.rotation_radians = degrees * motion::radians_per_degree;
-          },
-          "Degrees that a joint may turn otherwise on its parent")
-      ->check(CLI::Range(0.0, 180.0))
-      ->default_str("0.1")
-      ->group(files_group);
+CommandOption tolerance(const std::string& name, double& value, const std::string& help) {
+  return option(name, &value, help).between(0.0, 1000.0).with_default();
 }
 
-void add_tolerances(CLI::App& command, motion::MotionTolerance& tolerance) {
-  add_tolerance(command, "--position", tolerance.position_m,
-                "Metres that a joint, or a point 10 cm off its bone, may be elsewhere");
-  add_rotation_tolerance(command, tolerance);
-  add_tolerance(command, "--velocity", tolerance.velocity_m_s,
-                "Metres a second that a joint may be quicker, slower or go elsewhere");
-  add_tolerance(command, "--contacts", tolerance.contact_seconds,
-                "Seconds that a foot may come down or leave earlier or later");
-  add_tolerance(command, "--slide", tolerance.slide_m,
-                "Metres that a foot may slide where it stood");
-  add_tolerance(command, "--duration", tolerance.duration_seconds,
-                "Seconds that one may last longer");
-  command.add_flag("--any-rate", tolerance.any_rate, "Another frame rate is no difference")
-      ->group(files_group);
-  command
-      .add_flag("--any-lint", tolerance.any_lint,
-                "New faults that mien motion lint calls errors are no difference")
-      ->group(files_group);
+std::vector<CommandOption> file_options(RegressOptions& options) {
+  motion::MotionTolerance& allowed = options.tolerance;
+  return {tolerance("--position", allowed.position_m,
+                    "Metres that a joint, or a point 10 cm off its bone, may be elsewhere"),
+          option("--rotation", &options.rotation_degrees,
+                 "Degrees that a joint may turn otherwise on its parent")
+              .between(0.0, 180.0)
+              .with_default(),
+          tolerance("--velocity", allowed.velocity_m_s,
+                    "Metres a second that a joint may be quicker, slower or go elsewhere"),
+          tolerance("--contacts", allowed.contact_seconds,
+                    "Seconds that a foot may come down or leave earlier or later"),
+          tolerance("--slide", allowed.slide_m, "Metres that a foot may slide where it stood"),
+          tolerance("--duration", allowed.duration_seconds, "Seconds that one may last longer"),
+          flag("--any-rate", &allowed.any_rate, "Another frame rate is no difference"),
+          flag("--any-lint", &allowed.any_lint,
+               "New faults that mien motion lint calls errors are no difference"),
+          option("--perceptual", &options.perceptual,
+                 "Mean FLIP, 0 to 1, that a picture or frame of a video may have")
+              .between(0.0, 1.0)
+              .with_default()};
 }
 
 constexpr char footer[] =
@@ -154,117 +164,81 @@ constexpr char approve_footer[] =
     "  mien regress approve study.yaml --why \"first version\"\n"
     "  mien regress approve study.yaml --only sad-walk --why \"arms swing less, as asked\"";
 
-void add_study_options(CLI::App& command, StudyArguments& arguments, const char* baseline) {
-  command
-      .add_option("--baseline", arguments.baseline,
-                  std::string(baseline) + " (default: baselines/<study> beside the manifest)")
-      ->group(study_group);
-  command.add_option("--out", arguments.production.out, "Folder in which studies are made")
-      ->capture_default_str()
-      ->group(study_group);
-  command.add_option("--jobs,-j", arguments.production.jobs, "Threads (default: one a processor)")
-      ->check(CLI::Range(1, 1024))
-      ->group(study_group);
-  command
-      .add_flag("--without-videos", arguments.without_videos,
-                "Make and compare motions and key frames alone")
-      ->group(study_group);
+std::vector<CommandOption> study_options(StudyArguments& arguments, const char* baseline) {
+  return {
+      option("--baseline", &arguments.baseline,
+             std::string(baseline) + " (default: baselines/<study> beside the manifest)"),
+      option("--out", &arguments.production.out, "Folder in which studies are made").with_default(),
+      option("--jobs,-j", &arguments.production.jobs, "Threads (default: one a processor)")
+          .between(1, 1024),
+      flag("--without-videos", &arguments.without_videos,
+           "Make and compare motions and key frames alone")};
 }
 
-void add_approve_command(CLI::App& regress, Command& chosen) {
-  CLI::App* command = regress.add_subcommand("approve", "Store a study as it should look");
+Command approve_command() {
   const auto arguments = std::make_shared<StudyArguments>();
-  command->add_option("manifest", arguments->production.manifest, "Manifest (YAML) of the study")
-      ->required();
-  command->add_option("--why", arguments->why, "Why it may look as it does now")
-      ->required()
-      ->check(refuse_blank);
-  command->add_option("--who", arguments->who, "Who says so (default: git's user.name)");
-  command
-      ->add_option("--only", arguments->production.only,
-                   "Approve these stimuli; the others stay as they were approved")
-      ->delimiter(',');
-  command->add_option("--key-frames", arguments->key_frames, "Frames that are kept of a stimulus")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command->add_flag("--keep-videos", arguments->keep_videos,
-                    "Keep the videos too, for reports to show them beside those of then; the "
-                    "baseline grows by their size");
-  add_study_options(*command, *arguments, "Folder of the baseline, new or one of the study");
-  command->footer(approve_footer);
-  command->callback([&chosen, arguments] {
-    chosen = [arguments](const Console& console) { return approve_study(*arguments, console); };
-  });
+  return {
+      .name = "approve",
+      .summary = "Store a study as it should look",
+      .options = all_of(
+          argument("manifest", &arguments->production.manifest, "Manifest (YAML) of the study"),
+          why_option(arguments->why),
+          option("--who", &arguments->who, "Who says so (default: git's user.name)"),
+          option("--only", &arguments->production.only,
+                 "Approve these stimuli; the others stay as they were approved")
+              .with_commas(),
+          option("--key-frames", &arguments->key_frames, "Frames that are kept of a stimulus")
+              .between(1, 10000)
+              .with_default(),
+          flag("--keep-videos", &arguments->keep_videos,
+               "Keep the videos too, for reports to show them beside those of then; the baseline "
+               "grows by their size"),
+          in_group(study_group, arguments->given,
+                   study_options(*arguments, "Folder of the baseline, new or one of the study"))),
+      .notes = approve_footer,
+      .run = [arguments](const Console& console) { return approve_study(*arguments, console); }};
 }
 
 }  // namespace
 
-void add_regress_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand(
-      "regress", "Tell whether a study or a motion is what it was, and what changed if not");
-  command->require_subcommand(0, 1);
+Command regress_command() {
   const auto options = std::make_shared<RegressOptions>();
   const auto study = std::make_shared<StudyArguments>();
-  command->add_option(
-      "before", options->before,
-      "Manifest of a study; or a motion, picture, video or folder of pictures as it was");
-  command->add_option("now", options->now, "The same as it is now");
-  add_study_options(*command, *study, "Folder of the baseline, or a branch, tag or commit of git");
-  command
-      ->add_option("--report,-o", study->report,
-                   "Folder of the report (default: "
-                   "<out>/<study>-regression)")
-      ->group(study_group);
-  command
-      ->add_option("--only", study->production.only,
-                   "Make and compare these stimuli alone; nothing is told about the others")
-      ->delimiter(',')
-      ->group(study_group);
-  command
-      ->add_option("--repeat", study->repeat,
-                   "Make motions and key frames so many times, and tell what differs")
-      ->check(CLI::Range(1, 100))
-      ->group(study_group);
-  command
-      ->add_option("--audits", study->audits,
-                   "Share of the stimuli that are drawn although nothing about them has changed")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str()
-      ->group(study_group);
-  add_takes_option(*command, options->takes);
-  add_tolerances(*command, options->tolerance);
-  command
-      ->add_option("--perceptual", options->perceptual,
-                   "Mean FLIP, 0 to 1, that a picture or frame of a video may have")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str()
-      ->group(files_group);
-  command->add_flag("--json", options->json, "Everything that is known, as JSON");
-  command->footer(footer);
-  add_approve_command(*command, chosen);
-  command->callback([command, &chosen, options, study] {
-    if (!command->get_subcommands().empty()) return;
-    if (options->before.empty()) throw CLI::RequiredError("before");
-    if (options->now.empty()) {
-      study->production.manifest = options->before;
-      study->production.json = options->json;
-      chosen = [command, options, study](const Console& console) {
-        refuse_lone_file(study->production.manifest);
-        if (!options->takes.empty())
-          throw Error({"--take"}, "is for two motion files, not for a study",
-                      "set take: in the manifest");
-        refuse_options(*command, files_group, "set regression: in the manifest");
-        return compared([&](const Console& where) { return regress_study(*study, where); },
-                        console);
-      };
-    } else {
-      chosen = [command, options](const Console& console) {
-        refuse_options(*command, study_group, "leave it out");
-        return compared([&](const Console& where) { return regress_files(*options, where); },
-                        console);
-      };
-    }
-  });
+  return {
+      .name = "regress",
+      .summary = "Tell whether a study or a motion is what it was, and what changed if not",
+      .options = all_of(
+          argument("before", &options->before,
+                   "Manifest of a study; or a motion, picture, video or folder of pictures as it "
+                   "was")
+              .optional(),
+          argument("now", &options->now, "The same as it is now").optional(),
+          in_group(study_group, study->given,
+                   all_of(study_options(*study,
+                                        "Folder of the baseline, or a branch, tag or commit of "
+                                        "git"),
+                          option("--report,-o", &study->report,
+                                 "Folder of the report (default: <out>/<study>-regression)"),
+                          option("--only", &study->production.only,
+                                 "Make and compare these stimuli alone; nothing is told about the "
+                                 "others")
+                              .with_commas(),
+                          option("--repeat", &study->repeat,
+                                 "Make motions and key frames so many times, and tell what differs")
+                              .between(1, 100),
+                          option("--audits", &study->audits,
+                                 "Share of the stimuli that are drawn although nothing about them "
+                                 "has changed")
+                              .between(0.0, 1.0)
+                              .with_default())),
+          takes_option(options->takes),
+          in_group(files_group, options->given, file_options(*options)),
+          flag("--json", &options->json, "Everything that is known, as JSON")),
+      .commands = {approve_command()},
+      .notes = footer,
+      .run = [options, study](const Console& console) {
+        return compared([&] { return regress(*options, *study, console); }, console);
+      }};
 }
 
 }  // namespace mien::pipeline

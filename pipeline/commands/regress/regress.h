@@ -15,8 +15,10 @@ struct RegressOptions {
   std::string now;                 ///< what is to be judged
   std::vector<std::string> takes;  ///< of motion files: of both, or of each
   motion::MotionTolerance tolerance;
-  double perceptual = 0.0;  ///< mean ꟻLIP that pictures may have
+  double rotation_degrees = 0.1;  ///< of the tolerance, as it is typed
+  double perceptual = 0.0;        ///< mean ꟻLIP that pictures may have
   bool json = false;
+  std::vector<std::string> given;  ///< options that are of files alone
 };
 
 /// Compares two motion files: tells how they differ on `console.out`. Exit code 0 when they are

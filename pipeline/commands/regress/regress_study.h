@@ -20,6 +20,7 @@ struct StudyArguments {
   std::string why;
   int key_frames = 4;
   bool keep_videos = false;
+  std::vector<std::string> given;  ///< options that are of studies alone
 };
 
 /// Makes the study, compares it with its baseline and writes the report. Exit code 1 when something

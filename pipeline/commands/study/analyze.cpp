@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +13,6 @@
 #include "pipeline/commands/study/kept_scales.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
-#include "pipeline/commands/word_choice.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/production/synthesis/repertoire.h"
@@ -197,96 +195,77 @@ int analyze(AnalyzeOptions options, const Console& console) {
   return exit_done;
 }
 
-template <class Enum>
-void add_rule(CLI::App& command, const char* name, Enum& rule, const std::string& usual,
-              const std::map<std::string, Enum>& choices, const std::string& help) {
-  std::string words;
-  for (const auto& [word, value] : choices) words += (words.empty() ? "" : "|") + word;
-  command.add_option(name, rule, help + " [" + usual + "]")
-      ->transform(choice_of(choices))
-      ->type_name(words);
-}
-
-void add_rules(CLI::App& command, AnalyzeOptions& options) {
+std::vector<CommandOption> rule_options(AnswerRules& rules) {
   using Rules = AnswerRules;
-  add_rule<Rules::Repeated>(command, "--repeated", options.rules.repeated, "error",
-                            {{"error", Rules::Repeated::refuse},
-                             {"first", Rules::Repeated::first},
-                             {"last", Rules::Repeated::last},
-                             {"mean", Rules::Repeated::mean}},
-                            "A participant's further answer about the same");
-  add_rule<Rules::Unknown>(command, "--unknown", options.rules.unknown, "error",
-                           {{"error", Rules::Unknown::refuse}, {"ignore", Rules::Unknown::ignore}},
-                           "Answers about stimuli or on scales that are not known");
-  add_rule<Rules::Constant>(command, "--constant", options.rules.constant, "keep",
-                            {{"keep", Rules::Constant::keep}, {"drop", Rules::Constant::drop}},
-                            "Participants who answer the same to everything");
-  add_rule<Rules::Missing>(command, "--missing", options.rules.missing, "ignore",
-                           {{"ignore", Rules::Missing::ignore}, {"error", Rules::Missing::refuse}},
-                           "Missing answers");
+  return {choice("--repeated", rules.repeated,
+                 {{"error", Rules::Repeated::refuse},
+                  {"first", Rules::Repeated::first},
+                  {"last", Rules::Repeated::last},
+                  {"mean", Rules::Repeated::mean}},
+                 "A participant's further answer about the same"),
+          choice("--unknown", rules.unknown,
+                 {{"error", Rules::Unknown::refuse}, {"ignore", Rules::Unknown::ignore}},
+                 "Answers about stimuli or on scales that are not known"),
+          choice("--constant", rules.constant,
+                 {{"drop", Rules::Constant::drop}, {"keep", Rules::Constant::keep}},
+                 "Participants who answer the same to everything"),
+          choice("--missing", rules.missing,
+                 {{"error", Rules::Missing::refuse}, {"ignore", Rules::Missing::ignore}},
+                 "Missing answers")};
 }
 
 }  // namespace
 
-void add_study_analyze_command(CLI::App& study, Command& chosen) {
-  CLI::App* command =
-      study.add_subcommand("analyze", "From answers to clusters of scales: primary parameters");
+Command study_analyze_command() {
   const auto options = std::make_shared<AnalyzeOptions>();
-  command
-      ->add_option("answers", options->answers,
+  return {
+      .name = "analyze",
+      .summary = "From answers to clusters of scales: primary parameters",
+      .options = all_of(
+          argument("answers", &options->answers,
                    "CSV with the columns participant, stimulus, scale, value and, if you like, "
-                   "rt_ms, order, comment")
-      ->required();
-  CLI::Option* examples =
-      command->add_option("--examples", options->examples,
-                          "What was rated: " + std::string(examples_help) + ", or a manifest");
-  command
-      ->add_option("--stimuli", options->stimuli,
-                   "Or stimuli of one's own: the folder of their study (out/my-study). Tells what "
-                   "was asked, reached and seen, and what to ask for in the next round")
-      ->excludes(examples);
-  command->add_option("--scales", options->scales,
-                      "Scales file (YAML); the manifest's or the study's, or the 41 built-in "
-                      "adjective pairs, without one");
-  command->add_option("-o,--output", options->out,
-                      "Folder for the results; out/<name of the answers> without it");
-  command
-      ->add_option(
-          "--max-mean", options->analysis.thresholds.largest_mean,
-          "Remove scales whose largest |mean| over the examples is below this. For answers "
-          "from -2 to 2; other ranges in proportion")
-      ->check(CLI::Range(0.0, 2.0))
-      ->capture_default_str();
-  command
-      ->add_option("--max-sd", options->analysis.thresholds.mean_deviation,
-                   "Remove scales whose mean SD over the examples is above this. For answers from "
-                   "-2 to 2; other ranges in proportion")
-      ->check(CLI::Range(0.0, 4.0))
-      ->capture_default_str();
-  add_rule<Deviation>(*command, "--sd", options->analysis.deviation, "population",
-                      {{"population", Deviation::population}, {"sample", Deviation::sample}},
-                      "Divide the variance of an example's answers by n or by n - 1");
-  command->add_option("--clusters", options->clusters, "How many clusters, or gap")
-      ->capture_default_str();
-  command
-      ->add_option("--names", options->analysis.names,
-                   "Names of the clusters in the order of clusters.csv")
-      ->delimiter(',');
-  add_rules(*command, *options);
-  command->add_flag("--json", options->json, "Results as JSON on standard output");
-  command->footer(
-      "\nWrites quantification.csv, thresholds.csv, impressions.csv, linkage.csv, clusters.csv, "
-      "primary.csv, agreement.csv, warnings.csv, clusters.scales.yaml (for `scales:` in a "
-      "manifest), dendrogram and thresholds as .pdf, .svg, .png; for the built-in adjective pairs "
-      "also published.csv, a comparison with the published clusters. With --stimuli: "
-      "calibration.csv, corrections.csv, warnings.csv, and calibration as .pdf, .svg, "
-      ".png.\n\nExamples:\n"
-      "  mien study analyze answers.csv --examples builtin:walks-27\n"
-      "  mien study analyze answers.csv --examples study.yaml --clusters gap --unknown ignore\n"
-      "  mien study analyze answers.csv --stimuli out/my-study");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return analyze(*options, console); };
-  });
+                   "rt_ms, order, comment"),
+          option("--examples", &options->examples,
+                 "What was rated: " + std::string(examples_help) + ", or a manifest"),
+          option("--stimuli", &options->stimuli,
+                 "Or stimuli of one's own: the folder of their study (out/my-study). Tells what "
+                 "was asked, reached and seen, and what to ask for in the next round")
+              .excludes("--examples"),
+          option("--scales", &options->scales,
+                 "Scales file (YAML); the manifest's or the study's, or the 41 built-in adjective "
+                 "pairs, without one"),
+          option("-o,--output", &options->out,
+                 "Folder for the results; out/<name of the answers> without it"),
+          option("--max-mean", &options->analysis.thresholds.largest_mean,
+                 "Remove scales whose largest |mean| over the examples is below this. For answers "
+                 "from -2 to 2; other ranges in proportion")
+              .between(0.0, 2.0)
+              .with_default(),
+          option("--max-sd", &options->analysis.thresholds.mean_deviation,
+                 "Remove scales whose mean SD over the examples is above this. For answers from -2 "
+                 "to 2; other ranges in proportion")
+              .between(0.0, 4.0)
+              .with_default(),
+          choice("--sd", options->analysis.deviation,
+                 {{"population", Deviation::population}, {"sample", Deviation::sample}},
+                 "Divide the variance of an example's answers by n or by n - 1"),
+          option("--clusters", &options->clusters, "How many clusters, or gap").with_default(),
+          option("--names", &options->analysis.names,
+                 "Names of the clusters in the order of clusters.csv")
+              .with_commas(),
+          rule_options(options->rules),
+          flag("--json", &options->json, "Results as JSON on standard output")),
+      .notes =
+          "Writes quantification.csv, thresholds.csv, impressions.csv, linkage.csv, clusters.csv, "
+          "primary.csv, agreement.csv, warnings.csv, clusters.scales.yaml (for `scales:` in a "
+          "manifest), dendrogram and thresholds as .pdf, .svg, .png; for the built-in adjective "
+          "pairs also published.csv, a comparison with the published clusters. With --stimuli: "
+          "calibration.csv, corrections.csv, warnings.csv, and calibration as .pdf, .svg, "
+          ".png.\n\nExamples:\n"
+          "  mien study analyze answers.csv --examples builtin:walks-27\n"
+          "  mien study analyze answers.csv --examples study.yaml --clusters gap --unknown ignore\n"
+          "  mien study analyze answers.csv --stimuli out/my-study",
+      .run = [options](const Console& console) { return analyze(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
@@ -157,75 +156,65 @@ int design(const DesignCommand& command, const Console& console) {
   return exit_done;
 }
 
-void add_power_options(CLI::App& command, DesignCommand& options) {
-  CLI::Option* power =
-      command.add_flag("--power", options.power,
-                       "Estimate how many participants find a difference, with simulated raters");
-  command
-      .add_option("--ratings", options.ratings,
-                  "With --power: answers (CSV) whose variances the raters have")
-      ->needs(power);
-  command
-      .add_option("--spread", options.spread,
-                  "With --power: standard deviations of participants, stimuli and what is left, in "
-                  "the scale's points [0.5,0.5,0.8]")
-      ->needs(power)
-      ->delimiter(',')
-      ->expected(3)
-      ->check(CLI::Range(0.0, 1000.0));
-  command
-      .add_option("--difference", options.question.difference,
-                  "With --power: the true difference, in the scale's points")
-      ->needs(power)
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      .add_option("--between", options.between,
-                  "With --power: a factor and two levels to compare, as made=acted,modified; any "
-                  "two stimuli without it")
-      ->needs(power)
-      ->delimiter(',');
-  command.add_option("--studies", options.question.studies, "With --power: how many are simulated")
-      ->needs(power)
-      ->check(CLI::Range(100, 1000000))
-      ->capture_default_str();
+std::vector<CommandOption> power_options(DesignCommand& options) {
+  return {flag("--power", &options.power,
+               "Estimate how many participants find a difference, with simulated raters"),
+          option("--ratings", &options.ratings,
+                 "With --power: answers (CSV) whose variances the raters have")
+              .needs("--power"),
+          option("--spread", &options.spread,
+                 "With --power: standard deviations of participants, stimuli and what is left, in "
+                 "the scale's points [0.5,0.5,0.8]")
+              .needs("--power")
+              .with_commas()
+              .values(3, 3)
+              .between(0.0, 1000.0),
+          option("--difference", &options.question.difference,
+                 "With --power: the true difference, in the scale's points")
+              .needs("--power")
+              .positive()
+              .with_default(),
+          option("--between", &options.between,
+                 "With --power: a factor and two levels to compare, as made=acted,modified; any "
+                 "two stimuli without it")
+              .needs("--power")
+              .with_commas(),
+          option("--studies", &options.question.studies, "With --power: how many are simulated")
+              .needs("--power")
+              .between(100, 1000000)
+              .with_default()};
 }
 
 }  // namespace
 
-void add_study_design_command(CLI::App& study, Command& chosen) {
-  CLI::App* command = study.add_subcommand(
-      "design", "Lay out the sessions of participants: plans, balance, duration, power");
+Command study_design_command() {
   const auto options = std::make_shared<DesignCommand>();
-  command->add_option("manifest", options->manifest, asked_manifest_help)->required();
-  command->add_option("-o,--output", options->plans,
-                      "CSV of every participant's plan; standard output without it");
-  command->add_option("--balance", options->balance,
-                      "CSV to write of how often each stimulus comes, where and after which");
-  CLI::Option* participants =
-      command
-          ->add_option("--participants", options->participants,
-                       "How many take part; as the questionnaire plans without it")
-          ->check(CLI::Range(1, 10000));
-  add_power_options(*command, *options);
-  command
-      ->add_option("--freeze", options->frozen,
-                   "Archive (.zip) to write for a preregistration: the plans, the manifest, the "
-                   "analysis plan and the hashes of all media")
-      ->excludes(participants);
-  command
-      ->add_option("--out", options->out,
-                   "With --freeze: folder of all studies, where this one was made")
-      ->capture_default_str();
-  command->footer(
-      "\nThe same manifest gives the same plans; more participants change none of the earlier "
-      "ones.\n\nExamples:\n"
-      "  mien study design emotion-study -o plans.csv --balance balance.csv\n"
-      "  mien study design study.yaml -o plans.csv --power --ratings pilot.csv\n"
-      "  mien study design study.yaml -o plans.csv --freeze preregistration.zip");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return design(*options, console); };
-  });
+  return {.name = "design",
+          .summary = "Lay out the sessions of participants: plans, balance, duration, power",
+          .options =
+              all_of(argument("manifest", &options->manifest, asked_manifest_help),
+                     option("-o,--output", &options->plans,
+                            "CSV of every participant's plan; standard output without it"),
+                     option("--balance", &options->balance,
+                            "CSV to write of how often each stimulus comes, where and after which"),
+                     option("--participants", &options->participants,
+                            "How many take part; as the questionnaire plans without it")
+                         .between(1, 10000),
+                     power_options(*options),
+                     option("--freeze", &options->frozen,
+                            "Archive (.zip) to write for a preregistration: the plans, the "
+                            "manifest, the analysis plan and the hashes of all media")
+                         .excludes("--participants"),
+                     option("--out", &options->out,
+                            "With --freeze: folder of all studies, where this one was made")
+                         .with_default()),
+          .notes =
+              "The same manifest gives the same plans; more participants change none of the "
+              "earlier ones.\n\nExamples:\n"
+              "  mien study design emotion-study -o plans.csv --balance balance.csv\n"
+              "  mien study design study.yaml -o plans.csv --power --ratings pilot.csv\n"
+              "  mien study design study.yaml -o plans.csv --freeze preregistration.zip",
+          .run = [options](const Console& console) { return design(*options, console); }};
 }
 
 }  // namespace mien::pipeline

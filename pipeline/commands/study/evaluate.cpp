@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -133,36 +132,32 @@ int run_evaluation(const EvaluateOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_study_evaluate_command(CLI::App& study, Command& chosen) {
-  CLI::App* command = study.add_subcommand(
-      "evaluate", "From matching sessions to means, tests and figures that compare interfaces");
+Command study_evaluate_command() {
   const auto options = std::make_shared<EvaluateOptions>();
-  command
-      ->add_option("results", options->results,
-                   "CSV with the columns participant, target, interface, first_guess_d, time_s, "
-                   "success; one of all participants, or several")
-      ->required();
-  command->add_option("-o,--output", options->out,
-                      "Folder for the results; out/<name of the first file> without it");
-  command
-      ->add_option("--limit", options->terms.limit_s,
-                   "Seconds allowed for a match; trials without success count as that long; 300 "
-                   "where the files do not tell")
-      ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--threshold", options->terms.threshold_m,
-                   "Distance D below which motions match, metres; 0.06 where the files do not tell")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--json", options->json, "Results as JSON on standard output");
-  command->footer(
-      "\nWrites means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures "
-      "first_guess_d, first_guess_success, time, time_saved and failures as .pdf, .svg and .png, "
-      "all target by target and over all targets.\n"
-      "\nExample:\n  mien study evaluate sessions.csv -o evaluation"
-      "\n  mien study evaluate downloads/*trials_data.csv -o evaluation");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return run_evaluation(*options, console); };
-  });
+  return {
+      .name = "evaluate",
+      .summary = "From matching sessions to means, tests and figures that compare interfaces",
+      .options =
+          {argument("results", &options->results,
+                    "CSV with the columns participant, target, interface, first_guess_d, time_s, "
+                    "success; one of all participants, or several"),
+           option("-o,--output", &options->out,
+                  "Folder for the results; out/<name of the first file> without it"),
+           option("--limit", &options->terms.limit_s,
+                  "Seconds allowed for a match; trials without success count as that long; 300 "
+                  "where the files do not tell")
+               .positive(),
+           option("--threshold", &options->terms.threshold_m,
+                  "Distance D below which motions match, metres; 0.06 where the files do not tell")
+               .positive(),
+           flag("--json", &options->json, "Results as JSON on standard output")},
+      .notes =
+          "Writes means.csv, shares.csv, time_saved.csv, comparisons.csv and the figures "
+          "first_guess_d, first_guess_success, time, time_saved and failures as .pdf, .svg and "
+          ".png, all target by target and over all targets.\n"
+          "\nExample:\n  mien study evaluate sessions.csv -o evaluation\n  mien study evaluate "
+          "downloads/*trials_data.csv -o evaluation",
+      .run = [options](const Console& console) { return run_evaluation(*options, console); }};
 }
 
 }  // namespace mien::pipeline

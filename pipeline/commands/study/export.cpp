@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/commands/study/asked_manifest.h"
@@ -62,24 +61,23 @@ int export_study(const ExportOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_study_export_command(CLI::App& study, Command& chosen) {
-  CLI::App* command = study.add_subcommand(
-      "export",
-      "The questionnaire or matching experiment as a folder that any browser opens, and for JATOS");
+Command study_export_command() {
   const auto options = std::make_shared<ExportOptions>();
-  add_questionnaire_options(*command, options->study);
-  command
-      ->add_option("--folder,-o", options->folder,
-                   "Folder to write, new or of an earlier export; answers put there stay")
-      ->required();
-  command->footer(
-      "\nMakes what a questionnaire shows first, as mien run does. The folder works offline by a "
-      "double click on\n"
-      "index.html, on any web server, and on JATOS (.jzip); its README.txt tells how.\n"
-      "\nExample:\n  mien study export study.yaml -o questionnaire");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return export_study(*options, console); };
-  });
+  return {.name = "export",
+          .summary =
+              "The questionnaire or matching experiment as a folder that any browser opens, and "
+              "for JATOS",
+          .options =
+              all_of(questionnaire_options(options->study),
+                     option("--folder,-o", &options->folder,
+                            "Folder to write, new or of an earlier export; answers put there stay")
+                         .required()),
+          .notes =
+              "Makes what a questionnaire shows first, as mien run does. The folder works offline "
+              "by a double click on\n"
+              "index.html, on any web server, and on JATOS (.jzip); its README.txt tells how.\n"
+              "\nExample:\n  mien study export study.yaml -o questionnaire",
+          .run = [options](const Console& console) { return export_study(*options, console); }};
 }
 
 }  // namespace mien::pipeline

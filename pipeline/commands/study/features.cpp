@@ -1,17 +1,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
-#include "pipeline/commands/word_choice.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/study/analysis/feature_clusters.h"
@@ -26,11 +23,6 @@ struct FeaturesOptions {
   motion::FeatureScaling scaling = motion::FeatureScaling::min_max;
   std::string out;
 };
-
-std::map<std::string, motion::FeatureScaling> scalings_by_name() {
-  return {{"min-max", motion::FeatureScaling::min_max},
-          {"z-score", motion::FeatureScaling::z_score}};
-}
 
 void write_all(const FeatureClusters& clusters, const Repertoire& repertoire,
                const std::filesystem::path& folder) {
@@ -68,30 +60,28 @@ int cluster(const FeaturesOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_study_features_command(CLI::App& study, Command& chosen) {
-  CLI::App* command =
-      study.add_subcommand("features", "Cluster the motion features of a set of examples");
+Command study_features_command() {
   const auto options = std::make_shared<FeaturesOptions>();
-  command
-      ->add_option("--examples", options->subject.examples,
-                   std::string("Examples: a manifest, ") + examples_help)
-      ->required();
-  command->add_option("--clusters", options->clusters, "How many clusters")
-      ->check(CLI::Range(1, motion::motion_feature_count))
-      ->capture_default_str();
-  command
-      ->add_option("--scaling", options->scaling,
-                   "Scale features over the examples to 0 … 1, or to z scores [min-max]")
-      ->transform(choice_of(scalings_by_name()))
-      ->type_name("min-max|z-score");
-  command->add_option("-o,--output", options->out, "Folder for the results")->required();
-  command->footer(
-      "\nWrites features.csv, linkage.csv, clusters.csv and dendrogram.pdf, .svg, .png, and says "
-      "how far the\nclusters agree with the four published groups, which manifests use. Example:\n"
-      "  mien study features --examples builtin:walks-27 -o out/features");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return cluster(*options, console); };
-  });
+  return {
+      .name = "features",
+      .summary = "Cluster the motion features of a set of examples",
+      .options = {option("--examples", &options->subject.examples,
+                         std::string("Examples: a manifest, ") + examples_help)
+                      .required(),
+                  option("--clusters", &options->clusters, "How many clusters")
+                      .between(1, motion::motion_feature_count)
+                      .with_default(),
+                  choice("--scaling", options->scaling,
+                         {{"min-max", motion::FeatureScaling::min_max},
+                          {"z-score", motion::FeatureScaling::z_score}},
+                         "Scale features over the examples to 0 … 1, or to z scores"),
+                  option("-o,--output", &options->out, "Folder for the results").required()},
+      .notes =
+          "Writes features.csv, linkage.csv, clusters.csv and dendrogram.pdf, .svg, .png, and says "
+          "how far the\nclusters agree with the four published groups, which manifests use. "
+          "Example:\n"
+          "  mien study features --examples builtin:walks-27 -o out/features",
+      .run = [options](const Console& console) { return cluster(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
@@ -87,44 +86,39 @@ int evaluate(InterfacesCommand command, const Console& console) {
 
 }  // namespace
 
-void add_study_interfaces_command(CLI::App& study, Command& chosen) {
-  CLI::App* command = study.add_subcommand(
-      "interfaces", "Try sliders for adjectives, features and weights on targets, without people");
+Command study_interfaces_command() {
   const auto options = std::make_shared<InterfacesCommand>();
-  add_subject_options(*command, options->subject);
-  command->add_option("--targets", options->targets, "Targets")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  command
-      ->add_option("--users", options->evaluation.users,
-                   "Simulated users for each target and interface")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
-  command
-      ->add_option("--steps", options->evaluation.steps,
-                   "Slider grids whose nearest settings are tried, with commas")
-      ->delimiter(',')
-      ->check(CLI::Range(0.01, 1.0))
-      ->capture_default_str();
-  command
-      ->add_option("--threshold", options->evaluation.threshold,
-                   "Distance D below which motions match, metres")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  add_methods_option(*command, options->evaluation.methods, "the manifest's without it");
-  command->add_option("--seed", options->seed, "Seed; the manifest's without it");
-  command->add_option("-o,--output", options->out, "Folder for the tables and the figure");
-  command->footer(
-      "\nFor every target (sampled as by mien study targets) and interface: the distance D of the "
-      "nearest setting of the sliders, and of simulated users. Such a user reads the settings off "
-      "the target with an error of 0.15 (SD), then moves one slider at a time up and down by 0.2, "
-      "later by less, keeping what looks better, with an error of 10 % in seeing distances; at "
-      "most 100 motions are looked at. It shows what the interfaces allow, not what people do with "
-      "them: nobody reads the shares of examples off a motion as well as its quickness.\n\n"
-      "Example:\n  mien study interfaces --examples builtin:walks-27 -o out/interfaces");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return evaluate(*options, console); };
-  });
+  return {.name = "interfaces",
+          .summary = "Try sliders for adjectives, features and weights on targets, without people",
+          .options = all_of(
+              subject_options(options->subject),
+              option("--targets", &options->targets, "Targets").between(1, 100).with_default(),
+              option("--users", &options->evaluation.users,
+                     "Simulated users for each target and interface")
+                  .between(0, 1000)
+                  .with_default(),
+              option("--steps", &options->evaluation.steps,
+                     "Slider grids whose nearest settings are tried, with commas")
+                  .with_commas()
+                  .between(0.01, 1.0)
+                  .with_default(),
+              option("--threshold", &options->evaluation.threshold,
+                     "Distance D below which motions match, metres")
+                  .positive()
+                  .with_default(),
+              methods_option(options->evaluation.methods, "the manifest's without it"),
+              option("--seed", &options->seed, "Seed; the manifest's without it"),
+              option("-o,--output", &options->out, "Folder for the tables and the figure")),
+          .notes =
+              "For every target (sampled as by mien study targets) and interface: the distance D "
+              "of the nearest setting of the sliders, and of simulated users. Such a user reads "
+              "the settings off the target with an error of 0.15 (SD), then moves one slider at a "
+              "time up and down by 0.2, later by less, keeping what looks better, with an error of "
+              "10 % in seeing distances; at most 100 motions are looked at. It shows what the "
+              "interfaces allow, not what people do with them: nobody reads the shares of examples "
+              "off a motion as well as its quickness.\n\n"
+              "Example:\n  mien study interfaces --examples builtin:walks-27 -o out/interfaces",
+          .run = [options](const Console& console) { return evaluate(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -1,7 +1,5 @@
 #include "pipeline/commands/study/made_questionnaire.h"
 
-#include <CLI/CLI.hpp>
-
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
@@ -55,18 +53,14 @@ MadeQuestionnaire made_questionnaire(const ProductionArguments& arguments, const
   return made;
 }
 
-void add_questionnaire_options(CLI::App& command, ProductionArguments& arguments) {
-  command
-      .add_option("manifest", arguments.manifest,
-                  "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
-                  "one of mien manifests")
-      ->required();
-  command.add_option("--out", arguments.out, "Folder in which studies are made")
-      ->capture_default_str();
-  command.add_option("--quality", arguments.quality, "Instead of the manifest's quality")
-      ->check(CLI::IsMember({"draft", "standard", "final"}));
-  command.add_option("--jobs,-j", arguments.jobs, "Tasks at a time (default: one a processor)")
-      ->check(CLI::Range(1, 1024));
+std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments) {
+  return {argument("manifest", &arguments.manifest,
+                   "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
+                   "one of mien manifests"),
+          option("--out", &arguments.out, "Folder in which studies are made").with_default(),
+          quality_option(arguments.quality),
+          option("--jobs,-j", &arguments.jobs, "Tasks at a time (default: one a processor)")
+              .between(1, 1024)};
 }
 
 }  // namespace mien::pipeline

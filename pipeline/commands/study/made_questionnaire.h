@@ -27,6 +27,6 @@ MadeQuestionnaire made_questionnaire(const ProductionArguments& arguments, const
 
 /// The options that say which study it is and how it is made: the manifest, --out, --quality and
 /// --jobs. -o is left to the command.
-void add_questionnaire_options(CLI::App& command, ProductionArguments& arguments);
+std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments);
 
 }  // namespace mien::pipeline

@@ -13,7 +13,7 @@ namespace mien::pipeline {
 std::vector<motion::InterpolationMethod> methods_with_parameters();
 
 /// The option --methods; `otherwise` says what happens without it.
-void add_methods_option(CLI::App& command, std::vector<motion::InterpolationMethod>& methods,
-                        const std::string& otherwise);
+CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
+                             const std::string& otherwise);
 
 }  // namespace mien::pipeline

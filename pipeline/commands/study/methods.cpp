@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
@@ -61,30 +60,29 @@ int compare(MethodsCommand command, const Console& console) {
 
 }  // namespace
 
-void add_study_methods_command(CLI::App& study, Command& chosen) {
-  CLI::App* command = study.add_subcommand(
-      "methods", "Compare the methods of interpolation on wishes that the examples allow");
+Command study_methods_command() {
   const auto options = std::make_shared<MethodsCommand>();
-  add_subject_options(*command, options->subject);
-  command
-      ->add_option("--parameters", options->parameters,
-                   "Parameters by name, with commas; the primary groups without it")
-      ->delimiter(',');
-  add_methods_option(*command, options->methods, "all without it");
-  command->add_option("--wishes", options->trial.wishes, "Settings of the parameters to try")
-      ->check(CLI::Range(2, 10000))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed; the manifest's without it");
-  command->add_option("-o,--output", options->out, "Folder for methods.csv");
-  command->footer(
-      "\nWishes are what random blends of three examples have, so each can be met. mean error and "
-      "worst error: of the parameter that is missed most; jump: largest change of an example's "
-      "weight in a hundredth of the way from one wish to the next; examples: 1/sum of squared "
-      "weights; D: to the blend that the wish was read off; time: to find the weights.\n\n"
-      "Example:\n  mien study methods --examples builtin:walks-27");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return compare(*options, console); };
-  });
+  return {.name = "methods",
+          .summary = "Compare the methods of interpolation on wishes that the examples allow",
+          .options =
+              all_of(subject_options(options->subject),
+                     option("--parameters", &options->parameters,
+                            "Parameters by name, with commas; the primary groups without it")
+                         .with_commas(),
+                     methods_option(options->methods, "all without it"),
+                     option("--wishes", &options->trial.wishes, "Settings of the parameters to try")
+                         .between(2, 10000)
+                         .with_default(),
+                     option("--seed", &options->seed, "Seed; the manifest's without it"),
+                     option("-o,--output", &options->out, "Folder for methods.csv")),
+          .notes =
+              "Wishes are what random blends of three examples have, so each can be met. mean "
+              "error and worst error: of the parameter that is missed most; jump: largest change "
+              "of an example's weight in a hundredth of the way from one wish to the next; "
+              "examples: 1/sum of squared weights; D: to the blend that the wish was read off; "
+              "time: to find the weights.\n\n"
+              "Example:\n  mien study methods --examples builtin:walks-27",
+          .run = [options](const Console& console) { return compare(*options, console); }};
 }
 
 }  // namespace mien::pipeline

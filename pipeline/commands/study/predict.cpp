@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "motion/examples/make_example.h"
@@ -157,26 +156,26 @@ int show_prediction(const PredictOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_study_predict_command(CLI::App& study, Command& chosen) {
-  CLI::App* command = study.add_subcommand(
-      "predict", "Predict ratings from motion features, and tell how well that works");
+Command study_predict_command() {
   const auto options = std::make_shared<PredictOptions>();
-  add_subject_options(*command, options->subject);
-  command->add_option("--motions", options->motions, "Motion files that nobody rated");
-  add_take_option(*command, options->take);
-  command->add_option("-o,--output", options->out, "Folder for the tables (CSV)");
-  command->footer(
-      "\nA ridge regression from the motion features to every parameter of the ratings. It is "
-      "checked on examples that had no part in the fit: each example left out and, where a style "
-      "has several takes (sad_001, sad_002), all takes of a style, because takes are nearly "
-      "twins. The tables are prediction_checks.csv, left_out_predictions.csv and, with --motions, "
-      "predictions.csv and predicted_ratings.csv, which a manifest can take as ratings.\n\n"
-      "Examples:\n"
-      "  mien study predict --examples manifests/real-walks.yaml -o out/prediction\n"
-      "  mien study predict --examples builtin:walks-27 --motions walk.bvh run.bvh");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return show_prediction(*options, console); };
-  });
+  return {
+      .name = "predict",
+      .summary = "Predict ratings from motion features, and tell how well that works",
+      .options = all_of(subject_options(options->subject),
+                        option("--motions", &options->motions, "Motion files that nobody rated"),
+                        take_option(options->take),
+                        option("-o,--output", &options->out, "Folder for the tables (CSV)")),
+      .notes =
+          "A ridge regression from the motion features to every parameter of the ratings. It is "
+          "checked on examples that had no part in the fit: each example left out and, where a "
+          "style has several takes (sad_001, sad_002), all takes of a style, because takes are "
+          "nearly twins. The tables are prediction_checks.csv, left_out_predictions.csv and, with "
+          "--motions, predictions.csv and predicted_ratings.csv, which a manifest can take as "
+          "ratings.\n\n"
+          "Examples:\n"
+          "  mien study predict --examples manifests/real-walks.yaml -o out/prediction\n"
+          "  mien study predict --examples builtin:walks-27 --motions walk.bvh run.bvh",
+      .run = [options](const Console& console) { return show_prediction(*options, console); }};
 }
 
 }  // namespace mien::pipeline

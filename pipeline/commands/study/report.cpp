@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -42,7 +41,7 @@ struct ReportCommand {
   int most_failed = -1;
   std::string unfinished = "keep";
   std::string frozen;
-  std::string made;  ///< folder that holds the studies that were made
+  std::string made = "out";  ///< folder that holds the studies that were made
 };
 
 /// What the command line names, told apart by what it is.
@@ -217,47 +216,39 @@ int report(const ReportCommand& options, const Console& console) {
 
 }  // namespace
 
-void add_study_report_command(CLI::App& study, Command& chosen) {
-  CLI::App* command = study.add_subcommand(
-      "report", "From a questionnaire's answers to tables, figures and one page");
+Command study_report_command() {
   const auto options = std::make_shared<ReportCommand>();
-  command
-      ->add_option("files", options->files,
-                   "Answers (CSV, or folders with answers.csv or saved *answers_data.csv) and the "
-                   "manifest of the study, in either order")
-      ->required();
-  command->add_option("-o,--output", options->out,
-                      "Folder to write; out/<study>-results without it");
-  command->add_option("--participants", options->participants,
-                      "Tables of participants; otherwise those that lie beside the answers");
-  command
-      ->add_option("--correction", options->correction,
-                   "For the number of tests: holm, bh (Benjamini-Hochberg) or none; otherwise as "
-                   "the manifest says")
-      ->check(CLI::IsMember({"holm", "bh", "none"}));
-  command
-      ->add_option("--most-failed", options->most_failed,
-                   "Who fails more attention checks is left out; otherwise as the manifest says")
-      ->check(CLI::Range(0, 1000));
-  command
-      ->add_option("--unfinished", options->unfinished,
-                   "Who did not come to the end: keep (what was answered counts) or leave-out")
-      ->check(CLI::IsMember({"keep", "leave-out"}))
-      ->capture_default_str();
-  command->add_option("--frozen", options->frozen,
-                      "Bundle of mien study design --freeze: tell what differs from it");
-  command
-      ->add_option("--made", options->made,
-                   "With --frozen: folder in which the study was made, whose media are compared")
-      ->default_str("out");
-  options->made = "out";
-  command->footer(
-      "\nExamples:\n"
-      "  mien study report answers.csv study.yaml -o out/results\n"
-      "  mien study report lab/ online/ study.yaml --correction bh --frozen design.zip");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return report(*options, console); };
-  });
+  return {
+      .name = "report",
+      .summary = "From a questionnaire's answers to tables, figures and one page",
+      .options =
+          {argument("files", &options->files,
+                    "Answers (CSV, or folders with answers.csv or saved *answers_data.csv) and the "
+                    "manifest of the study, in either order"),
+           option("-o,--output", &options->out, "Folder to write; out/<study>-results without it"),
+           option("--participants", &options->participants,
+                  "Tables of participants; otherwise those that lie beside the answers"),
+           option("--correction", &options->correction,
+                  "For the number of tests: holm, bh (Benjamini-Hochberg) or none; otherwise as "
+                  "the manifest says")
+               .one_of({"holm", "bh", "none"}),
+           option("--most-failed", &options->most_failed,
+                  "Who fails more attention checks is left out; otherwise as the manifest says")
+               .between(0, 1000),
+           option("--unfinished", &options->unfinished,
+                  "Who did not come to the end: keep (what was answered counts) or leave-out")
+               .one_of({"keep", "leave-out"})
+               .with_default(),
+           option("--frozen", &options->frozen,
+                  "Bundle of mien study design --freeze: tell what differs from it"),
+           option("--made", &options->made,
+                  "With --frozen: folder in which the study was made, whose media are compared")
+               .with_default()},
+      .notes =
+          "Examples:\n"
+          "  mien study report answers.csv study.yaml -o out/results\n"
+          "  mien study report lab/ online/ study.yaml --correction bh --frozen design.zip",
+      .run = [options](const Console& console) { return report(*options, console); }};
 }
 
 }  // namespace mien::pipeline

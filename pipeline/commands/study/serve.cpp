@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -213,34 +212,34 @@ int serve(const ServeOptions& options, const Console& console) {
 
 }  // namespace
 
-void add_study_serve_command(CLI::App& study, Command& chosen) {
-  CLI::App* command = study.add_subcommand(
-      "serve", "The questionnaire or matching experiment from this machine, for a laboratory");
+Command study_serve_command() {
   const auto options = std::make_shared<ServeOptions>();
-  add_questionnaire_options(*command, options->study);
-  command->add_option("--port", options->port, "Port to listen at; 0: any that is free")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
-  command
-      ->add_option("--listen", options->listen,
-                   "Address of this machine to listen at; 0.0.0.0 for all of them")
-      ->capture_default_str();
-  command->add_option("--store", options->store,
-                      "File in which answers are kept (default: <out>/<study>-answers.db)");
-  command->add_option("--url", options->url,
-                      "How participants reach this server, if not at its address and port");
-  command->add_flag("--json", options->json, "Tell the links as JSON");
-  command->footer(
-      "\nMakes what a questionnaire shows first, as mien run does. Each participant has a link of "
-      "their own, each\n"
-      "answer is on the disk before the page goes on, and the experimenter's page shows who is\n"
-      "where and gives the answers out as CSV. Other machines reach it with --listen only.\n"
-      "\nExamples:\n"
-      "  mien study serve study.yaml\n"
-      "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return serve(*options, console); };
-  });
+  return {
+      .name = "serve",
+      .summary = "The questionnaire or matching experiment from this machine, for a laboratory",
+      .options =
+          all_of(questionnaire_options(options->study),
+                 option("--port", &options->port, "Port to listen at; 0: any that is free")
+                     .between(0, 65535)
+                     .with_default(),
+                 option("--listen", &options->listen,
+                        "Address of this machine to listen at; 0.0.0.0 for all of them")
+                     .with_default(),
+                 option("--store", &options->store,
+                        "File in which answers are kept (default: <out>/<study>-answers.db)"),
+                 option("--url", &options->url,
+                        "How participants reach this server, if not at its address and port"),
+                 flag("--json", &options->json, "Tell the links as JSON")),
+      .notes =
+          "Makes what a questionnaire shows first, as mien run does. Each participant has a link "
+          "of their own, each\n"
+          "answer is on the disk before the page goes on, and the experimenter's page shows who "
+          "is\n"
+          "where and gives the answers out as CSV. Other machines reach it with --listen only.\n"
+          "\nExamples:\n"
+          "  mien study serve study.yaml\n"
+          "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db",
+      .run = [options](const Console& console) { return serve(*options, console); }};
 }
 
 }  // namespace mien::pipeline

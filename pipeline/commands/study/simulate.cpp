@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
@@ -109,57 +108,54 @@ int simulate(const SimulateCommand& command, const Console& console) {
                                   : simulate_questionnaire(command, console);
 }
 
-void add_people_options(CLI::App& command, SimulateCommand& options) {
-  command.add_option("--truth", options.truth,
-                     "CSV (stimulus, scale, value) of what people would answer on the average; "
-                     "without it, what simulated raters see in the motions");
-  command
-      .add_option("--participants", options.participants,
-                  "How many take part; as the questionnaire plans without it")
-      ->check(CLI::Range(1, 10000));
-  command
-      .add_option("--lean", options.people.spread.participant,
-                  "Standard deviation of a participant's lean to one end, in the scale's points")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
-  command
-      .add_option("--residual", options.people.spread.residual,
-                  "Standard deviation of what is left of an answer, likewise")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
-  command.add_option("--attentive", options.people.attentive, "Share of attention checks passed")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+std::vector<CommandOption> people_options(SimulateCommand& options) {
+  return {option("--truth", &options.truth,
+                 "CSV (stimulus, scale, value) of what people would answer on the average; without "
+                 "it, what simulated raters see in the motions"),
+          option("--participants", &options.participants,
+                 "How many take part; as the questionnaire plans without it")
+              .between(1, 10000),
+          option("--lean", &options.people.spread.participant,
+                 "Standard deviation of a participant's lean to one end, in the scale's points")
+              .between(0.0, 1000.0)
+              .with_default(),
+          option("--residual", &options.people.spread.residual,
+                 "Standard deviation of what is left of an answer, likewise")
+              .between(0.0, 1000.0)
+              .with_default(),
+          option("--attentive", &options.people.attentive, "Share of attention checks passed")
+              .between(0.0, 1.0)
+              .with_default()};
 }
 
 }  // namespace
 
-void add_study_simulate_command(CLI::App& study, Command& chosen) {
-  CLI::App* command = study.add_subcommand(
-      "simulate", "Answers that nobody gave: to a questionnaire, about examples, or in matching");
+Command study_simulate_command() {
   const auto options = std::make_shared<SimulateCommand>();
-  command->add_option("manifest", options->manifest, asked_manifest_help);
-  add_people_options(*command, *options);
-  command->add_option("--examples", options->examples,
-                      std::string("Instead of a questionnaire, examples: ") + examples_help);
-  command->add_option("--scales", options->scales,
-                      "With --examples: scales file (YAML); the 41 built-in adjective pairs "
-                      "without one");
-  command->add_option("--raters", options->raters, "With --examples: how many raters")
-      ->check(CLI::Range(2, 1000))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "With --examples: seed")->capture_default_str();
-  command->add_option("-o,--output", options->out, "CSV to write; standard output without it");
-  command->footer(
-      "\nEvery row is marked as simulated. Examples:\n"
-      "  mien study simulate emotion-study -o answers.csv\n"
-      "  mien study simulate study.yaml --truth truth.csv --participants 40 -o answers.csv\n"
-      "  mien study simulate matching-experiment -o trials.csv\n"
-      "  mien study simulate --examples builtin:walks-27 -o answers.csv\n"
-      "  mien study simulate --examples 'captures/*walk*.bvh' --scales five.scales.yaml");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return simulate(*options, console); };
-  });
+  return {
+      .name = "simulate",
+      .summary = "Answers that nobody gave: to a questionnaire, about examples, or in matching",
+      .options = all_of(
+          argument("manifest", &options->manifest, asked_manifest_help).optional(),
+          people_options(*options),
+          option("--examples", &options->examples,
+                 std::string("Instead of a questionnaire, examples: ") + examples_help),
+          option(
+              "--scales", &options->scales,
+              "With --examples: scales file (YAML); the 41 built-in adjective pairs without one"),
+          option("--raters", &options->raters, "With --examples: how many raters")
+              .between(2, 1000)
+              .with_default(),
+          option("--seed", &options->seed, "With --examples: seed").with_default(),
+          option("-o,--output", &options->out, "CSV to write; standard output without it")),
+      .notes =
+          "Every row is marked as simulated. Examples:\n"
+          "  mien study simulate emotion-study -o answers.csv\n"
+          "  mien study simulate study.yaml --truth truth.csv --participants 40 -o answers.csv\n"
+          "  mien study simulate matching-experiment -o trials.csv\n"
+          "  mien study simulate --examples builtin:walks-27 -o answers.csv\n"
+          "  mien study simulate --examples 'captures/*walk*.bvh' --scales five.scales.yaml",
+      .run = [options](const Console& console) { return simulate(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -1,17 +1,14 @@
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
-#include "pipeline/commands/word_choice.h"
 #include "pipeline/study/matching/experiment/starting_distance.h"
 #include "pipeline/study/matching/primary_parameters.h"
 #include "pipeline/study/matching/target_manifest.h"
@@ -99,56 +96,46 @@ int make_targets(TargetsCommand command, const Console& console) {
 
 }  // namespace
 
-void add_study_targets_command(CLI::App& study, Command& chosen) {
-  CLI::App* command =
-      study.add_subcommand("targets", "Sample motions for a matching experiment to aim at");
+Command study_targets_command() {
   const auto options = std::make_shared<TargetsCommand>();
-  add_subject_options(*command, options->subject);
-  command->add_option("--from", options->kind, "What the targets are places of")
-      ->check(CLI::IsMember({"adjectives", "features"}))
-      ->capture_default_str();
-  command
-      ->add_option("--parameters", options->parameters,
-                   "Parameters by name, with commas; the primary groups without it")
-      ->delimiter(',');
-  command->add_option("--count", options->sampling.targets, "Targets")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  command->add_option("--practice", options->sampling.practice, "Practice targets")
-      ->check(CLI::Range(0, 100))
-      ->capture_default_str();
-  command
-      ->add_option("--farthest", options->sampling.farthest_from_example,
-                   "Largest distance of a target from its nearest example, in parameters")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  const std::map<std::string, Unreachable> fates = {{"reject", Unreachable::reject},
-                                                    {"project", Unreachable::project}};
-  command
-      ->add_option("--unreachable", options->sampling.unreachable,
-                   "Places that no blend of the examples has: reject draws another, project takes "
-                   "the nearest place that one has")
-      ->transform(choice_of(fates))
-      ->option_text("reject|project [reject]");
-  const std::map<std::string, TargetSpread> spreads = {{"parameters", TargetSpread::parameters},
-                                                       {"everything", TargetSpread::everything}};
-  command
-      ->add_option("--spread", options->sampling.spread,
-                   "What targets are as far from each other as possible in: their own parameters, "
-                   "or everything that was rated (with --from features: measured)")
-      ->transform(choice_of(spreads))
-      ->option_text("parameters|everything [parameters]");
-  command->add_option("--seed", options->seed, "Seed of the sampling; the manifest's without it");
-  command->add_option("-o,--output", options->out,
-                      "Folder for targets.csv and targets.yaml, a manifest that makes them");
-  command->footer(
-      "\nPlaces are drawn evenly, those far from every example or beyond every blend rejected, and "
-      "the most spread ones kept.\n\nExamples:\n"
-      "  mien study targets --examples builtin:walks-27 --seed 7 -o out/targets\n"
-      "  mien run out/targets/targets.yaml");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) { return make_targets(*options, console); };
-  });
+  return {
+      .name = "targets",
+      .summary = "Sample motions for a matching experiment to aim at",
+      .options = all_of(
+          subject_options(options->subject),
+          option("--from", &options->kind, "What the targets are places of")
+              .one_of({"adjectives", "features"})
+              .with_default(),
+          option("--parameters", &options->parameters,
+                 "Parameters by name, with commas; the primary groups without it")
+              .with_commas(),
+          option("--count", &options->sampling.targets, "Targets").between(1, 100).with_default(),
+          option("--practice", &options->sampling.practice, "Practice targets")
+              .between(0, 100)
+              .with_default(),
+          option("--farthest", &options->sampling.farthest_from_example,
+                 "Largest distance of a target from its nearest example, in parameters")
+              .positive()
+              .with_default(),
+          choice("--unreachable", options->sampling.unreachable,
+                 {{"reject", Unreachable::reject}, {"project", Unreachable::project}},
+                 "Places that no blend of the examples has: reject draws another, project "
+                 "takes the nearest place that one has"),
+          choice(
+              "--spread", options->sampling.spread,
+              {{"parameters", TargetSpread::parameters}, {"everything", TargetSpread::everything}},
+              "What targets are as far from each other as possible in: their own "
+              "parameters, or everything that was rated (with --from features: "
+              "measured)"),
+          option("--seed", &options->seed, "Seed of the sampling; the manifest's without it"),
+          option("-o,--output", &options->out,
+                 "Folder for targets.csv and targets.yaml, a manifest that makes them")),
+      .notes =
+          "Places are drawn evenly, those far from every example or beyond every blend "
+          "rejected, and the most spread ones kept.\n\nExamples:\n"
+          "  mien study targets --examples builtin:walks-27 --seed 7 -o out/targets\n"
+          "  mien run out/targets/targets.yaml",
+      .run = [options](const Console& console) { return make_targets(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -3,14 +3,12 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/installed_manifests.h"
 #include "pipeline/commands/study/study.h"
-#include "pipeline/commands/word_choice.h"
 #include "pipeline/manifest/ratings/answers/word_answers.h"
 
 namespace mien::pipeline {
@@ -118,38 +116,35 @@ int turn_words_into_answers(const WordsOptions& options, const Console& console)
 
 }  // namespace
 
-void add_study_words_command(CLI::App& study, Command& chosen) {
-  CLI::App* command =
-      study.add_subcommand("words", "Answers on scales, from the words that people chose freely");
+Command study_words_command() {
   const auto options = std::make_shared<WordsOptions>();
-  command
-      ->add_option("words", options->words,
-                   "CSV: participant, language, motion, verb, modifier1, modifier2 …")
-      ->required();
-  command
-      ->add_option("--lexicon", options->lexicon,
-                   "Scales file with languages and words (manifests/walking-words.scales.yaml)")
-      ->required();
-  command->add_option("-o,--output", options->out, "CSV of answers to write")->required();
-  command->add_option("--report", options->report,
-                      "Folder for coverage.csv, not_understood.csv, respelled.csv and "
-                      "answers_a_stimulus.csv");
-  command
-      ->add_option("--unmentioned", options->unmentioned,
-                   "What an answer says about a scale that it does not mention: neutral (its "
-                   "middle) or no-answer")
-      ->transform(choice_of(std::map<std::string, Unmentioned>{
-          {"neutral", Unmentioned::neutral}, {"no-answer", Unmentioned::no_answer}}))
-      ->option_text("neutral|no-answer [neutral]");
-  command->footer(
-      "\nA word is worth 1 of 2 towards its end of the scale, a strengthened one (\"very\") 2; a "
-      "negated\none turns round. The strongest mention of a scale in an answer counts. Example:\n"
-      "  mien study words words.csv --lexicon manifests/walking-words.scales.yaml -o answers.csv");
-  command->callback([&chosen, options] {
-    chosen = [options](const Console& console) {
-      return turn_words_into_answers(*options, console);
-    };
-  });
+  return {
+      .name = "words",
+      .summary = "Answers on scales, from the words that people chose freely",
+      .options =
+          {argument("words", &options->words,
+                    "CSV: participant, language, motion, verb, modifier1, modifier2 …"),
+           option("--lexicon", &options->lexicon,
+                  "Scales file with languages and words (manifests/walking-words.scales.yaml)")
+               .required(),
+           option("-o,--output", &options->out, "CSV of answers to write").required(),
+           option("--report", &options->report,
+                  "Folder for coverage.csv, not_understood.csv, respelled.csv and "
+                  "answers_a_stimulus.csv"),
+           choice(
+               "--unmentioned", options->unmentioned,
+               {{"neutral", Unmentioned::neutral}, {"no-answer", Unmentioned::no_answer}},
+               "What an answer says about a scale that it does not mention: neutral (its middle) "
+               "or no-answer")},
+      .notes =
+          "A word is worth 1 of 2 towards its end of the scale, a strengthened one (\"very\") 2; a "
+          "negated\none turns round. The strongest mention of a scale in an answer counts. "
+          "Example:\n"
+          "  mien study words words.csv --lexicon manifests/walking-words.scales.yaml -o "
+          "answers.csv",
+      .run = [options](const Console& console) {
+        return turn_words_into_answers(*options, console);
+      }};
 }
 
 }  // namespace mien::pipeline

@@ -1,0 +1,176 @@
+#include "pipeline/commands/command_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
+
+#include "motion/error.h"
+#include "motion/text/excerpt.h"
+#include "motion/text/nearest_word.h"
+#include "pipeline/base/documents/failure_text.h"
+#include "pipeline/commands/command_line_fault.h"
+#include "pipeline/tasks/code_identity.h"
+#include "pipeline/tasks/task_graph.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Adds an option to what CLI11 parses, by the variable that it sets.
+struct AddedOption {
+  CLI::App& app;
+  const CommandOption& option;
+  std::string names = fmt::to_string(fmt::join(option.names, ","));
+
+  CLI::Option* operator()(std::monostate) const {
+    return app.set_version_flag(names, "mien " + std::string(program_version()));
+  }
+  CLI::Option* operator()(bool* variable) const {
+    return app.add_flag(names, *variable, option.help);
+  }
+  CLI::Option* operator()(const std::function<void(const std::string&)>& take) const {
+    using Texts = std::vector<std::string>;
+    if (option.value.empty())
+      return app.add_flag_callback(
+          names, [take] { take("true"); }, option.help);
+    if (!option.repeats) return app.add_option_function<std::string>(names, take, option.help);
+    return app.add_option_function<Texts>(
+        names, [take](const Texts& texts) { std::ranges::for_each(texts, take); }, option.help);
+  }
+  template <class Value>
+  CLI::Option* operator()(Value* variable) const {
+    return app.add_option(option.is_argument() ? option.argument : names, *variable, option.help);
+  }
+};
+
+CLI::Validator limits_of(const CommandOption& option) {
+  if (std::isinf(option.largest)) return CLI::PositiveNumber;
+  if (option.value == "FLOAT") return CLI::Range(option.least, option.largest);
+  return CLI::Range(static_cast<int>(option.least), static_cast<int>(option.largest));
+}
+
+void add_option(CLI::App& app, const CommandOption& option) {
+  CLI::Option* added = std::visit(AddedOption{app, option}, option.variable);
+  if (option.is_required) added->required();
+  if (option.has_commas) added->delimiter(',');
+  if (option.value_count) added->expected(option.value_count->first, option.value_count->second);
+  if (option.value_count == std::pair(1, 1))
+    added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  if (!option.limits.empty()) added->check(limits_of(option));
+  if (option.fault) {
+    added->check(option.fault)->type_name(option.value);
+  } else if (!option.choices.empty()) {
+    added->check(CLI::IsMember(option.choices));
+  }
+  if (!option.usual.empty()) added->default_str(option.usual);
+  if (!option.group.empty()) added->group(option.group);
+}
+
+/// Makes CLI11's form of a command, which parses and prints --help.
+void fill(CLI::App& app, const Command& command) {
+  if (!command.notes.empty()) app.footer("\n" + command.notes);
+  for (const CommandOption& option : command.options) add_option(app, option);
+  for (const CommandOption& option : command.options) {
+    if (!option.excluded.empty())
+      app.get_option(option.names.back())->excludes(app.get_option(option.excluded));
+    if (!option.needed.empty())
+      app.get_option(option.names.back())->needs(app.get_option(option.needed));
+  }
+  if (!command.commands.empty()) app.require_subcommand(command.run ? 0 : 1, command.run ? 1 : 0);
+  for (const Command& below : command.commands)
+    fill(*app.add_subcommand(below.name, below.summary), below);
+}
+
+/// The command that was typed; each of its options that was used is noted where it asks for it.
+const Command& typed_command(const CLI::App& app, const Command& command) {
+  if (!app.get_subcommands().empty()) {
+    const CLI::App& below = *app.get_subcommands().front();
+    return typed_command(below, *command_below(command, below.get_name()));
+  }
+  for (const CommandOption& option : command.options) {
+    if (option.given != nullptr && app.get_option(option.names.back())->count() > 0)
+      option.given->push_back(option.names.back());
+  }
+  return command;
+}
+
+/// The first word where a command should stand that is none, in a sentence; empty when all are.
+std::string unknown_command(const Command& program, const std::vector<std::string>& words) {
+  const Command* at = &program;
+  for (const std::string& word : words) {
+    if (at->commands.empty() || word.starts_with('-')) return "";
+    const Command* below = command_below(*at, word);
+    if (below == nullptr && !at->arguments().empty()) return "";
+    if (below == nullptr) {
+      std::vector<std::string> known;
+      for (const Command& command : at->commands) known.push_back(command.name);
+      return "unknown command " + motion::in_quotes(word) + "; " +
+             motion::did_you_mean(word, known);
+    }
+    at = below;
+  }
+  return "";
+}
+
+/// `mien help render` means `mien render --help`.
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  return words;
+}
+
+/// The exit code where there is nothing left to do: help was shown, or a fault told.
+std::optional<int> parse(CLI::App& app, const Command& program, std::vector<std::string> words,
+                         const Console& console) {
+  if (words.empty()) {
+    console.err << app.help();
+    return exit_bad_input;
+  }
+  if (const std::string fault = unknown_command(program, words); !fault.empty()) {
+    console.err << fault << '\n';
+    return exit_bad_input;
+  }
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  try {
+    app.parse(std::move(words));
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error, console.out, console.err);
+    console.err << command_line_fault(app, error) << '\n';
+    return exit_bad_input;
+  }
+}
+
+int perform(const Command& command, const Console& console) {
+  try {
+    return command.run(console);
+  } catch (const Interrupted&) {
+    console.err << "interrupted\n";
+    return exit_interrupted;
+  } catch (const Error& error) {
+    console.err << error.what() << '\n';
+    return exit_bad_input;
+  } catch (const std::exception& error) {
+    console.err << "mien: " << failure_text(error) << '\n';
+    return exit_failed;
+  }
+}
+
+}  // namespace
+
+int run_command_line(const Command& program, int argc, const char* const* argv,
+                     const Console& console) {
+  CLI::App app(program.summary, program.name);
+  fill(app, program);
+  const std::optional<int> code = parse(app, program, words_of(argc, argv), console);
+  return code ? *code : perform(typed_command(app, program), console);
+}
+
+}  // namespace mien::pipeline
