@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/file_contents.h"
-#include "pipeline/commands/cli.h"
-#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/manifest/checks/session_checks.h"

@@ -2,7 +2,9 @@
 
 #include <memory>
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/programs.h"
 
 namespace mien::pipeline {
 
@@ -21,7 +23,8 @@ Command completion_command() {
               "  source <(mien completion bash)     in ~/.bashrc\n"
               "  source <(mien completion zsh)      in ~/.zshrc, after compinit",
           .run = [shell](const Console& console) {
-            console.out << (*shell == "bash" ? bash_completion : zsh_completion)(mien_program());
+            console.out << (*shell == "bash" ? bash_completion
+                                             : zsh_completion)(with_other_programs(mien_program()));
             return exit_done;
           }};
 }

@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/programs.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -200,8 +202,8 @@ Command man_command() {
           .summary = "Print the manual page",
           .notes = "Example:\n  mien man | man -l -",
           .run = [](const Console& console) {
-            console.out << manual_page(mien_program(), std::string(program_version()),
-                                       std::string(release_date()));
+            console.out << manual_page(with_other_programs(mien_program()),
+                                       std::string(program_version()), std::string(release_date()));
             return exit_done;
           }};
 }

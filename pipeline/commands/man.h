@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "pipeline/commands/command.h"
+#include "pipeline/commands/line/command.h"
 
 namespace mien::pipeline {
 

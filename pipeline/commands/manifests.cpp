@@ -12,8 +12,8 @@
 #include "motion/text/nearest_word.h"
 #include "motion/text/shell_word.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/commands/cli.h"
-#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/installed_manifests.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/places.h"
-#include "pipeline/commands/command.h"
+#include "pipeline/commands/line/command.h"
 #include "pipeline/manifest/output.h"
 
 namespace mien::pipeline {

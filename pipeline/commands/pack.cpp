@@ -10,7 +10,7 @@
 
 #include "motion/error.h"
 #include "motion/text/shell_word.h"
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/commands/verification_text.h"
 #include "pipeline/tasks/progress_bar.h"
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/commands/cli.h"
-#include "pipeline/commands/installed_manifests.h"
-#include "pipeline/commands/production_options.h"
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/checks/study_record.h"
 #include "pipeline/production/run/provenance.h"

@@ -4,7 +4,7 @@
 #include "motion/error.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/manifest/look/set_file.h"
 
 namespace mien::pipeline {

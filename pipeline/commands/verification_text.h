@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/production/archive/verify.h"
 
 namespace mien::pipeline {

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/base/documents/environment.h"
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/commands/verification_text.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/archive/redraw.h"

@@ -2,13 +2,16 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 
 #include "end_to_end/program.h"
@@ -17,6 +20,8 @@ namespace mien::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+using nlohmann::json;
 
 const fs::path source = MIEN_SOURCE_DIR;
 
@@ -149,7 +154,7 @@ TEST(Program, LoadsNoLibraryThatDrawsBeforeItDrawsSomething) {
   EXPECT_EQ(ended.code, 0);
   EXPECT_NE(ended.output.find("calling init: "), std::string::npos);
   for (const char* library :
-       {"libavcodec", "libswscale", "libOpenImageIO", "libcairo", "libpango-1.0"})
+       {"libavcodec", "libswscale", "libOpenImageIO", "libcairo", "libpango-1.0", "libsqlite3"})
     EXPECT_EQ(ended.output.find(std::string("/") + library + ".so."), std::string::npos) << library;
 }
 
@@ -217,7 +222,8 @@ void expect_told(const std::string& page, const std::vector<std::string>& comman
     std::istringstream each(names);
     for (std::string option; std::getline(each, option, ',');) {
       if (option == "-h" || option == "--help") continue;
-      EXPECT_TRUE(std::regex_search(own, std::regex("\n(-., )?" + option + "\\b")))
+      const std::regex told("\n.TP\n(-., )?" + option + "(?![a-z-])");
+      EXPECT_EQ(std::distance(std::sregex_iterator(own.begin(), own.end(), told), {}), 1)
           << name << " " << option;
     }
   }
@@ -229,6 +235,80 @@ void expect_told(const std::string& page, const std::vector<std::string>& comman
     deeper.push_back(below);
     expect_told(page, deeper);
   }
+}
+
+/// The programs that make up mien.
+std::vector<std::string> programs() {
+  return {MIEN_PROGRAM, MIEN_PROGRAM "-regress", MIEN_PROGRAM "-study"};
+}
+
+/// Whether `mien` only knows of it that another program has it.
+bool is_elsewhere(const json& command) {
+  return command["options"].empty() && command["commands"].empty() && command["notes"] == "";
+}
+
+void expect_explained(const json& command, const std::string& above) {
+  const std::string name = above + command["name"].get<std::string>();
+  EXPECT_NE(command["summary"], "") << name;
+  const bool explains_itself = !command["commands"].empty() || command["name"] == "version";
+  EXPECT_TRUE(explains_itself ||
+              command["notes"].get<std::string>().find("mien ") != std::string::npos)
+      << name;
+  std::set<std::string> names;
+  for (const json& option : command["options"]) {
+    EXPECT_NE(option["help"], "") << name << " " << option;
+    for (const json& each : option["names"]) EXPECT_TRUE(names.insert(each).second) << name << each;
+  }
+  for (const json& below : command["commands"]) expect_explained(below, name + " ");
+}
+
+TEST(Commands, SayWhatTheyAreAndShowAnExample) {
+  for (const std::string& program : programs()) {
+    const json told = json::parse(run_program({program, "--commands"}).output)["program"];
+    for (const json& command : told["commands"]) {
+      if (program != MIEN_PROGRAM || !is_elsewhere(command)) expect_explained(command, "mien ");
+    }
+  }
+}
+
+TEST(Commands, OfAnotherProgramThatIsNotThereSayHowToGetIt) {
+  const Scratch scratch;
+  fs::copy_file(MIEN_PROGRAM, scratch.path() / "mien");
+  for (const std::string words : {"study analyze a.csv", "help studio", "regress --help"}) {
+    const Ended ended = run_bash((scratch.path() / "mien").string() + " " + words);
+    EXPECT_EQ(ended.code, 1) << words;
+    EXPECT_NE(ended.output.find(" is not there; the package of mien brings it, and in its source "
+                                "tree ./mien "),
+              std::string::npos)
+        << ended.output;
+  }
+  const Ended man = run_bash((scratch.path() / "mien").string() + " man");
+  EXPECT_EQ(man.code, 1);
+  EXPECT_NE(man.output.find("mien-regress: the program that has mien regress is not there"),
+            std::string::npos)
+      << man.output;
+}
+
+TEST(Commands, OfAProgramOfAnotherVersionAreRefused) {
+  const Ended ended = run_bash("MIEN_STARTED_BY=0.0.9 " MIEN_PROGRAM "-study study scales");
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_TRUE(std::regex_match(
+      ended.output, std::regex("mien: this program is of version [0-9.]+, mien that started it of "
+                               "0.0.9; install or build both\n")))
+      << ended.output;
+}
+
+TEST(Commands, OfOtherProgramsAreGuessedAndEndAsTheyDo) {
+  EXPECT_EQ(run_mien({"studdy"}).errors, "unknown command \"studdy\"; did you mean \"study\"?\n");
+  EXPECT_EQ(run_mien({"study", "analyse"}).errors,
+            "unknown command \"analyse\"; did you mean \"analyze\"?\n");
+  const Ended missing = run_mien({"study", "words"});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_TRUE(missing.errors.starts_with("mien study words: words and --lexicon and --output "))
+      << missing.errors;
+  EXPECT_EQ(run_mien({"help", "study", "words"}).output,
+            run_mien({"study", "words", "--help"}).output);
+  EXPECT_EQ(run_bash("echo walk | " MIEN_PROGRAM " study scales | head -n 0").code, 0);
 }
 
 TEST(ManualPage, TellsEveryCommandOptionAndArgumentOfHelp) {

@@ -4,7 +4,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/farm/submission_options.h"
-#include "pipeline/commands/production_options.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/farm/open_job_description.h"
 
 namespace mien::pipeline {

@@ -1,8 +1,8 @@
 #include "pipeline/commands/farm/farm.h"
 
 #include "motion/text/shell_word.h"
-#include "pipeline/commands/installed_manifests.h"
-#include "pipeline/commands/production_options.h"
+#include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 
 namespace mien::pipeline {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/farm/batch_script.h"
 #include "pipeline/production/run/production.h"
 
@@ -35,7 +35,7 @@ struct FarmStudy {
 /// How the study is told in commands that are proposed: "my.yaml --out /scratch".
 std::string study_words(const FarmArguments& arguments);
 
-// Subcommands of `mien farm`, one a source file; each adds itself to `farm`.
+// Subcommands of `mien farm`, one a source file.
 Command farm_cancel_command();
 Command farm_export_command();
 Command farm_logs_command();

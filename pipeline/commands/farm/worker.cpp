@@ -10,10 +10,10 @@
 
 #include "motion/text/shell_word.h"
 #include "pipeline/base/documents/failure_text.h"
-#include "pipeline/commands/cli.h"
 #include "pipeline/commands/farm/farm.h"
-#include "pipeline/commands/installed_manifests.h"
-#include "pipeline/commands/production_options.h"
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/task_list.h"
 #include "pipeline/farm/work_item.h"

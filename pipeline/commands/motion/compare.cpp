@@ -8,8 +8,8 @@
 #include "motion/examples/compared_example.h"
 #include "motion/formats/motion_file.h"
 #include "motion/measures/distance/distance.h"
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/motion.h"
-#include "pipeline/commands/take_option.h"
 
 namespace mien::pipeline {
 

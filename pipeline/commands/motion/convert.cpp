@@ -7,8 +7,8 @@
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_in_metres.h"
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/motion.h"
-#include "pipeline/commands/take_option.h"
 
 namespace mien::pipeline {
 

@@ -13,8 +13,8 @@
 #include "motion/measures/features/motion_features.h"
 #include "motion/rig/body_mapping.h"
 #include "pipeline/base/documents/csv.h"
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/motion.h"
-#include "pipeline/commands/take_option.h"
 
 namespace mien::pipeline {
 

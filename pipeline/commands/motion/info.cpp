@@ -7,8 +7,8 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/measures/features/motion_summary.h"
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/motion.h"
-#include "pipeline/commands/take_option.h"
 
 namespace mien::pipeline {
 

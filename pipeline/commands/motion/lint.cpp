@@ -14,8 +14,8 @@
 #include "motion/rig/recording_clip.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/motion.h"
-#include "pipeline/commands/take_option.h"
 #include "pipeline/production/report/lint_timeline.h"
 
 namespace mien::pipeline {

@@ -8,9 +8,9 @@
 
 #include "motion/formats/motion_file.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/motion.h"
-#include "pipeline/commands/take_option.h"
 #include "pipeline/manifest/recipes.h"
 #include "pipeline/production/synthesis/modified_motion.h"
 #include "pipeline/production/synthesis/synthesis.h"

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 
 namespace mien::pipeline {
 
-// The subcommands of `mien motion`; each adds itself to `motion`.
+// The subcommands of `mien motion`.
 Command motion_info_command();
 Command motion_compare_command();
 Command motion_convert_command();

@@ -1,5 +1,5 @@
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/regress/regress.h"
-#include "pipeline/commands/take_option.h"
 #include "pipeline/regression/comparison/compared_motions.h"
 
 namespace mien::pipeline {

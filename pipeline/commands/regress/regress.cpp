@@ -8,8 +8,9 @@
 #include "motion/formats/motion_file.h"
 #include "motion/math/geometry.h"
 #include "pipeline/base/documents/failure_text.h"
+#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/regress/regress_study.h"
-#include "pipeline/commands/take_option.h"
 #include "pipeline/regression/comparison/compared_media.h"
 #include "pipeline/tasks/task_graph.h"
 
@@ -205,8 +206,8 @@ Command regress_command() {
   const auto options = std::make_shared<RegressOptions>();
   const auto study = std::make_shared<StudyArguments>();
   return {
-      .name = "regress",
-      .summary = "Tell whether a study or a motion is what it was, and what changed if not",
+      .name = regress_program.command,
+      .summary = regress_program.summary,
       .options = all_of(
           argument("before", &options->before,
                    "Manifest of a study; or a motion, picture, video or folder of pictures as it "

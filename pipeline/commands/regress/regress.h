@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/measures/differences/motion_tolerance.h"
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 
 namespace mien::pipeline {
 
@@ -20,6 +20,8 @@ struct RegressOptions {
   bool json = false;
   std::vector<std::string> given;  ///< options that are of files alone
 };
+
+Command regress_command();
 
 /// Compares two motion files: tells how they differ on `console.out`. Exit code 0 when they are
 /// alike, 1 when they are not; throws Error for what cannot be read or compared.

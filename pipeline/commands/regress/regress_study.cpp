@@ -13,7 +13,7 @@
 #include "motion/text/nearest_word.h"
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/regress/study_baseline.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/run/run.h"

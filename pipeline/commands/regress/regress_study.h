@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/commands/cli.h"
-#include "pipeline/commands/production_options.h"
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/production_options.h"
 
 namespace mien::pipeline {
 

@@ -1,7 +1,7 @@
 #include "pipeline/commands/study/asked_manifest.h"
 
 #include "pipeline/base/documents/environment.h"
-#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/manifest/manifest.h"
 
 namespace mien::pipeline {

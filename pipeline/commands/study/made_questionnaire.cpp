@@ -1,6 +1,6 @@
 #include "pipeline/commands/study/made_questionnaire.h"
 
-#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/run/run.h"

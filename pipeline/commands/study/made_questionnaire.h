@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "pipeline/commands/cli.h"
-#include "pipeline/commands/production_options.h"
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/production_options.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/study/questionnaire/experiment/media.h"
 #include "pipeline/study/questionnaire/session_plan.h"

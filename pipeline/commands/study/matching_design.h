@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "motion/interpolation/interpolation_options.h"
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 
 namespace mien::pipeline {
 

@@ -13,9 +13,9 @@
 #include "motion/rig/retarget.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
-#include "pipeline/commands/take_option.h"
 #include "pipeline/production/synthesis/parameter_label.h"
 #include "pipeline/study/analysis/feature_regression.h"
 

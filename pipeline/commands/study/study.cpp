@@ -2,8 +2,14 @@
 
 #include <string>
 
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/other_programs.h"
+#include "pipeline/commands/line/versions.h"
 #include "pipeline/manifest/example_source.h"
+#include "pipeline/production/archive/tar_archive.h"
 #include "pipeline/study/analysis/scales_yaml.h"
+#include "pipeline/study/server/database.h"
+#include "pipeline/study/server/http_server.h"
 
 namespace mien::pipeline {
 
@@ -32,13 +38,19 @@ std::vector<CommandOption> subject_options(StudySubject& subject) {
 }
 
 Command study_command() {
-  return {.name = "study",
-          .summary = "Rating studies",
-          .commands = {study_analyze_command(), study_design_command(), study_evaluate_command(),
-                       study_export_command(), study_features_command(), study_interfaces_command(),
-                       study_methods_command(), study_predict_command(), scales_command(),
-                       study_serve_command(), study_report_command(), study_simulate_command(),
-                       study_targets_command(), study_words_command()}};
+  return {
+      .name = study_program.command,
+      .summary = study_program.summary,
+      .commands = {
+          study_analyze_command(), study_design_command(), study_evaluate_command(),
+          study_export_command(), study_features_command(), study_interfaces_command(),
+          study_methods_command(), study_predict_command(), scales_command(), study_serve_command(),
+          study_report_command(), study_simulate_command(), study_targets_command(),
+          version_command("Show the versions of mien, its libraries and those that serve pages",
+                          {{"libarchive", archive_library()},
+                           {"Boost", http_library()},
+                           {"SQLite", database_library()}}),
+          study_words_command()}};
 }
 
 }  // namespace mien::pipeline

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/commands/study/study_subject.h"
 
 namespace mien::pipeline {
@@ -8,7 +8,10 @@ namespace mien::pipeline {
 /// The options --examples (required), --ratings and --scales, which say what a command is about.
 std::vector<CommandOption> subject_options(StudySubject& subject);
 
-// Subcommands of `mien study`, one a source file; each adds itself to `study`.
+Command studio_command();
+Command study_command();
+
+// Subcommands of `mien study`, one a source file.
 Command study_analyze_command();
 Command study_design_command();
 Command study_evaluate_command();

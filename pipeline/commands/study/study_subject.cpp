@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "pipeline/base/documents/environment.h"
-#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/example_source.h"
 

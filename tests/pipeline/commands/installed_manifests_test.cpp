@@ -1,4 +1,4 @@
-#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/line/installed_manifests.h"
 
 #include <fstream>
 

@@ -1,26 +1,21 @@
+#include "pipeline/commands/line/versions.h"
+
 #include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/commands/cli.h"
-#include "pipeline/production/archive/tar_archive.h"
-#include "pipeline/study/server/database.h"
-#include "pipeline/study/server/http_server.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-int show_versions(bool as_json, const Console& console) {
-  std::vector<std::pair<std::string, std::string>> versions = library_versions();
-  // Of no artifact's bytes, but of archives' and of those who serve.
-  versions.emplace_back("libarchive", archive_library());
-  versions.emplace_back("Boost", http_library());
-  versions.emplace_back("SQLite", database_library());
+using Versions = std::vector<std::pair<std::string, std::string>>;
+
+int show_versions(const Versions& more, bool as_json, const Console& console) {
+  Versions versions = library_versions();
+  versions.insert(versions.end(), more.begin(), more.end());
   if (!as_json) {
     console.out << "mien " << program_version() << '\n';
     for (const auto& [name, version] : versions)
@@ -36,12 +31,14 @@ int show_versions(bool as_json, const Console& console) {
 
 }  // namespace
 
-Command version_command() {
+Command version_command(std::string summary, Versions more) {
   const auto as_json = std::make_shared<bool>(false);
   return {.name = "version",
-          .summary = "Show the versions of mien and its libraries",
+          .summary = std::move(summary),
           .options = {flag("--json", as_json.get(), "As JSON")},
-          .run = [as_json](const Console& console) { return show_versions(*as_json, console); }};
+          .run = [as_json, more = std::move(more)](const Console& console) {
+            return show_versions(more, *as_json, console);
+          }};
 }
 
 }  // namespace mien::pipeline

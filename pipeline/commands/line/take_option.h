@@ -9,7 +9,7 @@
 
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
-#include "pipeline/commands/command.h"
+#include "pipeline/commands/line/command.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 
 namespace mien::pipeline {
 

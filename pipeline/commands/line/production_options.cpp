@@ -1,4 +1,4 @@
-#include "pipeline/commands/production_options.h"
+#include "pipeline/commands/line/production_options.h"
 
 #include <algorithm>
 #include <thread>

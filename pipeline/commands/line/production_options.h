@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/production/run/production.h"
 
 namespace mien::pipeline {

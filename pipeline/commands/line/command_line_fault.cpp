@@ -1,4 +1,4 @@
-#include "pipeline/commands/command_line_fault.h"
+#include "pipeline/commands/line/command_line_fault.h"
 
 #include <algorithm>
 #include <cctype>

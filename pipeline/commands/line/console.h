@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <string>
 
-#include "pipeline/commands/command.h"
+#include "pipeline/commands/line/command.h"
 
 namespace mien::pipeline {
 
@@ -29,26 +29,5 @@ struct Console {
   bool err_is_terminal;  ///< a progress bar makes sense
   std::stop_token stop;  ///< requested by Ctrl-C
 };
-
-/// All that the program can.
-Command mien_program();
-
-Command check_command();
-Command clean_command();
-Command completion_command();
-Command farm_command();
-Command man_command();
-Command manifests_command();
-Command motion_command();
-Command pack_command();
-Command plan_command();
-Command regress_command();
-Command render_command();
-Command run_command();
-Command sets_command();
-Command studio_command();
-Command study_command();
-Command verify_command();
-Command version_command();
 
 }  // namespace mien::pipeline

@@ -1,4 +1,4 @@
-#include "pipeline/commands/command.h"
+#include "pipeline/commands/line/command.h"
 
 #include <algorithm>
 #include <sstream>

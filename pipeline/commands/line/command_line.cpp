@@ -1,8 +1,9 @@
-#include "pipeline/commands/command_line.h"
+#include "pipeline/commands/line/command_line.h"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <string_view>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -12,7 +13,8 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/failure_text.h"
-#include "pipeline/commands/command_line_fault.h"
+#include "pipeline/commands/line/command_line_fault.h"
+#include "pipeline/commands/line/other_programs.h"
 #include "pipeline/tasks/code_identity.h"
 #include "pipeline/tasks/task_graph.h"
 
@@ -167,6 +169,10 @@ int perform(const Command& command, const Console& console) {
 
 int run_command_line(const Command& program, int argc, const char* const* argv,
                      const Console& console) {
+  if (argc == 2 && std::string_view(argv[1]) == "--commands") {
+    console.out << told_program(program) << '\n';
+    return exit_done;
+  }
   CLI::App app(program.summary, program.name);
   fill(app, program);
   const std::optional<int> code = parse(app, program, words_of(argc, argv), console);

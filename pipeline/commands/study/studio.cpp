@@ -12,8 +12,9 @@
 
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/commands/cli.h"
-#include "pipeline/commands/installed_manifests.h"
+#include "pipeline/commands/line/console.h"
+#include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/commands/line/other_programs.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/page/page_bundle.h"
 #include "pipeline/study/server/http_server.h"
@@ -128,8 +129,8 @@ int run_studio(const StudioOptions& options, const Console& console) {
 Command studio_command() {
   const auto options = std::make_shared<StudioOptions>();
   return {
-      .name = "studio",
-      .summary = "Make motions with sliders in the browser, into a manifest",
+      .name = studio_program.command,
+      .summary = studio_program.summary,
       .options = {argument("manifest", &options->manifest,
                            "Manifest (YAML) to open, or the name of one of mien manifests; without "
                            "it, studio.yaml in this folder")

@@ -1,4 +1,4 @@
-#include "pipeline/commands/standard_output.h"
+#include "pipeline/commands/line/standard_output.h"
 
 #include <cerrno>
 #include <csignal>
@@ -7,7 +7,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "pipeline/commands/cli.h"
+#include "pipeline/commands/line/console.h"
 
 namespace mien::pipeline {
 

@@ -1,0 +1,108 @@
+#include "pipeline/commands/line/command_line.h"
+
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+namespace mien::pipeline {
+namespace {
+
+enum class Fruit { apple, pear };
+
+/// A program of one command that takes one of each kind.
+struct Market {
+  bool is_open = false;
+  int count = 3;
+  double share = 0.5;
+  std::optional<double> weight;
+  std::string place;
+  std::vector<std::string> names;
+  Fruit fruit = Fruit::pear;
+  std::vector<Fruit> basket;
+  std::vector<std::string> given;
+  int runs = 0;
+
+  Command program() {
+    const WordValues<Fruit> fruits = {{"apple", Fruit::apple}, {"pear", Fruit::pear}};
+    CommandOption share_option = option("--share", &share, "Share").between(0.0, 1.0);
+    share_option.given = &given;
+    const Command sell = {
+        .name = "sell",
+        .summary = "Sell fruits",
+        .options = {argument("place", &place, "Where"),
+                    option("--count,-c", &count, "How many").between(1, 9).with_default(),
+                    option("--weight", &weight, "Of one").positive().needs("--count"),
+                    option("--names", &names, "Names").with_commas(),
+                    choice("--fruit", fruit, fruits, "Which"),
+                    choice("--basket", basket, fruits, "Several"), share_option,
+                    flag("--open", &is_open, "Now").excludes("--names")},
+        .notes = "Example:\n  mien sell here",
+        .run = [this](const Console&) { return ++runs, exit_done; }};
+    return {.name = "mien", .summary = "A market", .commands = {sell}};
+  }
+};
+
+/// What a command line ends with: its exit code and what it says of faults.
+std::pair<int, std::string> ended(Market& market, std::vector<const char*> words) {
+  words.insert(words.begin(), "mien");
+  std::ostringstream out;
+  std::ostringstream err;
+  const int code = run_command_line(market.program(), static_cast<int>(words.size()), words.data(),
+                                    {out, err, false, {}});
+  return {code, out.str() + err.str()};
+}
+
+TEST(CommandValues, TakeWhatIsTypedIntoTheirVariables) {
+  Market market;
+  const auto [code, told] =
+      ended(market, {"sell", "here", "-c", "7", "--weight", "0.25", "--names", "a,b", "--fruit",
+                     "apple", "--basket", "pear,apple", "--share", "1"});
+  EXPECT_EQ(code, exit_done) << told;
+  EXPECT_EQ(market.runs, 1);
+  EXPECT_EQ(market.place, "here");
+  EXPECT_EQ(market.count, 7);
+  EXPECT_EQ(market.weight, 0.25);
+  EXPECT_EQ(market.names, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(market.fruit, Fruit::apple);
+  EXPECT_EQ(market.basket, (std::vector<Fruit>{Fruit::pear, Fruit::apple}));
+  EXPECT_EQ(market.given, std::vector<std::string>{"--share"});
+  EXPECT_FALSE(market.is_open);
+}
+
+TEST(CommandValues, RefuseWhatTheyDoNotAllowAndRunNothing) {
+  const std::pair<std::vector<const char*>, std::string> cases[] = {
+      {{"sel"}, "unknown command \"sel\"; did you mean \"sell\"?\n"},
+      {{"sell"}, "mien sell: place is missing; write mien sell <place>; mien sell --help"},
+      {{"sell", "a", "--count", "10"}, "mien sell: --count: Value 10 not in range 1 to 9;"},
+      {{"sell", "a", "--weight", "1"}, "mien sell: --weight requires --count;"},
+      {{"sell", "a", "--fruit", "plum"}, "mien sell: --fruit: \"plum\" is not one of apple, pear;"},
+      {{"sell", "a", "--basket", "pear,aple"}, "--basket: \"aple\": did you mean \"apple\"?"},
+      {{"sell", "a", "--names", "b", "--open"}, "excludes"},
+      {{"sell", "a", "--open", "--shar", "1"}, "unknown option --shar; did you mean --share?"},
+      {{"sell", "a", "b"}, "mien sell: \"b\" is a word too many;"}};
+  for (const auto& [words, fault] : cases) {
+    Market market;
+    const auto [code, told] = ended(market, words);
+    EXPECT_EQ(code, exit_bad_input) << fault;
+    EXPECT_NE(told.find(fault), std::string::npos) << told;
+    EXPECT_EQ(market.runs, 0);
+  }
+}
+
+TEST(CommandValues, AreWhatHelpTells) {
+  Market market;
+  const auto [code, help] = ended(market, {"help", "sell"});
+  EXPECT_EQ(code, exit_done);
+  EXPECT_EQ(market.runs, 0);
+  for (const std::string words :
+       {"Sell fruits\n", "-c,--count INT", "--fruit apple|pear", "--basket apple|pear ...",
+        "--weight FLOAT", "\nExample:\n  mien sell here\n"})
+    EXPECT_NE(help.find(words), std::string::npos) << words << "\n" << help;
+  const Command program = market.program();
+  for (const CommandOption& option : program.commands[0].options)
+    EXPECT_NE(help.find(option.is_argument() ? option.argument : option.names.back()),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
