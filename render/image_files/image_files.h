@@ -112,10 +112,7 @@ const ImageFiles& image_files();
 /// Its version without loading it, from its file's name; by asking it where that does not tell.
 std::string image_files_version();
 
-// Where the part that is loaded begins; it gives nothing to a program that was built with other
-// types than it was.
-inline constexpr int image_files_edition = 2;
-inline constexpr char image_files_entry[] = "mien_image_files";
-using ImageFilesEntry = const ImageFiles*(int edition);
+/// Of the types above (loaded_part.h).
+inline constexpr int image_files_edition = 3;
 
 }  // namespace mien::render

@@ -31,22 +31,17 @@ std::string file_of(const std::string& name) {
 
 }  // namespace
 
-void* loaded_part(const std::string& name, const std::string& purpose) {
+const void* loaded_part(const std::string& name, const std::string& purpose, int edition) {
+  const auto fail = [&](const std::string& why) {
+    return Error(name + ": the part of mien that " + purpose + " cannot be loaded (" + why +
+                 "); install or build mien again");
+  };
   void* const part = dlopen(file_of(name).c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (part == nullptr) fail_to_load(name, purpose, dlerror());
-  return part;
-}
-
-void* function_of_part(void* part, const char* function, const std::string& name,
-                       const std::string& purpose) {
-  void* const found = dlsym(part, function);
-  if (found == nullptr) fail_to_load(name, purpose, dlerror());
-  return found;
-}
-
-void fail_to_load(const std::string& name, const std::string& purpose, const std::string& why) {
-  throw Error(name + ": the part of mien that " + purpose + " cannot be loaded (" + why +
-              "); install or build mien again");
+  void* const entry = part == nullptr ? nullptr : dlsym(part, "mien_part");
+  if (entry == nullptr) throw fail(dlerror());
+  const void* const interface = reinterpret_cast<PartEntry*>(entry)(edition);
+  if (interface == nullptr) throw fail("it is of another build");
+  return interface;
 }
 
 std::string version_of_library(const fs::path& library) {

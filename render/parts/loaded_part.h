@@ -8,17 +8,15 @@ namespace mien::render {
 // Libraries that take long to load lie behind parts of the program of their own, files beside it
 // that are loaded when what they do is first asked for.
 
-/// Loads a part: dlopen's handle, which is never closed. `name` is its file's, `purpose` completes
-/// "the part of mien that …". Throws Error when it is not there or cannot be loaded.
-void* loaded_part(const std::string& name, const std::string& purpose);
+/// What a part defines as `mien_part`, extern "C": gives its interface, an object that lives as
+/// long as the program, or nothing to a program that was built with another edition of the
+/// interface.
+using PartEntry = const void*(int edition);
 
-/// A function of a part or of the libraries that it brings. Throws Error when there is none.
-void* function_of_part(void* part, const char* function, const std::string& name,
-                       const std::string& purpose);
-
-/// Throws Error: the part cannot be loaded, and why.
-[[noreturn]] void fail_to_load(const std::string& name, const std::string& purpose,
-                               const std::string& why);
+/// Loads a part, which is never closed, and gives its interface. `name` is its file's, `purpose`
+/// completes "the part of mien that …". Throws Error when it is not there, cannot be loaded or is
+/// of another edition.
+const void* loaded_part(const std::string& name, const std::string& purpose, int edition);
 
 /// The version in the name of the file that a library's path leads to, without loading it: "2.4.7"
 /// of "libOpenImageIO.so.2.4.7"; empty where the name has none of three numbers.

@@ -71,8 +71,7 @@ class VideoWriter {
   const VideoReceipt& receipt() const;
 
  private:
-  struct Encoder;
-  std::unique_ptr<Encoder> encoder_;
+  std::unique_ptr<class VideoEncoder> encoder_;
 };
 
 /// What a video holds, found by decoding all of it.

@@ -79,13 +79,6 @@ std::span<const VideoTraits> video_kinds() { return kinds; }
 
 const VideoTraits& traits_of(VideoKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
 
-std::optional<VideoKind> video_kind_named(std::string_view name) {
-  for (const VideoTraits& traits : kinds) {
-    if (traits.name == name) return traits.kind;
-  }
-  return std::nullopt;
-}
-
 std::optional<VideoKind> video_kind_of(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   const VideoTraits* best = nullptr;

@@ -33,9 +33,6 @@ std::span<const VideoTraits> video_kinds();
 
 const VideoTraits& traits_of(VideoKind kind);
 
-/// The kind of that name ("webm-av1").
-std::optional<VideoKind> video_kind_named(std::string_view name);
-
 /// The kind of a file by the ending of its name, the longest that fits: "x.lossless.mp4" is
 /// mp4_lossless, "x.mp4" is mp4; "x.png" is none.
 std::optional<VideoKind> video_kind_of(const std::filesystem::path& file);

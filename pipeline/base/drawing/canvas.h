@@ -53,6 +53,8 @@ struct DrawnText {
   Box box;
 };
 
+class CanvasSurface;
+
 /// A page to draw on, as PDF (vector, text stays text), as SVG (vector, text as outlines, so that
 /// it looks the same without our fonts) or as pixels. Lines and corners are round.
 ///
@@ -99,10 +101,9 @@ class Canvas {
   render::Image8 finish_picture();
 
  private:
-  struct Surface;
-  explicit Canvas(std::unique_ptr<Surface> surface);
+  explicit Canvas(std::unique_ptr<CanvasSurface> surface);
 
-  std::unique_ptr<Surface> surface_;
+  std::unique_ptr<CanvasSurface> surface_;
   std::vector<DrawnText> texts_;
 };
 

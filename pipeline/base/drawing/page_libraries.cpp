@@ -4,10 +4,9 @@
 #include <cstdio>
 #include <optional>
 
-#include <cairo.h>
 #include <fmt/format.h>
-#include <pango/pango.h>
 
+#include "pipeline/base/drawing/canvas_surface.h"
 #include "render/parts/loaded_part.h"
 
 namespace mien::pipeline {
@@ -24,6 +23,12 @@ std::optional<std::array<int, 3>> three_numbers(const std::string& text) {
 }
 
 }  // namespace
+
+const PageLibraries& page_libraries() {
+  static const auto* const libraries = static_cast<const PageLibraries*>(
+      render::loaded_part("mien-pages.so", "draws sheets and charts", page_libraries_edition));
+  return *libraries;
+}
 
 // The second number is 10000 major + 100 minor + micro; the third is 0, since Cairo 1.18 the micro
 // once more.
@@ -45,12 +50,12 @@ std::string pango_release(const std::string& file_version) {
 
 std::string cairo_library() {
   const std::string release = cairo_release(render::version_of_library(MIEN_CAIRO));
-  return release.empty() ? cairo_version_string() : release;
+  return release.empty() ? page_libraries().cairo_version() : release;
 }
 
 std::string pango_library() {
   const std::string release = pango_release(render::version_of_library(MIEN_PANGO));
-  return release.empty() ? pango_version_string() : release;
+  return release.empty() ? page_libraries().pango_version() : release;
 }
 
 }  // namespace mien::pipeline

@@ -51,8 +51,4 @@ Colour amount_colour(double t) {
   return from_oklab(lightness, chroma * std::cos(hue), chroma * std::sin(hue));
 }
 
-Colour readable_on(const Colour& background) {
-  return to_oklab(background)[0] > 0.62 ? ink : paper;
-}
-
 }  // namespace mien::pipeline

@@ -9,9 +9,9 @@
 
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
+#include "pipeline/base/documents/sha256.h"
 #include "pipeline/production/archive/tar_archive.h"
 #include "pipeline/tasks/task_graph.h"
-#include "render/video/sha256.h"
 
 namespace mien::pipeline {
 
@@ -77,7 +77,7 @@ class BagWriter {
   /// A file beside data/.
   void add_tag_file(const std::string& name, const std::string& text) {
     put(name, text);
-    render::Sha256 sha;
+    Sha256 sha;
     sha.add(text);
     tag_manifest_ += bag_manifest_line(sha.finish(), name);
   }
@@ -86,7 +86,7 @@ class BagWriter {
     const std::string path = "data/" + file.path;
     tar_.begin(root_ + path, file.size);
     std::ifstream stream(folder_ / file.path, std::ios::binary);
-    render::Sha256 sha;
+    Sha256 sha;
     std::string piece(1 << 20, '\0');
     std::uint64_t read = 0;
     while (stream) {

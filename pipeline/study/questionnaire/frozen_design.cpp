@@ -12,13 +12,13 @@
 #include "motion/text/json_depth.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/sha256.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/session_duration.h"
 #include "pipeline/study/questionnaire/shown_media.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
-#include "render/video/sha256.h"
 
 namespace mien::pipeline {
 
@@ -50,14 +50,14 @@ constexpr char no_analysis_plan[] =
     "Nothing was written down: the manifest has no questionnaire.analysis.plan.\n";
 
 std::string sha256_of(const std::string& bytes) {
-  render::Sha256 sha;
+  Sha256 sha;
   sha.add(bytes);
   return sha.finish();
 }
 
 std::string sha256_of_file(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  render::Sha256 sha;
+  Sha256 sha;
   std::vector<char> part(std::size_t{1} << 20U);
   while (in) {
     in.read(part.data(), static_cast<std::streamsize>(part.size()));

@@ -10,13 +10,13 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/places.h"
+#include "pipeline/base/documents/sha256.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/study/questionnaire/shown_media.h"
 #include "pipeline/tasks/hash.h"
-#include "render/video/sha256.h"
 
 namespace mien::pipeline {
 
@@ -57,7 +57,7 @@ std::set<std::string> stimuli_in(const std::vector<SessionPlan>& plans) {
 }
 
 std::string media_sha256(const fs::path& file) {
-  render::Sha256 sha;
+  Sha256 sha;
   sha.add(read_file(file));
   return sha.finish();
 }

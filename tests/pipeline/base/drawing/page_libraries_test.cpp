@@ -2,18 +2,14 @@
 
 #include <gtest/gtest.h>
 
-// As their libraries declare them.
-extern "C" {
-const char* cairo_version_string();
-const char* pango_version_string();
-}
+#include "pipeline/base/drawing/canvas_surface.h"
 
 namespace mien::pipeline {
 namespace {
 
 TEST(PageLibraries, TellTheVersionsThatTheLibrariesTellThemselves) {
-  EXPECT_EQ(cairo_library(), cairo_version_string());
-  EXPECT_EQ(pango_library(), pango_version_string());
+  EXPECT_EQ(cairo_library(), page_libraries().cairo_version());
+  EXPECT_EQ(pango_library(), page_libraries().pango_version());
 }
 
 TEST(PageLibraries, ReadVersionsFromTheNamesOfFiles) {

@@ -15,19 +15,10 @@ Eigen::MatrixXd shrout_fleiss() {
   return ratings;
 }
 
-std::vector<std::vector<double>> rows_of(const Eigen::MatrixXd& table) {
-  std::vector<std::vector<double>> rows;
-  for (Eigen::Index i = 0; i < table.rows(); ++i) {
-    rows.emplace_back();
-    for (Eigen::Index r = 0; r < table.cols(); ++r) rows.back().push_back(table(i, r));
-  }
-  return rows;
-}
-
 TEST(Agreement, MatchesShroutAndFleiss) {
   // Printed: .44, .62 and .91, from MSB 11.24, MSW 6.26, MSJ 32.49, MSE 1.02.
-  EXPECT_NEAR(icc_1_k(rows_of(shrout_fleiss())), 0.44, 0.005);
-  EXPECT_NEAR(icc_2_k(shrout_fleiss()), 0.62, 0.005);
+  EXPECT_NEAR(agreement_of(shrout_fleiss()).all.one_k, 0.44, 0.005);
+  EXPECT_NEAR(agreement_of(shrout_fleiss()).icc_2_k, 0.62, 0.005);
   EXPECT_NEAR(cronbach_alpha(shrout_fleiss()), 0.91, 0.005);
 }
 
@@ -42,17 +33,17 @@ TEST(Agreement, AlphaIsByItsDefinition) {
 TEST(Agreement, OfRatersWhoAgreeIsOne) {
   const Eigen::MatrixXd same = Eigen::Vector4d(-2, 0, 1, 2).replicate(1, 3);
   EXPECT_NEAR(cronbach_alpha(same), 1.0, 1e-12);
-  EXPECT_NEAR(icc_2_k(same), 1.0, 1e-12);
-  EXPECT_NEAR(icc_1_k(rows_of(same)), 1.0, 1e-12);
+  EXPECT_NEAR(agreement_of(same).icc_2_k, 1.0, 1e-12);
+  EXPECT_NEAR(agreement_of(same).all.one_k, 1.0, 1e-12);
 }
 
 TEST(Agreement, ARaterWhoLeansLowersAbsoluteAgreementOnly) {
   Eigen::MatrixXd ratings = shrout_fleiss();
   const double alpha = cronbach_alpha(ratings);
-  const double icc = icc_2_k(ratings);
+  const double icc = agreement_of(ratings).icc_2_k;
   ratings.col(1).array() -= 3.0;
   EXPECT_NEAR(cronbach_alpha(ratings), alpha, 1e-12);
-  EXPECT_LT(icc_2_k(ratings), icc - 0.05);
+  EXPECT_LT(agreement_of(ratings).icc_2_k, icc - 0.05);
 }
 
 TEST(Agreement, CountsWhoRatedEverything) {
@@ -60,12 +51,12 @@ TEST(Agreement, CountsWhoRatedEverything) {
   ratings << shrout_fleiss(), Eigen::MatrixXd::Constant(6, 2, NAN);
   ratings(2, 4) = 5.0;
   const Agreement a = agreement_of(ratings);
-  EXPECT_EQ(a.raters, 5);
+  EXPECT_EQ(a.all.raters, 5);
   EXPECT_EQ(a.complete_raters, 4);
   EXPECT_NEAR(a.alpha, cronbach_alpha(shrout_fleiss()), 1e-12);
-  EXPECT_NEAR(a.icc_2_k, icc_2_k(shrout_fleiss()), 1e-12);
+  EXPECT_NEAR(a.icc_2_k, agreement_of(shrout_fleiss()).icc_2_k, 1e-12);
   // 25 answers: (25 − (5·16 + 25)/25)/5.
-  EXPECT_NEAR(a.answers_per_stimulus, 4.16, 1e-12);
+  EXPECT_NEAR(a.all.answers_per_stimulus, 4.16, 1e-12);
 }
 
 TEST(Agreement, WithoutACompleteRaterIsStillKnownOneWay) {
@@ -77,15 +68,15 @@ TEST(Agreement, WithoutACompleteRaterIsStillKnownOneWay) {
   EXPECT_TRUE(std::isnan(a.alpha));
   EXPECT_TRUE(std::isnan(a.icc_2_k));
   // Means 1.5, 4.5, 7.5: MSB 18, MSW 0.5.
-  EXPECT_NEAR(a.icc_1_k, 17.5 / 18.0, 1e-12);
-  EXPECT_DOUBLE_EQ(a.answers_per_stimulus, 2.0);
+  EXPECT_NEAR(a.all.one_k, 17.5 / 18.0, 1e-12);
+  EXPECT_DOUBLE_EQ(a.all.answers_per_stimulus, 2.0);
 }
 
 TEST(Agreement, IsUnknownWhereNothingVaries) {
   const Eigen::MatrixXd same = Eigen::MatrixXd::Ones(4, 3);
   EXPECT_TRUE(std::isnan(cronbach_alpha(same)));
-  EXPECT_TRUE(std::isnan(icc_2_k(same)));
-  EXPECT_TRUE(std::isnan(icc_1_k(rows_of(same))));
+  EXPECT_TRUE(std::isnan(agreement_of(same).icc_2_k));
+  EXPECT_TRUE(std::isnan(agreement_of(same).all.one_k));
   EXPECT_TRUE(std::isnan(cronbach_alpha(Eigen::MatrixXd::Random(4, 1))));
 }
 

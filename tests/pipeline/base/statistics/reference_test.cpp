@@ -183,7 +183,6 @@ TEST(Reference, OfSharesIsMet) {
     expected.is("high", interval.high);
     const double chance = expected.at("chance");
     expected.is("p", binomial_test(k, n, chance));
-    expected.is("above", binomial_test_above(k, n, chance));
   }
 }
 
@@ -201,7 +200,6 @@ TEST(Reference, OfAgreementInFullTablesIsMet) {
     expected.is("three_k", found.three_k);
     expected.is("alpha", found.three_k);
     expected.is("alpha", cronbach_alpha(table));
-    EXPECT_NEAR(found.two_k, icc_2_k(table), tolerance);
   }
 }
 

@@ -1,8 +1,8 @@
-#include "render/video/sha256.h"
+#include "pipeline/base/documents/sha256.h"
 
 #include <gtest/gtest.h>
 
-namespace mien::render {
+namespace mien::pipeline {
 namespace {
 
 std::string sha256_of(std::string_view bytes) {
@@ -30,4 +30,4 @@ TEST(Sha256, DoesNotMindHowBytesCome) {
 }
 
 }  // namespace
-}  // namespace mien::render
+}  // namespace mien::pipeline

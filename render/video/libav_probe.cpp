@@ -1,3 +1,5 @@
+#include "render/video/libav_probe.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -16,10 +18,7 @@
 #include <tbb/task_arena.h>
 
 #include "render/image_files/picture_limits.h"
-#include "render/parts/loaded_part.h"
 #include "render/video/libav.h"
-#include "render/video/video.h"
-#include "render/video/webp_probe.h"
 #include "render/video/yuv.h"
 
 namespace mien::render {
@@ -374,9 +373,8 @@ bool are_steady(const VideoSummary& video) {
 
 }  // namespace
 
-VideoSummary probe_timed(const std::filesystem::path& path,
+VideoSummary libav_probe(const std::filesystem::path& path,
                          const std::function<void(const ShownPicture&)>& on_picture, int row_step) {
-  if (is_webp(path)) return probe_webp(path, on_picture);
   OpenVideo video(path);
   VideoSummary summary = video.facts();
   Decoding decoding{video.name, video.stream, on_picture, summary, row_step};
@@ -386,10 +384,9 @@ VideoSummary probe_timed(const std::filesystem::path& path,
   return summary;
 }
 
-VideoSummary probe_side_by_side(const std::filesystem::path& path,
-                                const std::function<void(const ShownPicture&)>& on_picture,
-                                int row_step, int threads) {
-  if (is_webp(path)) return probe_webp(path, on_picture);
+VideoSummary libav_probe_side_by_side(const std::filesystem::path& path,
+                                      const std::function<void(const ShownPicture&)>& on_picture,
+                                      int row_step, int threads) {
   const OpenVideo video(path);
   VideoSummary summary = video.facts();
   StretchReader reader(video, on_picture, row_step);
@@ -419,15 +416,7 @@ VideoSummary probe_side_by_side(const std::filesystem::path& path,
   return summary;
 }
 
-VideoSummary probe(const std::filesystem::path& path,
-                   const std::function<void(int, const Image8&)>& on_frame) {
-  if (!on_frame) return probe_timed(path, {});
-  return probe_timed(path,
-                     [&](const ShownPicture& shown) { on_frame(shown.index, shown.picture); });
-}
-
-Image8 first_picture_alone(const std::filesystem::path& path) {
-  if (is_webp(path)) return first_webp_picture(path);
+Image8 libav_first_picture(const std::filesystem::path& path) {
   OpenVideo video(path);
   VideoSummary summary;
   Image8 first;
@@ -438,19 +427,6 @@ Image8 first_picture_alone(const std::filesystem::path& path) {
   video.decode(decoding, 1);
   if (summary.frames == 0) throw Error(video.name + ": the first frame does not decode alone");
   return first;
-}
-
-std::string video_libraries() {
-  const auto version = [](const char* library, unsigned (*own)()) {
-    const std::string told = version_of_library(library);
-    if (!told.empty()) return told;
-    const unsigned v = own();
-    return std::to_string(AV_VERSION_MAJOR(v)) + "." + std::to_string(AV_VERSION_MINOR(v)) + "." +
-           std::to_string(AV_VERSION_MICRO(v));
-  };
-  return "libavcodec " + version(MIEN_LIBAVCODEC, avcodec_version) + ", libavformat " +
-         version(MIEN_LIBAVFORMAT, avformat_version) + ", libswscale " +
-         version(MIEN_LIBSWSCALE, swscale_version);
 }
 
 }  // namespace mien::render

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct _GChecksum;
+
+namespace mien::pipeline {
+
+/// SHA-256 of bytes that come piece by piece (FIPS 180-4), as GLib works it out.
+class Sha256 {
+ public:
+  Sha256();
+
+  void add(std::string_view bytes);
+
+  /// 64 hexadecimal digits of all that was added. Nothing may be added afterwards.
+  std::string finish();
+
+ private:
+  std::unique_ptr<_GChecksum, void (*)(_GChecksum*)> sum_;
+};
+
+}  // namespace mien::pipeline

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "render/video/video.h"
+
+namespace mien::render {
+
+// The files of videos, as FFmpeg reads and writes them. Its libraries take 0.02 s to load, more
+// than all else that mien is linked to: they lie in a part of the program that is loaded when the
+// first video is read or written. These types and those of video.h are all that both sides know.
+
+/// As VideoWriter.
+class VideoEncoder {
+ public:
+  virtual ~VideoEncoder() = default;
+  virtual void write(const Image8& frame) = 0;
+  virtual void finish() = 0;
+  virtual const VideoReceipt& receipt() const = 0;
+};
+
+/// As the functions of video.h, of everything but WebP where they read.
+class VideoFiles {
+ public:
+  virtual ~VideoFiles() = default;
+  virtual std::unique_ptr<VideoEncoder> writer(const std::filesystem::path& path,
+                                               const VideoFormat& format) const = 0;
+  virtual VideoSummary probe(const std::filesystem::path& path,
+                             const std::function<void(const ShownPicture&)>& on_picture,
+                             int row_step) const = 0;
+  virtual VideoSummary probe_side_by_side(
+      const std::filesystem::path& path, const std::function<void(const ShownPicture&)>& on_picture,
+      int row_step, int threads) const = 0;
+  virtual Image8 first_picture_alone(const std::filesystem::path& path) const = 0;
+
+  /// Versions, "59.37.100".
+  virtual std::string libavcodec() const = 0;
+  virtual std::string libavformat() const = 0;
+  virtual std::string libswscale() const = 0;
+};
+
+/// Of the types above (loaded_part.h).
+inline constexpr int video_files_edition = 1;
+
+}  // namespace mien::render
