@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
-#include "pipeline/farm/block_yaml.h"
 #include "pipeline/farm/submission.h"
 
 namespace mien::pipeline {
@@ -99,9 +98,8 @@ ordered_json open_job_template(const std::vector<Stage>& stages, const StudyCall
 
 std::string open_job_text(const ordered_json& job, const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
-  if (ending == ".json") return job.dump(2) + "\n";
-  if (ending == ".yaml" || ending == ".yml") return block_yaml(job);
-  throw Error("-o " + file.string() + ": a job template is a .yaml or a .json file",
+  if (ending == ".json" || ending == ".yaml" || ending == ".yml") return job.dump(2) + "\n";
+  throw Error("-o " + file.string() + ": a job template is a .json or a .yaml file",
               "give it one of these endings");
 }
 

@@ -91,7 +91,8 @@ TEST_F(WithoutSlurm, AnExportedJobIsTheSameEachTime) {
   };
   const Ended first = exported();
   EXPECT_EQ(first.code, 0) << first.errors;
-  EXPECT_NE(first.output.find("specificationVersion: \"jobtemplate-2023-09\""), std::string::npos);
+  EXPECT_NE(first.output.find("\"specificationVersion\": \"jobtemplate-2023-09\""),
+            std::string::npos);
   EXPECT_EQ(first.output, exported().output);
 }
 

@@ -28,7 +28,7 @@ int export_study(const ExportCommand& command, const Console& console) {
   const nlohmann::ordered_json job =
       open_job_template(all_stages(study, asked), study.call(command.study), asked.request);
   if (command.file.empty()) {
-    console.out << open_job_text(job, "job.yaml");
+    console.out << open_job_text(job, "job.json");
     return exit_done;
   }
   write_file(command.file, open_job_text(job, command.file));
@@ -51,7 +51,7 @@ Command farm_export_command() {
                .one_of({"openjd"})
                .required(),
            option("-o,--output", &options->file,
-                  "File to write (.yaml, .json); standard output without it"),
+                  "File to write (.json, .yaml); standard output without it"),
            option("--out", &options->study.out, "Folder of all studies, which all machines share")
                .with_default(),
            quality_option(options->study.quality),
@@ -60,7 +60,7 @@ Command farm_export_command() {
            option("--jobs,-j", &options->jobs, "Processors of a task (1)").between(1, 1024)},
       .notes =
           "All of the study, whether it is there or not: tasks find what is.\n\nExample:\n"
-          "  mien farm export my.yaml --format openjd -o my.job.yaml --out /shared/studies",
+          "  mien farm export my.yaml --format openjd -o my.job.json --out /shared/studies",
       .run = [options](const Console& console) { return export_study(*options, console); }};
 }
 

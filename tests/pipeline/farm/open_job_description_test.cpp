@@ -67,13 +67,10 @@ TEST(OpenJob, IsHeldAgainstRulesThatCanBeBroken) {
   }
 }
 
-TEST(OpenJob, IsYamlOrJsonByTheFilesEnding) {
+TEST(OpenJob, IsJsonWhateverTheFilesEndingOfTheTwo) {
   const ordered_json job = template_of_two();
-  EXPECT_EQ(json::parse(open_job_text(job, "a.json")), json(job));
-  const std::string yaml = open_job_text(job, "a.job.yaml");
-  EXPECT_EQ(yaml.rfind("specificationVersion: \"jobtemplate-2023-09\"\n", 0), 0u);
-  EXPECT_NE(yaml.find("          data: |\n            film:a[1/2]\n"), std::string::npos) << yaml;
-  EXPECT_EQ(open_job_text(job, "a.yml"), yaml);
+  for (const char* file : {"a.json", "a.job.yaml", "a.yml"})
+    EXPECT_EQ(ordered_json::parse(open_job_text(job, file)), job);
   EXPECT_THROW(open_job_text(job, "a.txt"), Error);
 }
 
