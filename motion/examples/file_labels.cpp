@@ -1,10 +1,8 @@
 #include "motion/examples/file_labels.h"
 
 #include <algorithm>
-#include <regex>
 
-#include "motion/error.h"
-#include "motion/text/excerpt.h"
+#include <fnmatch.h>
 
 namespace mien::motion {
 
@@ -13,30 +11,6 @@ namespace {
 constexpr std::string_view separators = "_. ";
 
 bool is_separator(char c) { return separators.find(c) != std::string_view::npos; }
-
-/// Length of the set "[…]" at the start of `pattern`, brackets included; 0 when it is not closed.
-size_t set_length(std::string_view pattern) {
-  // A bracket right after the opening (and "!") belongs to the set.
-  const size_t first = pattern.size() > 1 && pattern[1] == '!' ? 3 : 2;
-  const size_t closing = pattern.find(']', std::min(first, pattern.size()));
-  return closing == std::string_view::npos ? 0 : closing + 1;
-}
-
-bool in_set(std::string_view set, char c) {
-  set = set.substr(1, set.size() - 2);
-  const bool negated = set.starts_with('!');
-  if (negated) set.remove_prefix(1);
-  bool found = false;
-  for (size_t i = 0; i < set.size(); ++i) {
-    if (i + 2 < set.size() && set[i + 1] == '-') {
-      found = found || (set[i] <= c && c <= set[i + 2]);
-      i += 2;
-    } else {
-      found = found || set[i] == c;
-    }
-  }
-  return found != negated;
-}
 
 /// How many stems' characters agree from the start (or, `reversed`, from the end).
 size_t shared_length(std::span<const std::string> stems, bool reversed) {
@@ -77,31 +51,7 @@ Braces braces_at(std::string_view pattern, size_t open) {
 }
 
 bool matches_without_braces(std::string_view pattern, std::string_view name) {
-  // Where to go on after the last star when what follows it does not fit.
-  size_t p = 0;
-  size_t n = 0;
-  size_t star = std::string_view::npos;
-  size_t starred = 0;
-  while (n < name.size()) {
-    const size_t set = p < pattern.size() && pattern[p] == '[' ? set_length(pattern.substr(p)) : 0;
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      starred = n;
-    } else if (set > 0 && in_set(pattern.substr(p, set), name[n])) {
-      p += set;
-      ++n;
-    } else if (set == 0 && p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-      ++p;
-      ++n;
-    } else if (star != std::string_view::npos) {
-      p = star + 1;
-      n = ++starred;
-    } else {
-      return false;
-    }
-  }
-  while (p < pattern.size() && pattern[p] == '*') ++p;
-  return p == pattern.size();
+  return fnmatch(std::string(pattern).c_str(), std::string(name).c_str(), FNM_NOESCAPE) == 0;
 }
 
 }  // namespace
@@ -130,30 +80,6 @@ std::vector<std::string> labels_from_names(std::span<const std::string> stems) {
   for (std::string& label : labels) {
     if (label.size() <= prefix + suffix) return {stems.begin(), stems.end()};
     label = label.substr(prefix, label.size() - prefix - suffix);
-  }
-  return labels;
-}
-
-std::vector<std::string> labels_by_pattern(std::span<const std::string> stems,
-                                           const std::string& pattern) {
-  std::regex expression;
-  try {
-    expression.assign(pattern);
-  } catch (const std::regex_error&) {
-    throw Error("the label pattern " + in_quotes(pattern) + " is no regular expression",
-                "write one such as \"walk_(.*)_[0-9]+\", its group being the label");
-  }
-  std::vector<std::string> labels;
-  for (const std::string& stem : stems) {
-    std::smatch match;
-    if (!std::regex_search(stem, match, expression)) {
-      throw Error(Place{stem},
-                  "the label pattern " + in_quotes(pattern) + " does not match this name",
-                  "widen the pattern or leave the file out by include");
-    }
-    const auto group = std::find_if(match.begin() + 1, match.end(),
-                                    [](const std::ssub_match& part) { return part.matched; });
-    labels.push_back(group == match.end() ? match.str() : group->str());
   }
   return labels;
 }

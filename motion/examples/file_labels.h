@@ -18,10 +18,4 @@ bool matches_glob(std::string_view pattern, std::string_view name);
 /// stays as it is.
 std::vector<std::string> labels_from_names(std::span<const std::string> stems);
 
-/// Labels by a regular expression (ECMAScript) searched in each stem: its first group that took
-/// part in the match, or the whole match when it has no group. Throws Error when the pattern is no
-/// regular expression or a stem does not match.
-std::vector<std::string> labels_by_pattern(std::span<const std::string> stems,
-                                           const std::string& pattern);
-
 }  // namespace mien::motion

@@ -154,10 +154,11 @@ Intraclass intraclass(const Eigen::MatrixXd& answers) {
   for (double* value :
        {&result.one, &result.one_k, &result.two, &result.two_k, &result.three, &result.three_k})
     *value = no_reliability;
-  if (result.stimuli < 2 || result.answers <= result.stimuli) return result;
+  if (result.stimuli < 2) return result;
   const double all = result.answers;
   result.answers_per_stimulus =
       (all - rated.per_stimulus.squaredNorm() / all) / (result.stimuli - 1.0);
+  if (result.answers <= result.stimuli) return result;
   const double total = total_squares(rated);
   if (total == 0.0) return result;
   const Residuals residuals = residuals_of(rated);

@@ -22,7 +22,7 @@ BilingualName name_of(const Scale& scale) {
 
 std::string raters_of(const Analysis& analysis) {
   int most = 0;
-  for (const Agreement& a : analysis.agreements) most = std::max(most, a.raters);
+  for (const Agreement& a : analysis.agreements) most = std::max(most, a.all.raters);
   if (most == 0) return "mean ratings";
   return fmt::format("{} {}", most, analysis.impressions.simulated ? "simulated raters" : "raters");
 }

@@ -109,9 +109,9 @@ std::string agreement_csv(const Analysis& analysis) {
                    "answers_per_example", "icc_1_k"});
   for (size_t j = 0; j < analysis.agreements.size(); ++j) {
     const Agreement& a = analysis.agreements[j];
-    table.row({analysis.impressions.scales[j], ratings_of(analysis), std::to_string(a.raters),
+    table.row({analysis.impressions.scales[j], ratings_of(analysis), std::to_string(a.all.raters),
                std::to_string(a.complete_raters), number(a.alpha), number(a.icc_2_k),
-               number(a.answers_per_stimulus), number(a.icc_1_k)});
+               number(a.all.answers_per_stimulus), number(a.all.one_k)});
   }
   return table.text();
 }

@@ -40,7 +40,7 @@ std::vector<Reliability> reliability_of(const Gathered& gathered) {
   for (std::size_t scale = 0; scale < gathered.scales.size(); ++scale) {
     const Eigen::MatrixXd table = table_on(gathered, scale);
     const Agreement agreement = agreement_of(table);
-    all.push_back({scale, intraclass(table), agreement.complete_raters, agreement.alpha});
+    all.push_back({scale, agreement.all, agreement.complete_raters, agreement.alpha});
   }
   return all;
 }

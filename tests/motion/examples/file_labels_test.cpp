@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/refusal.h"
-
 namespace mien::motion {
 namespace {
 
@@ -54,27 +52,6 @@ TEST(Labels, OfOneNameOrOfNestedNamesStayWhole) {
   const std::vector<std::string> nested = {"walk_", "walk_sad"};
   EXPECT_EQ(labels_from_names(nested), nested);
   EXPECT_TRUE(labels_from_names(std::vector<std::string>{}).empty());
-}
-
-TEST(Labels, ByPatternAreTheFirstGroupThatTookPart) {
-  const std::vector<std::string> names = {"k_walk_fast_k_limp_sad_100_000",
-                                          "k_walk_fast_k_limp_sad_000_100"};
-  const std::string pattern = "^(._[a-z]+_[a-z]+).*_100_000$|(._[a-z]+_[a-z]+)_000_100$";
-  EXPECT_EQ(labels_by_pattern(names, pattern),
-            (std::vector<std::string>{"k_walk_fast", "k_limp_sad"}));
-  EXPECT_EQ(labels_by_pattern(names, "walk")[0], "walk");
-}
-
-TEST(Labels, ByABadPatternAreRefused) {
-  const std::vector<std::string> names = {"walk_1"};
-  EXPECT_NE(test::refusal_of([&] {
-              labels_by_pattern(names, "walk_(");
-            }).find("\"walk_(\" is no regular expression"),
-            std::string::npos);
-  EXPECT_NE(test::refusal_of([&] {
-              labels_by_pattern(names, "run");
-            }).find("walk_1: the label pattern \"run\" does not match this name"),
-            std::string::npos);
 }
 
 }  // namespace
