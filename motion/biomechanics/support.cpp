@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "motion/biomechanics/bearing.h"
-#include "motion/biomechanics/body_mass.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {
@@ -112,19 +111,6 @@ std::vector<Support> supports(const LintSubject& subject) {
     }
   }
   return result;
-}
-
-Support standing_support(const Skeleton& body, const JointTransforms& world) {
-  const double scale = relative_stature(body);
-  const SolePoints left = sole_points(body, world, true);
-  const SolePoints right = sole_points(body, world, false);
-  const double lowest = std::min(lowest_of(left), lowest_of(right));
-  return {bearing_corners(left, lowest, scale), bearing_corners(right, lowest, scale)};
-}
-
-double standing_margin(const Skeleton& body, const Pose& pose) {
-  const JointTransforms world = world_transforms(body, pose);
-  return -distance_outside(centre_of_mass(body, world), standing_support(body, world).all());
 }
 
 double distance_outside(const Vec3& point, const std::vector<Vec3>& corners) {

@@ -102,25 +102,6 @@ Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights) {
   return mean;
 }
 
-std::vector<GridMotion> nine_motions(const Clip& original, const std::vector<FootPlant>& plants,
-                                     const Modification& modification) {
-  constexpr std::array<std::string_view, 9> names = {
-      "short, constant", "short", "short, accelerated", "constant", "as is", "accelerated",
-      "long, constant",  "long",  "long, accelerated"};
-  std::vector<GridMotion> grid;
-  Modification place = modification;
-  place.gains.reset();
-  for (int u = 0; u <= 2; ++u) {
-    place.paths = u;
-    const Clip paths = path_neighbours(original, plants, place).clips.front();
-    for (int e = -1; e <= 1; ++e) {
-      grid.push_back({names[static_cast<size_t>(3 * u + e + 1)], static_cast<double>(u),
-                      static_cast<double>(e), with_timing(paths, plants, e, place)});
-    }
-  }
-  return grid;
-}
-
 Clip grid_motion(const Clip& original, const std::vector<FootPlant>& plants,
                  const Modification& modification) {
   const Weighted paths = path_neighbours(original, plants, modification);

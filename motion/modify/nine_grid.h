@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "motion/gait/foot_plant.h"
@@ -19,23 +18,11 @@ Pose mean_pose(std::span<const Pose* const> poses, std::span<const double> weigh
 /// whose weight is 1 comes out as it is.
 Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights);
 
-/// One corner or middle of the grid of the thesis.
-struct GridMotion {
-  std::string_view name;  ///< "short, constant", … "long, accelerated"
-  double paths = 1.0;
-  double acceleration = 0.0;
-  Clip clip;
-};
-
-/// The nine motions {short, as is, long} × {constant speed, as is, accelerated}, feet repaired as
-/// the modification says. Its own `paths` and `acceleration` do not matter here. `original`
-/// travels.
-std::vector<GridMotion> nine_motions(const Clip& original, const std::vector<FootPlant>& plants,
-                                     const Modification& modification);
-
-/// The place (paths, acceleration) of the modification on that grid: paths are changed first, then
-/// the feet carried along, then the timing of each is changed, and the (at most four) motions
-/// around the place are mixed bilinearly. Explicit gains take the place of the paths' mix.
+/// The place (paths, acceleration) of the modification on the grid of the thesis, the nine motions
+/// {short, as is, long} × {constant speed, as is, accelerated}. `original` travels. Paths are
+/// changed first, then the feet carried along, then the timing of each is changed, and the (at most
+/// four) motions around the place are mixed bilinearly. Explicit gains take the place of the paths'
+/// mix.
 Clip grid_motion(const Clip& original, const std::vector<FootPlant>& plants,
                  const Modification& modification);
 

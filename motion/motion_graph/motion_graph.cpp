@@ -216,10 +216,4 @@ MotionGraph with_motions(MotionGraph graph, std::span<const MotionInStep> motion
   return graph;
 }
 
-double largest_distance(const MotionGraph& graph) {
-  double largest = 0.0;
-  for (const GraphTransition& t : graph.transitions) largest = std::max(largest, t.metres);
-  return largest;
-}
-
 }  // namespace mien::motion

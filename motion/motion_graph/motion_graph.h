@@ -105,7 +105,4 @@ MotionGraph with_motions(MotionGraph graph, std::span<const MotionInStep> motion
 MotionInStep in_step(const Clip& version, std::span<const double> version_keytimes,
                      const Clip& reference, std::span<const double> reference_keytimes);
 
-/// The graph's largest transition distance, metres: what `with_motions` may have raised.
-double largest_distance(const MotionGraph& graph);
-
 }  // namespace mien::motion

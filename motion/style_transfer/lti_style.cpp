@@ -137,9 +137,4 @@ Clip translated(const Clip& motion, const LtiStyleModel& model, const LtiStyleOp
   return resampled(to_clip(curves), motion.frames_per_second);
 }
 
-Clip lti_styled(const Clip& motion, const Clip& neutral, const Clip& styled,
-                const LtiStyleOptions& options) {
-  return translated(motion, fit_lti_style(neutral, styled, options), options);
-}
-
 }  // namespace mien::motion

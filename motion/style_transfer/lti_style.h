@@ -42,8 +42,4 @@ LtiStyleModel fit_lti_style(const Clip& neutral, const Clip& styled,
 Clip translated(const Clip& motion, const LtiStyleModel& model,
                 const LtiStyleOptions& options = {});
 
-/// Both in one.
-Clip lti_styled(const Clip& motion, const Clip& neutral, const Clip& styled,
-                const LtiStyleOptions& options = {});
-
 }  // namespace mien::motion

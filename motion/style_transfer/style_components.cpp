@@ -149,9 +149,4 @@ Clip restyled(const Clip& motion, const StyleComponents& components,
   return to_clip(curves);
 }
 
-Clip component_styled(const Clip& motion, const Clip& neutral, const Clip& styled,
-                      const StyleComponentOptions& options) {
-  return restyled(motion, style_components(neutral, styled, options), options);
-}
-
 }  // namespace mien::motion

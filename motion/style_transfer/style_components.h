@@ -54,8 +54,4 @@ std::vector<int> swapped_components(const StyleComponents& components,
 Clip restyled(const Clip& motion, const StyleComponents& components,
               const StyleComponentOptions& options = {});
 
-/// Both in one.
-Clip component_styled(const Clip& motion, const Clip& neutral, const Clip& styled,
-                      const StyleComponentOptions& options = {});
-
 }  // namespace mien::motion

@@ -170,10 +170,6 @@ std::string batch_value(std::string_view text) {
   return "\"" + with_escapes(text, "\"\\", "\\") + "\"";
 }
 
-std::string batch_path(std::string_view path) {
-  return with_escapes(with_escapes(path, "%", "%"), "\"", "\\");
-}
-
 void refuse_unwritable(const fs::path& path) {
   const std::string text = path.string();
   for (const char letter : text) {

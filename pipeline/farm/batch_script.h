@@ -58,7 +58,4 @@ std::string shell_word(std::string_view text);
 /// The value of an option in a line "#SBATCH --output=…".
 std::string batch_value(std::string_view text);
 
-/// The same for file names, where Slurm replaces %x: "100 %%".
-std::string batch_path(std::string_view path);
-
 }  // namespace mien::pipeline

@@ -292,8 +292,4 @@ ErrorSummary summary_of(const PixelMap& errors) {
   return summary;
 }
 
-double weighted_percentile(const PixelMap& errors, double share) {
-  return weighted_percentile_of(histogram_of(errors), share);
-}
-
 }  // namespace mien::render

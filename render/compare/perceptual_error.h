@@ -52,7 +52,4 @@ struct ErrorSummary {
 };
 ErrorSummary summary_of(const PixelMap& errors);
 
-/// The error up to which that share (0 … 1) of the sum of errors lies; 0 without errors.
-double weighted_percentile(const PixelMap& errors, double share);
-
 }  // namespace mien::render

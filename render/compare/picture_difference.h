@@ -1,18 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 
-#include "render/image/channels.h"
-#include "render/image/film.h"
 #include "render/image/image.h"
 #include "render/image/window.h"
 
 namespace mien::render {
 
-/// How two pictures differ, channel by channel. Values are shares of full scale: a code over 255 or
-/// 65,535, and light as it is. A channel that is no number in one picture alone differs without
-/// end.
+/// How two pictures differ, channel by channel. Values are shares of full scale.
 struct PictureDifference {
   double largest = 0.0;  ///< of a channel
   int x = 0;             ///< where, the first row by row
@@ -30,13 +25,6 @@ struct PictureDifference {
 
 /// Throws Error, with both sizes, when they differ. `limit` is a share of full scale.
 PictureDifference picture_difference(const Image8& a, const Image8& b, double limit = 0.0);
-PictureDifference picture_difference(const Image16& a, const Image16& b, double limit = 0.0);
-PictureDifference picture_difference(const Film& a, const Film& b, double limit = 0.0);
-
-/// Of files whoever made them; also throws Error when their channels have other names.
-PictureDifference picture_difference(const Channels& a, const Channels& b, double limit = 0.0);
-PictureDifference picture_difference(const std::filesystem::path& a, const std::filesystem::path& b,
-                                     double limit = 0.0);
 
 /// What OpenImageIO's ImageBufAlgo::compare says of them: a second voice, by other hands.
 struct LibraryDifference {
@@ -50,6 +38,5 @@ struct LibraryDifference {
   std::int64_t failing_pixels = 0;  ///< with a channel that differs by more than the limit
 };
 LibraryDifference library_difference(const Image8& a, const Image8& b, double limit = 0.0);
-LibraryDifference library_difference(const Film& a, const Film& b, double limit = 0.0);
 
 }  // namespace mien::render

@@ -23,6 +23,4 @@ const CharacterOptions* character_in(const Figure& figure) {
   return std::get_if<CharacterOptions>(&figure);
 }
 
-std::vector<std::string> figure_names() { return {"stick", "mannequin", "point-light", "trail"}; }
-
 }  // namespace mien::scenes

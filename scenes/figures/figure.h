@@ -61,7 +61,4 @@ std::string_view name_of(const Figure& figure);
 /// The character that a figure, or a trail's figure, is; null for others.
 const CharacterOptions* character_in(const Figure& figure);
 
-/// Figures that need no options: what `look: {figure: …}` takes as a mere name.
-std::vector<std::string> figure_names();
-
 }  // namespace mien::scenes

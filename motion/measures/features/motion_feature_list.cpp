@@ -11,14 +11,13 @@ struct GroupNames {
   std::string_view id;
   std::string_view english;
   std::string_view japanese;
-  std::string_view letter;
 };
 
 constexpr std::array<GroupNames, feature_group_count> group_names = {{
-    {"lateral-swing", "lateral swing of the upper body", "上半身の左右の揺れ", "S"},
-    {"front-back-swing", "front-back swing of arms and legs", "腕と脚の前後の振り", "F"},
-    {"upper-body-bend", "bending angle of the upper body", "上半身の曲げ角度", "B"},
-    {"step-length", "step length", "歩幅", "T"},
+    {"lateral-swing", "lateral swing of the upper body", "上半身の左右の揺れ"},
+    {"front-back-swing", "front-back swing of arms and legs", "腕と脚の前後の振り"},
+    {"upper-body-bend", "bending angle of the upper body", "上半身の曲げ角度"},
+    {"step-length", "step length", "歩幅"},
 }};
 
 const GroupNames& names_of(FeatureGroup group) { return group_names[static_cast<size_t>(group)]; }
@@ -112,7 +111,6 @@ constexpr std::array<MotionFeature, motion_feature_count> features = {{
 std::string_view id_of(FeatureGroup group) { return names_of(group).id; }
 std::string_view name_of(FeatureGroup group) { return names_of(group).english; }
 std::string_view japanese_name_of(FeatureGroup group) { return names_of(group).japanese; }
-std::string_view letter_of(FeatureGroup group) { return names_of(group).letter; }
 
 std::string_view symbol_of(FeatureUnit unit) {
   switch (unit) {

@@ -19,8 +19,6 @@ std::string_view id_of(FeatureGroup group);
 /// "lateral swing of the upper body", …
 std::string_view name_of(FeatureGroup group);
 std::string_view japanese_name_of(FeatureGroup group);
-/// "S", "F", "B", "T".
-std::string_view letter_of(FeatureGroup group);
 
 enum class FeatureUnit { degrees, metres, metres_per_second, seconds };
 

@@ -109,14 +109,6 @@ std::array<double, motion_measure_count> values_of(const MotionMeasures& m) {
           m.sway_m,         m.lift_share,     m.asymmetry_m};
 }
 
-const std::array<std::string_view, motion_measure_count>& motion_measure_names() {
-  static constexpr std::array<std::string_view, motion_measure_count> names = {
-      "speed_m_s",      "tempo_hz",          "travel_m",       "hand_range_m",   "hand_speed_m_s",
-      "hand_spread_m",  "elbow_flexion_rad", "trunk_lean_rad", "head_pitch_rad", "trunk_turn_rad",
-      "least_knee_rad", "bounce_m",          "sway_m",         "lift_share",     "asymmetry_m"};
-  return names;
-}
-
 MotionMeasures measure(const Example& example) {
   const JointPaths paths = joint_paths(example.clip);
   MotionMeasures m;

@@ -29,9 +29,8 @@ struct MotionMeasures {
 
 inline constexpr int motion_measure_count = 15;
 
-/// The measures in the order of the struct, and their names ("speed_m_s", …).
+/// The measures in the order of the struct.
 std::array<double, motion_measure_count> values_of(const MotionMeasures& measures);
-const std::array<std::string_view, motion_measure_count>& motion_measure_names();
 
 /// Measures one cycle of a travelling loop, or a whole performance.
 MotionMeasures measure(const Example& example);

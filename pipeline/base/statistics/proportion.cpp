@@ -32,9 +32,4 @@ double binomial_test(int successes, int trials, double chance) {
   return std::min(1.0, p);
 }
 
-double binomial_test_above(int successes, int trials, double chance) {
-  if (trials <= 0 || successes <= 0) return 1.0;
-  return cdf(complement(boost::math::binomial(trials, chance), successes - 1));
-}
-
 }  // namespace mien::pipeline

@@ -16,7 +16,4 @@ ShareInterval wilson(double successes, double trials, double confidence = 0.95);
 /// outcomes that are no more probable, as R's binom.test. 1 without trials.
 double binomial_test(int successes, int trials, double chance);
 
-/// P(at least as many successes).
-double binomial_test_above(int successes, int trials, double chance);
-
 }  // namespace mien::pipeline

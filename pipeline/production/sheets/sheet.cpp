@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/base/documents/files.h"
 #include "pipeline/production/sheets/sheet_layout.h"
 #include "pipeline/production/sheets/sheet_parts.h"
 
@@ -66,12 +65,6 @@ std::string sheet_as_png(const SheetContent& content) {
   Canvas canvas = Canvas::png(page.width, page.height, pixels_wide);
   draw_page(canvas, content);
   return canvas.finish();
-}
-
-void draw_sheet(const SheetContent& content, const std::filesystem::path& pdf,
-                const std::filesystem::path& png) {
-  write_file(pdf, sheet_as_pdf(content));
-  write_file(png, sheet_as_png(content));
 }
 
 }  // namespace mien::pipeline

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -66,9 +65,5 @@ std::string beside_verdict(const motion::Distance& distance, const motion::Examp
 /// The same content gives the same bytes. Throws mien::Error when no font has Japanese letters.
 std::string sheet_as_pdf(const SheetContent& content);
 std::string sheet_as_png(const SheetContent& content);
-
-/// Writes both files. Throws also std::system_error when a file cannot be written.
-void draw_sheet(const SheetContent& content, const std::filesystem::path& pdf,
-                const std::filesystem::path& png);
 
 }  // namespace mien::pipeline

@@ -29,16 +29,18 @@ TEST(LtiStyle, ReproducesTheStyledWalkItLearntFrom) {
 
 TEST(LtiStyle, OfNoAmountIsTheMotion) {
   const Clip motion = builtin_walk("happy").clip;
-  EXPECT_LT(largest_difference(lti_styled(motion, builtin_walk("normal").clip,
-                                          builtin_walk("sad").clip, {.amount = 0.0}),
-                               motion),
-            1e-9);
+  EXPECT_LT(
+      largest_difference(
+          translated(motion, fit_lti_style(builtin_walk("normal").clip, builtin_walk("sad").clip),
+                     {.amount = 0.0}),
+          motion),
+      1e-9);
 }
 
 TEST(LtiStyle, OfAMotionToItselfChangesNothing) {
   const Clip sad = builtin_walk("sad").clip;
   const Clip motion = builtin_walk("happy").clip;
-  EXPECT_LT(largest_difference(lti_styled(motion, sad, sad), motion), 1e-9);
+  EXPECT_LT(largest_difference(translated(motion, fit_lti_style(sad, sad)), motion), 1e-9);
 }
 
 TEST(LtiStyle, BendsAnotherWalkLikeTheSadOne) {
@@ -57,7 +59,7 @@ TEST(LtiStyle, BendsAnotherWalkLikeTheSadOne) {
 TEST(LtiStyle, TranslatesAPerformance) {
   const Clip neutral = reach(1.0, 0.8);
   const Clip styled = reach(1.5, 1.2);
-  const Clip result = lti_styled(neutral, neutral, styled);
+  const Clip result = translated(neutral, fit_lti_style(neutral, styled));
   EXPECT_EQ(result.frame_count(), styled.frame_count());
   EXPECT_LT(largest_difference(result, styled), 0.1);
 }

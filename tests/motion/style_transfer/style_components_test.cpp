@@ -82,7 +82,7 @@ TEST(StyleComponents, AllSwappedAreTheStyledMotionInTheNeutralTime) {
   const Clip neutral = builtin_walk("normal").clip;
   const Clip sad = builtin_walk("sad").clip;
   const StyleComponentOptions all{.components = 99, .most_different = 99};
-  const Clip result = component_styled(neutral, neutral, sad, all);
+  const Clip result = restyled(neutral, style_components(neutral, sad, all), all);
   EXPECT_EQ(result.frame_count(), neutral.frame_count());
   const auto means = mean_rotations(result);
   const auto wanted = mean_rotations(sad);
@@ -93,16 +93,18 @@ TEST(StyleComponents, AllSwappedAreTheStyledMotionInTheNeutralTime) {
 
 TEST(StyleComponents, OfNoAmountAreTheMotion) {
   const Clip motion = builtin_walk("happy").clip;
-  EXPECT_LT(largest_difference(component_styled(motion, builtin_walk("normal").clip,
-                                                builtin_walk("sad").clip, {.amount = 0.0}),
-                               motion),
-            1e-9);
+  EXPECT_LT(
+      largest_difference(
+          restyled(motion, style_components(builtin_walk("normal").clip, builtin_walk("sad").clip),
+                   {.amount = 0.0}),
+          motion),
+      1e-9);
 }
 
 TEST(StyleComponents, OfAMotionToItselfChangeNothing) {
   const Clip sad = builtin_walk("sad").clip;
   const Clip motion = builtin_walk("happy").clip;
-  EXPECT_LT(largest_difference(component_styled(motion, sad, sad), motion), 1e-9);
+  EXPECT_LT(largest_difference(restyled(motion, style_components(sad, sad)), motion), 1e-9);
 }
 
 TEST(StyleComponents, SwappedMoreAreBentMore) {
@@ -121,7 +123,7 @@ TEST(StyleComponents, RefuseWhatIsNotThere) {
   const Clip sad = builtin_walk("sad").clip;
   const Clip normal = builtin_walk("normal").clip;
   EXPECT_NE(refusal_of([&] {
-              component_styled(normal, normal, sad, {.swapped = {6}});
+              restyled(normal, style_components(normal, sad), {.swapped = {6}});
             }).find("no style component 6"),
             std::string::npos);
   EXPECT_NE(refusal_of([&] { style_components(sad, reach(1.0, 0.8)); }).find("one repeats"),

@@ -313,9 +313,5 @@ TEST_F(BatchScript, RefusesPathsThatNoBatchFileCanName) {
   }
 }
 
-TEST(BatchPaths, AreNotTakenForPatterns) {
-  EXPECT_EQ(batch_path("/100 %x \"a\""), "/100 %%x \\\"a\\\"");
-}
-
 }  // namespace
 }  // namespace mien::pipeline

@@ -300,10 +300,6 @@ std::vector<AnswerRow> answer_rows(const CsvTable& table, Doubled doubled) {
   return rows;
 }
 
-std::vector<AnswerRow> read_answer_rows(const std::filesystem::path& file) {
-  return answer_rows(read_csv(file));
-}
-
 std::vector<std::string> tell_people_apart(std::vector<AnswerRow>& rows) {
   using Trial = std::tuple<std::string, int, std::string, std::string>;
   std::map<Trial, std::set<std::string>> sessions;

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -72,14 +71,14 @@ std::string to_csv(const std::vector<AnswerRow>& rows);
 /// The fields of one row as the CSV has them.
 std::vector<std::string> fields_of_row(const AnswerRow& row);
 
+enum class Doubled { refused, allowed };
+
 /// Reads what to_csv writes; columns in any order, further ones are ignored.
 ///
 /// Throws Faults with every fault at once, at file:line:column: columns that are missing, no rows,
 /// an empty participant or item, a kind, pole or truth value that is none, numbers that are none,
 /// negative or not whole where they must be, and an answer that is there twice (participant,
 /// session, trial, stimulus and item).
-std::vector<AnswerRow> read_answer_rows(const std::filesystem::path& file);
-enum class Doubled { refused, allowed };
 std::vector<AnswerRow> answer_rows(const CsvTable& table, Doubled doubled = Doubled::refused);
 
 /// A fault for every answer that is there twice.

@@ -159,13 +159,6 @@ std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& 
   return scales;
 }
 
-std::vector<std::string> parameter_names(const ScaleSet& set) {
-  std::vector<std::string> names;
-  for (const ScaleGroup& group : set.groups) names.push_back(group.id);
-  for (const Scale& scale : set.scales) names.push_back(scale.id);
-  return names;
-}
-
 double share_of(const Scale& scale, double answer) {
   return (answer - scale.least) / (scale.most - scale.least);
 }

@@ -65,9 +65,6 @@ const Scale* find_scale(const ScaleSet& set, std::string_view id);
 /// All scales by id, for those who look up many. Points into the set.
 std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& set);
 
-/// What `adjectives:` may name: the groups, then the scales.
-std::vector<std::string> parameter_names(const ScaleSet& set);
-
 /// An answer as a share of the scale: 0 at the low end, 1 at the high end.
 double share_of(const Scale& scale, double answer);
 

@@ -99,10 +99,6 @@ double answer_of(const Scale& scale, double share_of_half_range) {
 
 }  // namespace
 
-const std::array<std::string_view, style_impression_count>& style_impression_names() {
-  return impression_names;
-}
-
 StyleProfile loadings_of(const Scale& scale) {
   if (!scale.loadings.empty()) {
     StyleProfile loadings{};

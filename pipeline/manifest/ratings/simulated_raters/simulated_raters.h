@@ -28,9 +28,6 @@ inline constexpr int style_impression_count = 8;
 /// One value in (−1, 1) an impression.
 using StyleProfile = std::array<double, style_impression_count>;
 
-/// Names of the impressions as scales files write them: "quickness" … "stability".
-const std::array<std::string_view, style_impression_count>& style_impression_names();
-
 /// A motion and what simulated raters see in it.
 struct StyledStimulus {
   std::string name;

@@ -87,10 +87,4 @@ std::string_view japanese_name_of(Primary primary) {
   return primary_names[static_cast<size_t>(primary)].japanese;
 }
 
-std::optional<Primary> find_primary(std::string_view name) {
-  const auto found = std::ranges::find(primary_names, name, &PrimaryNames::english);
-  if (found == primary_names.end()) return std::nullopt;
-  return Primary(found - primary_names.begin());
-}
-
 }  // namespace mien::pipeline

@@ -40,7 +40,4 @@ std::string_view name_of(Primary primary);
 /// 速さ, 明瞭さ, 活発さ, 大きさ.
 std::string_view japanese_name_of(Primary primary);
 
-/// The primary of that English name, if there is one.
-std::optional<Primary> find_primary(std::string_view name);
-
 }  // namespace mien::pipeline

@@ -76,13 +76,5 @@ TEST(AdjectivePairs, NarrowBroadAndNarrowWideAreDifferentPairs) {
   EXPECT_EQ(find_adjective_pair("narrow-wide")->table_3, Primary::largeness);
 }
 
-TEST(AdjectivePairs, PrimariesAreFoundByTheirOwnNames) {
-  for (int i = 0; i < primary_count; ++i) {
-    EXPECT_EQ(find_primary(name_of(Primary(i))), Primary(i));
-    EXPECT_FALSE(japanese_name_of(Primary(i)).empty());
-  }
-  EXPECT_EQ(find_primary("quicknes"), std::nullopt);
-}
-
 }  // namespace
 }  // namespace mien::pipeline
