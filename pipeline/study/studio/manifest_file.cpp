@@ -5,9 +5,10 @@
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/base/reading/yaml_json.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/study/server/session_store.h"
-#include "pipeline/study/studio/manifest_edit.h"
 #include "pipeline/tasks/hash.h"
 
 namespace mien::pipeline {
@@ -15,6 +16,34 @@ namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+ordered_json in_written_order(const json& value, const std::string& path, const Places& places) {
+  if (value.is_object()) {
+    ordered_json map = ordered_json::object();
+    for (const std::string& key : written_order(value, path, places))
+      map[key] = in_written_order(value[key], member_path(path, key), places);
+    return map;
+  }
+  if (!value.is_array()) return ordered_json(value);
+  ordered_json array = ordered_json::array();
+  for (std::size_t i = 0; i < value.size(); ++i)
+    array.push_back(in_written_order(value[i], element_path(path, i), places));
+  return array;
+}
+
+/// What a manifest's text says, members in the order in which they are written. Throws Faults for
+/// what is no YAML; what the schema says of it is not looked at.
+ordered_json document_of(const std::string& text, const std::string& file,
+                         const Environment& environment) {
+  std::vector<Fault> faults;
+  const YamlNode tree = read_yaml(text, file, faults);
+  if (!faults.empty()) throw Faults(in_reading_order(std::move(faults)));
+  const JsonReading reading = to_json(tree, root_of(manifest_schema()), environment, faults);
+  if (!faults.empty()) throw Faults(in_reading_order(std::move(faults)));
+  return in_written_order(reading.document, "", reading.places);
+}
 
 /// Behind a link lies what is written.
 fs::path real_place(const fs::path& file) {
@@ -36,7 +65,7 @@ ManifestFile::ManifestFile(fs::path file, Environment environment,
   if (begun_from) {
     refuse_faults(*begun_from, file_, environment_);
     is_on_disk_ = false;
-    state_ = state_of(std::move(*begun_from));
+    state_ = state_of(std::move(*begun_from), false);
     return;
   }
   // What is no manifest at all is told as `mien check` tells it.
@@ -44,10 +73,10 @@ ManifestFile::ManifestFile(fs::path file, Environment environment,
   reload();
 }
 
-ManifestState ManifestFile::state_of(std::string text) const {
+ManifestState ManifestFile::state_of(std::string text, bool is_on_disk) const {
   ManifestState state;
   state.document = document_of(text, file_.string(), environment_);
-  state.version = hash_of(text);
+  if (is_on_disk) state.version = hash_of(text);
   state.text = std::move(text);
   return state;
 }
@@ -64,11 +93,6 @@ ManifestState ManifestFile::state() const {
 bool ManifestFile::is_on_disk() const {
   const std::lock_guard lock(mutex_);
   return is_on_disk_;
-}
-
-std::string ManifestFile::text_for(const nlohmann::ordered_json& wanted) const {
-  const ManifestState now = state();
-  return edited(now.text, file_.string(), changes_between(now.document, wanted), environment_);
 }
 
 ManifestState ManifestFile::reload() {
@@ -91,26 +115,24 @@ void ManifestFile::write(const std::string& text) const {
   replace_file(real, next, text);
 }
 
-Saving ManifestFile::save(const nlohmann::ordered_json& wanted, const std::string& version,
-                          bool over) {
+Saving ManifestFile::save(const std::string& text, const ordered_json& document,
+                          const std::string& version) {
   const std::lock_guard lock(mutex_);
-  ManifestState base = state_;
   const std::optional<std::string> found = text_on_disk();
-  const bool is_other = found ? *found != state_.text : is_on_disk_;
-  if (!over && (is_other || version != state_.version))
-    return {Saving::Outcome::elsewhere, found ? state_of(*found) : state_};
-  if (found && is_other) base = state_of(*found);
-  const std::string text =
-      edited(base.text, file_.string(), changes_between(base.document, wanted), environment_);
-  if (found && text == *found) {
-    state_ = std::move(base);
-    return {Saving::Outcome::unchanged, state_};
+  if (version != (found ? hash_of(*found) : ""))
+    return {Saving::Outcome::elsewhere, found ? state_of(*found) : state_of(state_.text, false)};
+  ManifestState next = state_of(text);
+  if (json(next.document) != json(document))
+    throw Error({file_.string()}, "the text to be saved says something else than the page shows",
+                "change it in the file by hand, and load the page again");
+  const bool is_other = text != found;
+  if (is_other) {
+    refuse_faults(text, file_, environment_);
+    write(text);
   }
-  refuse_faults(text, file_, environment_);
-  write(text);
-  state_ = state_of(text);
+  state_ = std::move(next);
   is_on_disk_ = true;
-  return {Saving::Outcome::saved, state_};
+  return {is_other ? Saving::Outcome::saved : Saving::Outcome::unchanged, state_};
 }
 
 }  // namespace mien::pipeline

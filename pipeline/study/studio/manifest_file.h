@@ -14,7 +14,7 @@ namespace mien::pipeline {
 /// A manifest as it was read: its text, and what it says.
 struct ManifestState {
   std::string text;
-  std::string version;  ///< of the text: a digest
+  std::string version;  ///< of the file: a digest of its text; empty where there is no file
   nlohmann::ordered_json document;
 };
 
@@ -47,21 +47,18 @@ class ManifestFile {
   /// Whether there is a file of it.
   bool is_on_disk() const;
 
-  /// The text with the changes that make it say `wanted`. Throws as `edited`.
-  std::string text_for(const nlohmann::ordered_json& wanted) const;
-
-  /// Writes what makes the file say `wanted`, at once: a reader sees the old text or the new one.
-  /// `version` is that of the text that was changed; where the file is another by now, nothing is
-  /// written unless `over`: then what is wanted is written into the text that is there. Throws
-  /// Faults for what `mien check` would refuse, Error as `edited`, and WriteFailure; nothing is
-  /// written then.
-  Saving save(const nlohmann::ordered_json& wanted, const std::string& version, bool over);
+  /// Writes a text at once: a reader sees the old one or the new one. `document` is what it is
+  /// meant to say, `version` that of the file it was made from; where that is another by now,
+  /// nothing is written. Throws Faults for what `mien check` would refuse, Error for a text that
+  /// says something else, and WriteFailure; nothing is written then.
+  Saving save(const std::string& text, const nlohmann::ordered_json& document,
+              const std::string& version);
 
   /// What is in the file now. Throws Faults for what `mien check` refuses.
   ManifestState reload();
 
  private:
-  ManifestState state_of(std::string text) const;
+  ManifestState state_of(std::string text, bool is_on_disk = true) const;
   std::optional<std::string> text_on_disk() const;
   void write(const std::string& text) const;
 

@@ -8,7 +8,6 @@
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/modification_checks.h"
 #include "pipeline/manifest/checks/name_checks.h"
-#include "pipeline/study/studio/document_change.h"
 #include "pipeline/study/studio/studio_places.h"
 
 namespace mien::pipeline {
@@ -21,19 +20,12 @@ constexpr std::size_t most_vocabularies = 8;
 
 /// A document's texts, and where they stand.
 template <class Visit>
-void each_text(const ordered_json& value, const DocumentPath& path, const Visit& visit) {
+void each_text(const ordered_json& value, const std::string& path, const Visit& visit) {
   if (value.is_string()) visit(value.get_ref<const std::string&>(), path);
   if (!value.is_structured()) return;
   std::size_t index = 0;
-  for (const auto& [key, one] : value.items()) {
-    DocumentPath below = path;
-    if (value.is_object()) {
-      below.emplace_back(key);
-    } else {
-      below.emplace_back(index++);
-    }
-    each_text(one, below, visit);
-  }
+  for (const auto& [key, one] : value.items())
+    each_text(one, value.is_object() ? member_path(path, key) : element_path(path, index++), visit);
 }
 
 /// Stands in the place of a stimulus that is not needed: what is random about a modification goes
@@ -62,8 +54,8 @@ std::string manifest_text(ordered_json document) {
 /// Where a document has that text; empty where it says it in another form.
 std::string first_place_of(const std::string& text, const ordered_json& document) {
   std::string place;
-  each_text(document, {}, [&](const std::string& one, const DocumentPath& path) {
-    if (place.empty() && one == text) place = path_text(path);
+  each_text(document, "", [&](const std::string& one, const std::string& path) {
+    if (place.empty() && one == text) place = path;
   });
   return place;
 }

@@ -11,7 +11,6 @@
 #include "pipeline/study/studio/studio_guard.h"
 #include "pipeline/study/studio/studio_places.h"
 #include "pipeline/study/studio/studio_words.h"
-#include "pipeline/study/studio/yaml_text.h"
 
 namespace mien::pipeline {
 
@@ -162,7 +161,6 @@ HttpResponse StudioService::posted(const std::string& what, const Body& body) {
   if (what == "figure") return figure(body);
   if (what == "places")
     return json_answer(StudioPlaces(file_.file(), file_.state().document).listed());
-  if (what == "text") return text(body);
   if (what == "save") return save(body);
   if (what == "reload") return json_answer(state_json(file_.reload()));
   if (what == "jobs") return begin_job(body);
@@ -195,20 +193,9 @@ HttpResponse StudioService::figure(const Body& body) {
   return {.type = "model/gltf-binary", .body = std::move(file)};
 }
 
-HttpResponse StudioService::text(const Body& body) {
-  const Body document = document_in(body);
-  const std::string show = member_or<std::string>(body, "show", "");
-  std::string lines;
-  for (const Body& stimulus : member_or<Body>(document, "stimuli", Body::array())) {
-    if (stimulus.is_object() && stimulus.contains("id") && stimulus["id"] == show)
-      lines = "  - " + yaml_element(stimulus, 4) + "\n";
-  }
-  return json_answer({{"text", file_.text_for(document)}, {"stimulus", lines}});
-}
-
 HttpResponse StudioService::save(const Body& body) {
-  const Saving saving = file_.save(document_in(body), member<std::string>(body, "version"),
-                                   member_or<bool>(body, "over", false));
+  const Saving saving = file_.save(member<std::string>(body, "text"), document_in(body),
+                                   member<std::string>(body, "version"));
   Body told = state_json(saving.state);
   if (saving.outcome != Saving::Outcome::elsewhere) {
     told["saved"] = saving.outcome == Saving::Outcome::saved;
@@ -217,7 +204,8 @@ HttpResponse StudioService::save(const Body& body) {
   return json_answer(
       {{"error", "elsewhere"},
        {"wrong", file_.file().filename().string() + " has been changed since it was opened here"},
-       {"remedy", "load it again and lose what was changed here, or write what is here into it"}},
+       {"remedy", "load it again and lose what was changed here, or write what is here into it"},
+       {"manifest", told}},
       409);
 }
 

@@ -27,12 +27,10 @@ inline constexpr char walker_page[] = "walk.html";
 ///     (studio_words.h) POST /<link>/choices        examples and sliders for a document POST
 ///     /<link>/motion         a motion, as bytes (studio_motions.h) POST /<link>/figure
 ///     {"document", "show", "key"}: the figure of a motion, as GLB POST /<link>/places folders of
-///     captures, and characters (studio_places.h) POST /<link>/text           {"document", "show"}:
-///     the manifest's text as it would be saved,
-///                                 and the lines of a stimulus
-///     POST /<link>/save           {"document", "version", "over"}: writes it (manifest_file.h)
-///     POST /<link>/reload         opens the file again
-///     POST /<link>/jobs           {"document", "kind", "stimulus", "seconds", "quality"}: a still
+///     captures, and characters (studio_places.h) POST /<link>/save           {"document", "text",
+///     "version"}: writes the text (manifest_file.h) POST /<link>/reload         opens the file
+///     again POST /<link>/jobs           {"document", "kind", "stimulus", "seconds", "quality"}: a
+///     still
 ///                                 or a video is begun
 ///     GET  /<link>/jobs/<n>       how far it is
 ///     POST /<link>/jobs/<n>/cancel
@@ -66,7 +64,6 @@ class StudioService {
   HttpResponse studio_json();
   HttpResponse motion(const Body& body);
   HttpResponse figure(const Body& body);
-  HttpResponse text(const Body& body);
   HttpResponse save(const Body& body);
   HttpResponse begin_job(const Body& body);
   HttpResponse job(const HttpRequest& request);

@@ -9,7 +9,7 @@
 #include "motion/error.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
-#include "pipeline/temporary_folder.h"
+#include "pipeline/study/studio/studio_fixture.h"
 
 namespace mien::pipeline {
 namespace {
@@ -24,9 +24,11 @@ class OpenedManifest : public testing::Test {
  protected:
   OpenedManifest() { write_file(file_, quickstart); }
 
-  static ordered_json brisker(ordered_json document) {
+  /// Saves a text with a change, made from a state of the file.
+  static Saving save(ManifestFile& opened, const ManifestState& from) {
+    ordered_json document = from.document;
     document["stimuli"][0]["adjectives"]["quickness"] = 0.9;
-    return document;
+    return opened.save(brisker(from.text), document, from.version);
   }
 
   test::TemporaryFolder folder_;
@@ -37,14 +39,13 @@ TEST_F(OpenedManifest, IsSavedWithTheChangeAndNothingElse) {
   ManifestFile opened(file_, process_environment());
   fs::permissions(file_, fs::perms::owner_read | fs::perms::owner_write);
   const ManifestState before = opened.state();
-  const Saving saving = opened.save(brisker(before.document), before.version, false);
+  const Saving saving = save(opened, before);
   EXPECT_EQ(saving.outcome, Saving::Outcome::saved);
-  std::string wanted = quickstart;
-  wanted.replace(wanted.find("quickness: 0.7"), 14, "quickness: 0.9");
+  const std::string wanted = brisker(quickstart);
   EXPECT_EQ(read_file(file_), wanted);
   EXPECT_EQ(saving.state.text, wanted);
   EXPECT_EQ(fs::status(file_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
-  EXPECT_EQ(opened.save(saving.state.document, saving.state.version, false).outcome,
+  EXPECT_EQ(opened.save(wanted, saving.state.document, saving.state.version).outcome,
             Saving::Outcome::unchanged);
   // Nothing else lies beside it.
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator{}), 1);
@@ -55,25 +56,39 @@ TEST_F(OpenedManifest, IsNotWrittenOverWhenItWasChangedElsewhere) {
   const ManifestState before = opened.state();
   const std::string elsewhere = quickstart + "# a remark\n";
   write_file(file_, elsewhere);
-  const ordered_json wanted = brisker(before.document);
-  EXPECT_EQ(opened.save(wanted, before.version, false).outcome, Saving::Outcome::elsewhere);
+  const Saving refused = save(opened, before);
+  EXPECT_EQ(refused.outcome, Saving::Outcome::elsewhere);
+  EXPECT_EQ(refused.state.text, elsewhere);
   EXPECT_EQ(read_file(file_), elsewhere);
-  // Over it: what is there, and what was wanted.
-  const Saving saving = opened.save(wanted, before.version, true);
-  EXPECT_EQ(saving.outcome, Saving::Outcome::saved);
-  EXPECT_NE(read_file(file_).find("# a remark\n"), std::string::npos);
-  EXPECT_NE(read_file(file_).find("quickness: 0.9"), std::string::npos);
+  // Into what is there.
+  EXPECT_EQ(save(opened, refused.state).outcome, Saving::Outcome::saved);
+  EXPECT_EQ(read_file(file_), brisker(elsewhere));
 }
 
-TEST_F(OpenedManifest, IsNotWrittenWhenCheckWouldRefuseIt) {
+TEST_F(OpenedManifest, IsWrittenAnewWhereItHasGone) {
+  ManifestFile opened(file_, process_environment());
+  fs::remove(file_);
+  const Saving refused = save(opened, opened.state());
+  EXPECT_EQ(refused.outcome, Saving::Outcome::elsewhere);
+  EXPECT_FALSE(fs::exists(file_));
+  EXPECT_EQ(save(opened, refused.state).outcome, Saving::Outcome::saved);
+  EXPECT_EQ(read_file(file_), brisker(quickstart));
+}
+
+TEST_F(OpenedManifest, IsNotWrittenWhenCheckWouldRefuseItOrItSaysSomethingElse) {
   ManifestFile opened(file_, process_environment());
   const ManifestState before = opened.state();
-  ordered_json wanted = before.document;
-  wanted["stimuli"][0]["adjectives"]["quicknes"] = 0.5;
-  EXPECT_THROW(opened.save(wanted, before.version, false), Faults);
-  wanted = before.document;
-  wanted["stimuli"][0]["id"] = "renamed";  // a sheet names it by the old one
-  EXPECT_THROW(opened.save(wanted, before.version, false), Faults);
+  const auto write = [&](const std::string& from, const std::string& to, const char* at) {
+    std::string text = quickstart;
+    text.replace(text.find(from), from.size(), to);
+    ordered_json document = before.document;
+    if (*at != '\0') document[ordered_json::json_pointer(at)] = to;
+    return opened.save(text, document, before.version);
+  };
+  EXPECT_THROW(write("study: quickstart", "study: other", ""), Error);
+  EXPECT_THROW(write("study: quickstart", "study: [", ""), Faults);
+  // A sheet names it by the old one.
+  EXPECT_THROW(write("target-1", "renamed", "/stimuli/0/id"), Faults);
   EXPECT_EQ(read_file(file_), quickstart);
 }
 
@@ -82,7 +97,7 @@ TEST_F(OpenedManifest, IsWrittenThroughALink) {
   fs::create_symlink("my.yaml", link);
   ManifestFile opened(link, process_environment());
   const ManifestState before = opened.state();
-  opened.save(brisker(before.document), before.version, false);
+  save(opened, before);
   EXPECT_TRUE(fs::is_symlink(link));
   EXPECT_NE(read_file(file_).find("quickness: 0.9"), std::string::npos);
 }
@@ -98,7 +113,7 @@ TEST_F(OpenedManifest, BeginsFromATextAndIsMadeWhenSaved) {
   EXPECT_FALSE(opened.is_on_disk());
   EXPECT_FALSE(fs::exists(file));
   const ManifestState before = opened.state();
-  opened.save(brisker(before.document), before.version, false);
+  save(opened, before);
   EXPECT_TRUE(opened.is_on_disk());
   EXPECT_TRUE(check_manifest(file, process_environment()).faults.empty());
 }

@@ -17,6 +17,11 @@
 
 namespace mien::pipeline {
 
+/// The quickstart's text with a change.
+inline std::string brisker(std::string quickstart) {
+  return quickstart.replace(quickstart.find("quickness: 0.7"), 14, "quickness: 0.9");
+}
+
 /// The quickstart in a studio that is asked without a network.
 class Studio : public testing::Test {
  protected:

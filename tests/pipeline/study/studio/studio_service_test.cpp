@@ -130,10 +130,10 @@ TEST_F(Studio, HasOneDoorForWhateverADocumentNames) {
                                  {"show", "target-1"},
                                  {"key", "x"},
                                  {"kind", "still"},
-                                 {"over", true},
+                                 {"text", before},
                                  {"stimulus", "mix-1"},
                                  {"version", file_.state().version}};
-      for (const char* door : {"motion", "choices", "figure", "text", "save", "jobs"}) {
+      for (const char* door : {"motion", "choices", "figure", "save", "jobs"}) {
         const HttpResponse response = post(door, body);
         EXPECT_EQ(response.status, 422) << door << " " << at << " " << name;
         EXPECT_NE(response.body.find("neither named by the manifest"), std::string::npos)
@@ -150,11 +150,11 @@ TEST_F(Studio, HasOneDoorForWhateverADocumentNames) {
 TEST_F(Studio, LetsTextsHaveSlashes) {
   ordered_json draft = document();
   draft["stimuli"][0]["label"] = "walk/run no. 2.bvh";
-  const HttpResponse response = post("text", {{"document", draft}, {"show", "target-1"}});
+  const HttpResponse response = post("choices", {{"document", draft}});
   EXPECT_EQ(response.status, 200) << response.body;
   // Nor is it known as a file thereafter.
   draft["recipes"] = "walk/run no. 2.bvh";
-  EXPECT_EQ(post("text", {{"document", draft}}).status, 422);
+  EXPECT_EQ(post("choices", {{"document", draft}}).status, 422);
 }
 
 /// What the manifest names may stay, and be named elsewhere in it.
@@ -163,12 +163,12 @@ TEST_F(Studio, KeepsTheFilesThatTheManifestNames) {
              read_file(fs::path(MIEN_SOURCE_DIR) / "manifests" / "emotions.recipes.yaml"));
   ordered_json draft = document();
   draft["recipes"] = "my.recipes.yaml";
-  EXPECT_EQ(post("text", {{"document", draft}}).status, 422);
+  EXPECT_EQ(post("choices", {{"document", draft}}).status, 422);
   write_file(file_.file(), read_file(file_.file()) + "recipes: my.recipes.yaml\n");
   post("reload", ordered_json::object());
-  EXPECT_EQ(post("text", {{"document", draft}}).status, 200);
+  EXPECT_EQ(post("choices", {{"document", draft}}).status, 200);
   draft["recipes"] = "./my.recipes.yaml";
-  EXPECT_EQ(post("text", {{"document", draft}}).status, 200);
+  EXPECT_EQ(post("choices", {{"document", draft}}).status, 200);
 }
 
 TEST_F(Studio, AnswersNobodyElse) {
@@ -231,16 +231,40 @@ TEST_F(Studio, RefusesWhatItsPageDoesNotSend) {
 TEST_F(Studio, SavesOnceAndTellsWhatWasChangedElsewhere) {
   ordered_json draft = document();
   draft["stimuli"][0]["adjectives"]["quickness"] = 0.9;
+  const std::string text = brisker(read_file(file_.file()));
+  const auto save = [&](const std::string& version) {
+    return post("save", {{"document", draft}, {"text", text}, {"version", version}});
+  };
   const std::string version = file_.state().version;
-  const HttpResponse saved = post("save", {{"document", draft}, {"version", version}});
+  const HttpResponse saved = save(version);
   EXPECT_EQ(saved.status, 200);
-  EXPECT_NE(read_file(file_.file()).find("quickness: 0.9"), std::string::npos);
-  EXPECT_EQ(post("save", {{"document", draft}, {"version", version}}).status, 409);
-  write_file(file_.file(), read_file(file_.file()) + "# elsewhere\n");
-  const std::string now = ordered_json::parse(saved.body)["version"];
-  EXPECT_EQ(post("save", {{"document", draft}, {"version", now}}).status, 409);
+  EXPECT_EQ(read_file(file_.file()), text);
+  EXPECT_EQ(save(version).status, 409);
+  write_file(file_.file(), text + "# elsewhere\n");
+  const HttpResponse refused = save(ordered_json::parse(saved.body)["version"]);
+  EXPECT_EQ(refused.status, 409);
+  // What stands there now comes with the refusal, and can be written over.
+  const ordered_json found = ordered_json::parse(refused.body)["manifest"];
+  EXPECT_EQ(found["text"], text + "# elsewhere\n");
+  EXPECT_EQ(found["document"], draft);
   const ordered_json reloaded = ordered_json::parse(post("reload", ordered_json::object()).body);
-  EXPECT_NE(reloaded["text"].get<std::string>().find("# elsewhere"), std::string::npos);
+  EXPECT_EQ(reloaded, found);
+  EXPECT_EQ(save(found["version"]).status, 200);
+  EXPECT_EQ(read_file(file_.file()), text);
+}
+
+/// Nor can a text say more than the document that was looked at, in variables or in aliases.
+TEST_F(Studio, SavesNoTextThatSaysSomethingElse) {
+  const std::string before = read_file(file_.file());
+  for (const std::string& text :
+       {brisker(before), before + "recipes: /etc/passwd\n", before + "title: ${PATH}\n",
+        before + "---\n", before + "x: [\n", std::string()}) {
+    const HttpResponse refused = post(
+        "save", {{"document", document()}, {"text", text}, {"version", file_.state().version}});
+    EXPECT_EQ(refused.status, 422) << text;
+    EXPECT_EQ(refused.body.find("/bin"), std::string::npos) << refused.body;
+    EXPECT_EQ(read_file(file_.file()), before);
+  }
 }
 
 TEST_F(Studio, MakesStillsAndVideosOneAtATime) {

@@ -12,6 +12,13 @@ export interface Stimulus extends JsonMap {
   id: string;
 }
 
+/** A manifest's file as it was read: its text, what it says, and what tells it apart from others. */
+export interface ManifestState {
+  text: string;
+  version: string;
+  document: Document;
+}
+
 export type Kind = "adjectives" | "features" | "weights";
 export const kinds: Kind[] = ["adjectives", "features", "weights"];
 
@@ -35,12 +42,6 @@ export function with_member<Map extends JsonMap>(map: Map, key: string, value: J
 
 export const find = (document: Document, id: string): Stimulus | undefined =>
   document.stimuli.find((stimulus) => stimulus.id === id);
-
-/** With a stimulus in the place of the one of that id. */
-export const with_stimulus = (document: Document, id: string, stimulus: Stimulus): Document => ({
-  ...document,
-  stimuli: document.stimuli.map((one) => (one.id === id ? stimulus : one)),
-});
 
 /** With that figure for all stimuli and examples. */
 export function with_figure(document: Document, figure: Json): Document {

@@ -5,12 +5,9 @@ import { choice, labelled } from "./fields";
 import { keep_built } from "./kept";
 import type { Studio } from "./studio";
 
-/** Look and output of a stimulus, the study's own with its own over them. */
+/** Look of a stimulus, the study's own with its own over them. */
 export function look_of(studio: Studio): JsonMap {
   return { ...map_of(studio.document()["look"]), ...map_of(studio.stimulus()?.["look"]) };
-}
-export function output_of(studio: Studio): JsonMap {
-  return { ...map_of(studio.document()["output"]), ...map_of(studio.stimulus()?.["output"]) };
 }
 
 /** What a value is called: its name, the one name in a map, or a file. */

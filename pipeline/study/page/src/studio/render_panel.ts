@@ -1,6 +1,7 @@
 import { button, element } from "../questionnaire/elements";
 import { choice, labelled } from "./fields";
-import { begin_job, cancel_job, job_result, job_told, Refusal, type Job } from "./server";
+import { Refusal } from "./refusal";
+import { begin_job, cancel_job, job_result, job_told, type Job } from "./server";
 import { seconds_of } from "../figure/playing";
 import type { StageView } from "./stage_view";
 import type { Studio } from "./studio";

@@ -4,13 +4,8 @@ import type { JointPoses } from "../figure/figure";
 import { read_motion } from "../live/answers";
 import type { LiveMotion, Slider } from "../live/core";
 import type { Body } from "../figure/body_shape";
-import { about, type Document, type Json, type JsonMap, type Stimulus } from "./document";
-
-export interface ManifestState {
-  text: string;
-  version: string;
-  document: Document;
-}
+import { about, type Document, type Json, type JsonMap, type ManifestState, type Stimulus } from "./document";
+import { Refusal, type Fault } from "./refusal";
 
 export interface Recipe {
   name: string;
@@ -104,22 +99,6 @@ export interface Job {
   told: string;
 }
 
-export interface Fault {
-  path: string;
-  wrong: string;
-  remedy: string;
-}
-
-/** What the server refuses, in words for people. */
-export class Refusal extends Error {
-  constructor(readonly status: number, readonly faults: Fault[]) {
-    super(faults.map(sentence_of).join("\n"));
-  }
-}
-
-export const sentence_of = ({ path, wrong, remedy }: Fault): string =>
-  `${path ? `${path}: ` : ""}${wrong}${remedy ? `; ${remedy}` : ""}`;
-
 async function answer_to(what: string, body?: unknown): Promise<Response> {
   let response: Response;
   try {
@@ -127,13 +106,14 @@ async function answer_to(what: string, body?: unknown): Promise<Response> {
       method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body),
     });
   } catch {
-    throw new Refusal(0, [{ path: "", wrong: "the studio does not answer",
+    throw new Refusal([{ path: "", wrong: "the studio does not answer",
       remedy: "has it been ended in its terminal? Start it again: this page has lost its link" }]);
   }
   if (response.ok) return response;
   const told = (await response.json().catch(() => ({}))) as Partial<Fault> & { faults?: Fault[] };
-  throw new Refusal(response.status, told.faults ??
-    [{ path: "", wrong: told.wrong ?? `the studio answered ${response.status}`, remedy: told.remedy ?? "" }]);
+  throw new Refusal(told.faults ??
+    [{ path: "", wrong: told.wrong ?? `the studio answered ${response.status}`, remedy: told.remedy ?? "" }],
+    response.status, told);
 }
 
 /** Faults of a part of a document tell the places of stimuli in the whole of it. */
@@ -143,8 +123,8 @@ const of_whole = (document: Document, part: JsonMap) => (refusal: unknown): neve
     const at = document.stimuli.indexOf((part["stimuli"] as Stimulus[])[Number(index)]!);
     return at < 0 ? all : `stimuli[${at}]`;
   };
-  throw new Refusal(refusal.status,
-    refusal.faults.map((fault) => ({ ...fault, path: fault.path.replace(/^stimuli\[(\d+)\]/, place) })));
+  throw new Refusal(refusal.faults.map((fault) => ({ ...fault, path: fault.path.replace(/^stimuli\[(\d+)\]/, place) })),
+    refusal.status);
 };
 
 const json_of = async <Told>(what: string, body?: unknown): Promise<Told> =>
@@ -179,12 +159,9 @@ export const load_figure = async (document: Document, show: string, key: string)
 
 export const load_places = (): Promise<Places> => json_of("places", {});
 
-/** The manifest as it would be saved, and the lines of one stimulus. */
-export const text_of = (document: Document, show: string): Promise<{ text: string; stimulus: string }> =>
-  json_of("text", { document, show });
-
-export const save = (document: Document, version: string, over: boolean): Promise<ManifestState & { saved: boolean }> =>
-  json_of("save", { document, version, over });
+/** The file's text was made from that of `version`, and says what the document does. */
+export const save = (document: Document, text: string, version: string): Promise<ManifestState & { saved: boolean }> =>
+  json_of("save", { document, text, version });
 export const reload = (): Promise<ManifestState> => json_of("reload", {});
 
 export const begin_job = (document: Document, job: JsonMap): Promise<Job> =>

@@ -1,7 +1,9 @@
-import { find, map_of, with_figure, type Document, type Json, type JsonMap, type Stimulus } from "./document";
+import { find, map_of, with_figure, type Document, type Json, type JsonMap, type ManifestState, type Stimulus } from "./document";
 import { History } from "./history";
-import { load_choices, load_figure, load_places, make, reload, save, sentence_of, Refusal, type Choices,
-  type Fault, type Made, type ManifestState, type Places, type StudioState } from "./server";
+import { edited } from "./manifest_edit";
+import { Refusal, sentence_of, type Fault } from "./refusal";
+import { load_choices, load_figure, load_places, make, reload, save, type Choices, type Made, type Places,
+  type StudioState } from "./server";
 
 /** What has changed, for those who show it. */
 export type Change = "document" | "choices" | "asked" | "motion" | "selection" | "faults" | "saved" | "places";
@@ -185,10 +187,14 @@ export class Studio {
     if (is_other) this.tell("faults");
   }
 
-  /** Throws Refusal; of status 409 when the file was changed elsewhere. */
-  async save(over = false): Promise<void> {
+  /** The manifest as it would be saved. Throws Refusal. */
+  text = (base = this.saved): string => edited(base.text, this.file, base.document, this.document());
+
+  /** Writes the changes into the text of `base`. Throws Refusal; of status 409, with the file's state now as
+      `manifest`, when that is another. */
+  async save(base = this.saved): Promise<void> {
     const document = this.document();
-    const state = await save(document, this.saved.version, over);
+    const state = await save(document, this.text(base), base.version);
     this.saved = { ...state, document };
     this.is_on_disk = true;
     this.tell("saved");

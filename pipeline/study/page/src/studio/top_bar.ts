@@ -1,5 +1,6 @@
 import { button, element } from "../questionnaire/elements";
-import { Refusal } from "./server";
+import type { ManifestState } from "./document";
+import { Refusal } from "./refusal";
 import type { Studio } from "./studio";
 
 const no_walker = "The walker that arrow keys or a gamepad steer runs on the motion core compiled for browsers, "
@@ -39,16 +40,17 @@ export function top_bar(studio: Studio): { element: HTMLElement; save: () => Pro
     refusal.hidden = false;
   };
   const walker = walker_link(studio, refuse);
-  const save = async (over = false): Promise<void> => {
-    if (!studio.has_changes() && !over) return;
+  const save = async (base?: ManifestState): Promise<void> => {
+    if (!studio.has_changes() && !base) return;
     refusal.hidden = true;
     try {
-      await studio.save(over);
+      await studio.save(base);
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       if (error.status !== 409) return refuse(`Nothing was saved. ${error.message}`);
+      const { manifest } = error.answer as { manifest: ManifestState };
       refuse(`Nothing was saved. ${error.message}`,
-        button("Write what is here into it", () => void save(true), "small"),
+        button("Write what is here into it", () => void save(manifest), "small"),
         button("Load it again", () => {
           refusal.hidden = true;
           void studio.reload().catch((told: Error) => refuse(told.message));

@@ -1,6 +1,6 @@
 import { button, element } from "../questionnaire/elements";
-import { Refusal, text_of } from "./server";
 import type { Studio } from "./studio";
+import { yamlElement } from "./yaml_text";
 
 /** The lines of the stimulus, and the manifest as it would be saved. */
 export function yaml_panel(studio: Studio): HTMLElement {
@@ -29,13 +29,12 @@ export function yaml_panel(studio: Studio): HTMLElement {
     await new Promise((resolve) => setTimeout(resolve, 150));
     if (turn !== asked || panel.hidden || !panel.isConnected) return;
     told.textContent = "";
+    const stimulus = studio.stimulus();
+    lines.textContent = stimulus ? `  ${yamlElement(stimulus, 2)}\n` : "";
     try {
-      const { text, stimulus } = await text_of(studio.document(), studio.selected);
-      if (turn !== asked) return;
-      lines.textContent = stimulus;
-      whole.textContent = text;
+      whole.textContent = studio.text();
     } catch (error) {
-      lines.textContent = error instanceof Refusal ? error.message : String(error);
+      whole.textContent = error instanceof Error ? error.message : String(error);
     }
   };
   studio.on((change) => (change === "document" || change === "selection" || change === "saved") && void load());
