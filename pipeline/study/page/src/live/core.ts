@@ -1,9 +1,6 @@
 // Sliders in, motion out: what the matching experiment and the studio ask of the motion core, whether
 // it runs in the browser as WebAssembly (wasm_core.ts) or behind a server (served_core.ts).
 
-export { open_wasm } from "./wasm_core";
-export { open_served } from "./served_core";
-
 export type InterfaceKind = "adjectives" | "features" | "weights";
 
 export interface Slider {

@@ -1,4 +1,6 @@
-import { open_served, open_wasm, type LiveCore } from "../live/core";
+import type { LiveCore } from "../live/core";
+import { open_served } from "../live/served_core";
+import { open_wasm } from "../live/wasm_core";
 import { element, button, heading } from "../questionnaire/elements";
 import type { PageRecord } from "../questionnaire/experiment";
 import { save_once, type SavedFile } from "../questionnaire/files";
@@ -10,7 +12,8 @@ import { Drawer, type Store } from "../questionnaire/store";
 import { base, mode_of_page, root, show, show_closed, store_of, type Mode } from "../questionnaire/surroundings";
 import { page_record, show_text_page, wait_note, type AskedPage, type GivenOnPage } from "../questionnaire/text_view";
 import type { Texts } from "../questionnaire/texts";
-import { checked_matching, type Guess, type MatchingExperiment, type MatchingSession, type MatchingTrial } from "./experiment";
+import { checked_matching, type MatchingExperiment, type MatchingSession, type MatchingTrial } from "./experiment";
+import type { Guess } from "./record";
 import { changes_csv, trials_csv } from "./rows";
 import { matching_texts, shared_texts } from "./texts";
 import { run_guess, run_trial, type MatchingSurroundings } from "./trial_page";

@@ -1,6 +1,7 @@
 import type { FigureView } from "../figure/figure_view";
 import type { LiveCore, LiveSetting } from "../live/core";
-import type { Guess, MatchingChange, MatchingRecord, MatchingSettings } from "./experiment";
+import type { MatchingSettings } from "./experiment";
+import type { Guess, MatchingChange, MatchingRecord } from "./record";
 import type { SliderChange, SliderPanel } from "./slider_panel";
 
 /** What the page is told while somebody matches. */

@@ -1,6 +1,7 @@
 import { csv } from "../questionnaire/rows";
 import type { PageRecord } from "../questionnaire/experiment";
-import type { MatchingExperiment, MatchingRecord, MatchingSession, MatchingTrial } from "./experiment";
+import type { MatchingExperiment, MatchingSession, MatchingTrial } from "./experiment";
+import type { MatchingRecord } from "./record";
 
 // As pipeline/study/questionnaire/service/matching_rows.h has them.
 const trial_columns = ["participant", "target", "interface", "first_guess_d", "time_s", "success", "simulated",

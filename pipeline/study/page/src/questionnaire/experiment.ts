@@ -1,4 +1,4 @@
-import type { MatchingRecord } from "../matching/experiment";
+import type { MatchingRecord } from "../matching/record";
 
 /** What a questionnaire shows, as `mien study export` and `serve` write it. */
 export interface Experiment {

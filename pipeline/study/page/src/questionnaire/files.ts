@@ -7,7 +7,7 @@ export interface SavedFile {
   save(): void;
 }
 
-export function download(name: string, type: string, text: string): void {
+function download(name: string, type: string, text: string): void {
   const link = document.createElement("a");
   const url = URL.createObjectURL(new Blob([text], { type }));
   link.href = url;

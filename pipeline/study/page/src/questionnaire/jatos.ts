@@ -20,7 +20,7 @@ interface Jatos {
 const jatos_of_window = (): Jatos | undefined => (globalThis as { jatos?: Jatos }).jatos;
 
 /** Once jatos.js has loaded what JATOS knows of this run. */
-export function loaded_jatos(): Promise<Jatos> {
+function loaded_jatos(): Promise<Jatos> {
   const jatos = jatos_of_window();
   if (!jatos) throw new Error("This questionnaire must be opened by JATOS.");
   return new Promise((ready) => jatos.onLoad(() => ready(jatos)));

@@ -4,7 +4,7 @@ import type { Experiment, Media, Session } from "./experiment";
 export type Stock = Map<string, string>;
 
 /** Tokens of a session, each once, in the order in which they are needed. */
-export const tokens_of = (session: Session): string[] => [
+const tokens_of = (session: Session): string[] => [
   ...new Set(session.trials.flatMap(({ media, reference }) =>
     reference ? [...media, reference] : media)),
 ];

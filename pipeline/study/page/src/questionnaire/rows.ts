@@ -1,7 +1,7 @@
 import type { Experiment, Item, PageRecord, Session, Trial } from "./experiment";
 
 /** As pipeline/manifest/ratings/answers/answer_row.h has them. */
-export const answer_columns = [
+const answer_columns = [
   "participant", "session", "trial", "block", "kind", "stimulus", "stimulus_sha256", "against",
   "item", "value_raw", "value", "pole_left", "rt_ms", "is_practice", "is_warmup", "is_catch",
   "expected", "passed", "replays", "trial_ms", "play_start_ms", "ended_ms", "stalls", "stall_ms",
@@ -16,7 +16,7 @@ const number_text = (value: number | null | undefined): string =>
   value === null || value === undefined ? "" : String(value);
 
 /** A raw answer in the scale's own range, its high pole being the most. */
-export function value_of(item: Item, flipped: boolean, raw: number): number {
+function value_of(item: Item, flipped: boolean, raw: number): number {
   const share = item.slider ? raw / 100 : (raw - 1) / (item.points - 1);
   const value = item.least + (flipped ? 1 - share : share) * (item.most - item.least);
   return Number(value.toFixed(6)) + 0;
@@ -27,7 +27,7 @@ const table_text = (text: string): string =>
   text.replace(/[\x00-\x08\x0b-\x1f\x7f]/g, " ");
 
 /** One row a response, in the order of the responses. */
-export function rows_of(
+function rows_of(
   experiment: Experiment, session: Session, trial: Trial, record: PageRecord,
 ): Row[] {
   const stimulus = (token: string | undefined) => (token && experiment.stimuli?.[token]) ?? "";

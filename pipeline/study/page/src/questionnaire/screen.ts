@@ -23,7 +23,7 @@ export interface ScreenEvents {
   ended(): void;
 }
 
-export function video_screen(url: string, media: Media, told: ScreenEvents): Screen {
+function video_screen(url: string, media: Media, told: ScreenEvents): Screen {
   const video = video_of(url);
   if (media.width && media.height) {
     video.width = media.width;
