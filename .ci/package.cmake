@@ -5,7 +5,7 @@ install(DIRECTORY manifests/ DESTINATION share/mien/manifests
 install(DIRECTORY scenes/sets/ DESTINATION share/mien/scenes/sets
   FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json")
 # The pages, where they have been built (./mien package does): who installs the package needs no Node.js.
-foreach(page matching questionnaire studio walk)
+foreach(page lab matching questionnaire regress studio walk)
   install(DIRECTORY ${CMAKE_BINARY_DIR}/pages/${page} DESTINATION share/mien/pages OPTIONAL)
 endforeach()
 install(FILES ${CMAKE_BINARY_DIR}/pages/live_core/live_core.wasm DESTINATION share/mien/pages/live_core OPTIONAL)

@@ -47,11 +47,13 @@ void make_report(const fs::path& folder) {
 class RegressionPage : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    if (!chromium().empty()) folder = shared_set_up("regression_page", make_report) / "report";
+    if (!chromium().empty() && fs::exists(script))
+      folder = shared_set_up("regression_page", make_report) / "report";
   }
 
   void SetUp() override {
     if (chromium().empty()) GTEST_SKIP() << "no Chromium here: install it to test pages";
+    if (!fs::exists(script)) GTEST_SKIP() << script << " is not built: ./mien test builds it";
   }
 
   /// What a script gives in the page, which finds shorthands in it. The page alone is opened:
@@ -68,6 +70,8 @@ class RegressionPage : public testing::Test {
     )" + body);
   }
 
+  inline static const fs::path script =
+      fs::path(MIEN_PROGRAM).parent_path() / "pages/regress/regress.js";
   inline static fs::path folder;
 };
 

@@ -48,10 +48,14 @@ fs::path program_part(const std::string& name) {
 /// A mien with pages beside it that stand for those that Node.js builds.
 fs::path mien_with_pages(const fs::path& folder) {
   const fs::path program = folder / "mien";
-  fs::create_directories(folder / "pages/questionnaire");
-  std::ofstream(folder / "pages/questionnaire/index.html")
-      << "<!doctype html><meta name=\"mien-mode\" content=\"static\"><title>stand-in</title>";
-  std::ofstream(folder / "pages/questionnaire/questionnaire.js") << "start();";
+  for (const std::string name : {"lab", "questionnaire"}) {
+    const fs::path page = folder / "pages" / name;
+    fs::create_directories(page);
+    std::ofstream(page / "index.html")
+        << "<!doctype html><meta name=\"mien-mode\" content=\"static\"><title>" << name
+        << "</title>";
+    std::ofstream(page / (name + ".js")) << "start();";
+  }
   for (const fs::path& part :
        {fs::path(MIEN_PROGRAM), program_part("mien-image-files.so"), program_part("mien-pages.so"),
         program_part("mien-video-files.so")}) {
@@ -165,7 +169,11 @@ TEST_F(ServedStudy, IsTakenGoesOnAfterBeingKilledAndEndsWhenTold) {
   const json kept = json::parse(body_in(get(page + "session.json"))).at("kept");
   EXPECT_EQ(kept.back(), "ending");
   const std::string lab = places.at("lab");
-  const std::string csv = body_in(get(lab.substr(lab.find("/lab/")) + "answers.csv"));
+  const std::string place = lab.substr(lab.find("/lab/"));
+  EXPECT_NE(body_in(get(place)).find("<title>lab</title>"), std::string::npos);
+  EXPECT_EQ(status_in(get(place + "lab.js")), 200);
+  EXPECT_EQ(status_in(get(place + "questionnaire.js")), 404);
+  const std::string csv = body_in(get(place + "answers.csv"));
   EXPECT_EQ(csv.find("participant,session,trial,"), 0u);
   EXPECT_NE(csv.find("\np001,browser,"), std::string::npos);
   again.send(SIGINT);

@@ -13,6 +13,7 @@
 #include "motion/text/nearest_word.h"
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/page_bundle.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/regress/study_baseline.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
@@ -149,12 +150,23 @@ void refuse_other_folder(const fs::path& folder) {
               "name a new folder with --baseline");
 }
 
+/// What shows pictures, motions and videos in a report; empty where it is not built.
+std::string report_script(const Console& console) {
+  try {
+    return read_file(page_bundle("regress") / "regress.js");
+  } catch (const Error& error) {
+    console.err << "note: report.html has no pictures, motions and videos: " << error.what()
+                << '\n';
+    return "";
+  }
+}
+
 /// `made` is the study's folder, or empty where none was made.
 void write_reports(const Regression& regression, const ComparedStudy& study, const fs::path& folder,
-                   const fs::path& made) {
+                   const fs::path& made, const Console& console) {
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  write_file(folder / "report.html",
-             regression_report(regression, study, ReportVideos(made, folder)));
+  write_file(folder / "report.html", regression_report(regression, study, report_script(console),
+                                                       ReportVideos(made, folder)));
   write_file(folder / "regression.json", as_json(regression).dump(2, ' ', false, replace) + "\n");
   write_file(folder / "junit.xml", junit_text(regression));
   write_file(folder / "summary.md", markdown_text(regression));
@@ -239,7 +251,7 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
   }
   regression.repetitions = repeated(study, arguments.repeat);
   write_reports(regression, study, folder,
-                arguments.without_videos ? fs::path() : made_study.folder);
+                arguments.without_videos ? fs::path() : made_study.folder, console);
   if (arguments.production.json) {
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;
     console.out << as_json(regression).dump(2, ' ', false, replace) << '\n';

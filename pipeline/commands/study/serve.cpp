@@ -10,12 +10,13 @@
 
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/page_bundle.h"
 #include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
-#include "pipeline/study/page/page_bundle.h"
+#include "pipeline/study/page/served_page.h"
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/service.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
@@ -182,7 +183,8 @@ int serve_matching(const Manifest& manifest, const ServeOptions& options, const 
   Motions motions(manifest);
   MatchingStudy made = matching_study(manifest, motions);
   tell_matched_at_start(manifest, made, console);
-  const ServedStudy study = served_matching(std::move(made), pages);
+  ServedStudy study = served_matching(std::move(made), pages);
+  study.lab = served_page(page_bundle("lab"));
   make_folder(files.answers.parent_path());
   SessionStore store(files.answers);
   return serve_study(study, store, options, files, console);
@@ -205,7 +207,8 @@ int serve(const ServeOptions& options, const Console& console) {
   const ServedFiles files = served_files(options, asked);
   std::unique_ptr<SessionStore> opened = store_so_far(files.answers, asked);
   const MadeQuestionnaire made = made_questionnaire(options.study, console);
-  const ServedStudy study = served_study(made.manifest, made.plans, made.media, pages);
+  ServedStudy study = served_study(made.manifest, made.plans, made.media, pages);
+  study.lab = served_page(page_bundle("lab"));
   if (!opened) opened = std::make_unique<SessionStore>(files.answers);
   return serve_study(study, *opened, options, files, console);
 }

@@ -12,11 +12,11 @@
 
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/page_bundle.h"
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/other_programs.h"
 #include "pipeline/study/live/live_script.h"
-#include "pipeline/study/page/page_bundle.h"
 #include "pipeline/study/server/http_server.h"
 #include "pipeline/study/studio/open_browser.h"
 #include "pipeline/study/studio/studio_service.h"

@@ -12,11 +12,7 @@
 #include "pipeline/regression/report/report_pictures.h"
 #include "pipeline/regression/report/report_stimulus.h"
 
-#include "embedded/distance_chart_js.h"
-#include "embedded/motion_view_js.h"
-#include "embedded/picture_view_js.h"
 #include "embedded/regression_css.h"
-#include "embedded/report_js.h"
 
 namespace mien::pipeline {
 
@@ -170,6 +166,10 @@ std::string others_line(const Regression& regression) {
   return others.empty() ? "" : "<p class=\"partial\">" + html_escaped(others) + "</p>\n";
 }
 
+constexpr char no_viewers[] =
+    "<p class=\"partial\">Pictures, motions and videos of stimuli are not shown: mien had no pages "
+    "where this was written. ./mien in its sources builds them.</p>\n";
+
 constexpr char keys_told[] =
     "<p class=\"keys\"><kbd>J</kbd> <kbd>K</kbd> next and previous stimulus · <kbd>1</kbd> slider "
     "<kbd>2</kbd> blink <kbd>3</kbd> difference <kbd>4</kbd> ꟻLIP · <kbd>[</kbd> <kbd>]</kbd> key "
@@ -180,7 +180,7 @@ constexpr char keys_told[] =
 }  // namespace
 
 std::string regression_report(const Regression& regression, const ComparedStudy& study,
-                              ReportVideos videos) {
+                              const std::string& script, ReportVideos videos) {
   const std::vector<const StimulusComparison*> order = in_order(regression);
   ReportPictures chosen;
   if (study.pictures) chosen = fitting_pictures(regression, *study.pictures);
@@ -190,22 +190,20 @@ std::string regression_report(const Regression& regression, const ComparedStudy&
     const StimulusComparison& one = *order[i];
     const bool has_room = i < most_with_every_frame;
     cards += card(one, i, i == 0, has_room ? study.pictures : nullptr);
-    if (!is_shown(one)) continue;
+    if (!is_shown(one) || script.empty()) continue;
     Json entry = {{"frames", Json::array()}};
     if (study.pictures) entry["frames"] = frames_json(one, *study.pictures, chosen);
     if (one.motion) entry["motion"] = motion_json(one, study);
     if (Json both = videos.of(one.id, study.baseline); !both.is_null()) entry["videos"] = both;
     data += data_element(i, entry);
   }
+  const std::string told = script.empty() ? no_viewers : left_out(chosen) + keys_told;
   const std::string body = fmt::format(
-      "<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n{}{}{}{}{}{}<script>\n\"use strict\";\n{}{}{}{}"
-      "</script>\n",
+      "<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n{}{}{}{}{}{}<script>\n{}</script>\n",
       html_escaped(regression.study), regression.passes() ? "holds" : "fails",
       html_escaped(summary_text(regression)), others_line(regression),
       grounds(regression, study.baseline), causes_section(regression.groups),
-      order.empty() ? "" : "<h2>Stimuli</h2>\n" + left_out(chosen) + keys_told, cards, data,
-      embedded_distance_chart_js, embedded_motion_view_js, embedded_picture_view_js,
-      embedded_report_js);
+      order.empty() ? "" : "<h2>Stimuli</h2>\n" + told, cards, data, script);
   return html_page(regression.study + ": regression", embedded_regression_css, body);
 }
 

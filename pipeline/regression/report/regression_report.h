@@ -14,7 +14,10 @@ namespace mien::pipeline {
 /// motions in 3-D; their distance over time and by part of the body. How many pictures and videos
 /// are in the page itself: report_pictures.h, report_videos.h. Reads `study.pictures`. Throws what
 /// reading does.
+///
+/// `script` is what shows them (page/build.mjs bundles it as regress); where it is empty, the page
+/// says so, and has its words alone.
 std::string regression_report(const Regression& regression, const ComparedStudy& study,
-                              ReportVideos videos = {});
+                              const std::string& script, ReportVideos videos = {});
 
 }  // namespace mien::pipeline

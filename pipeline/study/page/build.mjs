@@ -24,6 +24,8 @@ const pages = {
     scripts: { questionnaire: "main.ts", turn_view: "turn_view.ts" },
     files: ["index.html", "questionnaire.css"],
   },
+  lab: { scripts: { lab: "main.ts" }, files: ["index.html", "lab.css"] },
+  regress: { scripts: { regress: "main.ts" }, files: [] },
   walk: { scripts: { walk: "main.ts" }, styles: { walk: "walk.css" }, files: ["index.html"] },
   studio: { scripts: { studio: "main.ts" }, files: ["index.html", "studio.css"] },
 };
@@ -47,13 +49,14 @@ WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN 
 SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
 `;
 
-/** The licence of every package that went into scripts. */
+/** The licence of every package that went into scripts; "" where none did. */
 async function licences_of(scripts, inputs) {
   const packages = new Set();
   for (const input of inputs) {
     const found = input.match(/.*node_modules\/((?:@[^/]+\/)?[^/]+)\//);
     if (found) packages.add(found[1]);
   }
+  if (packages.size === 0) return "";
   const names = Object.keys(scripts).map((script) => `${script}.js`);
   let licences = names.length > 1
     ? `${names.join(" and ")} hold parts of these packages.\n`
@@ -90,5 +93,5 @@ for (const [name, { scripts, styles = {}, files }] of Object.entries(pages)) {
   });
   for (const file of files) await cp(join(source, file), join(out, file));
   const licences = await licences_of(scripts, Object.keys(result.metafile.inputs));
-  await writeFile(join(out, "LICENSES.txt"), licences);
+  if (licences) await writeFile(join(out, "LICENSES.txt"), licences);
 }

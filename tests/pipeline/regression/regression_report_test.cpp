@@ -56,10 +56,10 @@ class RegressionReport : public testing::Test {
     pictures_.put(stimulus.id, frame, before, now, stimulus.frames.back().perceived_map);
   }
 
-  std::string page() {
+  std::string page(const std::string& script = "show();") {
     const ComparedStudy study{
         .baseline = baseline_, .now = now_, .approved = {}, .pictures = &pictures_};
-    return regression_report(regression_, study);
+    return regression_report(regression_, study, script);
   }
 
   nlohmann::json data_of(std::size_t index, const std::string& page) const {
@@ -74,6 +74,15 @@ class RegressionReport : public testing::Test {
   ComparedPictures pictures_{folder_.path() / "frames"};
   Regression regression_;
 };
+
+TEST_F(RegressionReport, WithoutAScriptSaysThatPicturesAreMissing) {
+  add_frame(add("walk", Verdict::differs), 7, 20);
+  const std::string text = page("");
+  EXPECT_NE(text.find("are not shown"), std::string::npos);
+  EXPECT_NE(text.find("<b>walk</b>"), std::string::npos);
+  EXPECT_EQ(text.find("data:image"), std::string::npos);
+  EXPECT_EQ(page().find("are not shown"), std::string::npos);
+}
 
 TEST_F(RegressionReport, TellsFailuresBeforeWhatIsAlike) {
   add("calm", Verdict::alike);

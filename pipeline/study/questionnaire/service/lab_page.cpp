@@ -5,10 +5,6 @@
 
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 
-#include "embedded/lab_css.h"
-#include "embedded/lab_html.h"
-#include "embedded/lab_js.h"
-
 namespace mien::pipeline {
 
 namespace {
@@ -86,12 +82,9 @@ std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedS
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   const std::string csv = "text/csv; charset=utf-8";
   const std::string file = study.experiment.at("study").get<std::string>() + "-" + name;
-  if (name.empty())
-    return HttpResponse{.type = "text/html; charset=utf-8", .body = embedded_lab_html};
-  if (name == "lab.css")
-    return HttpResponse{.type = "text/css; charset=utf-8", .body = embedded_lab_css};
-  if (name == "lab.js")
-    return HttpResponse{.type = "text/javascript; charset=utf-8", .body = embedded_lab_js};
+  const auto page = study.lab.find(name.empty() ? "index.html" : name);
+  if (page != study.lab.end())
+    return HttpResponse{.type = page->second.type, .body = page->second.bytes};
   if (name == "status.json")
     return http_json(lab_status(study, sessions, trouble, now).dump(-1, ' ', false, replace));
   if (study.facts.matching && name == "trials.csv")

@@ -30,6 +30,7 @@ struct ServedStudy {
   std::vector<SessionPlan> plans;            ///< of the same sessions, in the same order
   std::map<std::string, ServedMedia> media;  ///< by token
   std::map<std::string, ServedFile> page;    ///< by name; "index.html" is the page itself
+  std::map<std::string, ServedFile> lab;     ///< the laboratory's page, likewise
   AskedFacts facts;                          ///< of `experiment`
   std::unique_ptr<LiveMotions> live;         ///< of a matching experiment: what its sliders make
 };

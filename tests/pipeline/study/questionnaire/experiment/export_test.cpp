@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/page_bundle.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
-#include "pipeline/study/page/page_bundle.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 #include "pipeline/study/questionnaire/experiment/jatos_archive.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"

@@ -42,6 +42,12 @@ TEST_F(Service, ShowsHistogramsOfWhatIsAnalysed) {
   EXPECT_EQ(items.at("words").at("bins").size(), 0u);
 }
 
+TEST_F(Service, ShowsTheLaboratoryItsPageAndParticipantsNoneOfIt) {
+  EXPECT_EQ(get(lab()).body, "<title>lab</title>");
+  EXPECT_EQ(get(lab() + "questionnaire.js").status, 404);
+  EXPECT_NE(get(of(0)).body, "<title>lab</title>");
+}
+
 TEST_F(Service, ExportsWhatWasGiven) {
   give_all(1);
   const std::string csv = get(lab() + "answers.csv").body;

@@ -143,6 +143,7 @@ ServedStudy example_study(const std::filesystem::path& folder, int participants,
   }
   study.page["index.html"] = {"<!doctype html><title>page</title>", "text/html; charset=utf-8"};
   study.page["questionnaire.js"] = {"go();", "text/javascript; charset=utf-8"};
+  study.lab["index.html"] = {"<title>lab</title>", "text/html; charset=utf-8"};
   return study;
 }
 

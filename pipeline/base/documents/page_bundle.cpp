@@ -1,4 +1,4 @@
-#include "pipeline/study/page/page_bundle.h"
+#include "pipeline/base/documents/page_bundle.h"
 
 #include <system_error>
 

@@ -1,0 +1,159 @@
+// The experimenter's page. Texts of participants and manifests come in as text, never as HTML.
+import { element } from "../questionnaire/elements";
+import { histogramFigure } from "./histogram";
+import type { LabStatus, Participant } from "./status";
+
+const refreshMilliseconds = 3000;
+
+/** Words of states, in the order in which participants are listed. */
+const states: Record<Participant["state"], string> = {
+  here: "here", away: "away", opened: "opened, not agreed", waiting: "not come yet", done: "done", refused: "refused",
+};
+const order = Object.keys(states);
+
+const at = (id: string): HTMLElement => document.getElementById(id)!;
+const join = at("join") as HTMLInputElement;
+
+/** Without touching the page where nothing has changed: what is selected or focused stays. */
+function setText(node: Element, text: string): void {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+const wholeLink = (link: string): string => new URL(link, location.href).href;
+
+async function copy(text: string, button: HTMLElement): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    const field = element("textarea", { class: "hidden" }, text);
+    document.body.append(field);
+    field.select();
+    document.execCommand("copy"); // where the page is not from this machine and not over TLS
+    field.remove();
+    button.focus();
+  }
+  const before = button.textContent;
+  button.textContent = at("said").textContent = "Copied";
+  setTimeout(() => {
+    button.textContent = before;
+    at("said").textContent = "";
+  }, 1500);
+}
+
+function seenText(seconds: number | null): string {
+  if (seconds === null) return "";
+  if (seconds < 60) return "just now";
+  if (seconds < 3600) return `${Math.floor(seconds / 60)} min ago`;
+  return `${Math.floor(seconds / 3600)} h ago`;
+}
+
+const pageNames: Record<string, string> = { consent: "consent", demographics: "questions about the person", ending: "end" };
+const pageText = (name: string): string => pageNames[name] ?? name.replace("trial-", "trial ");
+
+function showOverview(status: LabStatus): void {
+  const count = (state: Participant["state"]) => status.participants.filter((one) => one.state === state).length;
+  const answers = status.histograms.reduce((sum, one) => sum + one.answers, 0);
+  const numbers: [string, number][] = [["Planned", status.planned], ["Here now", count("here")], ["Done", count("done")],
+    ["Away", count("away")], ["Refused", count("refused")], ...(status.is_matching ? [] : [["Answers", answers] as [string, number]])];
+  const list = at("overview");
+  if (list.children.length !== numbers.length)
+    list.replaceChildren(...numbers.map(() => element("div", {}, element("dt"), element("dd"))));
+  numbers.forEach(([name, number], index) => {
+    const [term, value] = list.children[index]!.children;
+    setText(term!, name);
+    setText(value!, String(number));
+  });
+}
+
+/** What of a participant's row changes. */
+interface Row {
+  row: HTMLElement;
+  state: HTMLElement;
+  bar: HTMLProgressElement;
+  count: HTMLElement;
+  now: HTMLElement;
+  seen: HTMLElement;
+}
+
+function newRow({ participant, link }: Participant): Row {
+  const state = element("span");
+  const bar = element("progress", { "aria-label": `Progress of ${participant}` });
+  const count = element("span", { class: "count" });
+  const now = element("td"), seen = element("td");
+  const button = element("button", { type: "button", "aria-label": `Copy the link of ${participant}` }, "Copy");
+  button.addEventListener("click", () => void copy(wholeLink(link), button));
+  const row = element("tr", {}, element("th", { scope: "row" }, participant), element("td", {}, state),
+    element("td", {}, bar, count), now, seen, element("td", {}, button));
+  return { row, state, bar, count, now, seen };
+}
+
+const rows = new Map<string, Row>();
+
+function showParticipant(participant: Participant): HTMLElement {
+  const shown = rows.get(participant.participant) ?? newRow(participant);
+  rows.set(participant.participant, shown);
+  setText(shown.state, states[participant.state]);
+  shown.state.className = `state ${participant.state}`;
+  shown.bar.max = participant.records;
+  shown.bar.value = participant.kept;
+  setText(shown.count, `${participant.kept} of ${participant.records}`);
+  const isUnderWay = participant.state === "here" || participant.state === "away";
+  setText(shown.now, isUnderWay ? pageText(participant.next) : "");
+  setText(shown.seen, seenText(participant.seen_seconds_ago));
+  return shown.row;
+}
+
+/** Those who are here come first. */
+function showParticipants(participants: Participant[]): void {
+  const sorted = [...participants].sort((one, other) => order.indexOf(one.state) - order.indexOf(other.state));
+  const body = at("participants");
+  sorted.map(showParticipant).forEach((row, index) => {
+    if (body.children[index] !== row) body.insertBefore(row, body.children[index] ?? null);
+  });
+}
+
+let drawnHistograms = "";
+
+function showAnswers(status: LabStatus): void {
+  const { passed, failed } = status.checks;
+  const checks = passed + failed === 0 ? "" : ` Attention checks: ${passed} passed, ${failed} failed.`;
+  setText(at("checks"), `Practice, warm-up and checks are not counted here.${checks}`);
+  const now = JSON.stringify(status.histograms);
+  if (now === drawnHistograms) return;
+  drawnHistograms = now;
+  at("histograms").replaceChildren(...status.histograms.map(histogramFigure));
+}
+
+function show(status: LabStatus): void {
+  document.title = `${status.study}: laboratory`;
+  setText(at("title"), status.title);
+  setText(at("about"), `Study ${status.study}, design ${status.design.slice(0, 8)}`);
+  const link = wholeLink(status.join);
+  if (join.value !== link) join.value = link;
+  for (const part of document.querySelectorAll<HTMLElement>(".of-matching")) part.hidden = !status.is_matching;
+  for (const part of document.querySelectorAll<HTMLElement>(".of-questionnaire")) part.hidden = status.is_matching;
+  showOverview(status);
+  showParticipants(status.participants);
+  showAnswers(status);
+}
+
+async function refresh(): Promise<void> {
+  const trouble = at("trouble");
+  try {
+    const answer = await fetch("status.json", { cache: "no-store" });
+    if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
+    const status = (await answer.json()) as LabStatus;
+    show(status);
+    setText(trouble, `Answers cannot be kept; participants' pages try again: ${status.trouble}`);
+    trouble.hidden = status.trouble === "";
+  } catch {
+    setText(trouble, "The server cannot be reached; what is below may be old. "
+      + "Answers that were given are kept; start mien study serve again to go on.");
+    trouble.hidden = false;
+  }
+  setTimeout(refresh, refreshMilliseconds);
+}
+
+at("copy-join").addEventListener("click", () => void copy(join.value, at("copy-join")));
+join.addEventListener("focus", () => join.select());
+void refresh();

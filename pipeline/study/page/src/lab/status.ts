@@ -1,0 +1,36 @@
+/** A study that is being served, as the server tells it (pipeline/study/questionnaire/service/lab_page.h). */
+export interface LabStatus {
+  study: string;
+  title: string;
+  design: string;
+  is_matching: boolean;
+  /** Why answers cannot be kept; empty where they can. */
+  trouble: string;
+  planned: number;
+  /** Link for whoever comes. */
+  join: string;
+  participants: Participant[];
+  checks: { passed: number; failed: number };
+  histograms: Histogram[];
+}
+
+export interface Participant {
+  participant: string;
+  link: string;
+  state: "waiting" | "opened" | "here" | "away" | "done" | "refused";
+  kept: number;
+  records: number;
+  /** The record that comes next. */
+  next: string;
+  seen_seconds_ago: number | null;
+}
+
+export interface Histogram {
+  item: string;
+  is_pair: boolean;
+  answers: number;
+  mean: number | null;
+  bins: { label: string; count: number }[];
+  low?: string;
+  high?: string;
+}
