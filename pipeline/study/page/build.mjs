@@ -31,7 +31,7 @@ const pages = {
 };
 
 /** Of a package that names it and does not bring its text. */
-const mit_licence = (author) => `Copyright (c) ${author ?? "the authors"}
+const mitLicence = (author) => `Copyright (c) ${author ?? "the authors"}
 
 Permission is hereby granted, free of charge, to any person obtaining a copy of this software and
 associated documentation files (the "Software"), to deal in the Software without restriction,
@@ -50,7 +50,7 @@ SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
 `;
 
 /** The licence of every package that went into scripts; "" where none did. */
-async function licences_of(scripts, inputs) {
+async function licencesOf(scripts, inputs) {
   const packages = new Set();
   for (const input of inputs) {
     const found = input.match(/.*node_modules\/((?:@[^/]+\/)?[^/]+)\//);
@@ -67,7 +67,7 @@ async function licences_of(scripts, inputs) {
     const file = (await readdir(place)).find((entry) => /^licen[cs]e/i.test(entry));
     licences += `\n${"-".repeat(72)}\n${name} ${version} (${license})\n\n`;
     if (!file && license !== "MIT") throw new Error(`${name} comes without its licence`);
-    licences += file ? await readFile(join(place, file), "utf8") : mit_licence(author?.name ?? author);
+    licences += file ? await readFile(join(place, file), "utf8") : mitLicence(author?.name ?? author);
   }
   return licences;
 }
@@ -80,7 +80,7 @@ for (const [name, { scripts, styles = {}, files }] of Object.entries(pages)) {
   const result = await build({
     absWorkingDir: here,
     entryPoints: [...Object.entries(scripts), ...Object.entries(styles)].map(
-      ([out_name, start]) => ({ in: join(source, start), out: out_name })),
+      ([outName, start]) => ({ in: join(source, start), out: outName })),
     outdir: out,
     bundle: true,
     minify: true,
@@ -92,6 +92,6 @@ for (const [name, { scripts, styles = {}, files }] of Object.entries(pages)) {
     logLevel: "warning",
   });
   for (const file of files) await cp(join(source, file), join(out, file));
-  const licences = await licences_of(scripts, Object.keys(result.metafile.inputs));
+  const licences = await licencesOf(scripts, Object.keys(result.metafile.inputs));
   if (licences) await writeFile(join(out, "LICENSES.txt"), licences);
 }

@@ -7,7 +7,7 @@ const types = { html: "text/html", js: "text/javascript", css: "text/css", json:
   mp4: "video/mp4", webm: "video/webm", glb: "model/gltf-binary" };
 
 /** All files below a folder. */
-export async function files_of(folder) {
+export async function filesOf(folder) {
   const files = {};
   for (const entry of await readdir(folder, { recursive: true, withFileTypes: true })) {
     if (!entry.isFile()) continue;
@@ -18,7 +18,7 @@ export async function files_of(folder) {
 }
 
 /** Files of a zip archive that stores them as they are. */
-export async function files_of_zip(archive) {
+export async function filesOfZip(archive) {
   const bytes = await readFile(archive);
   const files = {};
   let end = bytes.length - 22;

@@ -12,11 +12,11 @@ const modules = new Map(readdirSync(source, { recursive: true }).filter((name) =
   .map((name) => [name.slice(0, -3), readFileSync(join(source, name), "utf8")]));
 
 /** What a module imports or exports again, types too: [module, names]. */
-const imports_of = (name, text) => [...text.matchAll(/^(?:import|export) ([^;]*?) from "(\.[^"]*)"/gm)]
+const importsOf = (name, text) => [...text.matchAll(/^(?:import|export) ([^;]*?) from "(\.[^"]*)"/gm)]
   .map(([, names, from]) => [join(dirname(name), from), names.match(/\w+/g)]);
 
 /** The first circle of a graph, "a → b → a"; "" where there is none. */
-function circle_in(graph) {
+function circleIn(graph) {
   const done = new Set();
   const from = (name, above) => {
     if (above.includes(name)) return [...above.slice(above.indexOf(name)), name].join(" → ");
@@ -32,20 +32,20 @@ function circle_in(graph) {
 }
 
 test("circles are found", () => {
-  assert.equal(circle_in(new Map([["a", ["b", "c"]], ["b", ["c"]], ["c", []]])), "");
-  assert.equal(circle_in(new Map([["a", ["b"]], ["b", ["c"]], ["c", ["b"]]])), "b → c → b");
+  assert.equal(circleIn(new Map([["a", ["b", "c"]], ["b", ["c"]], ["c", []]])), "");
+  assert.equal(circleIn(new Map([["a", ["b"]], ["b", ["c"]], ["c", ["b"]]])), "b → c → b");
 });
 
 test("imports run in no circle", () => {
-  const graph = new Map([...modules].map(([name, text]) => [name, imports_of(name, text).map(([from]) => from)]));
+  const graph = new Map([...modules].map(([name, text]) => [name, importsOf(name, text).map(([from]) => from)]));
   assert.ok([...graph.values()].flat().length > 150);
   for (const from of [...graph.values()].flat()) assert.ok(modules.has(from), from);
-  assert.equal(circle_in(graph), "");
+  assert.equal(circleIn(graph), "");
 });
 
 test("functions and values that are exported are used elsewhere", () => {
   const used = new Set([...modules].flatMap(([name, text]) =>
-    imports_of(name, text).flatMap(([from, names]) => names.map((one) => `${from} ${one}`))));
+    importsOf(name, text).flatMap(([from, names]) => names.map((one) => `${from} ${one}`))));
   const unused = [...modules].flatMap(([name, text]) =>
     [...text.matchAll(/^export (?:async )?(?:function|class|const|let) (\w+)/gm)]
       .map(([, exported]) => `${name} ${exported}`));

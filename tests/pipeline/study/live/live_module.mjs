@@ -11,7 +11,7 @@ const bytes_of = async (file) => {
   const { buffer, byteOffset, byteLength } = await readFile(file);
   return buffer.slice(byteOffset, byteOffset + byteLength);
 };
-const ask = globalThis.mien_live.wasm_instance();
+const ask = globalThis.mien_live.wasmInstance();
 const opened = await ask({ what: "open", module: await bytes_of(module), bundle: await bytes_of(bundle) });
 await writeFile(`${folder}/open.bin`, new Uint8Array(opened));
 let at = 0;

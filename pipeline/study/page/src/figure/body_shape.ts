@@ -16,17 +16,17 @@ const plain: [number, number] = [0.027, 0.02];
 /** A mannequin's limbs, or balls and thin sticks. */
 export type BodyStyle = "mannequin" | "stick";
 const stick: [number, number] = [0.026, 0.014];
-const head_radius = 0.092;
+const headRadius = 0.092;
 
-const thickness_of = (joint: string, style: BodyStyle): [number, number] =>
+const thicknessOf = (joint: string, style: BodyStyle): [number, number] =>
   style === "stick" ? stick : thickness[joint.replace(/^(Left|Right)/, "")] ?? plain;
 
 /** "left", "right" or neither: figures are shaded by it. */
-export const side_of = (joint: string): string =>
+export const sideOf = (joint: string): string =>
   joint.startsWith("Left") ? "left" : joint.startsWith("Right") ? "right" : "";
 
 /** A body as big as its legs say, beside the one that the radii are of. */
-function scale_of(body: Body): number {
+function scaleOf(body: Body): number {
   const length = (joint: string): number => {
     const at = body.names.indexOf(joint);
     return at < 0 ? 0 : Math.hypot(...body.offsets[at]!);
@@ -53,7 +53,7 @@ function bone(from: Vector3, to: Vector3, near: number, far: number): BufferGeom
 
 /** A head under its tip, with a bar before the eyes that tells where it looks. */
 function head(tip: Vector3, scale: number): BufferGeometry[] {
-  const radius = Math.min(head_radius * scale, 0.6 * tip.length());
+  const radius = Math.min(headRadius * scale, 0.6 * tip.length());
   const along = tip.clone().normalize();
   const from = along.clone().multiplyScalar(0.4 * radius);
   const to = tip.clone().addScaledVector(along, -radius);
@@ -64,10 +64,10 @@ function head(tip: Vector3, scale: number): BufferGeometry[] {
 }
 
 /** What a joint carries, in its own frame: its ball and the bones to its children or its tip. */
-export function joint_shape(body: Body, joint: number, style: BodyStyle = "mannequin"): BufferGeometry {
-  const scale = scale_of(body);
+export function jointShape(body: Body, joint: number, style: BodyStyle = "mannequin"): BufferGeometry {
+  const scale = scaleOf(body);
   const radii = (of: number) =>
-    thickness_of(body.names[of]!, style).map((radius) => radius * scale) as [number, number];
+    thicknessOf(body.names[of]!, style).map((radius) => radius * scale) as [number, number];
   const [near, far] = radii(joint);
   const parent = body.parents[joint]!;
   const here = new Vector3();

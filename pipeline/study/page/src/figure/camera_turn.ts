@@ -15,7 +15,7 @@ export const within = (least: number, value: number, most: number): number =>
  * Mouse, fingers and keys turn the camera; plus and minus, the wheel or two fingers bring it nearer.
  * Home brings back where it stood.
  */
-export function let_turn(canvas: HTMLCanvasElement, turn: Turn, changed: () => void): void {
+export function letTurn(canvas: HTMLCanvasElement, turn: Turn, changed: () => void): void {
   const home = { ...turn };
   const by = (azimuth: number, elevation: number, nearer = 1) => {
     turn.azimuth += azimuth;
@@ -23,7 +23,7 @@ export function let_turn(canvas: HTMLCanvasElement, turn: Turn, changed: () => v
     turn.distance = within(1.5, turn.distance * nearer, 12);
     changed();
   };
-  let_drag(canvas, by);
+  letDrag(canvas, by);
   canvas.addEventListener("wheel", (event) => {
     event.preventDefault();
     by(0, 0, Math.exp(event.deltaY * 0.001));
@@ -46,7 +46,7 @@ export function let_turn(canvas: HTMLCanvasElement, turn: Turn, changed: () => v
 }
 
 /** One finger or button turns, two fingers bring nearer as they part. */
-function let_drag(
+function letDrag(
   canvas: HTMLCanvasElement, by: (azimuth: number, elevation: number, nearer?: number) => void): void {
   const fingers = new Map<number, [number, number]>();
   const apart = (): number => {

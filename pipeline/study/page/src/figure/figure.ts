@@ -2,8 +2,8 @@ import {
   Color, Group, Mesh, MeshLambertMaterial, Quaternion, Vector3, type Material, type Object3D,
 } from "three";
 import type { LiveMotion } from "../live/core";
-import { joint_shape, side_of, type Body, type BodyStyle } from "./body_shape";
-import { between_frames, middle_of, type Place } from "./playing";
+import { jointShape, sideOf, type Body, type BodyStyle } from "./body_shape";
+import { betweenFrames, middleOf, type Place } from "./playing";
 import type { Skin } from "./skin";
 
 /** Where joints of a skin's own are in the frames of a motion. */
@@ -23,7 +23,7 @@ function shade(colour: string, side: string): Color {
 }
 
 /** Where surfaces fall together, this one counts as the nearer. */
-function let_come_first(material: Material): void {
+function letComeFirst(material: Material): void {
   material.polygonOffset = true;
   material.polygonOffsetFactor = -1;
   material.polygonOffsetUnits = -4;
@@ -43,17 +43,17 @@ export class Figure {
   private colours: string[] | null = null;
 
   constructor(private body: Body, private colour: string, style: BodyStyle = "mannequin") {
-    const depth_alone = new MeshLambertMaterial({ colorWrite: false });
-    let_come_first(depth_alone);
+    const depthAlone = new MeshLambertMaterial({ colorWrite: false });
+    letComeFirst(depthAlone);
     body.names.forEach((name, joint) => {
-      const material = new MeshLambertMaterial({ color: shade(colour, side_of(name)) });
-      let_come_first(material);
+      const material = new MeshLambertMaterial({ color: shade(colour, sideOf(name)) });
+      letComeFirst(material);
       material.polygonOffset = false;
-      const shape = joint_shape(body, joint, style);
+      const shape = jointShape(body, joint, style);
       const solid = new Mesh(shape, material);
       solid.renderOrder = 2;
       // Drawn before what shines through, so that only the nearest surface does.
-      const veil = new Mesh(shape, depth_alone);
+      const veil = new Mesh(shape, depthAlone);
       veil.renderOrder = 1;
       veil.visible = false;
       const group = new Group();
@@ -76,7 +76,7 @@ export class Figure {
     this.motion = motion;
     this.poses = poses;
     this.group.visible = motion !== null;
-    if (motion) this.middle = middle_of(motion);
+    if (motion) this.middle = middleOf(motion);
     this.dress();
   }
 
@@ -90,7 +90,7 @@ export class Figure {
     this.skin = skin;
     if (skin) {
       this.group.add(skin.group);
-      skin.set_opacity(this.opacity);
+      skin.setOpacity(this.opacity);
       skin.paint(this.colours);
     }
     this.dress();
@@ -98,27 +98,27 @@ export class Figure {
 
   /** Of the skin that is worn, metres; 0: a body of about the usual height. */
   height(): number {
-    return this.is_dressed() ? this.skin!.height : 0;
+    return this.isDressed() ? this.skin!.height : 0;
   }
 
   /** Whether the skin has the joints whose places are known. */
-  private is_dressed(): boolean {
+  private isDressed(): boolean {
     const count = this.motion && this.poses
       ? this.poses.positions.length / 3 / this.motion.frames : this.joints.length;
     return this.skin !== null && this.skin.joints.length === count;
   }
 
   private dress(): void {
-    const is_dressed = this.is_dressed();
-    for (const joint of this.joints) joint.visible = !is_dressed;
-    if (this.skin) this.skin.group.visible = is_dressed;
+    const isDressed = this.isDressed();
+    for (const joint of this.joints) joint.visible = !isDressed;
+    if (this.skin) this.skin.group.visible = isDressed;
   }
 
   /** 1: solid. Less shines through, and is drawn after what is solid. */
-  set_opacity(opacity: number): void {
+  setOpacity(opacity: number): void {
     if (opacity === this.opacity) return;
     this.opacity = opacity;
-    this.skin?.set_opacity(opacity);
+    this.skin?.setOpacity(opacity);
     for (const material of this.materials) {
       material.transparent = opacity < 1;
       material.opacity = opacity;
@@ -134,7 +134,7 @@ export class Figure {
     this.colours = colours;
     this.skin?.paint(colours);
     this.materials.forEach((material, joint) => {
-      const own = shade(this.colour, side_of(this.body.names[joint]!));
+      const own = shade(this.colour, sideOf(this.body.names[joint]!));
       material.color.copy(colours ? new Color(colours[joint]) : own);
     });
   }
@@ -147,14 +147,14 @@ export class Figure {
   pose(phase: number): void {
     const { motion } = this;
     if (!motion) return;
-    const is_dressed = this.is_dressed();
-    this.pose_joints(motion, phase, is_dressed ? this.skin!.joints : this.joints,
-      (is_dressed && this.poses) || motion);
+    const isDressed = this.isDressed();
+    this.poseJoints(motion, phase, isDressed ? this.skin!.joints : this.joints,
+      (isDressed && this.poses) || motion);
   }
 
-  private pose_joints(motion: LiveMotion, phase: number, joints: Object3D[], poses: JointPoses): void {
+  private poseJoints(motion: LiveMotion, phase: number, joints: Object3D[], poses: JointPoses): void {
     const count = joints.length;
-    const { frame, next, share, rounds } = between_frames(motion, phase);
+    const { frame, next, share, rounds } = betweenFrames(motion, phase);
     const [dx, dy, dz] = motion.displacement;
     const here = new Vector3();
     const there = new Vector3();
@@ -174,7 +174,7 @@ export class Figure {
   }
 
   /** Poses it by places and rotations in the world (joints × 3, joints × 4), of whatever motion. */
-  stand_as(positions: ArrayLike<number>, rotations: ArrayLike<number>): void {
+  standAs(positions: ArrayLike<number>, rotations: ArrayLike<number>): void {
     this.group.visible = true;
     this.joints.forEach((joint, j) => {
       joint.position.fromArray(positions, 3 * j);

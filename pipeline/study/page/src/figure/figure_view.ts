@@ -3,11 +3,11 @@ import {
 } from "three";
 import type { LiveMotion } from "../live/core";
 import type { Body, BodyStyle } from "./body_shape";
-import { let_turn, stand, within, type Turn } from "./camera_turn";
+import { letTurn, stand, within, type Turn } from "./camera_turn";
 import { Figure, type JointPoses } from "./figure";
-import { corresponding_phase, phase_in_round, round_seconds, seconds_of, type Step } from "./playing";
+import { correspondingPhase, phaseInRound, roundSeconds, secondsOf, type Step } from "./playing";
 import type { Skin } from "./skin";
-import { floor, floor_square, has_graphics_card, lit_scene, renderer_on } from "./stage";
+import { floor, floorSquare, hasGraphicsCard, litScene, rendererOn } from "./stage";
 
 /** Over each other, the first shining through, or each in its own part of the view, seen alike. */
 export type Arrangement = "over" | "beside";
@@ -22,13 +22,13 @@ const sides: Record<Side, Pick<Turn, "azimuth" | "elevation">> = {
   above: { azimuth: Math.PI / 2, elevation: 1.4 },
 };
 
-const field_of_view = 32;  // degrees, upright
-const usual_height = 1.8;  // metres
-const longest_rest = 100;  // milliseconds
+const fieldOfView = 32;  // degrees, upright
+const usualHeight = 1.8;  // metres
+const longestRest = 100;  // milliseconds
 
 /**
  * Figures of one body that play motions, again and again, walking in place on a floor that passes
- * under the first one that is shown. The camera is turned by mouse, fingers and keys (let_turn).
+ * under the first one that is shown. The camera is turned by mouse, fingers and keys (letTurn).
  *
  * The element fills what it stands in; its size may change. `release` ends it.
  */
@@ -37,22 +37,22 @@ export class FigureView {
   private renderer: WebGLRenderer;
   private camera = new PerspectiveCamera(32, 4 / 3, 0.05, 60);
   private turn: Turn = { azimuth: 1.1, elevation: 0.14, distance: 4.4 };
-  private scene: Scene = lit_scene();
+  private scene: Scene = litScene();
   private ground: LineSegments = floor();
   private figures: Figure[];
   /** Of each figure's round, 0 to 1. */
   private parts: number[];
   private arrangement: Arrangement = "over";
   private step: Step = "keytimes";
-  private is_playing = true;
-  private is_released = false;
-  private is_stale = true;
+  private isPlaying = true;
+  private isReleased = false;
+  private isStale = true;
   private last = 0;
-  private drawn_at = 0;
+  private drawnAt = 0;
   /** Milliseconds between pictures of what plays: a processor alone needs time for the motions, too. */
-  private interval = has_graphics_card() ? 0 : 30;
+  private interval = hasGraphicsCard() ? 0 : 30;
   /** Nothing is drawn before then (performance.now). */
-  private rests_until = 0;
+  private restsUntil = 0;
   private waiting: (() => void)[] = [];
   private resized: ResizeObserver;
 
@@ -63,11 +63,11 @@ export class FigureView {
     this.element.setAttribute("role", "img");
     this.element.setAttribute("aria-label", label);
     this.element.className = "figure-view";
-    this.renderer = renderer_on(this.element);
+    this.renderer = rendererOn(this.element);
     this.figures = colours.map((colour) => new Figure(body, colour, style));
     this.parts = colours.map(() => 0);
     this.scene.add(this.ground, ...this.figures.map((figure) => figure.group));
-    let_turn(this.element, this.turn, () => this.changed());
+    letTurn(this.element, this.turn, () => this.changed());
     this.resized = new ResizeObserver(() => this.changed());
     this.resized.observe(this.element);
     this.arrange("over");
@@ -77,19 +77,19 @@ export class FigureView {
   /** A figure plays this from now on, from the phase where it was; null: it is gone. `data-shown` counts. */
   show(figure: number, motion: LiveMotion | null, poses: JointPoses | null = null): void {
     this.figures[figure]!.show(motion, poses);
-    this.rests_until = 0;
+    this.restsUntil = 0;
     this.element.dataset.shown = String(Number(this.element.dataset.shown ?? 0) + 1);
     this.arrange(this.arrangement);
   }
 
   /** A motion is about to be shown: pictures of the old one, which would be in its way, are left out. */
-  expect_motion(): void {
-    this.rests_until = performance.now() + longest_rest;
+  expectMotion(): void {
+    this.restsUntil = performance.now() + longestRest;
   }
 
   /** Resolved when what was asked for before is on the screen. */
   drawn(): Promise<void> {
-    this.is_stale = true;
+    this.isStale = true;
     return new Promise((resolve) => this.waiting.push(resolve));
   }
 
@@ -97,7 +97,7 @@ export class FigureView {
     this.arrangement = arrangement;
     const shown = this.figures.filter((figure) => figure.shows());
     const shines = arrangement === "over" && shown.length > 1;
-    shown.forEach((figure, place) => figure.set_opacity(shines && place === 0 ? 0.62 : 1));
+    shown.forEach((figure, place) => figure.setOpacity(shines && place === 0 ? 0.62 : 1));
     this.changed();
   }
 
@@ -120,13 +120,13 @@ export class FigureView {
     this.changed();
   }
 
-  look_from(side: Side): void {
+  lookFrom(side: Side): void {
     Object.assign(this.turn, sides[side]);
     this.changed();
   }
 
   /** What is behind the figures: "#rrggbb". */
-  set_background(colour: string): void {
+  setBackground(colour: string): void {
     const wanted = new Color(colour);
     if (this.scene.background instanceof Color && wanted.equals(this.scene.background)) return;
     this.scene.background = wanted;
@@ -134,32 +134,32 @@ export class FigureView {
     this.changed();
   }
 
-  /** Where the camera stands; `stand_at` sends it there. */
+  /** Where the camera stands; `standAt` sends it there. */
   stands(): Turn {
     return { ...this.turn };
   }
 
-  stand_at(turn: Turn): void {
+  standAt(turn: Turn): void {
     Object.assign(this.turn, turn);
     this.changed();
   }
 
   play(): void {
-    this.is_playing = true;
+    this.isPlaying = true;
   }
 
   pause(): void {
-    this.is_playing = false;
+    this.isPlaying = false;
   }
 
   plays(): boolean {
-    return this.is_playing;
+    return this.isPlaying;
   }
 
   /** All figures stand where the first one's motion is at a phase, 0 to 1. */
   seek(phase: number): void {
     const motion = this.figures[this.leader()]?.shows();
-    const part = motion ? phase * seconds_of(motion) / round_seconds(motion) : phase;
+    const part = motion ? phase * secondsOf(motion) / roundSeconds(motion) : phase;
     this.parts.fill(within(0, part, 1));
     this.changed();
   }
@@ -168,11 +168,11 @@ export class FigureView {
   phase(): number {
     const leader = this.leader();
     const motion = this.figures[leader]?.shows();
-    return motion ? phase_in_round(motion, this.parts[leader]!) : 0;
+    return motion ? phaseInRound(motion, this.parts[leader]!) : 0;
   }
 
   release(): void {
-    this.is_released = true;
+    this.isReleased = true;
     this.resized.disconnect();
     for (const figure of this.figures) figure.release();
     this.renderer.dispose();
@@ -180,7 +180,7 @@ export class FigureView {
   }
 
   private changed(): void {
-    this.is_stale = true;
+    this.isStale = true;
   }
 
   private leader(): number {
@@ -188,12 +188,12 @@ export class FigureView {
   }
 
   private frame = (now: number): void => {
-    if (this.is_released) return;
+    if (this.isReleased) return;
     const seconds = this.last === 0 ? 0 : within(0, (now - this.last) / 1000, 0.25);
     this.last = now;
-    if (this.is_playing) this.advance(seconds);
-    if (now >= this.rests_until && (this.is_stale || (this.is_playing && now - this.drawn_at >= this.interval))) {
-      this.drawn_at = now;
+    if (this.isPlaying) this.advance(seconds);
+    if (now >= this.restsUntil && (this.isStale || (this.isPlaying && now - this.drawnAt >= this.interval))) {
+      this.drawnAt = now;
       this.draw();
     }
     requestAnimationFrame(this.frame);
@@ -202,25 +202,25 @@ export class FigureView {
   private advance(seconds: number): void {
     this.figures.forEach((figure, k) => {
       const motion = figure.shows();
-      if (motion) this.parts[k] = (this.parts[k]! + seconds / round_seconds(motion)) % 1;
+      if (motion) this.parts[k] = (this.parts[k]! + seconds / roundSeconds(motion)) % 1;
     });
     if (this.step === "keytimes") this.parts.fill(this.parts[this.leader()]!);
   }
 
   /** Where a figure is in its motion. */
-  private phase_of(figure: Figure): number {
+  private phaseOf(figure: Figure): number {
     const k = this.figures.indexOf(figure);
     const leader = this.leader();
     const first = this.figures[leader]?.shows();
     const motion = figure.shows();
     if (!motion || !first) return 0;
     return this.step === "keytimes" && k !== leader
-      ? corresponding_phase(first, this.phase(), motion)
-      : phase_in_round(motion, this.parts[k]!);
+      ? correspondingPhase(first, this.phase(), motion)
+      : phaseInRound(motion, this.parts[k]!);
   }
 
   private pose(): void {
-    for (const figure of this.figures) figure.pose(this.phase_of(figure));
+    for (const figure of this.figures) figure.pose(this.phaseOf(figure));
   }
 
   private draw(): void {
@@ -228,7 +228,7 @@ export class FigureView {
     const width = element.clientWidth;
     const height = element.clientHeight;
     if (!width || !height) return;
-    this.is_stale = false;
+    this.isStale = false;
     const ratio = Math.min(2, devicePixelRatio);
     if (element.width !== Math.floor(width * ratio) || element.height !== Math.floor(height * ratio)) {
       this.renderer.setPixelRatio(ratio);
@@ -238,25 +238,25 @@ export class FigureView {
     const shown = this.figures.filter((figure) => figure.shows());
     const panes = this.arrangement === "beside" && shown.length > 1 ? shown.map((one) => [one]) : [shown];
     panes.forEach((figures, pane) =>
-      this.draw_pane(figures, pane * width / panes.length, width / panes.length, height));
+      this.drawPane(figures, pane * width / panes.length, width / panes.length, height));
     const told = this.waiting.splice(0);
     for (const tell of told) tell();
   }
 
   /** Part of the view, from `left`, CSS pixels. */
-  private draw_pane(figures: Figure[], left: number, width: number, height: number): void {
+  private drawPane(figures: Figure[], left: number, width: number, height: number): void {
     const { renderer, camera } = this;
     for (const figure of this.figures) figure.group.visible = figures.includes(figure);
-    const travelled = figures[0]?.travelled(this.phase_of(figures[0])) ?? 0;
-    this.ground.position.z = -(travelled % floor_square);
+    const travelled = figures[0]?.travelled(this.phaseOf(figures[0])) ?? 0;
+    this.ground.position.z = -(travelled % floorSquare);
     camera.aspect = width / height;
     // What is narrow still shows the whole figure.
     const wider = Math.max(1, 0.62 / camera.aspect);
-    const half = Math.tan(field_of_view / 2 * Math.PI / 180) * wider;
+    const half = Math.tan(fieldOfView / 2 * Math.PI / 180) * wider;
     camera.fov = 2 * Math.atan(half) * 180 / Math.PI;
     camera.updateProjectionMatrix();
     // Who is taller is seen from as much farther away.
-    const scale = Math.max(1, ...figures.map((figure) => figure.height() / usual_height));
+    const scale = Math.max(1, ...figures.map((figure) => figure.height() / usualHeight));
     stand(camera, { ...this.turn, distance: this.turn.distance * scale }, 0, 0.9 * scale, 0);
     renderer.setViewport(left, 0, width, height);
     renderer.setScissor(left, 0, width, height);

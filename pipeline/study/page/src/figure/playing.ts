@@ -10,21 +10,21 @@ export type Step =
   | "time";
 
 /** How long a motion is that does not loop stands still before it begins again. */
-const pause_seconds = 0.7;
+const pauseSeconds = 0.7;
 
-export const seconds_of = (motion: LiveMotion): number =>
+export const secondsOf = (motion: LiveMotion): number =>
   Math.max(1e-3, (motion.loops ? motion.frames : motion.frames - 1) / motion.fps);
 
 /** Seconds from one beginning to the next. */
-export const round_seconds = (motion: LiveMotion): number =>
-  seconds_of(motion) + (motion.loops ? 0 : pause_seconds);
+export const roundSeconds = (motion: LiveMotion): number =>
+  secondsOf(motion) + (motion.loops ? 0 : pauseSeconds);
 
 /** How far the motion is at a part of its round: that part, but for the pause. */
-export const phase_in_round = (motion: LiveMotion, part: number): number =>
-  Math.min(1, part * round_seconds(motion) / seconds_of(motion));
+export const phaseInRound = (motion: LiveMotion, part: number): number =>
+  Math.min(1, part * roundSeconds(motion) / secondsOf(motion));
 
 /** The phase of a motion that corresponds to another's. */
-export function corresponding_phase(from: LiveMotion, phase: number, to: LiveMotion): number {
+export function correspondingPhase(from: LiveMotion, phase: number, to: LiveMotion): number {
   const marks = from.keytimes;
   const others = to.keytimes;
   if (marks.length < 2 || marks.length !== others.length) return phase;
@@ -47,7 +47,7 @@ export interface Between {
   rounds: number;
 }
 
-export function between_frames(motion: LiveMotion, phase: number): Between {
+export function betweenFrames(motion: LiveMotion, phase: number): Between {
   const last = motion.loops ? motion.frames : motion.frames - 1;
   const at = Math.min(Math.max(phase, 0), 1) * last;
   const frame = Math.min(Math.floor(at), motion.frames - 1);
@@ -65,14 +65,14 @@ export interface Place {
 }
 
 /** The middle of the root's way once the even travel is taken off it. */
-export function middle_of(motion: LiveMotion): Place {
+export function middleOf(motion: LiveMotion): Place {
   const stride = motion.positions.length / motion.frames;
-  const [along_x, , along_z] = motion.displacement;
+  const [alongX, , alongZ] = motion.displacement;
   let x = 0;
   let z = 0;
   for (let frame = 0; frame < motion.frames; frame += 1) {
-    x += motion.positions[frame * stride]! - along_x * frame / motion.frames;
-    z += motion.positions[frame * stride + 2]! - along_z * frame / motion.frames;
+    x += motion.positions[frame * stride]! - alongX * frame / motion.frames;
+    z += motion.positions[frame * stride + 2]! - alongZ * frame / motion.frames;
   }
   return { x: x / motion.frames, z: z / motion.frames };
 }

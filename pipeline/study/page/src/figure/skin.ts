@@ -3,7 +3,7 @@ import {
   type Texture,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import { has_graphics_card } from "./stage";
+import { hasGraphicsCard } from "./stage";
 
 /** A surface's own paint, kept while other colours lie over it. */
 interface Paint {
@@ -40,9 +40,9 @@ export class Skin {
       if (!(part instanceof SkinnedMesh)) return;
       part.frustumCulled = false;
       part.renderOrder = 2;
-      if (!has_graphics_card()) part.material = plain(part.material as MeshStandardMaterial);
+      if (!hasGraphicsCard()) part.material = plain(part.material as MeshStandardMaterial);
       this.surfaces.push(part);
-      const { color, map } = this.material_of(part);
+      const { color, map } = this.materialOf(part);
       this.paints.push({ colour: color.clone(), map });
     });
     this.joints = this.surfaces[0]?.skeleton.bones ?? [];
@@ -59,14 +59,14 @@ export class Skin {
     return new Skin((await new GLTFLoader().parseAsync(bytes, "")).scene);
   }
 
-  private material_of(surface: SkinnedMesh): SurfaceMaterial {
+  private materialOf(surface: SkinnedMesh): SurfaceMaterial {
     return surface.material as SurfaceMaterial;
   }
 
   /** 1: solid. */
-  set_opacity(opacity: number): void {
+  setOpacity(opacity: number): void {
     for (const surface of this.surfaces) {
-      const material = this.material_of(surface);
+      const material = this.materialOf(surface);
       material.transparent = opacity < 1;
       material.opacity = opacity;
       material.needsUpdate = true;
@@ -76,7 +76,7 @@ export class Skin {
   /** Colours of the body's joints run into each other over the surface; null: its own paint again. */
   paint(colours: string[] | null): void {
     this.surfaces.forEach((surface, k) => {
-      const material = this.material_of(surface);
+      const material = this.materialOf(surface);
       const own = this.paints[k]!;
       if (colours) this.mix(surface, colours.map((colour) => new Color(colour)));
       material.vertexColors = colours !== null;
@@ -89,14 +89,14 @@ export class Skin {
   /** Every vertex in the mean of the colours of the joints that move it. */
   private mix(surface: SkinnedMesh, colours: Color[]): void {
     const { skinIndex, skinWeight, position } = surface.geometry.attributes;
-    const of_joint = this.joints.map((joint) =>
+    const ofJoint = this.joints.map((joint) =>
       (colours[Number(joint.userData["body_joint"])] ?? colours[0]!).toArray());
     const mixed = new Float32Array(3 * position!.count);
     for (let vertex = 0; vertex < position!.count; vertex += 1) {
       for (let k = 0; k < 4; k += 1) {
         const weight = skinWeight!.getComponent(vertex, k);
         if (weight === 0) continue;
-        const colour = of_joint[skinIndex!.getComponent(vertex, k)]!;
+        const colour = ofJoint[skinIndex!.getComponent(vertex, k)]!;
         for (let channel = 0; channel < 3; channel += 1)
           mixed[3 * vertex + channel] = mixed[3 * vertex + channel]! + weight * colour[channel]!;
       }
@@ -108,7 +108,7 @@ export class Skin {
     this.surfaces.forEach((surface, k) => {
       surface.geometry.dispose();
       this.paints[k]!.map?.dispose();
-      const material = this.material_of(surface);
+      const material = this.materialOf(surface);
       if (material instanceof MeshStandardMaterial) material.normalMap?.dispose();
       material.dispose();
       surface.skeleton.dispose();

@@ -4,14 +4,14 @@ import {
 } from "three";
 
 /** The side of a square of the floor, metres. */
-export const floor_square = 0.5;
+export const floorSquare = 0.5;
 
 /** Squares, in short pieces: some drivers lose lines that begin behind the camera. */
 export function floor(): LineSegments {
   const points: number[] = [];
-  for (let across = -10; across <= 10; across += floor_square) {
-    for (let along = -10; along < 10; along += floor_square) {
-      const next = along + floor_square;
+  for (let across = -10; across <= 10; across += floorSquare) {
+    for (let along = -10; along < 10; along += floorSquare) {
+      const next = along + floorSquare;
       points.push(across, 0, along, across, 0, next, along, 0, across, next, 0, across);
     }
   }
@@ -21,7 +21,7 @@ export function floor(): LineSegments {
 }
 
 /** Middle grey, with light from above and the front. */
-export function lit_scene(): Scene {
+export function litScene(): Scene {
   const scene = new Scene();
   scene.background = new Color("#808080");
   scene.add(new HemisphereLight("#ffffff", "#777777", 2.2));
@@ -32,23 +32,23 @@ export function lit_scene(): Scene {
 }
 
 /** Names of what draws on the processor, in WebGL's name of the renderer. */
-const on_processor = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+const onProcessor = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 /** Whether pictures are drawn by a graphics card; without one, what follows a hand has to be plain. */
-function find_graphics_card(): boolean {
+function findGraphicsCard(): boolean {
   const context = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
   if (!context) return false;
   const names = context.getExtension("WEBGL_debug_renderer_info");
   const name = String(context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER));
   context.getExtension("WEBGL_lose_context")?.loseContext();
-  return !on_processor.test(name);
+  return !onProcessor.test(name);
 }
 
-let has_card: boolean | undefined;
+let hasCard: boolean | undefined;
 
-export const has_graphics_card = (): boolean => (has_card ??= find_graphics_card());
+export const hasGraphicsCard = (): boolean => (hasCard ??= findGraphicsCard());
 
 /** Draws on a canvas; with smooth edges where there is a graphics card, as they more than double a frame without. */
-export function renderer_on(canvas: HTMLCanvasElement): WebGLRenderer {
-  return new WebGLRenderer({ canvas, antialias: has_graphics_card() });
+export function rendererOn(canvas: HTMLCanvasElement): WebGLRenderer {
+  return new WebGLRenderer({ canvas, antialias: hasGraphicsCard() });
 }

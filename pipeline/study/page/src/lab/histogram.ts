@@ -31,10 +31,10 @@ function bars(bins: Histogram["bins"]): SVGSVGElement {
 }
 
 /** How often each answer of an item was given. */
-export function histogramFigure({ item, is_pair, answers, mean, bins, low, high }: Histogram): HTMLElement {
+export function histogramFigure({ item, is_pair: isPair, answers, mean, bins, low, high }: Histogram): HTMLElement {
   const about = `${answers} ${answers === 1 ? "answer" : "answers"}${mean === null ? "" : `, mean ${mean.toFixed(2)}`}`;
   const figure = element("figure", {},
-    element("figcaption", {}, is_pair ? `${item} (which of two)` : item, element("small", {}, about)));
+    element("figcaption", {}, isPair ? `${item} (which of two)` : item, element("small", {}, about)));
   if (bins.length === 0) return figure;
   figure.append(bars(bins));
   if (low || high)

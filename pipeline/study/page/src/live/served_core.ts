@@ -1,8 +1,8 @@
-import { read_distance, read_motion } from "./answers";
+import { readDistance, readMotion } from "./answers";
 import type { LiveCore, LiveInfo } from "./core";
 
 /** Why a request was refused, as the server says it. */
-async function refusal_of(response: Response): Promise<Error> {
+async function refusalOf(response: Response): Promise<Error> {
   const text = await response.text();
   try {
     const told = JSON.parse(text) as { wrong?: string; remedy?: string };
@@ -14,9 +14,9 @@ async function refusal_of(response: Response): Promise<Error> {
 }
 
 /** The motion core behind a server: `base` is the address of its live routes, ending in "/". */
-export async function open_served(base: string): Promise<LiveCore> {
+export async function openServed(base: string): Promise<LiveCore> {
   const told = await fetch(`${base}info`);
-  if (!told.ok) throw await refusal_of(told);
+  if (!told.ok) throw await refusalOf(told);
   const info = (await told.json()) as LiveInfo;
 
   const send = async (what: string, body: unknown): Promise<ArrayBuffer> => {
@@ -25,11 +25,11 @@ export async function open_served(base: string): Promise<LiveCore> {
       headers: { "Content-Type": "application/json" },
       body: JSON.stringify(body),
     });
-    if (!response.ok) throw await refusal_of(response);
+    if (!response.ok) throw await refusalOf(response);
     return response.arrayBuffer();
   };
   // One after the other, so that answers come in the order asked; no motion waits for a distance.
-  const in_order = () => {
+  const inOrder = () => {
     let last: Promise<unknown> = Promise.resolve();
     return (what: string, body: unknown): Promise<ArrayBuffer> => {
       const answer = last.then(() => send(what, body));
@@ -37,14 +37,14 @@ export async function open_served(base: string): Promise<LiveCore> {
       return answer;
     };
   };
-  const ask = in_order();
-  const measure = in_order();
+  const ask = inOrder();
+  const measure = inOrder();
 
   return {
     info,
-    example: async (name) => read_motion(await ask("example", { name })),
-    target: async (name) => read_motion(await ask("target", { name })),
-    make: async (setting) => read_motion(await ask("make", setting)),
-    distance: async (target, setting) => read_distance(await measure("distance", { target, ...setting })),
+    example: async (name) => readMotion(await ask("example", { name })),
+    target: async (name) => readMotion(await ask("target", { name })),
+    make: async (setting) => readMotion(await ask("make", setting)),
+    distance: async (target, setting) => readDistance(await measure("distance", { target, ...setting })),
   };
 }

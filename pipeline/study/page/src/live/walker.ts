@@ -45,9 +45,9 @@ interface Exports {
   _initialize(): void;
   live_room(size: number): number;
   live_leave(place: number): void;
-  walker_open(set: number, set_size: number, moods: number, moods_size: number): number;
+  walker_open(set: number, setSize: number, moods: number, moodsSize: number): number;
   walker_mood(mood: number, share: number): void;
-  walker_steer(pace: number, heading_deg: number, turn_deg_s: number): void;
+  walker_steer(pace: number, headingDeg: number, turnDegS: number): void;
   walker_advance(seconds: number): number;
   walker_frame(): number;
   walker_frame_size(): number;
@@ -55,7 +55,7 @@ interface Exports {
   walker_told_size(): number;
 }
 
-async function exports_of(module: ArrayBuffer): Promise<Exports> {
+async function exportsOf(module: ArrayBuffer): Promise<Exports> {
   const stop = () => {
     throw new Error("the walker stopped");
   };
@@ -69,26 +69,26 @@ async function exports_of(module: ArrayBuffer): Promise<Exports> {
   return exports;
 }
 
-function told_by(exports: Exports): string {
+function toldBy(exports: Exports): string {
   const bytes = new Uint8Array(exports.memory.buffer, exports.walker_told(), exports.walker_told_size());
   return new TextDecoder().decode(bytes.slice());
 }
 
-function open_in(exports: Exports, set: string, moods: string[]): WalkerInfo {
+function openIn(exports: Exports, set: string, moods: string[]): WalkerInfo {
   const names = [set, moods.join(",")].map((text) => new TextEncoder().encode(text));
   const places = names.map((bytes) => {
     const place = exports.live_room(bytes.length + 1);
     new Uint8Array(exports.memory.buffer, place, bytes.length).set(bytes);
     return place;
   });
-  const is_open = exports.walker_open(places[0]!, names[0]!.length, places[1]!, names[1]!.length);
+  const isOpen = exports.walker_open(places[0]!, names[0]!.length, places[1]!, names[1]!.length);
   for (const place of places) exports.live_leave(place);
-  if (is_open !== 1) throw new Error(told_by(exports));
-  return JSON.parse(told_by(exports)) as WalkerInfo;
+  if (isOpen !== 1) throw new Error(toldBy(exports));
+  return JSON.parse(toldBy(exports)) as WalkerInfo;
 }
 
 /** The frame as it lies in the module's memory, which may move when it grows. */
-function frame_in(exports: Exports, joints: number): WalkFrame {
+function frameIn(exports: Exports, joints: number): WalkFrame {
   const numbers = new Float64Array(exports.memory.buffer, exports.walker_frame(), exports.walker_frame_size());
   const planted = 7 * joints;
   return {
@@ -105,19 +105,19 @@ function frame_in(exports: Exports, joints: number): WalkFrame {
  * base64; `set`: the built-in walks that moods are taken from, `moods`: which of them (all: some
  * tenths of a second to open). Rejects with an Error that says what is wrong.
  */
-export async function open_walker(module: ArrayBuffer | string, set = "walks-10", moods: string[] = []): Promise<Walker> {
+export async function openWalker(module: ArrayBuffer | string, set = "walks-10", moods: string[] = []): Promise<Walker> {
   const bytes = typeof module === "string" ? Uint8Array.from(atob(module), (c) => c.charCodeAt(0)).buffer : module;
-  const exports = await exports_of(bytes);
-  const info = open_in(exports, set, moods);
+  const exports = await exportsOf(bytes);
+  const info = openIn(exports, set, moods);
   const joints = info.body.names.length;
   return {
     info,
     advance(seconds, wish) {
-      const is_any = wish.moods.some((share) => share > 0);
-      info.moods.forEach((_, mood) => exports.walker_mood(mood, is_any ? wish.moods[mood] ?? 0 : mood === 0 ? 1 : 0));
+      const isAny = wish.moods.some((share) => share > 0);
+      info.moods.forEach((_, mood) => exports.walker_mood(mood, isAny ? wish.moods[mood] ?? 0 : mood === 0 ? 1 : 0));
       exports.walker_steer(wish.pace, wish.heading_deg ?? NaN, wish.turn_deg_s ?? 0);
-      if (exports.walker_advance(seconds) !== 1) throw new Error(told_by(exports));
-      return frame_in(exports, joints);
+      if (exports.walker_advance(seconds) !== 1) throw new Error(toldBy(exports));
+      return frameIn(exports, joints);
     },
   };
 }

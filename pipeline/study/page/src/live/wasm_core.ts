@@ -1,8 +1,8 @@
-import { read_distance, read_motion } from "./answers";
+import { readDistance, readMotion } from "./answers";
 import type { LiveCore, LiveInfo } from "./core";
-import { wasm_instance, type WasmAnswer, type WasmRequest } from "./wasm_instance";
+import { wasmInstance, type WasmAnswer, type WasmRequest } from "./wasm_instance";
 
-function from_base64(text: string): ArrayBuffer {
+function fromBase64(text: string): ArrayBuffer {
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);
   for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
@@ -10,9 +10,9 @@ function from_base64(text: string): ArrayBuffer {
 }
 
 /** What a worker runs: answers each message with { id, bytes } or { id, error }. */
-function worker_script(): string {
+function workerScript(): string {
   return `"use strict";
-const answer = (${wasm_instance.toString()})();
+const answer = (${wasmInstance.toString()})();
 let last = Promise.resolve();
 onmessage = ({ data: { id, request } }) => {
   last = last.then(() => answer(request)).then(
@@ -22,8 +22,8 @@ onmessage = ({ data: { id, request } }) => {
 }
 
 /** Answers from a worker; rejects when there cannot be one, or it cannot run the module. */
-async function in_worker(open: WasmRequest): Promise<{ answer: WasmAnswer; info: ArrayBuffer }> {
-  const address = URL.createObjectURL(new Blob([worker_script()], { type: "text/javascript" }));
+async function inWorker(open: WasmRequest): Promise<{ answer: WasmAnswer; info: ArrayBuffer }> {
+  const address = URL.createObjectURL(new Blob([workerScript()], { type: "text/javascript" }));
   const worker = new Worker(address);
   const waiting = new Map<number, { resolve(bytes: ArrayBuffer): void; reject(error: Error): void }>();
   let asked = 0;
@@ -54,8 +54,8 @@ async function in_worker(open: WasmRequest): Promise<{ answer: WasmAnswer; info:
 }
 
 /** On the page itself, one request after the other. */
-async function on_page(open: WasmRequest): Promise<{ answer: WasmAnswer; info: ArrayBuffer }> {
-  const instance = wasm_instance();
+async function onPage(open: WasmRequest): Promise<{ answer: WasmAnswer; info: ArrayBuffer }> {
+  const instance = wasmInstance();
   const info = await instance(open);
   let last: Promise<unknown> = Promise.resolve();
   const answer: WasmAnswer = (request) => {
@@ -67,7 +67,7 @@ async function on_page(open: WasmRequest): Promise<{ answer: WasmAnswer; info: A
 }
 
 /** As given, but not before it is first asked for anything. */
-function when_asked(start: () => Promise<WasmAnswer>): WasmAnswer {
+function whenAsked(start: () => Promise<WasmAnswer>): WasmAnswer {
   let started: Promise<WasmAnswer> | undefined;
   return async (request) => (await (started ??= start()))(request);
 }
@@ -77,22 +77,22 @@ function when_asked(start: () => Promise<WasmAnswer>): WasmAnswer {
  * which take longer, are measured in a worker of their own, so that no motion waits for them.
  * `module`: the WebAssembly module, `bundle`: what it blends; bytes or base64 (globalThis.mien_live_files).
  */
-export async function open_wasm(module: ArrayBuffer | string, bundle: ArrayBuffer | string): Promise<LiveCore> {
-  const bytes_of = (given: ArrayBuffer | string) => (typeof given === "string" ? from_base64(given) : given);
-  const open: WasmRequest = { what: "open", module: bytes_of(module), bundle: bytes_of(bundle) };
-  const start = () => in_worker(open);
+export async function openWasm(module: ArrayBuffer | string, bundle: ArrayBuffer | string): Promise<LiveCore> {
+  const bytesOf = (given: ArrayBuffer | string) => (typeof given === "string" ? fromBase64(given) : given);
+  const open: WasmRequest = { what: "open", module: bytesOf(module), bundle: bytesOf(bundle) };
+  const start = () => inWorker(open);
   // What fails in a worker and on the page alike is told as the page has it.
-  const can_work = typeof Worker !== "undefined";
-  const { answer, info, is_worker } = await (can_work
-    ? start().then((worker) => ({ ...worker, is_worker: true }))
+  const canWork = typeof Worker !== "undefined";
+  const { answer, info, isWorker: isWorker } = await (canWork
+    ? start().then((worker) => ({ ...worker, isWorker: true }))
     : Promise.reject(new Error("no workers"))
-  ).catch(() => on_page(open).then((page) => ({ ...page, is_worker: false })));
-  const measure = is_worker ? when_asked(() => start().then((worker) => worker.answer, () => answer)) : answer;
+  ).catch(() => onPage(open).then((page) => ({ ...page, isWorker: false })));
+  const measure = isWorker ? whenAsked(() => start().then((worker) => worker.answer, () => answer)) : answer;
   return {
     info: JSON.parse(new TextDecoder().decode(info)) as LiveInfo,
-    example: async (name) => read_motion(await answer({ what: "example", name })),
-    target: async (name) => read_motion(await answer({ what: "target", name })),
-    make: async (setting) => read_motion(await answer({ what: "make", setting })),
-    distance: async (target, setting) => read_distance(await measure({ what: "distance", target, setting })),
+    example: async (name) => readMotion(await answer({ what: "example", name })),
+    target: async (name) => readMotion(await answer({ what: "target", name })),
+    make: async (setting) => readMotion(await answer({ what: "make", setting })),
+    distance: async (target, setting) => readDistance(await measure({ what: "distance", target, setting })),
   };
 }

@@ -10,7 +10,7 @@ export type WasmRequest =
 
 export type WasmAnswer = (request: WasmRequest) => Promise<ArrayBuffer>;
 
-export function wasm_instance(): WasmAnswer {
+export function wasmInstance(): WasmAnswer {
   interface Exports {
     memory: WebAssembly.Memory;
     _initialize(): void;
@@ -33,11 +33,11 @@ export function wasm_instance(): WasmAnswer {
     const place = exports.live_result();
     return exports.memory.buffer.slice(place, place + exports.live_result_size()) as ArrayBuffer;
   };
-  const checked = (exports: Exports, is_made: number): ArrayBuffer => {
-    if (is_made !== 1) throw new Error(new TextDecoder().decode(result(exports)));
+  const checked = (exports: Exports, isMade: number): ArrayBuffer => {
+    if (isMade !== 1) throw new Error(new TextDecoder().decode(result(exports)));
     return result(exports);
   };
-  const with_bytes = <Made>(exports: Exports, bytes: Uint8Array, use: (place: number) => Made): Made => {
+  const withBytes = <Made>(exports: Exports, bytes: Uint8Array, use: (place: number) => Made): Made => {
     const place = exports.live_room(bytes.length + 1);
     if (place === 0) throw new Error("there is not enough memory for the motion core");
     try {
@@ -47,9 +47,9 @@ export function wasm_instance(): WasmAnswer {
       exports.live_leave(place);
     }
   };
-  const with_name = (exports: Exports, name: string, use: (place: number, size: number) => number) => {
+  const withName = (exports: Exports, name: string, use: (place: number, size: number) => number) => {
     const bytes = text.encode(name);
-    return with_bytes(exports, bytes, (place) => use(place, bytes.length));
+    return withBytes(exports, bytes, (place) => use(place, bytes.length));
   };
   const set = (exports: Exports, setting: { kind: string; sliders: string[]; values: number[] }) => {
     const kind = ["adjectives", "features", "weights"].indexOf(setting.kind);
@@ -57,7 +57,7 @@ export function wasm_instance(): WasmAnswer {
     if (setting.sliders.length !== setting.values.length) throw new Error("give one value a slider");
     exports.live_set(kind);
     setting.sliders.forEach((slider, i) => {
-      with_name(exports, slider, (place, size) => {
+      withName(exports, slider, (place, size) => {
         exports.live_slider(place, size, setting.values[i]!);
         return 1;
       });
@@ -76,7 +76,7 @@ export function wasm_instance(): WasmAnswer {
     const exports = instance.exports as unknown as Exports;
     exports._initialize();
     const bytes = new Uint8Array(bundle);
-    const info = checked(exports, with_bytes(exports, bytes, (place) => exports.live_open(place, bytes.length)));
+    const info = checked(exports, withBytes(exports, bytes, (place) => exports.live_open(place, bytes.length)));
     core = exports;
     return info;
   };
@@ -87,15 +87,15 @@ export function wasm_instance(): WasmAnswer {
     if (!exports) throw new Error("the motion core is not open");
     switch (request.what) {
       case "example":
-        return checked(exports, with_name(exports, request.name, exports.live_example));
+        return checked(exports, withName(exports, request.name, exports.live_example));
       case "target":
-        return checked(exports, with_name(exports, request.name, exports.live_target));
+        return checked(exports, withName(exports, request.name, exports.live_target));
       case "make":
         set(exports, request.setting);
         return checked(exports, exports.live_make());
       case "distance":
         set(exports, request.setting);
-        return checked(exports, with_name(exports, request.target, exports.live_distance));
+        return checked(exports, withName(exports, request.target, exports.live_distance));
     }
   };
 }

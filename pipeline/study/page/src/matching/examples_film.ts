@@ -3,7 +3,7 @@ import type { LiveCore, LiveMotion } from "../live/core";
 import { button, element } from "../questionnaire/elements";
 import type { MatchingTexts } from "./texts";
 
-const example_ms = 4000;
+const exampleMs = 4000;
 
 /** What shows the examples one after the other, each for some seconds, with their names. `release` ends it. */
 export class ExamplesFilm {
@@ -15,14 +15,14 @@ export class ExamplesFilm {
   private at = -1;
 
   constructor(private core: LiveCore, words: MatchingTexts) {
-    this.view = new FigureView(core.info.body, ["#c9c9c9"], words.examples_view);
+    this.view = new FigureView(core.info.body, ["#c9c9c9"], words.examplesView);
     const pause = button(words.pause, () => {
-      const goes_on = this.timer === undefined;
-      if (goes_on) this.play();
+      const goesOn = this.timer === undefined;
+      if (goesOn) this.play();
       else this.pause();
-      pause.textContent = goes_on ? words.pause : words.play;
+      pause.textContent = goesOn ? words.pause : words.play;
     }, "small");
-    const next = button(words.next_example, () => void this.next(), "small");
+    const next = button(words.nextExample, () => void this.next(), "small");
     this.element = element("section", { class: "examples-film", "aria-label": words.examples },
       this.view.element,
       element("div", {}, element("p", {}, `${words.examples}: `, this.name),
@@ -38,7 +38,7 @@ export class ExamplesFilm {
 
   private play(): void {
     this.view.play();
-    this.timer = setInterval(() => void this.next(), example_ms);
+    this.timer = setInterval(() => void this.next(), exampleMs);
   }
 
   private pause(): void {

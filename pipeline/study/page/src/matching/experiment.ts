@@ -46,7 +46,7 @@ export interface MatchingTrial {
 }
 
 /** Throws with words for whoever runs the study. */
-export function checked_matching(experiment: unknown): MatchingExperiment {
+export function checkedMatching(experiment: unknown): MatchingExperiment {
   const given = experiment as Partial<MatchingExperiment> | null | undefined;
   if (given?.format !== "mien-matching-1" || !given.sessions?.length)
     throw new Error("This is no matching experiment that this page understands; export it again.");

@@ -21,26 +21,26 @@ export interface MatchingEvents {
  * the threshold or the limit is over. Of sliders that are moved faster than motions are made, the
  * last setting is made; every change is noted with its time all the same.
  *
- * A blind run ends with its guess, of which nothing is shown; go_on takes such a guess up in another run.
+ * A blind run ends with its guess, of which nothing is shown; goOn takes such a guess up in another run.
  */
 export class MatchingRun {
   private began = performance.now();
   private changes: MatchingChange[] = [];
   private first: LiveSetting | null = null;
-  private first_d = 0;
+  private firstD = 0;
   private last: LiveSetting | null = null;
-  private last_d = 0;
-  private guess_s = 0;
-  private is_over = false;
-  private is_late = false;
-  private is_making = false;
+  private lastD = 0;
+  private guessSeconds = 0;
+  private isOver = false;
+  private isLate = false;
+  private isMaking = false;
   /** Asked for and not made yet, with the number of the change that it came of. */
   private wish: { setting: LiveSetting; change: number } | null = null;
   private limit: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private target: string, private settings: MatchingSettings, private core: LiveCore, private view: FigureView,
-    private panel: SliderPanel, private attempt: number, private told: MatchingEvents, private is_blind = false,
+    private panel: SliderPanel, private attempt: number, private told: MatchingEvents, private isBlind = false,
   ) {}
 
   /** Seconds since the trial began. */
@@ -49,13 +49,13 @@ export class MatchingRun {
   }
 
   /** Seconds that are left; all of them before the clock runs. */
-  seconds_left(): number {
+  secondsLeft(): number {
     if (!this.first) return this.settings.limit_s;
-    return Math.max(0, this.settings.limit_s - (this.now() - this.guess_s));
+    return Math.max(0, this.settings.limit_s - (this.now() - this.guessSeconds));
   }
 
   changed({ action, slider, value }: SliderChange): void {
-    if (this.is_over) return;
+    if (this.isOver) return;
     const step = this.first ? "adjust" : "guess";
     this.changes.push({ s: this.now(), step, action, slider, value });
     if (!this.first) return;
@@ -64,46 +64,46 @@ export class MatchingRun {
   }
 
   async guess(): Promise<void> {
-    if (this.first || this.is_making) return;
-    this.is_making = true;
+    if (this.first || this.isMaking) return;
+    this.isMaking = true;
     // What is moved meanwhile would be no part of the guess.
     this.panel.lock(true);
     try {
       const s = this.now();
       const setting = this.panel.setting();
-      if (this.is_blind) return await this.guess_blind(s, setting);
+      if (this.isBlind) return await this.guessBlind(s, setting);
       const d = await this.show(setting);
       this.changes.push({ s, step: "guess", action: "guess", d });
-      this.first_d = d;
+      this.firstD = d;
       // The clock runs from when the motion is seen.
-      this.guess_s = this.now();
+      this.guessSeconds = this.now();
       this.begin(setting);
     } catch (error) {
-      this.is_making = false;
+      this.isMaking = false;
       this.panel.lock(false);
       this.told.failed(error);
     }
   }
 
   /** With a guess of a blind run, whose motion is shown now. */
-  async go_on(guess: Guess): Promise<void> {
-    if (this.first || this.is_making) return;
-    this.is_making = true;
+  async goOn(guess: Guess): Promise<void> {
+    if (this.first || this.isMaking) return;
+    this.isMaking = true;
     try {
       const setting = this.panel.setting();
       await this.show(setting);
       this.changes = [...guess.changes];
-      this.first_d = guess.d;
-      this.guess_s = guess.s;
+      this.firstD = guess.d;
+      this.guessSeconds = guess.s;
       this.began = performance.now() - 1000 * guess.s;
       this.begin(setting);
     } catch (error) {
-      this.is_making = false;
+      this.isMaking = false;
       this.told.failed(error);
     }
   }
 
-  private async guess_blind(s: number, setting: LiveSetting): Promise<void> {
+  private async guessBlind(s: number, setting: LiveSetting): Promise<void> {
     const { D } = await this.core.distance(this.target, setting);
     this.changes.push({ s, step: "guess", action: "guess", d: D });
     this.release();
@@ -113,34 +113,34 @@ export class MatchingRun {
 
   private begin(setting: LiveSetting): void {
     this.first = setting;
-    this.is_making = false;
+    this.isMaking = false;
     this.panel.lock(false);
     this.told.adjusting();
-    this.told.distance(this.last_d);
-    if (this.last_d < this.settings.threshold_m) return this.end("match", this.guess_s);
-    this.limit = setTimeout(() => void this.run_out(), this.settings.limit_s * 1000);
+    this.told.distance(this.lastD);
+    if (this.lastD < this.settings.threshold_m) return this.end("match", this.guessSeconds);
+    this.limit = setTimeout(() => void this.runOut(), this.settings.limit_s * 1000);
   }
 
   /** Nothing more comes of it. */
   release(): void {
-    this.is_over = true;
+    this.isOver = true;
     clearTimeout(this.limit);
   }
 
   private async show(setting: LiveSetting): Promise<number> {
-    this.view.expect_motion();
+    this.view.expectMotion();
     const shown = this.core.make(setting).then((motion) => this.view.show(1, motion));
     const [{ D }] = await Promise.all([this.core.distance(this.target, setting), shown]);
     this.last = setting;
-    this.last_d = D;
+    this.lastD = D;
     return D;
   }
 
   private async make(): Promise<void> {
-    if (this.is_making) return;
-    this.is_making = true;
+    if (this.isMaking) return;
+    this.isMaking = true;
     try {
-      while (this.wish && !this.is_over) {
+      while (this.wish && !this.isOver) {
         const { setting, change } = this.wish;
         this.wish = null;
         const d = await this.show(setting);
@@ -149,37 +149,37 @@ export class MatchingRun {
         this.told.distance(d);
         if (d < this.settings.threshold_m) return this.end("match", made.s);
       }
-      if (this.is_late) this.end("limit", this.guess_s + this.settings.limit_s);
+      if (this.isLate) this.end("limit", this.guessSeconds + this.settings.limit_s);
     } catch (error) {
       this.told.failed(error);
-      if (this.is_late) this.end("limit", this.guess_s + this.settings.limit_s);
+      if (this.isLate) this.end("limit", this.guessSeconds + this.settings.limit_s);
     } finally {
-      this.is_making = false;
+      this.isMaking = false;
     }
   }
 
   /** What was moved before the limit still counts. */
-  private async run_out(): Promise<void> {
-    this.is_late = true;
+  private async runOut(): Promise<void> {
+    this.isLate = true;
     this.panel.lock(true);
-    if (!this.is_making) await this.make();
+    if (!this.isMaking) await this.make();
   }
 
   private end(action: "match" | "limit", s: number): void {
-    if (this.is_over) return;
+    if (this.isOver) return;
     this.release();
     this.panel.lock(true);
     this.panel.put(this.last!);
     // A change that came while the match was found is of nothing any more.
     this.changes = this.changes.filter((change) => change.s <= s);
     const end = Math.max(s, this.changes[this.changes.length - 1]?.s ?? 0);
-    this.changes.push({ s: end, step: "adjust", action, d: this.last_d });
+    this.changes.push({ s: end, step: "adjust", action, d: this.lastD });
     const given = ({ sliders, values }: LiveSetting) => ({ sliders, values });
     const success = action === "match";
     this.told.ended({
-      first: given(this.first!), first_guess_d: this.first_d, guess_s: this.guess_s,
-      last: given(this.last!), d: this.last_d, success, attempt: this.attempt,
-      time_s: success ? Math.round((s - this.guess_s) * 1000) / 1000 : this.settings.limit_s,
+      first: given(this.first!), first_guess_d: this.firstD, guess_s: this.guessSeconds,
+      last: given(this.last!), d: this.lastD, success, attempt: this.attempt,
+      time_s: success ? Math.round((s - this.guessSeconds) * 1000) / 1000 : this.settings.limit_s,
       changes: this.changes,
     });
   }

@@ -4,10 +4,10 @@ import type { MatchingExperiment, MatchingSession, MatchingTrial } from "./exper
 import type { MatchingRecord } from "./record";
 
 // As pipeline/study/questionnaire/service/matching_rows.h has them.
-const trial_columns = ["participant", "target", "interface", "first_guess_d", "time_s", "success", "simulated",
+const trialColumns = ["participant", "target", "interface", "first_guess_d", "time_s", "success", "simulated",
   "trial", "d", "guess_s", "attempt", "session", "design", "limit_s",
   "threshold_m"];
-const change_columns = ["participant", "trial", "target", "interface", "is_practice", "attempt", "time_s", "step",
+const changeColumns = ["participant", "trial", "target", "interface", "is_practice", "attempt", "time_s", "step",
   "action", "slider", "value", "d", "simulated"];
 
 type Records = Record<string, PageRecord>;
@@ -21,8 +21,8 @@ function matched(session: MatchingSession, records: Records): [MatchingTrial, Pa
 }
 
 /** One row a trial, without practice; `mien study evaluate` reads it. */
-export function trials_csv(experiment: MatchingExperiment, session: MatchingSession, records: Records): string {
-  return csv(trial_columns, matched(session, records)
+export function trialsCsv(experiment: MatchingExperiment, session: MatchingSession, records: Records): string {
+  return csv(trialColumns, matched(session, records)
     .filter(([trial]) => !trial.practice)
     .map(([trial, record, match]) => ({
       participant: session.participant, target: trial.target, interface: trial.interface,
@@ -35,8 +35,8 @@ export function trials_csv(experiment: MatchingExperiment, session: MatchingSess
 }
 
 /** One row a change, practice included. */
-export function changes_csv(experiment: MatchingExperiment, session: MatchingSession, records: Records): string {
-  return csv(change_columns, matched(session, records).flatMap(([trial, , match]) =>
+export function changesCsv(experiment: MatchingExperiment, session: MatchingSession, records: Records): string {
+  return csv(changeColumns, matched(session, records).flatMap(([trial, , match]) =>
     match.changes.map((change) => ({
       participant: session.participant, trial: String(trial.number), target: trial.target,
       interface: trial.interface, is_practice: truth(trial.practice), attempt: String(match.attempt),

@@ -16,7 +16,7 @@ interface Row {
 }
 
 /** What a slider is called, and its ends. */
-function words_of(slider: Slider, language: string, texts: MatchingTexts): { name: string; ends: [string, string] } {
+function wordsOf(slider: Slider, language: string, texts: MatchingTexts): { name: string; ends: [string, string] } {
   const pair = slider.texts?.[language] ?? (slider.low && slider.high ? [slider.low, slider.high] as [string, string] : null);
   if (pair) return { name: `${pair[0]} – ${pair[1]}`, ends: pair };
   const name = slider.labels?.[language] ?? slider.labels?.en ?? slider.name;
@@ -24,7 +24,7 @@ function words_of(slider: Slider, language: string, texts: MatchingTexts): { nam
 }
 
 /** The sliders of an interface as the core has them; examples have one each. */
-function known_sliders(info: LiveInfo, kind: InterfaceKind): Slider[] {
+function knownSliders(info: LiveInfo, kind: InterfaceKind): Slider[] {
   if (kind !== "weights") return info.sliders[kind];
   return info.examples.map((name) => ({ name, primary: true, mean: 0 }));
 }
@@ -44,10 +44,10 @@ export class SliderPanel {
     private kind: InterfaceKind, sliders: { shown: string[]; offered: string[] }, info: LiveInfo,
     private language: string, private texts: MatchingTexts, private changed: (change: SliderChange) => void,
   ) {
-    this.known = new Map(known_sliders(info, kind).map((slider) => [slider.name, slider]));
+    this.known = new Map(knownSliders(info, kind).map((slider) => [slider.name, slider]));
     this.list = element("div", { class: `sliders ${kind}` });
     this.element = element("div", { class: "slider-panel" }, this.list);
-    for (const name of sliders.shown) this.add_row(name, false);
+    for (const name of sliders.shown) this.addRow(name, false);
     if (sliders.offered.length) this.element.append(this.offer(sliders.offered));
   }
 
@@ -64,7 +64,7 @@ export class SliderPanel {
     for (const name of setting.sliders) {
       if (this.rows.some(({ slider }) => slider.name === name)) continue;
       this.choice?.querySelector(`option[value="${CSS.escape(name)}"]`)?.remove();
-      this.add_row(name, true);
+      this.addRow(name, true);
     }
     for (const { slider, input } of this.rows) {
       const at = setting.sliders.indexOf(slider.name);
@@ -73,8 +73,8 @@ export class SliderPanel {
     }
   }
 
-  lock(is_locked: boolean): void {
-    this.element.inert = is_locked;
+  lock(isLocked: boolean): void {
+    this.element.inert = isLocked;
   }
 
   focus(): void {
@@ -85,10 +85,10 @@ export class SliderPanel {
     input.setAttribute("aria-valuetext", this.texts.percent(Math.round(100 * Number(input.value))));
   }
 
-  private add_row(name: string, is_added: boolean): Row {
+  private addRow(name: string, isAdded: boolean): Row {
     const slider = this.known.get(name);
     if (!slider) throw new Error(`The motion core knows no slider "${name}".`);
-    const { name: shown, ends } = words_of(slider, this.language, this.texts);
+    const { name: shown, ends } = wordsOf(slider, this.language, this.texts);
     const id = `slider-${this.kind}-${name}`;
     const start = Math.round(100 * Math.min(1, Math.max(0, slider.mean))) / 100;
     const input = element("input", {
@@ -98,14 +98,14 @@ export class SliderPanel {
       this.tell(input);
       this.changed({ action: "move", slider: name, value: Number(input.value) });
     });
-    const is_pair = shown !== name && shown.includes(" – ");
-    const root = element("div", { class: `slider ${is_pair ? "pair" : "named"}` },
+    const isPair = shown !== name && shown.includes(" – ");
+    const root = element("div", { class: `slider ${isPair ? "pair" : "named"}` },
       element("label", { for: id }, shown),
       element("div", { class: "slider-line" },
         element("span", { class: "end", "aria-hidden": "true" }, ends[0]), input,
         element("span", { class: "end", "aria-hidden": "true" }, ends[1])));
     const row = { slider, input, root };
-    if (is_added) {
+    if (isAdded) {
       const away = button("×", () => this.remove(row), "small");
       away.setAttribute("aria-label", this.texts.remove(shown));
       root.append(away);
@@ -124,18 +124,18 @@ export class SliderPanel {
       const name = choice.value;
       if (!name) return;
       choice.querySelector(`option[value="${CSS.escape(name)}"]`)?.remove();
-      const row = this.add_row(name, true);
+      const row = this.addRow(name, true);
       this.changed({ action: "add", slider: name, value: Number(row.input.value) });
       row.input.focus();
     }, "small");
     return element("div", { class: "offer" },
-      element("label", { for: choice.id }, this.texts.add_pair[this.kind]), choice, add);
+      element("label", { for: choice.id }, this.texts.addPair[this.kind]), choice, add);
   }
 
   private option(name: string): HTMLOptionElement {
     const slider = this.known.get(name);
     if (!slider) throw new Error(`The motion core knows no slider "${name}".`);
-    return element("option", { value: name }, words_of(slider, this.language, this.texts).name);
+    return element("option", { value: name }, wordsOf(slider, this.language, this.texts).name);
   }
 
   private remove(row: Row): void {

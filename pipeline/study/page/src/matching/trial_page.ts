@@ -2,7 +2,7 @@ import { FigureView } from "../figure/figure_view";
 import type { LiveCore } from "../live/core";
 import { button, element, heading } from "../questionnaire/elements";
 import type { PageRecord } from "../questionnaire/experiment";
-import { count_blurs } from "../questionnaire/measures";
+import { countBlurs } from "../questionnaire/measures";
 import type { Texts } from "../questionnaire/texts";
 import { ExamplesFilm } from "./examples_film";
 import type { MatchingExperiment, MatchingTrial } from "./experiment";
@@ -10,7 +10,7 @@ import type { Guess, MatchingRecord } from "./record";
 import { MatchingRun } from "./matching_trial";
 import { SliderPanel, type SliderChange } from "./slider_panel";
 import type { MatchingTexts } from "./texts";
-import { view_controls, type Seeing } from "./view_controls";
+import { viewControls, type Seeing } from "./view_controls";
 
 /** What all trials of a session have in common. */
 export interface MatchingSurroundings {
@@ -23,7 +23,7 @@ export interface MatchingSurroundings {
   seeing: Seeing;
 }
 
-const clock_text = (seconds: number): string => {
+const clockText = (seconds: number): string => {
   const whole = Math.ceil(seconds);
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 };
@@ -39,28 +39,28 @@ class Readings {
   private timer: ReturnType<typeof setInterval> | undefined;
 
   constructor(private experiment: MatchingExperiment, words: MatchingTexts) {
-    const { threshold_m, shows_distance, limit_s } = experiment.matching;
-    this.clock.textContent = clock_text(limit_s);
+    const { threshold_m: thresholdM, shows_distance: showsDistance, limit_s: limitS } = experiment.matching;
+    this.clock.textContent = clockText(limitS);
     this.element = element("div", { class: "readings" },
       element("p", {}, `${words.clock}: `, this.clock));
     this.bar.setAttribute("aria-hidden", "true");
-    if (shows_distance)
+    if (showsDistance)
       this.element.append(
         element("p", {}, `${words.distance}: `, this.distance, " cm ",
-          element("span", { class: "goal" }, `(${words.goal(centimetres(threshold_m))})`)), this.bar);
+          element("span", { class: "goal" }, `(${words.goal(centimetres(thresholdM))})`)), this.bar);
   }
 
   tell(d: number): void {
-    const { threshold_m } = this.experiment.matching;
+    const { threshold_m: thresholdM } = this.experiment.matching;
     this.distance.textContent = centimetres(d);
     this.element.dataset.d = String(d);
-    const share = Math.min(1, threshold_m / Math.max(d, 1e-6));
+    const share = Math.min(1, thresholdM / Math.max(d, 1e-6));
     (this.bar.firstElementChild as HTMLElement).style.width = `${Math.round(100 * share)}%`;
-    this.bar.classList.toggle("reached", d < threshold_m);
+    this.bar.classList.toggle("reached", d < thresholdM);
   }
 
-  run(seconds_left: () => number): void {
-    this.timer = setInterval(() => { this.clock.textContent = clock_text(seconds_left()); }, 200);
+  run(secondsLeft: () => number): void {
+    this.timer = setInterval(() => { this.clock.textContent = clockText(secondsLeft()); }, 200);
   }
 
   stop(): void {
@@ -68,14 +68,14 @@ class Readings {
   }
 }
 
-function key_of_colours(experiment: MatchingExperiment, words: MatchingTexts): HTMLElement {
-  const { target_colour, created_colour } = experiment.matching;
+function keyOfColours(experiment: MatchingExperiment, words: MatchingTexts): HTMLElement {
+  const { target_colour: targetColour, created_colour: createdColour } = experiment.matching;
   const one = (colour: string, text: string) => {
     const dot = element("span", { class: "dot", "aria-hidden": "true" });
     dot.style.background = colour;
     return element("span", { class: "colour" }, dot, text);
   };
-  return element("p", { class: "key" }, one(target_colour, words.target), one(created_colour, words.mine));
+  return element("p", { class: "key" }, one(targetColour, words.target), one(createdColour, words.mine));
 }
 
 /** What is on the screen of a trial. */
@@ -91,7 +91,7 @@ interface Shown {
 }
 
 /** Shows the target alone, the sliders, and buttons below them. */
-async function show_trial(
+async function showTrial(
   display: HTMLElement, trial: MatchingTrial, title: string, around: MatchingSurroundings,
   changed: (change: SliderChange) => void, buttons: HTMLButtonElement[],
 ): Promise<Shown> {
@@ -102,8 +102,8 @@ async function show_trial(
   view.show(0, target);
   const readings = new Readings(experiment, words);
   const head = heading(title);
-  const step = element("h2", {}, words.guess_step);
-  const note = element("p", { class: "step-note" }, words.guess_note);
+  const step = element("h2", {}, words.guessStep);
+  const note = element("p", { class: "step-note" }, words.guessNote);
   const status = element("p", { class: "matching-status", role: "status" });
   const panel = new SliderPanel(trial.interface, matching.sliders[trial.interface]!, core.info,
     experiment.language, words, changed);
@@ -111,8 +111,8 @@ async function show_trial(
   const page = element("article", { class: `matching${film ? " with-examples" : ""}`, "data-step": "guess",
     "data-interface": trial.interface },
     element("header", { class: "matching-head" }, head, readings.element),
-    element("div", { class: "stage" }, view.element, key_of_colours(experiment, words),
-      view_controls(view, seeing, words), ...(film ? [film.element] : [])),
+    element("div", { class: "stage" }, view.element, keyOfColours(experiment, words),
+      viewControls(view, seeing, words), ...(film ? [film.element] : [])),
     element("section", { class: "control", "aria-label": words.interfaces[trial.interface] },
       step, note, panel.element, status, element("div", { class: "buttons" }, ...buttons)));
   display.replaceChildren(page);
@@ -126,22 +126,22 @@ async function show_trial(
 }
 
 /** Shows the target alone until a guess is made; nothing is seen of what comes of it. */
-export async function run_guess(
+export async function runGuess(
   display: HTMLElement, trial: MatchingTrial, title: string, attempt: number, around: MatchingSurroundings,
 ): Promise<Guess> {
   const { experiment, core, words } = around;
   let run: MatchingRun;
-  const take = button(words.take_guess, () => void run.guess(), "main");
+  const take = button(words.takeGuess, () => void run.guess(), "main");
   const { status, panel, view, release } =
-    await show_trial(display, trial, title, around, (change) => run.changed(change), [take]);
-  if (attempt > 1) status.textContent = words.begun_anew;
+    await showTrial(display, trial, title, around, (change) => run.changed(change), [take]);
+  if (attempt > 1) status.textContent = words.begunAnew;
   const guess = await new Promise<Guess>((resolve) => {
     run = new MatchingRun(trial.target, experiment.matching, core, view, panel, attempt, {
       adjusting() {}, distance() {}, ended() {},
       guessed: resolve,
       failed(error) {
         console.error(error);
-        status.textContent = words.lost_core;
+        status.textContent = words.lostCore;
       },
     }, true);
   });
@@ -153,37 +153,37 @@ export async function run_guess(
  * Shows a trial until it is over and the participant goes on; what is to be kept of it. With a guess that was
  * made before, the trial begins with its motion.
  */
-export async function run_trial(
+export async function runTrial(
   display: HTMLElement, trial: MatchingTrial, title: string, attempt: number, around: MatchingSurroundings,
   given?: Guess,
 ): Promise<PageRecord> {
   const { experiment, core, texts, words } = around;
-  const started_at = new Date().toISOString();
+  const startedAt = new Date().toISOString();
   const began = performance.now();
-  const blurs = count_blurs();
+  const blurs = countBlurs();
   let run: MatchingRun;
-  let go_on: () => void = () => {};
-  const gone_on = new Promise<void>((resolve) => { go_on = resolve; });
-  const show_mine = button(words.show_mine, () => void (given ? run.go_on(given) : run.guess()), "main");
-  const next = button(texts.next, () => go_on(), "main");
+  let goOn: () => void = () => {};
+  const goneOn = new Promise<void>((resolve) => { goOn = resolve; });
+  const showMine = button(words.showMine, () => void (given ? run.goOn(given) : run.guess()), "main");
+  const next = button(texts.next, () => goOn(), "main");
   next.hidden = true;
   const { page, step, note, status, readings, panel, view, release } =
-    await show_trial(display, trial, title, around, (change) => run.changed(change), [show_mine, next]);
-  const tell_adjust = (): void => {
-    step.textContent = words.adjust_step;
-    note.textContent = words.adjust_note;
+    await showTrial(display, trial, title, around, (change) => run.changed(change), [showMine, next]);
+  const tellAdjust = (): void => {
+    step.textContent = words.adjustStep;
+    note.textContent = words.adjustNote;
   };
-  const is_anew = given ? attempt > given.attempt : attempt > 1;
-  if (is_anew) status.textContent = words.begun_anew;
+  const isAnew = given ? attempt > given.attempt : attempt > 1;
+  if (isAnew) status.textContent = words.begunAnew;
 
   const over = new Promise<MatchingRecord>((resolve) => {
     run = new MatchingRun(trial.target, experiment.matching, core, view, panel, attempt, {
       adjusting() {
-        tell_adjust();
-        status.textContent = given && is_anew ? words.begun_anew : "";
+        tellAdjust();
+        status.textContent = given && isAnew ? words.begunAnew : "";
         page.dataset.step = "adjust";
-        show_mine.remove();
-        readings.run(() => run.seconds_left());
+        showMine.remove();
+        readings.run(() => run.secondsLeft());
         panel.focus();
       },
       distance: (d) => readings.tell(d),
@@ -192,7 +192,7 @@ export async function run_trial(
         readings.stop();
         page.dataset.step = "over";
         const seconds = Math.round(record.time_s);
-        status.textContent = !record.success ? words.over : record.time_s === 0 ? words.matched_at_once
+        status.textContent = !record.success ? words.over : record.time_s === 0 ? words.matchedAtOnce
           : words.matched(seconds);
         status.classList.add(record.success ? "good" : "late");
         next.hidden = false;
@@ -201,27 +201,27 @@ export async function run_trial(
       },
       failed(error) {
         console.error(error);
-        status.textContent = words.lost_core;
+        status.textContent = words.lostCore;
         // Where it was not asked for by hand, it can be from now on.
-        show_mine.hidden = false;
+        showMine.hidden = false;
       },
     });
   });
   if (given) {
-    tell_adjust();
+    tellAdjust();
     page.dataset.step = "show";
     panel.put(given.first);
     panel.lock(true);
-    show_mine.hidden = true;
-    void run!.go_on(given);
+    showMine.hidden = true;
+    void run!.goOn(given);
   }
 
   const matched = await over;
-  const trial_ms = Math.round(performance.now() - began + (given ? 1000 * given.s : 0));
-  await gone_on;
+  const trialMs = Math.round(performance.now() - began + (given ? 1000 * given.s : 0));
+  await goneOn;
   release();
   return {
-    record: `trial-${trial.number}`, session: around.name, responses: [], comment: "", started_at, trial_ms,
+    record: `trial-${trial.number}`, session: around.name, responses: [], comment: "", started_at: startedAt, trial_ms: trialMs,
     blurs: blurs(), viewport_width: innerWidth, viewport_height: innerHeight, matching: matched,
   };
 }

@@ -3,7 +3,7 @@ import { button, element } from "../questionnaire/elements";
 import type { MatchingTexts } from "./texts";
 
 /** Buttons of which one is pressed. */
-function choice_of<Value extends string>(
+function choiceOf<Value extends string>(
   name: string, options: [Value, string][], first: Value | null, chosen: (value: Value) => void): HTMLElement {
   const group = element("div", { class: "choice-of", role: "group", "aria-label": name });
   const buttons = options.map(([value, text]) => {
@@ -28,7 +28,7 @@ export interface Seeing {
   step: "keytimes" | "time";
 }
 
-export function view_controls(view: FigureView, seeing: Seeing, texts: MatchingTexts): HTMLElement {
+export function viewControls(view: FigureView, seeing: Seeing, texts: MatchingTexts): HTMLElement {
   view.arrange(seeing.arrangement);
   view.keep(seeing.step);
   const pause = button(texts.pause, () => {
@@ -37,11 +37,11 @@ export function view_controls(view: FigureView, seeing: Seeing, texts: MatchingT
     pause.textContent = view.plays() ? texts.pause : texts.play;
   }, "small");
   return element("div", { class: "view-controls" },
-    choice_of(texts.arrange, [["over", texts.over_each_other], ["beside", texts.beside]], seeing.arrangement,
+    choiceOf(texts.arrange, [["over", texts.overEachOther], ["beside", texts.beside]], seeing.arrangement,
       (value) => view.arrange(seeing.arrangement = value)),
-    choice_of(texts.step, [["keytimes", texts.in_step], ["time", texts.own_tempo]], seeing.step,
+    choiceOf(texts.step, [["keytimes", texts.inStep], ["time", texts.ownTempo]], seeing.step,
       (value) => view.keep(seeing.step = value)),
-    choice_of<Side>(texts.look_from, Object.entries(texts.sides) as [Side, string][], null,
-      (side) => view.look_from(side)),
+    choiceOf<Side>(texts.lookFrom, Object.entries(texts.sides) as [Side, string][], null,
+      (side) => view.lookFrom(side)),
     pause);
 }

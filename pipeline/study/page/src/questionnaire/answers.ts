@@ -1,6 +1,6 @@
 import type { Experiment, Item, Response, Trial } from "./experiment";
 import { element } from "./elements";
-import { degree_of, meaning_of, type Texts } from "./texts";
+import { degreeOf, meaningOf, type Texts } from "./texts";
 
 /** One thing that is asked and its answer, if any. */
 export interface Asked {
@@ -11,8 +11,8 @@ export interface Asked {
   answer(): { item: string; value_raw: number | string; at: number } | null;
 }
 
-/** Told when an answer has been given; `is_key` where it was a digit, after which one goes on. */
-type Answered = (asked: Asked, is_key: boolean) => void;
+/** Told when an answer has been given; `isKey` where it was a digit, after which one goes on. */
+type Answered = (asked: Asked, isKey: boolean) => void;
 
 interface Choice {
   value: string;
@@ -27,7 +27,7 @@ interface Choice {
 let names = 0;
 
 /** Buttons of which one is chosen: arrows move, digits choose. */
-function choices_of(
+function choicesOf(
   item: string, title: string, left: string, right: string, choices: Choice[],
   raw: (value: string) => number | string, chosen: string | null, answered: Answered,
 ): Asked {
@@ -60,11 +60,11 @@ function choices_of(
     focus: () => (inputs.find((input) => input.checked) ?? inputs[0])?.focus(),
     answer: () => (value === null ? null : { item, value_raw: raw(value), at }),
   };
-  const choose = (input: HTMLInputElement, is_key: boolean) => {
+  const choose = (input: HTMLInputElement, isKey: boolean) => {
     input.checked = true;
     value = input.value;
     at = performance.now();
-    answered(asked, is_key);
+    answered(asked, isKey);
   };
   for (const input of inputs) input.addEventListener("change", () => choose(input, false));
   root.addEventListener("keydown", (event) => {
@@ -78,39 +78,39 @@ function choices_of(
 }
 
 /** The further from the middle the stronger, one hue a side: sides tell nothing of poles. */
-function look_of(place: number, points: number): string {
+function lookOf(place: number, points: number): string {
   const middle = (points + 1) / 2;
   const depth = Math.round((3 * Math.abs(place - middle)) / (middle - 1));
   if (place === middle) return "middle";
   return `${place < middle ? "left" : "right"}-${Math.max(1, depth)}`;
 }
 
-function points_of(
+function pointsOf(
   id: string, item: Item, flipped: boolean, language: string, texts: Texts, answered: Answered,
 ): Asked {
   const left = flipped ? item.high : item.low;
   const right = flipped ? item.low : item.high;
   const choices = Array.from({ length: item.points }, (_, index): Choice => {
     const place = index + 1;
-    return { value: String(place), text: String(place), look: look_of(place, item.points),
-      note: item.anchors ? degree_of(texts, place, item.points) : undefined,
-      meaning: `${place}: ${meaning_of(texts, language, place, item.points, left, right)}` };
+    return { value: String(place), text: String(place), look: lookOf(place, item.points),
+      note: item.anchors ? degreeOf(texts, place, item.points) : undefined,
+      meaning: `${place}: ${meaningOf(texts, language, place, item.points, left, right)}` };
   });
   const middle = (item.points + 1) / 2;
   const start = item.default === "middle" && Number.isInteger(middle) ? String(middle) : null;
-  return choices_of(id, `${left} – ${right}`, left, right, choices, Number, start, answered);
+  return choicesOf(id, `${left} – ${right}`, left, right, choices, Number, start, answered);
 }
 
-function slider_of(id: string, item: Item, flipped: boolean, answered: Answered): Asked {
+function sliderOf(id: string, item: Item, flipped: boolean, answered: Answered): Asked {
   const left = flipped ? item.high : item.low;
   const right = flipped ? item.low : item.high;
-  let is_given = item.default === "middle";
+  let isGiven = item.default === "middle";
   let at = performance.now();
   const input = element("input", { type: "range", min: "0", max: "100", step: "1",
-    "aria-label": `${left} – ${right}`, class: is_given ? "" : "untouched" });
+    "aria-label": `${left} – ${right}`, class: isGiven ? "" : "untouched" });
   input.value = "50";
   const tell = () =>
-    input.setAttribute("aria-valuetext", is_given ? `${input.value} / 100` : "–");
+    input.setAttribute("aria-valuetext", isGiven ? `${input.value} / 100` : "–");
   tell();
   const asked: Asked = {
     root: element("div", { class: "asked slider" },
@@ -118,10 +118,10 @@ function slider_of(id: string, item: Item, flipped: boolean, answered: Answered)
         element("span", { class: "pole low" }, left), element("span", { class: "pole high" }, right)),
       input),
     focus: () => input.focus(),
-    answer: () => (is_given ? { item: id, value_raw: Number(input.value), at } : null),
+    answer: () => (isGiven ? { item: id, value_raw: Number(input.value), at } : null),
   };
   const given = () => {
-    is_given = true;
+    isGiven = true;
     at = performance.now();
     input.classList.remove("untouched");
     tell();
@@ -136,7 +136,7 @@ function slider_of(id: string, item: Item, flipped: boolean, answered: Answered)
   return asked;
 }
 
-function words_of(id: string, title: string, answered: Answered): Asked {
+function wordsOf(id: string, title: string, answered: Answered): Asked {
   let at = performance.now();
   const input = element("textarea", { rows: "2", maxlength: "2000", id: `asked-${(names += 1)}` });
   const asked: Asked = {
@@ -152,72 +152,72 @@ function words_of(id: string, title: string, answered: Answered): Asked {
   return asked;
 }
 
-function pair_of(id: string, item: Item | undefined, texts: Texts, answered: Answered): Asked {
+function pairOf(id: string, item: Item | undefined, texts: Texts, answered: Answered): Asked {
   const title = item ? texts.more(item.high) : id;
-  return choices_of(id, title, "", "",
+  return choicesOf(id, title, "", "",
     [{ value: "left", text: texts.left, look: "left-2" }, { value: "right", text: texts.right, look: "right-2" }],
     String, null, answered);
 }
 
 /** Words of which one is chosen. */
-function emotion_of(
+function emotionOf(
   ids: string[], experiment: Experiment, texts: Texts, answered: Answered,
 ): Asked {
   const choices = ids.map((id, index): Choice => ({ value: id, text: experiment.choices?.[id] ?? id,
     note: index < 9 ? String(index + 1) : undefined, look: "plain" }));
-  return choices_of("emotion", texts.which_emotion, "", "", choices, String, null, answered);
+  return choicesOf("emotion", texts.whichEmotion, "", "", choices, String, null, answered);
 }
 
 /** The check that an answer is given as told, in the way in which all trials are answered. */
-function check_of(
+function checkOf(
   trial: Trial, ids: string[], experiment: Experiment, texts: Texts, answered: Answered,
 ): Asked {
   const id = trial.items[0]?.item ?? "attention";
   const flipped = trial.items[0]?.flipped ?? false;
   const item = experiment.items[id];
-  if (id === "emotion") return emotion_of(ids, experiment, texts, answered);
-  if (trial.expected === "left" || trial.expected === "right") return pair_of(id, item, texts, answered);
-  if (item?.words) return words_of(id, texts.attention, answered);
-  if (item?.slider) return slider_of(id, { ...item, default: null }, flipped, answered);
-  if (item) return points_of(id, { ...item, default: null }, flipped, experiment.language, texts, answered);
+  if (id === "emotion") return emotionOf(ids, experiment, texts, answered);
+  if (trial.expected === "left" || trial.expected === "right") return pairOf(id, item, texts, answered);
+  if (item?.words) return wordsOf(id, texts.attention, answered);
+  if (item?.slider) return sliderOf(id, { ...item, default: null }, flipped, answered);
+  if (item) return pointsOf(id, { ...item, default: null }, flipped, experiment.language, texts, answered);
   const choices = [1, 2, 3, 4, 5].map((place): Choice => ({ value: String(place), text: String(place),
-    look: look_of(place, 5) }));
-  return choices_of(id, texts.attention, "", "", choices, Number, null, answered);
+    look: lookOf(place, 5) }));
+  return choicesOf(id, texts.attention, "", "", choices, Number, null, answered);
 }
 
 /** What a check asks for. */
-export function check_text(trial: Trial, experiment: Experiment, texts: Texts): string {
+export function checkText(trial: Trial, experiment: Experiment, texts: Texts): string {
   const expected = trial.expected ?? "";
   const id = trial.items[0]?.item ?? "";
   const item = experiment.items[id];
-  if (id === "emotion") return texts.choose_word(experiment.choices?.[expected] ?? expected);
-  if (expected === "left" || expected === "right") return texts.choose_word(texts[expected]);
-  if (item?.words) return texts.write_word(expected);
+  if (id === "emotion") return texts.chooseWord(experiment.choices?.[expected] ?? expected);
+  if (expected === "left" || expected === "right") return texts.chooseWord(texts[expected]);
+  if (item?.words) return texts.writeWord(expected);
   const place = Number(expected);
   if (item?.slider)
-    return place === 0 ? texts.put_left : place === 100 ? texts.put_right : texts.put_slider(place);
-  return place === 1 ? texts.press_leftmost : place === (item?.points ?? 5) ? texts.press_rightmost
-    : texts.press_number(place);
+    return place === 0 ? texts.putLeft : place === 100 ? texts.putRight : texts.putSlider(place);
+  return place === 1 ? texts.pressLeftmost : place === (item?.points ?? 5) ? texts.pressRightmost
+    : texts.pressNumber(place);
 }
 
 /** All that a trial asks, in its order. */
-export function asked_of(
-  trial: Trial, choices_in_order: string[], experiment: Experiment, texts: Texts, answered: Answered,
+export function askedOf(
+  trial: Trial, choicesInOrder: string[], experiment: Experiment, texts: Texts, answered: Answered,
 ): Asked[] {
   if (trial.kind === "attention")
-    return [check_of(trial, choices_in_order, experiment, texts, answered)];
-  if (trial.kind === "emotion") return [emotion_of(choices_in_order, experiment, texts, answered)];
+    return [checkOf(trial, choicesInOrder, experiment, texts, answered)];
+  if (trial.kind === "emotion") return [emotionOf(choicesInOrder, experiment, texts, answered)];
   return trial.items.map(({ item: id, flipped }) => {
     const item = experiment.items[id];
-    if (trial.kind === "pair") return pair_of(id, item, texts, answered);
-    if (!item || item.words) return words_of(id, item ? `${item.low} – ${item.high}` : texts.describe, answered);
-    return item.slider ? slider_of(id, item, flipped, answered)
-      : points_of(id, item, flipped, experiment.language, texts, answered);
+    if (trial.kind === "pair") return pairOf(id, item, texts, answered);
+    if (!item || item.words) return wordsOf(id, item ? `${item.low} – ${item.high}` : texts.describe, answered);
+    return item.slider ? sliderOf(id, item, flipped, answered)
+      : pointsOf(id, item, flipped, experiment.language, texts, answered);
   });
 }
 
 /** Answers in the order in which they were asked; times from `since`. */
-export const responses_of = (asked: Asked[], since: number): Response[] =>
+export const responsesOf = (asked: Asked[], since: number): Response[] =>
   asked.flatMap((one) => {
     const answer = one.answer();
     return answer ? [{ item: answer.item, value_raw: answer.value_raw,

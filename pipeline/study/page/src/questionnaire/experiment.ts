@@ -140,7 +140,7 @@ export function checked(experiment: unknown): Experiment {
 }
 
 /** The records of a session in their order. */
-export function records_of(experiment: Experiment, session: Session): string[] {
+export function recordsOf(experiment: Experiment, session: Session): string[] {
   return [
     "consent",
     ...(experiment.demographics.length ? ["demographics"] : []),

@@ -1,5 +1,5 @@
 import type { Experiment } from "./experiment";
-import { answers_csv, participants_csv } from "./rows";
+import { answersCsv, participantsCsv } from "./rows";
 import type { Store } from "./store";
 
 export interface SavedFile {
@@ -25,12 +25,12 @@ export interface TextFile {
 }
 
 /** Saves files among the downloads, by itself only once; says how to do so again. */
-export function save_once(files: TextFile[], store: Pick<Store, "is_saved" | "note_saved">): SavedFile[] {
+export function saveOnce(files: TextFile[], store: Pick<Store, "isSaved" | "noteSaved">): SavedFile[] {
   const saved = files.map((file) => ({ name: file.name,
     save: () => download(file.name, file.type, file.text) }));
-  if (!store.is_saved?.()) {
+  if (!store.isSaved?.()) {
     saved.forEach(({ save }, index) => setTimeout(save, 300 * index));
-    setTimeout(() => store.note_saved?.(), 300 * (saved.length - 1));
+    setTimeout(() => store.noteSaved?.(), 300 * (saved.length - 1));
   }
   return saved;
 }
@@ -38,7 +38,7 @@ export function save_once(files: TextFile[], store: Pick<Store, "is_saved" | "no
 /**
  * Saves the answers of a session among the downloads, by itself only once; says how to do so again.
  */
-export function save_files(experiment: Experiment, store: Store): SavedFile[] {
+export function saveFiles(experiment: Experiment, store: Store): SavedFile[] {
   const { session, records, name } = store;
   // As Psych-DS likes its files to be named.
   const begin = `subject-${session.participant}_session-${name.slice(0, 8)}`;
@@ -46,9 +46,9 @@ export function save_files(experiment: Experiment, store: Store): SavedFile[] {
     participant: session.participant, session: name, seed: String(session.seed), trials: session.trials,
     records };
   const files = [
-    { name: `${begin}_description-answers_data.csv`, type: "text/csv", text: answers_csv(experiment, session, records) },
-    { name: `${begin}_description-participant_data.csv`, type: "text/csv", text: participants_csv(experiment, session, records) },
+    { name: `${begin}_description-answers_data.csv`, type: "text/csv", text: answersCsv(experiment, session, records) },
+    { name: `${begin}_description-participant_data.csv`, type: "text/csv", text: participantsCsv(experiment, session, records) },
     { name: `${begin}_records.json`, type: "application/json", text: JSON.stringify(everything, null, 1) },
   ];
-  return save_once(files, store);
+  return saveOnce(files, store);
 }

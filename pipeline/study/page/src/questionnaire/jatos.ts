@@ -1,5 +1,5 @@
 import type { PageRecord, Planned } from "./experiment";
-import { least_taken, named_session, pause, random_name, type Remembered, type Store } from "./store";
+import { leastTaken, namedSession, pause, randomName, type Remembered, type Store } from "./store";
 
 /** What is used of jatos.js. */
 interface Jatos {
@@ -17,11 +17,11 @@ interface Jatos {
   endStudy(): Promise<unknown>;
 }
 
-const jatos_of_window = (): Jatos | undefined => (globalThis as { jatos?: Jatos }).jatos;
+const jatosOfWindow = (): Jatos | undefined => (globalThis as { jatos?: Jatos }).jatos;
 
 /** Once jatos.js has loaded what JATOS knows of this run. */
-function loaded_jatos(): Promise<Jatos> {
-  const jatos = jatos_of_window();
+function loadedJatos(): Promise<Jatos> {
+  const jatos = jatosOfWindow();
   if (!jatos) throw new Error("This questionnaire must be opened by JATOS.");
   return new Promise((ready) => jatos.onLoad(() => ready(jatos)));
 }
@@ -30,10 +30,10 @@ function loaded_jatos(): Promise<Jatos> {
  * Counts the session that is taken in the batch session, which all participants of a batch share.
  * JATOS refuses a change that was made on an old state; then another one is chosen.
  */
-async function least_taken_of_batch(experiment: Planned<{ participant: string }>, jatos: Jatos): Promise<string> {
+async function leastTakenOfBatch(experiment: Planned<{ participant: string }>, jatos: Jatos): Promise<string> {
   for (let tries = 0; ; tries += 1) {
     const taken = jatos.batchSession?.get("mien_taken") ?? {};
-    const { participant } = least_taken(experiment.sessions, taken);
+    const { participant } = leastTaken(experiment.sessions, taken);
     if (!jatos.batchSession || tries === 8) return participant;
     try {
       await jatos.batchSession.set("mien_taken",
@@ -54,18 +54,18 @@ export interface Tables<Own> {
 }
 
 /** The result data is a table of what was given so far; a reload goes on from the study session. */
-export async function jatos_store<Own extends { participant: string }>(
+export async function jatosStore<Own extends { participant: string }>(
   experiment: Planned<Own>, tables: Tables<Own>): Promise<Store<Own>> {
-  const jatos = await loaded_jatos();
+  const jatos = await loadedJatos();
   let own = jatos.studySessionData?.mien;
   if (!own) {
     const wanted = jatos.urlQueryParameters?.participant;
-    const participant = wanted ? named_session(experiment.sessions, wanted).participant
-                               : await least_taken_of_batch(experiment, jatos);
-    own = { participant, name: random_name(), records: {} };
+    const participant = wanted ? namedSession(experiment.sessions, wanted).participant
+                               : await leastTakenOfBatch(experiment, jatos);
+    own = { participant, name: randomName(), records: {} };
   }
   const kept = own;
-  const session = named_session(experiment.sessions, kept.participant);
+  const session = namedSession(experiment.sessions, kept.participant);
   const send = async (does: () => Promise<unknown>, wait: (why: "saving" | "failed") => void) => {
     for (let tries = 0; ; tries += 1) {
       const slow = setTimeout(() => wait("saving"), 400);

@@ -33,12 +33,12 @@ export class LoadPage implements JsPsychPlugin<typeof info> {
         await load((done, all) => {
           bar.max = Math.max(all, 1);
           bar.value = done;
-          note.textContent = texts.preparing_of(done, all);
+          note.textContent = texts.preparingOf(done, all);
         });
         this.jsPsych.finishTrial({});
       } catch (error) {
         console.error(error);
-        note.textContent = texts.load_failed;
+        note.textContent = texts.loadFailed;
         page.append(again);
         again.focus();
       }

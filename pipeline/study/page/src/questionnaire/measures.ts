@@ -1,7 +1,7 @@
 const frame = (): Promise<number> => new Promise((seen) => requestAnimationFrame(seen));
 
 /** Frames a second that the screen shows, to a tenth; null where that cannot be told. */
-export async function refresh_rate(): Promise<number | null> {
+export async function refreshRate(): Promise<number | null> {
   const steps: number[] = [];
   let before = await Promise.race([frame(), new Promise<number>((no) => setTimeout(no, 1000, -1))]);
   if (before < 0) return null;  // a window that is not seen draws nothing
@@ -15,7 +15,7 @@ export async function refresh_rate(): Promise<number | null> {
 }
 
 /** Counts how often the window is left until it is told to stop. */
-export function count_blurs(): () => number {
+export function countBlurs(): () => number {
   let blurs = 0;
   let last = -1000;
   const left = () => {
@@ -34,8 +34,8 @@ export function count_blurs(): () => number {
 }
 
 /** There is no mouse; where fingers are what there is, there is seldom a keyboard. */
-export const is_touched = (): boolean => matchMedia("(pointer: coarse)").matches;
+export const isTouched = (): boolean => matchMedia("(pointer: coarse)").matches;
 
 /** A phone: fingers, and a screen whose shorter side is short. */
-export const is_phone = (): boolean =>
-  is_touched() && Math.min(screen.width, screen.height) < 600;
+export const isPhone = (): boolean =>
+  isTouched() && Math.min(screen.width, screen.height) < 600;

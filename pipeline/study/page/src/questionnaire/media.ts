@@ -4,15 +4,15 @@ import type { Experiment, Media, Session } from "./experiment";
 export type Stock = Map<string, string>;
 
 /** Tokens of a session, each once, in the order in which they are needed. */
-const tokens_of = (session: Session): string[] => [
+const tokensOf = (session: Session): string[] => [
   ...new Set(session.trials.flatMap(({ media, reference }) =>
     reference ? [...media, reference] : media)),
 ];
 
 /** A page of file:// may show the files beside it and not fetch them. */
-const is_folder = (): boolean => location.protocol === "file:";
+const isFolder = (): boolean => location.protocol === "file:";
 
-async function sha256_of(bytes: ArrayBuffer): Promise<string | null> {
+async function sha256Of(bytes: ArrayBuffer): Promise<string | null> {
   if (!globalThis.crypto?.subtle) return null;  // on http, anywhere but on this machine
   const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
   return Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("");
@@ -22,13 +22,13 @@ async function fetched(media: Media): Promise<string> {
   const answer = await fetch(media.file);
   if (!answer.ok) throw new Error(`${media.file}: ${answer.status}`);
   const bytes = await answer.arrayBuffer();
-  const hash = await sha256_of(bytes);
+  const hash = await sha256Of(bytes);
   if (hash !== null && hash !== media.sha256) throw new Error(`${media.file}: damaged on the way`);
   return URL.createObjectURL(new Blob([bytes], { type: media.type }));
 }
 
 /** Waits until a video says that it can be played to its end. */
-export function plays_through(video: HTMLVideoElement): Promise<void> {
+export function playsThrough(video: HTMLVideoElement): Promise<void> {
   return new Promise((ready, failed) => {
     if (video.readyState >= HTMLMediaElement.HAVE_ENOUGH_DATA) return ready();
     video.addEventListener("canplaythrough", () => ready(), { once: true });
@@ -37,7 +37,7 @@ export function plays_through(video: HTMLVideoElement): Promise<void> {
   });
 }
 
-export function video_of(url: string): HTMLVideoElement {
+export function videoOf(url: string): HTMLVideoElement {
   const video = document.createElement("video");
   video.muted = true;
   video.playsInline = true;
@@ -53,15 +53,15 @@ export function release(video: HTMLVideoElement): void {
   video.load();
 }
 
-async function played_from_folder(media: Media): Promise<string> {
-  const video = video_of(media.file);
-  await plays_through(video);
+async function playedFromFolder(media: Media): Promise<string> {
+  const video = videoOf(media.file);
+  await playsThrough(video);
   release(video);
   return media.file;
 }
 
 /** Runs a script that lies beside the page. */
-export function run_script(file: string): Promise<void> {
+export function runScript(file: string): Promise<void> {
   return new Promise((done, failed) => {
     const script = document.createElement("script");
     script.src = file;
@@ -73,7 +73,7 @@ export function run_script(file: string): Promise<void> {
 
 /** A motion that a page of file:// finds in a script beside it, as base64. */
 async function unpacked(token: string, media: Media): Promise<string> {
-  await run_script(media.file.replace(/\.glb$/, ".js"));
+  await runScript(media.file.replace(/\.glb$/, ".js"));
   const packed = (globalThis as { mienMedia?: Record<string, string> }).mienMedia?.[token];
   if (!packed) throw new Error(`${media.file}: nothing in its script`);
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
@@ -81,8 +81,8 @@ async function unpacked(token: string, media: Media): Promise<string> {
 }
 
 function loaded(token: string, media: Media): Promise<string> {
-  if (!is_folder()) return fetched(media);
-  return media.type.startsWith("video/") ? played_from_folder(media) : unpacked(token, media);
+  if (!isFolder()) return fetched(media);
+  return media.type.startsWith("video/") ? playedFromFolder(media) : unpacked(token, media);
 }
 
 /**
@@ -92,7 +92,7 @@ function loaded(token: string, media: Media): Promise<string> {
 export async function fill(
   stock: Stock, experiment: Experiment, session: Session, told: (done: number, all: number) => void,
 ): Promise<void> {
-  const tokens = tokens_of(session);
+  const tokens = tokensOf(session);
   const missing = tokens.filter((token) => !stock.has(token));
   told(tokens.length - missing.length, tokens.length);
   const next = async (): Promise<void> => {

@@ -1,7 +1,7 @@
 import type { Experiment, Item, PageRecord, Session, Trial } from "./experiment";
 
 /** As pipeline/manifest/ratings/answers/answer_row.h has them. */
-const answer_columns = [
+const answerColumns = [
   "participant", "session", "trial", "block", "kind", "stimulus", "stimulus_sha256", "against",
   "item", "value_raw", "value", "pole_left", "rt_ms", "is_practice", "is_warmup", "is_catch",
   "expected", "passed", "replays", "trial_ms", "play_start_ms", "ended_ms", "stalls", "stall_ms",
@@ -9,25 +9,25 @@ const answer_columns = [
   "design", "simulated",
 ] as const;
 
-export type Row = Record<(typeof answer_columns)[number], string>;
+export type Row = Record<(typeof answerColumns)[number], string>;
 
 const truth = (is: boolean): string => (is ? "1" : "0");
-const number_text = (value: number | null | undefined): string =>
+const numberText = (value: number | null | undefined): string =>
   value === null || value === undefined ? "" : String(value);
 
 /** A raw answer in the scale's own range, its high pole being the most. */
-function value_of(item: Item, flipped: boolean, raw: number): number {
+function valueOf(item: Item, flipped: boolean, raw: number): number {
   const share = item.slider ? raw / 100 : (raw - 1) / (item.points - 1);
   const value = item.least + (flipped ? 1 - share : share) * (item.most - item.least);
   return Number(value.toFixed(6)) + 0;
 }
 
 /** What a table cannot hold is a space there. */
-const table_text = (text: string): string =>
+const tableText = (text: string): string =>
   text.replace(/[\x00-\x08\x0b-\x1f\x7f]/g, " ");
 
 /** One row a response, in the order of the responses. */
-function rows_of(
+function rowsOf(
   experiment: Experiment, session: Session, trial: Trial, record: PageRecord,
 ): Row[] {
   const stimulus = (token: string | undefined) => (token && experiment.stimuli?.[token]) ?? "";
@@ -36,11 +36,11 @@ function rows_of(
   return record.responses.map((response, index) => {
     const asked = trial.items.find(({ item }) => item === response.item);
     const item = experiment.items[response.item];
-    const has_poles = trial.kind === "rating" && !!item && !item.words;
-    const raw = table_text(String(response.value_raw));
+    const hasPoles = trial.kind === "rating" && !!item && !item.words;
+    const raw = tableText(String(response.value_raw));
     let value = raw;
-    if (has_poles && asked && typeof response.value_raw === "number")
-      value = String(value_of(item, asked.flipped, response.value_raw));
+    if (hasPoles && asked && typeof response.value_raw === "number")
+      value = String(valueOf(item, asked.flipped, response.value_raw));
     if (trial.kind === "pair") value = stimulus(response.value_raw === "left" ? shown : other);
     return {
       participant: session.participant,
@@ -54,25 +54,25 @@ function rows_of(
       item: response.item,
       value_raw: raw,
       value,
-      pole_left: has_poles ? (asked?.flipped ? "high" : "low") : "",
-      rt_ms: number_text(response.rt_ms),
+      pole_left: hasPoles ? (asked?.flipped ? "high" : "low") : "",
+      rt_ms: numberText(response.rt_ms),
       is_practice: truth(trial.practice),
       is_warmup: truth(trial.warm_up),
       is_catch: truth(trial.catch || trial.kind === "attention"),
       expected,
       passed: expected === "" ? "" : truth(String(response.value_raw) === expected),
-      replays: number_text(record.replays),
-      trial_ms: number_text(record.trial_ms),
-      play_start_ms: number_text(record.play_start_ms),
-      ended_ms: number_text(record.ended_ms),
-      stalls: number_text(record.stalls),
-      stall_ms: number_text(record.stall_ms),
-      dropped_frames: number_text(record.dropped_frames),
-      blurs: number_text(record.blurs),
-      viewport_width: number_text(record.viewport_width),
-      viewport_height: number_text(record.viewport_height),
-      refresh_hz: number_text(record.refresh_hz),
-      comment: index === 0 ? table_text(record.comment) : "",
+      replays: numberText(record.replays),
+      trial_ms: numberText(record.trial_ms),
+      play_start_ms: numberText(record.play_start_ms),
+      ended_ms: numberText(record.ended_ms),
+      stalls: numberText(record.stalls),
+      stall_ms: numberText(record.stall_ms),
+      dropped_frames: numberText(record.dropped_frames),
+      blurs: numberText(record.blurs),
+      viewport_width: numberText(record.viewport_width),
+      viewport_height: numberText(record.viewport_height),
+      refresh_hz: numberText(record.refresh_hz),
+      comment: index === 0 ? tableText(record.comment) : "",
       seed: String(session.seed),
       design: experiment.design,
       simulated: truth(experiment.simulated),
@@ -84,8 +84,8 @@ function rows_of(
 const marked = (text: string): string => {
   const bare = text.replace(/^'*/, "").replace(/^ */, "");
   const number = "[+-]?(inf|nan|(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?)";
-  const is_number = new RegExp(`^${number}(–${number})?$`).test(bare);
-  return /^[=+\-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20]/.test(bare) && !is_number ? `'${text}` : text;
+  const isNumber = new RegExp(`^${number}(–${number})?$`).test(bare);
+  return /^[=+\-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20]/.test(bare) && !isNumber ? `'${text}` : text;
 };
 
 /** Quoted where it must be. */
@@ -100,18 +100,18 @@ export const csv = (columns: readonly string[], rows: Record<string, string>[]):
     .join("");
 
 /** The answers of a session as CSV: the trials that are kept, in their order. */
-export function answers_csv(
+export function answersCsv(
   experiment: Experiment, session: Session, records: Record<string, PageRecord>,
 ): string {
   const rows = session.trials.flatMap((trial) => {
     const record = records[`trial-${trial.number}`];
-    return record ? rows_of(experiment, session, trial, record) : [];
+    return record ? rowsOf(experiment, session, trial, record) : [];
   });
-  return csv(answer_columns, rows);
+  return csv(answerColumns, rows);
 }
 
 /** Who took part, as CSV of one row. */
-export function participants_csv(
+export function participantsCsv(
   experiment: Pick<Experiment, "demographics" | "design">, session: { participant: string }, records: Record<string, PageRecord>,
 ): string {
   const questions = experiment.demographics.map(({ id }) => id);
@@ -122,7 +122,7 @@ export function participants_csv(
     consented_at: records.consent?.started_at ?? "",
     finished: truth(!!records.ending),
   };
-  for (const { item, value_raw } of records.demographics?.responses ?? [])
-    row[item] = String(value_raw);
+  for (const { item, value_raw: valueRaw } of records.demographics?.responses ?? [])
+    row[item] = String(valueRaw);
   return csv(["participant", "session", "design", "consented_at", "finished", ...questions], [row]);
 }

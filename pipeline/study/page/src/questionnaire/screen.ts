@@ -1,5 +1,5 @@
 import type { Media } from "./experiment";
-import { plays_through, release, run_script, video_of } from "./media";
+import { playsThrough, release, runScript, videoOf } from "./media";
 
 /** Something that is shown from its beginning to its end. */
 export interface Screen {
@@ -9,7 +9,7 @@ export interface Screen {
   /** From the beginning. */
   play(): void;
   /** Whether it has been played to its end. */
-  has_ended(): boolean;
+  hasEnded(): boolean;
   /** Frames that were not shown since the screen was made; null where that is unknown. */
   dropped_frames(): number | null;
   release(): void;
@@ -19,12 +19,12 @@ export interface Screen {
 export interface ScreenEvents {
   began(): void;
   stalled(): void;
-  went_on(): void;
+  wentOn(): void;
   ended(): void;
 }
 
-function video_screen(url: string, media: Media, told: ScreenEvents): Screen {
-  const video = video_of(url);
+function videoScreen(url: string, media: Media, told: ScreenEvents): Screen {
+  const video = videoOf(url);
   if (media.width && media.height) {
     video.width = media.width;
     video.height = media.height;
@@ -34,15 +34,15 @@ function video_screen(url: string, media: Media, told: ScreenEvents): Screen {
   video.addEventListener("playing", () => {
     if (state === "still") return;
     state = "running";
-    told.went_on();
+    told.wentOn();
     // The moment at which a first frame is on the screen, where the browser tells it.
     if (video.requestVideoFrameCallback) video.requestVideoFrameCallback(() => told.began());
     else told.began();
   });
   // The last frames may be waited for as well, on no account of the network.
-  const is_over = () => video.ended || video.duration - video.currentTime < 0.1;
+  const isOver = () => video.ended || video.duration - video.currentTime < 0.1;
   video.addEventListener("waiting", () => {
-    if (state === "running" && !is_over()) told.stalled();
+    if (state === "running" && !isOver()) told.stalled();
   });
   video.addEventListener("ended", () => {
     state = "still";
@@ -50,13 +50,13 @@ function video_screen(url: string, media: Media, told: ScreenEvents): Screen {
   });
   return {
     element: video,
-    ready: plays_through(video),
+    ready: playsThrough(video),
     play() {
       state = "starting";
       if (video.currentTime > 0) video.currentTime = 0;
       video.play().catch(() => told.stalled());
     },
-    has_ended: () => video.ended,
+    hasEnded: () => video.ended,
     dropped_frames: () => video.getVideoPlaybackQuality?.().droppedVideoFrames ?? null,
     release: () => release(video),
   };
@@ -67,17 +67,17 @@ export interface TurnView {
   (url: string, label: string, colour: string, told: ScreenEvents): Screen;
 }
 
-const turn_view = (): TurnView | undefined =>
+const turnView = (): TurnView | undefined =>
   (globalThis as { mienTurnView?: TurnView }).mienTurnView;
 
 /** Brings three.js, which is needed only where figures are turned. */
-export async function load_turn_view(): Promise<void> {
-  if (!turn_view()) await run_script("turn_view.js");
+export async function loadTurnView(): Promise<void> {
+  if (!turnView()) await runScript("turn_view.js");
 }
 
-export function screen_of(
+export function screenOf(
   url: string, media: Media, label: string, colour: string, told: ScreenEvents,
 ): Screen {
-  if (media.type.startsWith("video/")) return video_screen(url, media, told);
-  return turn_view()!(url, label, colour, told);
+  if (media.type.startsWith("video/")) return videoScreen(url, media, told);
+  return turnView()!(url, label, colour, told);
 }

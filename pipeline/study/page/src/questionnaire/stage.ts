@@ -1,5 +1,5 @@
 import type { Media, Settings } from "./experiment";
-import { screen_of, type Screen, type ScreenEvents } from "./screen";
+import { screenOf, type Screen, type ScreenEvents } from "./screen";
 import { button, element } from "./elements";
 import type { Texts } from "./texts";
 
@@ -21,7 +21,7 @@ export interface Seen {
 }
 
 /** How long a film may stand still before it may be started again. */
-const patience_ms = 6000;
+const patienceMs = 6000;
 
 const colours = { alone: "#3d3d3d", to_rate: "#2e7d4f", reference: "#b3403a", left: "#3d3d3d", right: "#3d3d3d" };
 
@@ -33,44 +33,44 @@ export class Stage {
   readonly root: HTMLElement;
   private screens: Screen[] = [];
   private cover: HTMLElement;
-  private play_button: HTMLButtonElement;
+  private playButton: HTMLButtonElement;
   private note: HTMLElement;
   private state: "loading" | "covered" | "playing" = "loading";
   private plays = 0;
-  private first_start: number | null = null;
-  private first_end: number | null = null;
+  private firstStart: number | null = null;
+  private firstEnd: number | null = null;
   private stalls = 0;
   private stall_ms = 0;
-  private stalled_at: number | null = null;
-  private watch_dog = 0;
+  private stalledAt: number | null = null;
+  private watchDog = 0;
 
   constructor(
     shown: ShownMedia[], private settings: Settings, private texts: Texts,
-    private began_at: number, private told: { began(): void; ended(): void },
+    private beganAt: number, private told: { began(): void; ended(): void },
   ) {
     this.root = element("div", { class: `stage ${shown.length > 1 ? "two" : "one"}` });
     const frames = element("div", { class: "frames" });
-    for (const one of shown) frames.append(this.frame_of(one));
-    this.play_button = button("", () => this.play(), "play");
+    for (const one of shown) frames.append(this.frameOf(one));
+    this.playButton = button("", () => this.play(), "play");
     this.note = element("p", { class: "stage-note", role: "status" });
-    this.cover = element("div", { class: "cover" }, this.play_button, this.note);
+    this.cover = element("div", { class: "cover" }, this.playButton, this.note);
     this.root.append(frames, this.cover);
-    this.show_cover();
+    this.showCover();
     Promise.all(this.screens.map(({ ready }) => ready)).then(
-      () => { this.state = "covered"; this.show_cover(); },
-      () => { this.note.textContent = texts.load_failed; });
+      () => { this.state = "covered"; this.showCover(); },
+      () => { this.note.textContent = texts.loadFailed; });
   }
 
-  private frame_of({ url, media, role }: ShownMedia): HTMLElement {
-    const label = { alone: "", to_rate: this.texts.to_rate, reference: this.texts.reference,
+  private frameOf({ url, media, role }: ShownMedia): HTMLElement {
+    const label = { alone: "", to_rate: this.texts.toRate, reference: this.texts.reference,
       left: this.texts.left, right: this.texts.right }[role];
     const events: ScreenEvents = {
       began: () => this.began(),
       stalled: () => this.stalled(),
-      went_on: () => this.went_on(),
+      wentOn: () => this.wentOn(),
       ended: () => this.ended(),
     };
-    const screen = screen_of(url, media, label || this.texts.figure, colours[role], events);
+    const screen = screenOf(url, media, label || this.texts.figure, colours[role], events);
     this.screens.push(screen);
     screen.element.classList.add("screen");
     if (screen.element instanceof HTMLVideoElement)
@@ -80,10 +80,10 @@ export class Stage {
     return frame;
   }
 
-  private now = (): number => performance.now() - this.began_at;
+  private now = (): number => performance.now() - this.beganAt;
 
   /** Whether a participant may start it now. */
-  can_play(): boolean {
+  canPlay(): boolean {
     if (this.state !== "covered") return false;
     const { replays } = this.settings;
     if (this.plays === 0 || replays === "counted") return true;
@@ -92,10 +92,10 @@ export class Stage {
 
   /** From the beginning, if that is allowed now. */
   play(): void {
-    if (!this.can_play()) return;
+    if (!this.canPlay()) return;
     this.plays += 1;
     this.state = "playing";
-    this.show_cover();
+    this.showCover();
     for (const screen of this.screens) screen.play();
     // Arrow keys turn what is turned.
     if (this.settings.view === "turn") this.screens[0]?.element.focus({ preventScroll: true });
@@ -103,71 +103,71 @@ export class Stage {
   }
 
   private watch(): void {
-    clearTimeout(this.watch_dog);
-    this.watch_dog = window.setTimeout(() => this.offer_restart(), patience_ms);
+    clearTimeout(this.watchDog);
+    this.watchDog = window.setTimeout(() => this.offerRestart(), patienceMs);
   }
 
   private began(): void {
-    if (this.first_start !== null) return;
-    this.first_start = this.now();
+    if (this.firstStart !== null) return;
+    this.firstStart = this.now();
     this.told.began();
   }
 
   private stalled(): void {
-    if (this.state !== "playing" || this.stalled_at !== null) return;
+    if (this.state !== "playing" || this.stalledAt !== null) return;
     this.stalls += 1;
-    this.stalled_at = this.now();
+    this.stalledAt = this.now();
     this.watch();
   }
 
-  private went_on(): void {
-    clearTimeout(this.watch_dog);
-    if (this.stalled_at === null) return;
-    this.stall_ms += this.now() - this.stalled_at;
-    this.stalled_at = null;
+  private wentOn(): void {
+    clearTimeout(this.watchDog);
+    if (this.stalledAt === null) return;
+    this.stall_ms += this.now() - this.stalledAt;
+    this.stalledAt = null;
   }
 
   /** A film that does not go on by itself may be started again without its counting as a replay. */
-  private offer_restart(): void {
+  private offerRestart(): void {
     if (this.state !== "playing") return;
-    this.went_on();
+    this.wentOn();
     this.plays -= 1;
     this.state = "covered";
-    this.show_cover();
+    this.showCover();
     this.note.textContent = this.texts.stalled;
-    this.play_button.textContent = this.texts.restart;
+    this.playButton.textContent = this.texts.restart;
   }
 
   private ended(): void {
-    if (this.state !== "playing" || !this.screens.every((screen) => screen.has_ended())) return;
-    this.went_on();
-    this.first_end ??= this.now();
+    if (this.state !== "playing" || !this.screens.every((screen) => screen.hasEnded())) return;
+    this.wentOn();
+    this.firstEnd ??= this.now();
     this.state = "covered";
-    this.show_cover();
+    this.showCover();
     this.told.ended();
   }
 
-  private show_cover(): void {
+  private showCover(): void {
     const { texts, plays } = this;
     this.cover.hidden = this.state === "playing";
     this.root.classList.toggle("playing", this.state === "playing");
     // What is turned may be looked at from all sides when it stands still again.
     this.root.classList.toggle("open", this.settings.view === "turn" && plays > 0);
-    this.play_button.hidden = this.state !== "covered" || !this.can_play();
-    this.play_button.replaceChildren(
+    this.playButton.hidden = this.state !== "covered" || !this.canPlay();
+    this.playButton.replaceChildren(
       element("span", { class: "triangle", "aria-hidden": "true" }),
       plays === 0 ? texts.play : texts.replay);
     // Once answers can be given the focus is there, and so is Space.
-    if (plays === 0) this.play_button.append(element("kbd", {}, texts.play_key));
+    if (plays === 0) this.playButton.append(element("kbd", {}, texts.playKey));
     const { replays } = this.settings;
-    if (this.state === "loading") this.note.textContent = texts.wait_for_video;
-    else if (plays > 0 && typeof replays === "number" && this.can_play())
-      this.note.textContent = texts.replays_left(replays - plays + 1);
+    if (this.state === "loading") this.note.textContent = texts.waitForVideo;
+    else if (plays > 0 && typeof replays === "number" && this.canPlay())
+      this.note.textContent = texts.replaysLeft(replays - plays + 1);
     else this.note.textContent = "";
   }
 
   focus(): void {
-    if (!this.play_button.hidden) this.play_button.focus();
+    if (!this.playButton.hidden) this.playButton.focus();
   }
 
   seen(): Seen {
@@ -175,8 +175,8 @@ export class Stage {
     const rounded = (time: number | null) => (time === null ? null : Math.round(time));
     return {
       replays: Math.max(0, this.plays - 1),
-      play_start_ms: rounded(this.first_start),
-      ended_ms: rounded(this.first_end),
+      play_start_ms: rounded(this.firstStart),
+      ended_ms: rounded(this.firstEnd),
       stalls: this.stalls,
       stall_ms: Math.round(this.stall_ms),
       dropped_frames: dropped.includes(null) ? null
@@ -185,7 +185,7 @@ export class Stage {
   }
 
   release(): void {
-    clearTimeout(this.watch_dog);
+    clearTimeout(this.watchDog);
     for (const screen of this.screens) screen.release();
   }
 }

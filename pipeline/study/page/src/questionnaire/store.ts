@@ -18,8 +18,8 @@ export interface Store<Own extends Named = Session> {
   /** Forgets the session, where the next participant may sit down at the same browser. */
   clear?(): void;
   /** Whether the files of the session were saved once; in folders. */
-  is_saved?(): boolean;
-  note_saved?(): void;
+  isSaved?(): boolean;
+  noteSaved?(): void;
 }
 
 /** Why nothing more is taken from this window. */
@@ -30,13 +30,13 @@ export class SessionClosed extends Error {
 export const pause = (milliseconds: number): Promise<void> =>
   new Promise((done) => setTimeout(done, milliseconds));
 
-export function random_name(): string {
+export function randomName(): string {
   const bytes = crypto.getRandomValues(new Uint8Array(8));
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
 /** A random one of those that were taken least. */
-export function least_taken<Own extends Named>(sessions: Own[], taken: Record<string, number>): Own {
+export function leastTaken<Own extends Named>(sessions: Own[], taken: Record<string, number>): Own {
   const times = (session: Own) => taken[session.participant] ?? 0;
   const least = Math.min(...sessions.map(times));
   const free = sessions.filter((session) => times(session) === least);
@@ -45,7 +45,7 @@ export function least_taken<Own extends Named>(sessions: Own[], taken: Record<st
 }
 
 /** The plan of that name. Throws, with those that there are. */
-export function named_session<Own extends Named>(sessions: Own[], participant: string): Own {
+export function namedSession<Own extends Named>(sessions: Own[], participant: string): Own {
   const found = sessions.find((session) => session.participant === participant);
   if (found) return found;
   const last = sessions[sessions.length - 1]!.participant;
@@ -73,7 +73,7 @@ export class Drawer {
     try {
       text = localStorage.getItem(this.key);
     } catch { /* in the window alone */ }
-    text ??= texts_of_window()[this.key] ?? null;
+    text ??= textsOfWindow()[this.key] ?? null;
     return text === null ? null : (JSON.parse(text) as T);
   }
   write(value: unknown): void {
@@ -81,11 +81,11 @@ export class Drawer {
     try {
       localStorage.setItem(this.key, text);
     } catch {
-      window.name = JSON.stringify({ ...texts_of_window(), [this.key]: text });
+      window.name = JSON.stringify({ ...textsOfWindow(), [this.key]: text });
     }
   }
   clear(): void {
-    const { [this.key]: forgotten, ...others } = texts_of_window();
+    const { [this.key]: forgotten, ...others } = textsOfWindow();
     if (forgotten !== undefined) window.name = JSON.stringify(others);
     try {
       localStorage.removeItem(this.key);
@@ -93,7 +93,7 @@ export class Drawer {
   }
 }
 
-function texts_of_window(): Record<string, string> {
+function textsOfWindow(): Record<string, string> {
   try {
     const texts: unknown = JSON.parse(window.name);
     return typeof texts === "object" && texts !== null ? (texts as Record<string, string>) : {};
@@ -103,7 +103,7 @@ function texts_of_window(): Record<string, string> {
 }
 
 /** Which plan: ?participant=p003, else a random one of those taken least in this browser. */
-export function folder_store<Own extends Named>(
+export function folderStore<Own extends Named>(
   experiment: Planned<Own>, wanted: string | null): Store<Own> {
   const current = new Drawer(`mien/${experiment.design}/session`);
   const counts = new Drawer(`mien/${experiment.design}/taken`);
@@ -111,15 +111,15 @@ export function folder_store<Own extends Named>(
   if (own && wanted && own.participant !== wanted) own = null;
   if (!own) {
     const taken = counts.read<Record<string, number>>() ?? {};
-    const { participant } = wanted ? named_session(experiment.sessions, wanted)
-                                   : least_taken(experiment.sessions, taken);
+    const { participant } = wanted ? namedSession(experiment.sessions, wanted)
+                                   : leastTaken(experiment.sessions, taken);
     counts.write({ ...taken, [participant]: (taken[participant] ?? 0) + 1 });
-    own = { participant, name: random_name(), records: {} };
+    own = { participant, name: randomName(), records: {} };
     current.write(own);
   }
   const kept = own;
   return {
-    session: named_session(experiment.sessions, kept.participant),
+    session: namedSession(experiment.sessions, kept.participant),
     name: kept.name,
     records: kept.records,
     kept: new Set(Object.keys(kept.records)),
@@ -130,8 +130,8 @@ export function folder_store<Own extends Named>(
     },
     async finish() {},
     clear: () => current.clear(),
-    is_saved: () => kept.is_saved === true,
-    note_saved() {
+    isSaved: () => kept.is_saved === true,
+    noteSaved() {
       kept.is_saved = true;
       current.write(kept);
     },
@@ -176,15 +176,15 @@ async function post(base: string, record: PageRecord, wait: Wait): Promise<{ ses
   }
 }
 
-const drawer_of = (experiment: { design: string }, base: string): Drawer =>
+const drawerOf = (experiment: { design: string }, base: string): Drawer =>
   new Drawer(`mien/${experiment.design}/${base}`);
 
 /** Each record is posted beside the page. */
-export function served_store<Own extends Named>(experiment: Planned<Own>, base: string): Store<Own> {
+export function servedStore<Own extends Named>(experiment: Planned<Own>, base: string): Store<Own> {
   const session = experiment.sessions[0]!;
-  const drawer = drawer_of(experiment, base);
+  const drawer = drawerOf(experiment, base);
   const own = drawer.read<Remembered>() ??
-    { participant: session.participant, name: random_name(), records: {} };
+    { participant: session.participant, name: randomName(), records: {} };
   drawer.write(own);
   const kept = new Set(experiment.kept ?? []);
   return {
@@ -211,8 +211,8 @@ export function served_store<Own extends Named>(experiment: Planned<Own>, base: 
  * Of somebody who has no session: who agrees is given one, and goes on at its own address under the
  * name of this window. Each time the page is opened somebody else may sit here.
  */
-export function joining_store<Own extends Named>(experiment: Planned<Own>, base: string): Store<Own> {
-  const name = random_name();
+export function joiningStore<Own extends Named>(experiment: Planned<Own>, base: string): Store<Own> {
+  const name = randomName();
   return {
     session: experiment.sessions[0]!,
     name,
@@ -222,7 +222,7 @@ export function joining_store<Own extends Named>(experiment: Planned<Own>, base:
       const { session } = await post(base, record, wait);
       if (!session) return;
       const there = new URL(session, location.href);
-      drawer_of(experiment, there.pathname).write({ participant: "", name, records: {} });
+      drawerOf(experiment, there.pathname).write({ participant: "", name, records: {} });
       location.replace(there);
       await new Promise(() => {});  // the other page goes on
     },
@@ -233,8 +233,8 @@ export function joining_store<Own extends Named>(experiment: Planned<Own>, base:
 class RefusedRecord extends Error {}
 
 /** A record that was given and not yet acknowledged when the window was closed. */
-export function unsent_record(experiment: { design: string; kept?: string[] }, base: string): PageRecord | null {
-  const own = drawer_of(experiment, base).read<Remembered>();
+export function unsentRecord(experiment: { design: string; kept?: string[] }, base: string): PageRecord | null {
+  const own = drawerOf(experiment, base).read<Remembered>();
   const record = own && Object.values(own.records)[0];
   return record && !(experiment.kept ?? []).includes(record.record) ? record : null;
 }

@@ -1,5 +1,5 @@
 import { ParameterType, type JsPsych, type JsPsychPlugin, type TrialType } from "jspsych";
-import { show_text_page, type AskedPage } from "./text_view";
+import { showTextPage, type AskedPage } from "./text_view";
 
 const info = {
   name: "mien-text-page",
@@ -27,7 +27,7 @@ export class TextPage implements JsPsychPlugin<typeof info> {
   constructor(private jsPsych: JsPsych) {}
 
   trial(display: HTMLElement, trial: TrialType<typeof info>): void {
-    void show_text_page(display, trial as unknown as AskedPage)
+    void showTextPage(display, trial as unknown as AskedPage)
       .then((pressed) => this.jsPsych.finishTrial({ pressed }));
   }
 }

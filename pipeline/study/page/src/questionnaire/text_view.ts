@@ -19,7 +19,7 @@ interface Question {
   read(): { value: number | string | null; wrong?: string; at: number };
 }
 
-function question_of(asked: Demographic, texts: Texts): Question {
+function questionOf(asked: Demographic, texts: Texts): Question {
   const name = `about-${asked.id}`;
   const error = element("p", { class: "wrong", id: `${name}-wrong`, role: "alert" });
   let at = performance.now();
@@ -37,14 +37,14 @@ function question_of(asked: Demographic, texts: Texts): Question {
       id: asked.id, root, focus: () => inputs[0]?.focus(),
       read() {
         const value = inputs.find((input) => input.checked)?.value ?? null;
-        error.textContent = value === null && asked.required ? texts.answer_wanted : "";
+        error.textContent = value === null && asked.required ? texts.answerWanted : "";
         return { value, wrong: error.textContent, at };
       },
     };
   }
-  const is_number = asked.answer === "number";
+  const isNumber = asked.answer === "number";
   const input = element("input", { type: "text", id: name, maxlength: "200", "aria-describedby": error.id,
-    autocomplete: "off", ...(is_number ? { inputmode: "decimal" } : {}) });
+    autocomplete: "off", ...(isNumber ? { inputmode: "decimal" } : {}) });
   input.addEventListener("input", () => { at = performance.now(); });
   return {
     id: asked.id,
@@ -55,11 +55,11 @@ function question_of(asked: Demographic, texts: Texts): Question {
       // Digits of Japanese keyboards are wide.
       const text = input.value.trim();
       const narrow = text.normalize("NFKC");
-      const is_wrong = is_number && text !== "" && !(/^[-+]?\d+([.,]\d+)?$/.test(narrow));
-      error.textContent = is_wrong ? texts.number_wanted
-        : text === "" && asked.required ? texts.answer_wanted : "";
+      const isWrong = isNumber && text !== "" && !(/^[-+]?\d+([.,]\d+)?$/.test(narrow));
+      error.textContent = isWrong ? texts.numberWanted
+        : text === "" && asked.required ? texts.answerWanted : "";
       input.setAttribute("aria-invalid", String(error.textContent !== ""));
-      const value = text === "" ? null : is_number ? Number(narrow.replace(",", ".")) : text;
+      const value = text === "" ? null : isNumber ? Number(narrow.replace(",", ".")) : text;
       return { value, wrong: error.textContent, at };
     },
   };
@@ -79,14 +79,14 @@ export interface AskedPage {
 }
 
 /** Shows a page; resolves with the button that was pressed once what was given is kept. */
-export function show_text_page(display: HTMLElement, asked: AskedPage): Promise<number> {
+export function showTextPage(display: HTMLElement, asked: AskedPage): Promise<number> {
   let done: (pressed: number) => void = () => {};
-  const pressed_last = new Promise<number>((resolve) => { done = resolve; });
+  const pressedLast = new Promise<number>((resolve) => { done = resolve; });
   const texts = asked.words;
   const began = performance.now();
-  const started_at = new Date().toISOString();
+  const startedAt = new Date().toISOString();
   const title = heading(asked.title);
-  const questions = (asked.questions ?? []).map((one) => question_of(one, texts));
+  const questions = (asked.questions ?? []).map((one) => questionOf(one, texts));
   const comment = element("textarea", { rows: "4", maxlength: "4000", id: "last-words" });
   const page = element("article", { class: "page" }, title, ...paragraphs(asked.texts ?? []),
     ...questions.map(({ root }) => root));
@@ -101,7 +101,7 @@ export function show_text_page(display: HTMLElement, asked: AskedPage): Promise<
     for (const one of buttons) one.disabled = true;
     const responses = read.flatMap(({ question, value, at }): Response[] => value === null ? []
       : [{ item: question.id, value_raw: value, rt_ms: Math.round(at - began) }]);
-    await asked.keep?.({ pressed, responses, comment: comment.value.trim(), started_at }, page);
+    await asked.keep?.({ pressed, responses, comment: comment.value.trim(), started_at: startedAt }, page);
     done(pressed);
   };
   const buttons = asked.buttons.map((text, index) =>
@@ -124,18 +124,18 @@ export function show_text_page(display: HTMLElement, asked: AskedPage): Promise<
   if (questions[0]) questions[0].focus();
   else if (buttons.length > 1) title.focus();  // no choice is made by a key too many
   else buttons[0]?.focus({ preventScroll: true });
-  return pressed_last;
+  return pressedLast;
 }
 
 /** The note that saving takes long, at the foot of a page. */
-export function wait_note(page: HTMLElement, texts: Texts): (why: "saving" | "failed") => void {
+export function waitNote(page: HTMLElement, texts: Texts): (why: "saving" | "failed") => void {
   const note = element("p", { class: "waiting", role: "status" });
   return (why) => {
     if (!note.isConnected) page.append(note);
-    note.textContent = why === "saving" ? texts.saving : texts.save_failed;
+    note.textContent = why === "saving" ? texts.saving : texts.saveFailed;
   };
 }
 
-export const page_record = (record: string, session: string, given: GivenOnPage): PageRecord => ({
+export const pageRecord = (record: string, session: string, given: GivenOnPage): PageRecord => ({
   record, session, responses: given.responses, comment: given.comment, started_at: given.started_at,
 });

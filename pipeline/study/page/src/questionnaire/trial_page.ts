@@ -1,8 +1,8 @@
 import { ParameterType, type JsPsych, type JsPsychPlugin, type TrialType } from "jspsych";
-import { asked_of, check_text, responses_of, type Asked } from "./answers";
+import { askedOf, checkText, responsesOf, type Asked } from "./answers";
 import { button, element } from "./elements";
 import type { Experiment, PageRecord, Session, Trial } from "./experiment";
-import { count_blurs } from "./measures";
+import { countBlurs } from "./measures";
 import type { Stock } from "./media";
 import { Stage, type ShownMedia } from "./stage";
 import type { Texts } from "./texts";
@@ -12,7 +12,7 @@ const info = {
   version: "1.0.0",
   parameters: {
     asked: { type: ParameterType.OBJECT, default: null },
-    shown_in: { type: ParameterType.OBJECT, default: null },
+    shownIn: { type: ParameterType.OBJECT, default: null },
   },
   data: {
     record: { type: ParameterType.STRING },
@@ -30,7 +30,7 @@ export interface TrialSurroundings {
   keep(record: PageRecord, page: HTMLElement): Promise<void>;
 }
 
-function shown_of(trial: Trial, { experiment, stock }: TrialSurroundings): ShownMedia[] {
+function shownOf(trial: Trial, { experiment, stock }: TrialSurroundings): ShownMedia[] {
   const shown = (token: string, role: ShownMedia["role"]): ShownMedia =>
     ({ token, url: stock.get(token)!, media: experiment.media[token]!, role });
   const [first, second] = trial.media;
@@ -43,7 +43,7 @@ function shown_of(trial: Trial, { experiment, stock }: TrialSurroundings): Shown
 class TrialAtWork {
   private began = performance.now();
   private started_at = new Date().toISOString();
-  private blurs = count_blurs();
+  private blurs = countBlurs();
   private page = element("article", { class: "trial" });
   private answers = element("div", { class: "answers" });
   private note = element("p", { class: "note", role: "status" });
@@ -51,9 +51,9 @@ class TrialAtWork {
   private comment = element("textarea", { rows: "2", maxlength: "4000", id: "comment" });
   private asked: Asked[] = [];
   private stage: Stage | null = null;
-  private answers_since = performance.now();
-  private is_open = false;
-  private is_done = false;
+  private answersSince = performance.now();
+  private isOpen = false;
+  private isDone = false;
 
   constructor(
     private display: HTMLElement, private trial: Trial, private around: TrialSurroundings,
@@ -65,9 +65,9 @@ class TrialAtWork {
   begin(): void {
     const { trial, around, page } = this;
     const { experiment, texts } = around;
-    const shown = shown_of(trial, around);
-    this.asked = asked_of(trial, around.session.choices ?? Object.keys(experiment.choices ?? {}),
-      experiment, texts, (asked, is_key) => this.answered(asked, is_key));
+    const shown = shownOf(trial, around);
+    this.asked = askedOf(trial, around.session.choices ?? Object.keys(experiment.choices ?? {}),
+      experiment, texts, (asked, isKey) => this.answered(asked, isKey));
     page.classList.add(trial.kind, shown.length > 1 ? "wide" : "narrow");
     if (!shown.length) page.classList.add("bare");
     page.append(this.head());
@@ -81,7 +81,7 @@ class TrialAtWork {
     const rows = element("div", { class: this.asked.length > 3 ? "rows many" : "rows" },
       ...this.asked.map(({ root }) => root));
     this.answers.append(element("h2", { class: "question-text" }, this.question()), rows,
-      ...this.comment_parts(),
+      ...this.commentParts(),
       element("div", { class: "buttons" }, this.next, this.note));
     for (const legend of rows.querySelectorAll("legend"))
       if (legend.textContent === this.question() || (trial.kind === "pair" && trial.items.length === 1))
@@ -99,8 +99,8 @@ class TrialAtWork {
     const { texts, session } = around;
     const all = session.trials.length;
     const bar = element("progress", { max: String(all), value: String(trial.number - 1),
-      "aria-label": texts.trial_of(trial.number, all) });
-    const place = element("h1", { tabindex: "-1" }, texts.trial_of(trial.number, all));
+      "aria-label": texts.trialOf(trial.number, all) });
+    const place = element("h1", { tabindex: "-1" }, texts.trialOf(trial.number, all));
     const head = element("header", { class: "trial-head" }, place, bar);
     if (trial.practice) place.append(" ", element("span", { class: "badge" }, texts.practice));
     return head;
@@ -109,16 +109,16 @@ class TrialAtWork {
   private question(): string {
     const { trial, around } = this;
     const { texts, experiment } = around;
-    if (trial.kind === "attention") return check_text(trial, experiment, texts);
+    if (trial.kind === "attention") return checkText(trial, experiment, texts);
     if (experiment.settings.question) return experiment.settings.question;
     const [only, other] = trial.items;
     if (trial.kind === "pair" && only && !other && experiment.items[only.item])
-      return texts.which_is_more(experiment.items[only.item]!.high);
-    return trial.kind === "emotion" ? texts.which_emotion
-      : trial.kind === "pair" ? texts.which_of_two : texts.rate;
+      return texts.whichIsMore(experiment.items[only.item]!.high);
+    return trial.kind === "emotion" ? texts.whichEmotion
+      : trial.kind === "pair" ? texts.whichOfTwo : texts.rate;
   }
 
-  private comment_parts(): HTMLElement[] {
+  private commentParts(): HTMLElement[] {
     const { experiment, texts } = this.around;
     if (!experiment.settings.comments || this.trial.kind === "attention") return [];
     return [element("div", { class: "asked comment" },
@@ -130,10 +130,10 @@ class TrialAtWork {
     const { texts, experiment } = this.around;
     this.answers.inert = true;
     this.answers.classList.add("locked");
-    this.note.textContent = experiment.settings.watch === "full" ? texts.watch_first : texts.play_first;
+    this.note.textContent = experiment.settings.watch === "full" ? texts.watchFirst : texts.playFirst;
     // The play button may be loading still; it has the focus once it can be pressed.
     const focus = () => {
-      if (this.is_done || this.is_open) return;
+      if (this.isDone || this.isOpen) return;
       this.stage!.focus();
       if (!this.page.contains(document.activeElement)) setTimeout(focus, 50);
     };
@@ -141,18 +141,18 @@ class TrialAtWork {
   }
 
   private open(): void {
-    if (this.is_open) return;
-    this.is_open = true;
-    this.answers_since = performance.now();
+    if (this.isOpen) return;
+    this.isOpen = true;
+    this.answersSince = performance.now();
     this.answers.inert = false;
     this.answers.classList.remove("locked");
     this.note.textContent = "";
     this.asked[0]?.focus();
   }
 
-  private answered(asked: Asked, is_key: boolean): void {
+  private answered(asked: Asked, isKey: boolean): void {
     if (!this.missing().length) this.note.textContent = "";
-    if (!is_key) return;
+    if (!isKey) return;
     const after = this.asked[this.asked.indexOf(asked) + 1];
     if (after) after.focus();
     else this.next.focus();
@@ -165,11 +165,11 @@ class TrialAtWork {
     const at = event.target as HTMLElement;
     const writes = at instanceof HTMLTextAreaElement ||
       (at instanceof HTMLInputElement && at.type === "text");
-    const is_button = at instanceof HTMLButtonElement;
-    if (event.key === " " && !is_button && !(at instanceof HTMLInputElement) && !writes) {
+    const isButton = at instanceof HTMLButtonElement;
+    if (event.key === " " && !isButton && !(at instanceof HTMLInputElement) && !writes) {
       event.preventDefault();
       this.stage?.play();
-    } else if (event.key === "Enter" && !writes && !is_button && this.is_open) {
+    } else if (event.key === "Enter" && !writes && !isButton && this.isOpen) {
       event.preventDefault();
       if (at instanceof HTMLInputElement && at.type === "radio" && !at.checked) return at.click();
       const [first] = this.missing();
@@ -180,14 +180,14 @@ class TrialAtWork {
 
   private async finish(): Promise<void> {
     const missing = this.missing();
-    if (this.is_done || !this.is_open) return;
+    if (this.isDone || !this.isOpen) return;
     if (missing.length) {
       this.note.textContent = this.around.texts.missing(missing.length);
       for (const one of this.asked) one.root.classList.toggle("missing", missing.includes(one));
       missing[0]!.focus();
       return;
     }
-    this.is_done = true;
+    this.isDone = true;
     this.next.disabled = true;
     document.removeEventListener("keydown", this.pressed);
     const record = this.record();
@@ -204,7 +204,7 @@ class TrialAtWork {
     return {
       record: `trial-${trial.number}`,
       session: around.name,
-      responses: responses_of(this.asked, this.answers_since),
+      responses: responsesOf(this.asked, this.answersSince),
       comment: this.comment.value.trim(),
       ...seen,
       trial_ms: Math.round(performance.now() - this.began),
@@ -223,7 +223,7 @@ export class TrialPage implements JsPsychPlugin<typeof info> {
   constructor(private jsPsych: JsPsych) {}
 
   trial(display: HTMLElement, trial: TrialType<typeof info>): void {
-    new TrialAtWork(display, trial.asked as Trial, trial.shown_in as TrialSurroundings,
+    new TrialAtWork(display, trial.asked as Trial, trial.shownIn as TrialSurroundings,
       ({ record }) => this.jsPsych.finishTrial({ record })).begin();
   }
 }

@@ -3,13 +3,13 @@ import {
   type AnimationAction, type Object3D, type Scene,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import { let_turn, stand, within, type Turn } from "../figure/camera_turn";
-import { floor, lit_scene } from "../figure/stage";
+import { letTurn, stand, within, type Turn } from "../figure/camera_turn";
+import { floor, litScene } from "../figure/stage";
 import type { Screen, ScreenEvents, TurnView } from "./screen";
 
 /** A floor to walk on, light from above, a figure of one colour. */
-function scene_of(figure: Object3D, colour: string): Scene {
-  const scene = lit_scene();
+function sceneOf(figure: Object3D, colour: string): Scene {
+  const scene = litScene();
   scene.add(floor(), figure);
   figure.traverse((part) => {
     if (!(part instanceof Mesh)) return;
@@ -32,9 +32,9 @@ class TurnScreen implements Screen {
   private figure: Object3D | null = null;
   private last = 0;
   private frames = 0;
-  private slow_frames = 0;
-  private is_over = false;
-  private is_released = false;
+  private slowFrames = 0;
+  private isOver = false;
+  private isReleased = false;
   private resized: ResizeObserver;
 
   constructor(url: string, label: string, colour: string, private told: ScreenEvents) {
@@ -46,7 +46,7 @@ class TurnScreen implements Screen {
     this.renderer = new WebGLRenderer({ canvas: this.element, antialias: true, preserveDrawingBuffer: true });
     this.resized = new ResizeObserver(() => this.draw());
     this.resized.observe(this.element);
-    let_turn(this.element, this.turn, () => this.draw());
+    letTurn(this.element, this.turn, () => this.draw());
     this.ready = this.load(url, colour);
   }
 
@@ -55,13 +55,13 @@ class TurnScreen implements Screen {
     const clip = animations[0];
     if (!clip) throw new Error("a file without a motion");
     this.figure = figure;
-    this.scene = scene_of(figure, colour);
+    this.scene = sceneOf(figure, colour);
     this.mixer = new AnimationMixer(figure);
     this.action = this.mixer.clipAction(clip);
     this.action.setLoop(LoopOnce, 1);
     this.action.clampWhenFinished = true;
     this.mixer.addEventListener("finished", () => {
-      this.is_over = true;
+      this.isOver = true;
       this.told.ended();
     });
     // The part that a translation moves is what the camera follows.
@@ -74,7 +74,7 @@ class TurnScreen implements Screen {
 
   play(): void {
     if (!this.action || !this.mixer) return;
-    this.is_over = false;
+    this.isOver = false;
     this.frames = 0;
     this.action.reset().play();
     this.last = performance.now();
@@ -82,10 +82,10 @@ class TurnScreen implements Screen {
   }
 
   private step = (now: number): void => {
-    if (this.is_released || this.is_over || !this.mixer) return;
+    if (this.isReleased || this.isOver || !this.mixer) return;
     const seconds = within(0, (now - this.last) / 1000, 0.25);
     this.last = now;
-    if (this.frames > 0 && seconds > 0.05) this.slow_frames += 1;
+    if (this.frames > 0 && seconds > 0.05) this.slowFrames += 1;
     this.frames += 1;
     this.mixer.update(seconds);
     this.draw();
@@ -95,7 +95,7 @@ class TurnScreen implements Screen {
 
   private draw(): void {
     const { element, scene, hips, figure, turn } = this;
-    if (!scene || !hips || !figure || this.is_released || !element.clientWidth) return;
+    if (!scene || !hips || !figure || this.isReleased || !element.clientWidth) return;
     const width = element.clientWidth;
     const height = element.clientHeight;
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
@@ -108,13 +108,13 @@ class TurnScreen implements Screen {
     this.renderer.render(scene, this.camera);
   }
 
-  has_ended = (): boolean => this.is_over;
+  hasEnded = (): boolean => this.isOver;
 
   /** Steps that took longer than three of a usual screen. */
-  dropped_frames = (): number => this.slow_frames;
+  dropped_frames = (): number => this.slowFrames;
 
   release(): void {
-    this.is_released = true;
+    this.isReleased = true;
     this.resized.disconnect();
     this.renderer.dispose();
     this.renderer.forceContextLoss();

@@ -24,16 +24,16 @@ export const kinds: Kind[] = ["adjectives", "features", "weights"];
 
 /** What a stimulus is made from: sliders of a kind, a motion file, a path that is walked, or another
     stimulus. */
-export const source_of = (stimulus: Stimulus): Kind | "clip" | "path" | "foil" =>
+export const sourceOf = (stimulus: Stimulus): Kind | "clip" | "path" | "foil" =>
   kinds.find((kind) => kind in stimulus) ?? (["clip", "path"] as const).find((kind) => kind in stimulus) ?? "foil";
 
-export const is_map = (value: Json | undefined): value is JsonMap =>
+export const isMap = (value: Json | undefined): value is JsonMap =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 
-export const map_of = (value: Json | undefined): JsonMap => (is_map(value) ? value : {});
+export const mapOf = (value: Json | undefined): JsonMap => (isMap(value) ? value : {});
 
 /** With a member set, or without it where the value is undefined; order stays. */
-export function with_member<Map extends JsonMap>(map: Map, key: string, value: Json | undefined): Map {
+export function withMember<Map extends JsonMap>(map: Map, key: string, value: Json | undefined): Map {
   const made: JsonMap = { ...map };
   if (value === undefined) delete made[key];
   else made[key] = value;
@@ -44,15 +44,15 @@ export const find = (document: Document, id: string): Stimulus | undefined =>
   document.stimuli.find((stimulus) => stimulus.id === id);
 
 /** With that figure for all stimuli and examples. */
-export function with_figure(document: Document, figure: Json): Document {
-  const wearing = (one: JsonMap): JsonMap => with_member(one, "look", { ...map_of(one["look"]), figure });
+export function withFigure(document: Document, figure: Json): Document {
+  const wearing = (one: JsonMap): JsonMap => withMember(one, "look", { ...mapOf(one["look"]), figure });
   const made = wearing(document) as Document;
   made.stimuli = document.stimuli.map((one) => ("look" in one ? (wearing(one) as Stimulus) : one));
   return made;
 }
 
 /** An id that no stimulus has: "walk", "walk-2", … */
-export function free_id(document: Document, wanted: string): string {
+export function freeId(document: Document, wanted: string): string {
   const stem = wanted.replace(/-\d+$/, "");
   for (let number = 1; ; number += 1) {
     const id = number === 1 && stem !== wanted ? wanted : `${stem}-${number}`;
@@ -61,33 +61,33 @@ export function free_id(document: Document, wanted: string): string {
 }
 
 /** Names of a stimulus in sheets, overlays and foils are changed with it. */
-function renamed_in(value: Json, from: string, to: string): Json {
+function renamedIn(value: Json, from: string, to: string): Json {
   if (value === from) return to;
-  if (Array.isArray(value)) return value.map((one) => renamed_in(one, from, to));
-  if (!is_map(value)) return value;
-  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, renamed_in(one, from, to)]));
+  if (Array.isArray(value)) return value.map((one) => renamedIn(one, from, to));
+  if (!isMap(value)) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, renamedIn(one, from, to)]));
 }
 
-export function with_new_id(document: Document, from: string, to: string): Document {
+export function withNewId(document: Document, from: string, to: string): Document {
   const made = { ...document };
   for (const part of ["sheets", "overlays"])
-    if (made[part] !== undefined) made[part] = renamed_in(made[part]!, from, to);
+    if (made[part] !== undefined) made[part] = renamedIn(made[part]!, from, to);
   made.stimuli = document.stimuli.map((one) => {
     if (one.id === from) return { ...one, id: to };
-    const foil = map_of(one["foil"]);
-    return foil["of"] === from ? with_member(one, "foil", { ...foil, of: to }) : one;
+    const foil = mapOf(one["foil"]);
+    return foil["of"] === from ? withMember(one, "foil", { ...foil, of: to }) : one;
   });
   return made;
 }
 
 const names = (value: Json | undefined, id: string): boolean =>
   value === id || (Array.isArray(value) && value.some((one) => names(one, id))) ||
-  (is_map(value) && Object.values(value).some((one) => names(one, id)));
+  (isMap(value) && Object.values(value).some((one) => names(one, id)));
 
 /** Parts of a manifest, and foils, that name a stimulus. */
-export const parts_naming = (document: Document, id: string): string[] => [
+export const partsNaming = (document: Document, id: string): string[] => [
   ...["sheets", "overlays", "questionnaire", "matching"].filter((part) => names(document[part], id)),
-  ...document.stimuli.filter((one) => map_of(one["foil"])["of"] === id).map((one) => one.id),
+  ...document.stimuli.filter((one) => mapOf(one["foil"])["of"] === id).map((one) => one.id),
 ];
 
 /** Without what no motion or film is made of; which other stimuli one goes by, the studio's server knows. */

@@ -1,4 +1,4 @@
-import { is_map, type Json, type JsonMap } from "./document";
+import { isMap, type Json, type JsonMap } from "./document";
 
 /** A member's name, or an element's index. */
 export type Step = string | number;
@@ -17,7 +17,7 @@ export const pathText = (path: Step[]): string =>
 export function sayTheSame(one: Json | undefined, other: Json | undefined): boolean {
   if (Array.isArray(one) && Array.isArray(other))
     return one.length === other.length && one.every((value, i) => sayTheSame(value, other[i]));
-  if (!is_map(one) || !is_map(other)) return one === other;
+  if (!isMap(one) || !isMap(other)) return one === other;
   const keys = Object.keys(one);
   return keys.length === Object.keys(other).length && keys.every((key) => key in other && sayTheSame(one[key], other[key]));
 }
@@ -32,14 +32,14 @@ export function changed(document: Json, change: DocumentChange, path = change.pa
     const made = kind === "remove" ? [] : [changed(old[0] ?? null, change, rest)];
     return [...document.slice(0, step), ...made, ...document.slice(step + old.length)];
   }
-  if (typeof step !== "string" || !is_map(document)) throw new RangeError(pathText(change.path));
+  if (typeof step !== "string" || !isMap(document)) throw new RangeError(pathText(change.path));
   const { [step]: old, ...others } = document;
   return kind === "remove" ? others : { ...document, [step]: changed(old ?? null, change, rest) };
 }
 
 /** Elements that are the same one, changed or not. */
 const correspond = (one: Json, other: Json): boolean =>
-  is_map(one) && is_map(other) && "id" in one && "id" in other ? sayTheSame(one["id"], other["id"]) : sayTheSame(one, other);
+  isMap(one) && isMap(other) && "id" in one && "id" in other ? sayTheSame(one["id"], other["id"]) : sayTheSame(one, other);
 
 /** Pairs of corresponding elements, ascending in both: as many as there are (longest common subsequence). */
 function correspondences(from: Json[], to: Json[]): [number, number][] {
@@ -85,7 +85,7 @@ function changesOfLists(from: Json[], to: Json[], path: Step[]): DocumentChange[
 /** What makes one document of another, in the order in which it is to be done; as little as possible.
     Elements that have an `id` are matched by it. */
 export function changesBetween(from: Json, to: Json, path: Step[] = []): DocumentChange[] {
-  if (is_map(from) && is_map(to)) return changesOfMaps(from, to, path);
+  if (isMap(from) && isMap(to)) return changesOfMaps(from, to, path);
   if (Array.isArray(from) && Array.isArray(to)) return changesOfLists(from, to, path);
   return sayTheSame(from, to) ? [] : [{ kind: "set", path, value: to }];
 }

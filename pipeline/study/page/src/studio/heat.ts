@@ -15,4 +15,4 @@ export function heat(metres: number): string {
 }
 
 /** Of all joints: the root has no distance of its own, for it is laid upon the other's. */
-export const heat_colours = (by_joint: number[]): string[] => [heat(0), ...by_joint.map(heat)];
+export const heatColours = (byJoint: number[]): string[] => [heat(0), ...byJoint.map(heat)];

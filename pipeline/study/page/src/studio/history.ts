@@ -21,7 +21,7 @@ export class History {
   }
 
   /** What follows is a step of its own. */
-  end_gesture(): void {
+  endGesture(): void {
     this.gesture = "";
   }
 
@@ -30,7 +30,7 @@ export class History {
     if (!before) return false;
     this.future.push(this.now);
     this.now = before;
-    this.end_gesture();
+    this.endGesture();
     return true;
   }
 
@@ -39,18 +39,18 @@ export class History {
     if (!after) return false;
     this.past.push(this.now);
     this.now = after;
-    this.end_gesture();
+    this.endGesture();
     return true;
   }
 
-  can_undo = (): boolean => this.past.length > 0;
-  can_redo = (): boolean => this.future.length > 0;
+  canUndo = (): boolean => this.past.length > 0;
+  canRedo = (): boolean => this.future.length > 0;
 
   /** Another document, with nothing before or after it. */
   begin(document: Document): void {
     this.past = [];
     this.future = [];
     this.now = document;
-    this.end_gesture();
+    this.endGesture();
   }
 }

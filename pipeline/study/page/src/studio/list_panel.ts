@@ -1,10 +1,10 @@
 import { button, element } from "../questionnaire/elements";
-import { free_id, parts_naming, source_of, with_new_id, type Document, type Stimulus } from "./document";
-import { keep_built } from "./kept";
+import { freeId, partsNaming, sourceOf, withNewId, type Document, type Stimulus } from "./document";
+import { keepBuilt } from "./kept";
 import type { Studio } from "./studio";
 
 /** The manifest's stimuli, of which one is shown. */
-export function list_panel(studio: Studio): HTMLElement {
+export function listPanel(studio: Studio): HTMLElement {
   const list = element("ul", { class: "stimuli", "aria-label": "Stimuli" });
   const id = element("input", { type: "text", "aria-label": "id of the stimulus", spellcheck: "false", maxlength: "64" });
   const note = element("p", { class: "wrong", role: "status" });
@@ -20,14 +20,14 @@ export function list_panel(studio: Studio): HTMLElement {
       if (wanted === "") id.value = studio.selected;
       return;
     }
-    const document = with_new_id(studio.document(), studio.selected, wanted);
+    const document = withNewId(studio.document(), studio.selected, wanted);
     studio.selected = wanted;
     studio.change(document);
   });
   const remove = button("Remove", () => {
     const gone = studio.selected;
-    take_away(studio);
-    const where = parts_naming(studio.document(), gone);
+    takeAway(studio);
+    const where = partsNaming(studio.document(), gone);
     if (where.length)
       say(`${gone} is still named by ${where.join(" and ")}: take it out there, or undo (Ctrl+Z)`);
   }, "small");
@@ -39,7 +39,7 @@ export function list_panel(studio: Studio): HTMLElement {
     remove.disabled = studio.document().stimuli.length < 2;
     list.querySelector(".chosen")?.scrollIntoView({ block: "nearest" });
   };
-  keep_built(studio, () => [studio.selected, studio.document().stimuli.map((one) => [one.id, text_of(one), one["role"]])], build);
+  keepBuilt(studio, () => [studio.selected, studio.document().stimuli.map((one) => [one.id, textOf(one), one["role"]])], build);
   return element("nav", { class: "list" },
     element("h2", {}, "Stimuli"), list,
     element("label", { class: "field" }, element("span", {}, "Id"), id), note,
@@ -55,14 +55,14 @@ function hindrance(document: Document, wanted: string): string {
   return document.stimuli.some((one) => one.id === wanted) ? `there is another ${wanted}` : "";
 }
 
-const text_of = (stimulus: Stimulus): string => source_of(stimulus) + ("modify" in stimulus ? ", modified" : "");
+const textOf = (stimulus: Stimulus): string => sourceOf(stimulus) + ("modify" in stimulus ? ", modified" : "");
 
 function entry(studio: Studio, stimulus: Stimulus): HTMLLIElement {
-  const is_chosen = stimulus.id === studio.selected;
-  const chosen = element("button", { type: "button", class: is_chosen ? "stimulus chosen" : "stimulus" },
+  const isChosen = stimulus.id === studio.selected;
+  const chosen = element("button", { type: "button", class: isChosen ? "stimulus chosen" : "stimulus" },
     element("span", {}, stimulus.id),
-    element("span", { class: "quiet" }, text_of(stimulus)));
-  if (is_chosen) chosen.setAttribute("aria-current", "true");
+    element("span", { class: "quiet" }, textOf(stimulus)));
+  if (isChosen) chosen.setAttribute("aria-current", "true");
   chosen.addEventListener("click", () => studio.select(stimulus.id));
   return element("li", { class: `role-${String(stimulus["role"] ?? "created")}` }, chosen);
 }
@@ -71,14 +71,14 @@ function duplicate(studio: Studio): void {
   const document = studio.document();
   const stimulus = studio.stimulus();
   if (!stimulus) return;
-  const made: Stimulus = { ...stimulus, id: free_id(document, stimulus.id) };
+  const made: Stimulus = { ...stimulus, id: freeId(document, stimulus.id) };
   const at = document.stimuli.indexOf(stimulus) + 1;
   const stimuli = [...document.stimuli.slice(0, at), made, ...document.stimuli.slice(at)];
   studio.selected = made.id;
   studio.change({ ...document, stimuli } as Document);
 }
 
-function take_away(studio: Studio): void {
+function takeAway(studio: Studio): void {
   const document = studio.document();
   const at = document.stimuli.findIndex((one) => one.id === studio.selected);
   const stimuli = document.stimuli.filter((_, i) => i !== at);

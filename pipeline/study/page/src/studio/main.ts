@@ -1,20 +1,20 @@
 import { button, element } from "../questionnaire/elements";
-import { characters_of, figure_of_text, figure_text } from "./figures";
+import { charactersOf, figureOfText, figureText } from "./figures";
 import { choice, labelled } from "./fields";
 import { heat } from "./heat";
-import { keep_built } from "./kept";
-import { list_panel } from "./list_panel";
-import { look_panel } from "./look_panel";
-import { modify_panel } from "./modify_panel";
-import { motion_panel } from "./motion_panel";
-import { render_panel } from "./render_panel";
-import { Refusal, sentence_of } from "./refusal";
-import { load_studio } from "./server";
+import { keepBuilt } from "./kept";
+import { listPanel } from "./list_panel";
+import { lookPanel } from "./look_panel";
+import { modifyPanel } from "./modify_panel";
+import { motionPanel } from "./motion_panel";
+import { renderPanel } from "./render_panel";
+import { Refusal, sentenceOf } from "./refusal";
+import { loadStudio } from "./server";
 import { StageView } from "./stage_view";
 import { Studio } from "./studio";
 import { timeline } from "./timeline";
-import { top_bar } from "./top_bar";
-import { yaml_panel } from "./yaml_panel";
+import { topBar } from "./top_bar";
+import { yamlPanel } from "./yaml_panel";
 
 /** Panels of which one is shown, with a tab each. */
 function tabs(panels: [string, HTMLElement][]): HTMLElement {
@@ -34,10 +34,10 @@ function tabs(panels: [string, HTMLElement][]): HTMLElement {
 }
 
 /** What the motion may be held against. */
-const others_of = (studio: Studio): string[] => studio.names().filter((name) => name !== studio.selected);
+const othersOf = (studio: Studio): string[] => studio.names().filter((name) => name !== studio.selected);
 
 /** What the stage shows, and how. */
-function stage_bar(studio: Studio, stage: StageView): HTMLElement {
+function stageBar(studio: Studio, stage: StageView): HTMLElement {
   const play = button("Pause", () => stage.toggle(), "small play");
   setInterval(() => {
     const text = stage.plays() ? "Pause" : "Play";
@@ -50,23 +50,23 @@ function stage_bar(studio: Studio, stage: StageView): HTMLElement {
   arrangement.setAttribute("aria-label", "arrangement");
   const hot = element("input", { type: "checkbox" });
   hot.checked = true;
-  hot.addEventListener("change", () => stage.set_heat(hot.checked));
-  const heat_field = element("label", { class: "check", title: "joints in the colours of their distance" }, hot, "heat");
+  hot.addEventListener("change", () => stage.setHeat(hot.checked));
+  const heatField = element("label", { class: "check", title: "joints in the colours of their distance" }, hot, "heat");
   const distance = element("span", { class: "distance", role: "status" });
   const figure = element("span");
   const offer = (): void => {
-    const names = ["", "stick", "mannequin", ...characters_of(studio)];
-    const select = choice(names, figure_text(studio.shown_on), (name) => studio.show_on(figure_of_text(name)),
+    const names = ["", "stick", "mannequin", ...charactersOf(studio)];
+    const select = choice(names, figureText(studio.shownOn), (name) => studio.showOn(figureOfText(name)),
       (name) => (name ? name.replace(/^character (.*\/)?/, "") : "as the look"));
     select.name = "shown-on";
     figure.replaceChildren(labelled("Figure", select, "here alone; what films show stands under Look"));
   };
-  const offer_motions = (): void => {
-    const select = choice(["", ...others_of(studio)], studio.against, (name) => studio.compare_with(name),
+  const offerMotions = (): void => {
+    const select = choice(["", ...othersOf(studio)], studio.against, (name) => studio.compareWith(name),
       (name) => name || "nothing");
     select.name = "against";
     against.replaceChildren(labelled("Against", select));
-    arrangement.hidden = heat_field.hidden = !studio.against;
+    arrangement.hidden = heatField.hidden = !studio.against;
   };
   const tell = (): void => {
     const found = studio.made?.distance;
@@ -74,11 +74,11 @@ function stage_bar(studio: Studio, stage: StageView): HTMLElement {
     distance.style.setProperty("--heat", found ? heat(found.D) : "transparent");
     distance.title = found ? `mean distance of joints; D_sum ${found.D_sum.toFixed(2)} m` : "";
   };
-  keep_built(studio, () => [characters_of(studio), studio.shown_on], offer);
-  keep_built(studio, () => [studio.against, others_of(studio)], offer_motions);
+  keepBuilt(studio, () => [charactersOf(studio), studio.shownOn], offer);
+  keepBuilt(studio, () => [studio.against, othersOf(studio)], offerMotions);
   studio.on((change) => (change === "motion" || change === "selection") && tell());
   tell();
-  return element("div", { class: "stage-bar" }, play, figure, against, arrangement, heat_field, distance);
+  return element("div", { class: "stage-bar" }, play, figure, against, arrangement, heatField, distance);
 }
 
 /** Faults of the draft, or what is to be said of the motion. */
@@ -86,7 +86,7 @@ function findings(studio: Studio): HTMLElement {
   const told = element("div", { class: "findings", "aria-live": "polite" });
   const build = (): void => {
     if (studio.faults.length > 0) {
-      told.replaceChildren(...studio.faults.map((fault) => element("p", { class: "wrong" }, sentence_of(fault))));
+      told.replaceChildren(...studio.faults.map((fault) => element("p", { class: "wrong" }, sentenceOf(fault))));
       return;
     }
     const { made } = studio;
@@ -103,45 +103,45 @@ function findings(studio: Studio): HTMLElement {
 }
 
 /** Keys that work wherever nothing is typed. */
-function let_keys(studio: Studio, stage: StageView, save: () => Promise<void>): void {
+function letKeys(studio: Studio, stage: StageView, save: () => Promise<void>): void {
   const go = (by: number): void => {
     const ids = studio.document().stimuli.map((one) => one.id);
     const at = ids.indexOf(studio.selected) + by;
     if (ids[at] !== undefined) studio.select(ids[at]!);
   };
   addEventListener("keydown", (event) => {
-    const is_command = event.ctrlKey || event.metaKey;
+    const isCommand = event.ctrlKey || event.metaKey;
     const key = event.key.toLowerCase();
     const typed = event.target instanceof HTMLElement && event.target.matches("input:not([type=range]):not([type=checkbox]), textarea");
-    if (is_command && key === "s") void save();
-    else if (is_command && key === "z" && !typed) (event.shiftKey ? studio.redo() : studio.undo());
-    else if (is_command && key === "y" && !typed) studio.redo();
+    if (isCommand && key === "s") void save();
+    else if (isCommand && key === "z" && !typed) (event.shiftKey ? studio.redo() : studio.undo());
+    else if (isCommand && key === "y" && !typed) studio.redo();
     else if (event.altKey && key === "arrowup") go(-1);
     else if (event.altKey && key === "arrowdown") go(1);
     else if (key === " " && !typed && !(event.target as HTMLElement).closest("button, select")) stage.toggle();
     else return;
     event.preventDefault();
   });
-  addEventListener("beforeunload", (event) => studio.has_changes() && event.preventDefault());
+  addEventListener("beforeunload", (event) => studio.hasChanges() && event.preventDefault());
 }
 
 async function begin(): Promise<void> {
   const place = document.getElementById("studio")!;
   try {
-    const studio = new Studio(await load_studio());
+    const studio = new Studio(await loadStudio());
     document.title = `${studio.file} – mien studio`;
     const stage = new StageView(studio);
-    const top = top_bar(studio);
+    const top = topBar(studio);
     place.replaceChildren(top.element,
       element("div", { class: "work" },
-        list_panel(studio),
-        element("main", {}, stage_bar(studio, stage), stage.element, timeline(studio, stage), findings(studio)),
-        tabs([["Motion", motion_panel(studio)], ["Modify", modify_panel(studio)], ["Look", look_panel(studio)],
-          ["Render", render_panel(studio, stage)], ["YAML", yaml_panel(studio)]])));
-    let_keys(studio, stage, top.save);
+        listPanel(studio),
+        element("main", {}, stageBar(studio, stage), stage.element, timeline(studio, stage), findings(studio)),
+        tabs([["Motion", motionPanel(studio)], ["Modify", modifyPanel(studio)], ["Look", lookPanel(studio)],
+          ["Render", renderPanel(studio, stage)], ["YAML", yamlPanel(studio)]])));
+    letKeys(studio, stage, top.save);
     (globalThis as { studio?: unknown }).studio = { studio, stage };
     studio.remake();
-    await studio.find_places();
+    await studio.findPlaces();
   } catch (error) {
     const text = error instanceof Refusal ? error.message : String(error);
     place.replaceChildren(element("p", { class: "wrong", role: "alert" }, text));

@@ -1,31 +1,31 @@
 import { element } from "../questionnaire/elements";
-import { is_map, map_of, with_member, type Json, type JsonMap } from "./document";
+import { isMap, mapOf, withMember, type Json, type JsonMap } from "./document";
 import { adder, choice, labelled } from "./fields";
-import { amount_slider, set_at, set_in_step, steps_of, value_at } from "./modify_steps";
+import { amountSlider, setAt, setInStep, stepsOf, valueAt } from "./modify_steps";
 import type { KeySchema } from "./server";
 import type { Studio } from "./studio";
 
 /** Keys that have fields of their own in the panel. */
-const shown_elsewhere = ["emotion", "strength", "paths", "acceleration", "tempo", "variation", "posture"];
+const shownElsewhere = ["emotion", "strength", "paths", "acceleration", "tempo", "variation", "posture"];
 /** What a step with an older method may say; other steps may say the rest, and those of both. */
-const of_methods = ["method", "neutral", "styled", "harmonics", "order", "inputs", "components", "swap"];
-const of_both = ["seed", "repair"];
+const ofMethods = ["method", "neutral", "styled", "harmonics", "order", "inputs", "components", "swap"];
+const ofBoth = ["seed", "repair"];
 
 /** Every other key of a step by what the schema says of it: those that are set, and a box to add one. */
 export function options(studio: Studio, index: number): HTMLElement[] {
-  const values = steps_of(studio.stimulus()!)[index]!;
-  const all = Object.keys(studio.words.modification).filter((key) => !shown_elsewhere.includes(key) || "method" in values);
-  const is_open = (key: string): boolean =>
-    of_both.includes(key) || of_methods.includes(key) === "method" in values || (key === "method" && Object.keys(values).length === 0);
+  const values = stepsOf(studio.stimulus()!)[index]!;
+  const all = Object.keys(studio.words.modification).filter((key) => !shownElsewhere.includes(key) || "method" in values);
+  const isOpen = (key: string): boolean =>
+    ofBoth.includes(key) || ofMethods.includes(key) === "method" in values || (key === "method" && Object.keys(values).length === 0);
   const set = Object.keys(values).filter((key) => all.includes(key));
   const made = set.map((key) => option(studio, index, key));
-  const rest = all.filter((key) => !(key in values) && is_open(key));
-  if (rest.length > 0) made.push(adder("add an option…", rest, (key) => set_at(studio, index, key, first_value(studio, key))));
+  const rest = all.filter((key) => !(key in values) && isOpen(key));
+  if (rest.length > 0) made.push(adder("add an option…", rest, (key) => setAt(studio, index, key, firstValue(studio, key))));
   return made;
 }
 
 /** To begin from: something that a manifest may say, as little changed as can be. */
-function first_value(studio: Studio, key: string): Json {
+function firstValue(studio: Studio, key: string): Json {
   const schema = studio.words.modification[key]!;
   const [first, second] = studio.choices.examples;
   if (key === "gains") return { middle: 1.2 };
@@ -40,7 +40,7 @@ function option(studio: Studio, index: number, key: string): HTMLElement {
   const title = schema.description;
   const made = element("div", { class: "option", "data-option": key });
   const remove = element("button", { type: "button", class: "small", "aria-label": `take ${key} away` }, "×");
-  remove.addEventListener("click", () => set_at(studio, index, key, undefined));
+  remove.addEventListener("click", () => setAt(studio, index, key, undefined));
   const name = element("span", { class: "slider-name", title }, key);
   if (key === "gains") made.append(element("div", { class: "slider-head" }, name, remove), ...gains(studio, index, schema));
   else if (key === "pose") made.append(element("div", { class: "slider-head" }, name, remove), ...pose(studio, index));
@@ -54,8 +54,8 @@ function option(studio: Studio, index: number, key: string): HTMLElement {
 
 /** By the kind of value; what is none of these stays as it is written and is shown. */
 function field(studio: Studio, index: number, path: string, schema: Omit<KeySchema, "title" | "description">): HTMLElement {
-  const value = value_at(steps_of(studio.stimulus()!)[index]!, path);
-  const set = (made: Json): void => set_at(studio, index, path, made);
+  const value = valueAt(stepsOf(studio.stimulus()!)[index]!, path);
+  const set = (made: Json): void => setAt(studio, index, path, made);
   const named = (made: HTMLElement): HTMLElement => {
     made.setAttribute("aria-label", path);
     return made;
@@ -118,21 +118,21 @@ function several(value: Json | undefined, names: string[], set: (value: Json) =>
 }
 
 function gains(studio: Studio, index: number, schema: KeySchema): HTMLElement[] {
-  const values = map_of(steps_of(studio.stimulus()!)[index]!["gains"]);
+  const values = mapOf(stepsOf(studio.stimulus()!)[index]!["gains"]);
   const parts = schema.properties ?? {};
   const made: HTMLElement[] = Object.entries(parts).filter(([, part]) => part.type === "number").map(([name, part]) =>
-    amount_slider(studio, index, {
+    amountSlider(studio, index, {
       path: `gains.${name}`, title: part.description, least: part.minimum ?? 0,
       most: Math.max(3, Number(values[name] ?? 0)), usual: Number(part.default ?? 1),
     }));
   if ("bands" in values) {
     const row = labelled("bands", field(studio, index, "gains.bands", parts["bands"]!), parts["bands"]!.description);
     const remove = element("button", { type: "button", class: "small", "aria-label": "take bands away" }, "×");
-    remove.addEventListener("click", () => set_at(studio, index, "gains.bands", undefined));
+    remove.addEventListener("click", () => setAt(studio, index, "gains.bands", undefined));
     row.append(remove);
     made.push(row);
   } else {
-    made.push(adder("add gains of single bands…", ["bands"], () => set_at(studio, index, "gains.bands", [0.3, 0.3, 1.8])));
+    made.push(adder("add gains of single bands…", ["bands"], () => setAt(studio, index, "gains.bands", [0.3, 0.3, 1.8])));
   }
   return made;
 }
@@ -146,14 +146,14 @@ function motions(studio: Studio, now: Json | undefined): string[] {
 
 /** Two standing poses: a motion and a frame of it each. */
 function pose(studio: Studio, index: number): HTMLElement[] {
-  const values = map_of(steps_of(studio.stimulus()!)[index]!["pose"]);
+  const values = mapOf(stepsOf(studio.stimulus()!)[index]!["pose"]);
   const set = (name: string, one: JsonMap): void => {
     const frame = Number(one["frame"] ?? 0);
-    set_in_step(studio, index, "pose", with_member(values, name, frame > 0 ? { motion: one["motion"]!, frame } : one["motion"]!));
+    setInStep(studio, index, "pose", withMember(values, name, frame > 0 ? { motion: one["motion"]!, frame } : one["motion"]!));
   };
   return ["neutral", "posed"].map((name) => {
     const given = values[name];
-    const one: JsonMap = is_map(given) ? given : { motion: given ?? "" };
+    const one: JsonMap = isMap(given) ? given : { motion: given ?? "" };
     const motion = choice(motions(studio, one["motion"]), String(one["motion"]), (chosen) => set(name, { ...one, motion: chosen }));
     motion.setAttribute("aria-label", `${name} pose`);
     const frame = number(one["frame"] ?? 0, { minimum: 0, type: "integer" }, (chosen) => set(name, { ...one, frame: chosen }));

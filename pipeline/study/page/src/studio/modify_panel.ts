@@ -1,8 +1,8 @@
 import { button, element, paragraphs } from "../questionnaire/elements";
-import { map_of, type JsonMap } from "./document";
+import { mapOf, type JsonMap } from "./document";
 import { adder, choice, labelled } from "./fields";
 import { options } from "./modify_options";
-import { amount_slider, set_at, set_in_step, set_steps, steps_of, value_at, type Amount } from "./modify_steps";
+import { amountSlider, setAt, setInStep, setSteps, stepsOf, valueAt, type Amount } from "./modify_steps";
 import type { Studio } from "./studio";
 
 const amounts: Amount[] = [
@@ -13,11 +13,11 @@ const amounts: Amount[] = [
 ];
 
 /** What is done to the motion once it is made: one step, or several after each other. */
-export function modify_panel(studio: Studio): HTMLElement {
+export function modifyPanel(studio: Studio): HTMLElement {
   const panel = element("section", { class: "panel", "aria-label": "Modify" });
   let drawn = "";
   const build = (): void => {
-    drawn = shape_of(studio);
+    drawn = shapeOf(studio);
     panel.replaceChildren();
     const stimulus = studio.stimulus();
     if (!stimulus) return;
@@ -25,51 +25,51 @@ export function modify_panel(studio: Studio): HTMLElement {
       panel.append(...paragraphs(["A foil is modified as the stimulus that it is of."]));
       return;
     }
-    steps_of(stimulus).forEach((_, index) => panel.append(step(studio, index)));
+    stepsOf(stimulus).forEach((_, index) => panel.append(step(studio, index)));
     panel.append(element("div", { class: "row" },
-      button("Add a step", () => set_steps(studio, [...steps_of(studio.stimulus()!), first_step(studio)]))));
-    if (steps_of(stimulus).length === 0)
+      button("Add a step", () => setSteps(studio, [...stepsOf(studio.stimulus()!), firstStep(studio)]))));
+    if (stepsOf(stimulus).length === 0)
       panel.append(...paragraphs(["A step changes the motion by a recipe of an emotion, by the lengths of its paths, "
         + "its acceleration, posture, tempo or variation."]));
   };
   studio.on((change) => {
     if (!["document", "selection", "choices", "places"].includes(change)) return;
-    if (shape_of(studio) !== drawn) build();
-    else set_values(studio, panel);
+    if (shapeOf(studio) !== drawn) build();
+    else setValues(studio, panel);
   });
   build();
   return panel;
 }
 
 /** Of a recipe, if there is one: to be changed from there. */
-function first_step(studio: Studio): JsonMap {
+function firstStep(studio: Studio): JsonMap {
   const names = studio.words.recipes.map((recipe) => recipe.name);
   const name = names.includes("sad") ? "sad" : names[0];
   return name === undefined ? { paths: 1.2 } : { emotion: name };
 }
 
 /** What the panel is built anew for: everything but the numbers that have sliders. */
-const shape_of = (studio: Studio): string => {
+const shapeOf = (studio: Studio): string => {
   const stimulus = studio.stimulus();
   const slides = new Set(["strength", "low", "middle", "high", ...amounts.map((one) => one.path),
     ...studio.words.posture.map((unit) => unit.name)]);
-  return JSON.stringify([studio.selected, stimulus ? steps_of(stimulus) : [], stimulus && "foil" in stimulus,
+  return JSON.stringify([studio.selected, stimulus ? stepsOf(stimulus) : [], stimulus && "foil" in stimulus,
     studio.choices.examples, studio.places.folders.length],
   (key, value: unknown) => (typeof value === "number" && slides.has(key) ? 0 : value));
 };
 
-function set_values(studio: Studio, panel: HTMLElement): void {
-  const steps = steps_of(studio.stimulus()!);
+function setValues(studio: Studio, panel: HTMLElement): void {
+  const steps = stepsOf(studio.stimulus()!);
   for (const made of panel.querySelectorAll<HTMLElement>(".slider")) {
-    const value = value_at(steps[Number(made.dataset["step"])] ?? {}, made.dataset["path"]!) ?? made.dataset["usual"]!;
+    const value = valueAt(steps[Number(made.dataset["step"])] ?? {}, made.dataset["path"]!) ?? made.dataset["usual"]!;
     for (const input of made.querySelectorAll("input"))
       if (input !== document.activeElement || input.type === "range") input.value = String(value);
   }
 }
 
 function step(studio: Studio, index: number): HTMLElement {
-  const values = steps_of(studio.stimulus()!)[index]!;
-  const take = button("Remove", () => set_steps(studio, steps_of(studio.stimulus()!).filter((_, i) => i !== index)), "small");
+  const values = stepsOf(studio.stimulus()!)[index]!;
+  const take = button("Remove", () => setSteps(studio, stepsOf(studio.stimulus()!).filter((_, i) => i !== index)), "small");
   const head = element("div", { class: "step-head" }, element("h2", {}, `Step ${index + 1}`), take);
   const made = element("div", { class: "step" }, head);
   if (!("method" in values)) made.append(...changes(studio, index, values));
@@ -80,13 +80,13 @@ function step(studio: Studio, index: number): HTMLElement {
 /** A recipe, and what changes most: the rest are options. */
 function changes(studio: Studio, index: number, values: JsonMap): HTMLElement[] {
   const made = [recipe(studio, index, values)];
-  if ("emotion" in values) made.push(amount_slider(studio, index,
+  if ("emotion" in values) made.push(amountSlider(studio, index,
     { path: "strength", title: "of the recipe and what stands below", least: 0, most: 2, usual: 1 }));
-  for (const amount of amounts) made.push(amount_slider(studio, index, amount));
-  const posture = map_of(values["posture"]);
-  for (const [name, value] of Object.entries(posture)) made.push(posture_slider(studio, index, name, Number(value)));
+  for (const amount of amounts) made.push(amountSlider(studio, index, amount));
+  const posture = mapOf(values["posture"]);
+  for (const [name, value] of Object.entries(posture)) made.push(postureSlider(studio, index, name, Number(value)));
   const rest = studio.words.posture.filter((unit) => !(unit.name in posture));
-  made.push(adder("add a posture…", rest.map((unit) => unit.name), (name) => set_at(studio, index, `posture.${name}`, 10)));
+  made.push(adder("add a posture…", rest.map((unit) => unit.name), (name) => setAt(studio, index, `posture.${name}`, 10)));
   return made;
 }
 
@@ -94,15 +94,15 @@ function recipe(studio: Studio, index: number, values: JsonMap): HTMLElement {
   const none = "none";
   const names = [none, ...studio.words.recipes.map((one) => one.name)];
   const chosen = choice(names, String(values["emotion"] ?? none), (name) =>
-    set_in_step(studio, index, "emotion", name === none ? undefined : name));
+    setInStep(studio, index, "emotion", name === none ? undefined : name));
   const note = studio.words.recipes.find((one) => one.name === values["emotion"])?.note ?? "";
   const made = element("div", {}, labelled("Recipe", chosen, note));
   if (note) made.append(element("p", { class: "quiet" }, note));
   return made;
 }
 
-const posture_slider = (studio: Studio, index: number, name: string, value: number): HTMLElement =>
-  amount_slider(studio, index, {
+const postureSlider = (studio: Studio, index: number, name: string, value: number): HTMLElement =>
+  amountSlider(studio, index, {
     path: `posture.${name}`, title: studio.words.posture.find((unit) => unit.name === name)?.note ?? "",
     unit: "degrees", least: Math.min(-60, value), most: Math.max(60, value), step: 1, usual: 0,
   });

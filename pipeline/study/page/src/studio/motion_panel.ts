@@ -1,46 +1,46 @@
 import { button, element, paragraphs } from "../questionnaire/elements";
 import type { Slider } from "../live/core";
-import { kinds, map_of, rounded, source_of, with_member, type JsonMap, type Kind, type Stimulus } from "./document";
-import { example_fields } from "./examples_fields";
+import { kinds, mapOf, rounded, sourceOf, withMember, type JsonMap, type Kind, type Stimulus } from "./document";
+import { exampleFields } from "./examples_fields";
 import { adder, choice, labelled, slider } from "./fields";
 import type { Studio } from "./studio";
 
 /** What a stimulus is made from: sliders of adjectives, of features or of weights. */
-export function motion_panel(studio: Studio): HTMLElement {
+export function motionPanel(studio: Studio): HTMLElement {
   const panel = element("section", { class: "panel", "aria-label": "Motion" });
   let drawn = "";
 
   const build = (): void => {
     const stimulus = studio.stimulus();
-    drawn = key_of(studio);
+    drawn = keyOf(studio);
     panel.replaceChildren();
     if (!stimulus) return;
     panel.append(heads(studio, stimulus), ...content(studio, stimulus));
-    tell_reached(studio, panel);
+    tellReached(studio, panel);
   };
   studio.on((change) => {
-    if (change === "motion") tell_reached(studio, panel);
+    if (change === "motion") tellReached(studio, panel);
     if (!["document", "choices", "selection", "places"].includes(change)) return;
-    if (key_of(studio) !== drawn) build();
-    else set_values(studio, panel);
+    if (keyOf(studio) !== drawn) build();
+    else setValues(studio, panel);
   });
   build();
   return panel;
 }
 
 /** What the panel is built anew for: other sliders, not other values. */
-function key_of(studio: Studio): string {
+function keyOf(studio: Studio): string {
   const stimulus = studio.stimulus();
-  const source = stimulus ? source_of(stimulus) : "";
-  const values = stimulus ? Object.keys(map_of(stimulus[source])) : [];
+  const source = stimulus ? sourceOf(stimulus) : "";
+  const values = stimulus ? Object.keys(mapOf(stimulus[source])) : [];
   return JSON.stringify([studio.selected, source, values, studio.choices.examples, studio.document()["examples"],
     studio.places.folders.map((one) => one.folder), stimulus?.["hold"], stimulus?.["role"]]);
 }
 
-function set_values(studio: Studio, panel: HTMLElement): void {
+function setValues(studio: Studio, panel: HTMLElement): void {
   const stimulus = studio.stimulus();
   if (!stimulus) return;
-  const values = map_of(stimulus[source_of(stimulus)]);
+  const values = mapOf(stimulus[sourceOf(stimulus)]);
   for (const made of panel.querySelectorAll<HTMLElement>(".slider")) {
     const value = String(values[made.dataset["name"]!] ?? 0);
     for (const input of made.querySelectorAll("input"))
@@ -48,7 +48,7 @@ function set_values(studio: Studio, panel: HTMLElement): void {
   }
 }
 
-function tell_reached(studio: Studio, panel: HTMLElement): void {
+function tellReached(studio: Studio, panel: HTMLElement): void {
   for (const made of panel.querySelectorAll<HTMLElement>(".slider")) {
     const reached = studio.made?.reached[made.dataset["name"]!];
     const asked = Number(made.querySelector<HTMLInputElement>("input")!.value);
@@ -59,19 +59,19 @@ function tell_reached(studio: Studio, panel: HTMLElement): void {
 
 function heads(studio: Studio, stimulus: Stimulus): HTMLElement {
   const role = choice(["target", "created", "reference"], String(stimulus["role"] ?? "created"),
-    (name) => studio.change_stimulus(with_member(stimulus, "role", name === "created" ? undefined : name)));
-  return element("div", { class: "fields" }, ...example_fields(studio), labelled("Role", role, "place and colour on sheets"));
+    (name) => studio.changeStimulus(withMember(stimulus, "role", name === "created" ? undefined : name)));
+  return element("div", { class: "fields" }, ...exampleFields(studio), labelled("Role", role, "place and colour on sheets"));
 }
 
 function content(studio: Studio, stimulus: Stimulus): HTMLElement[] {
-  const source = source_of(stimulus);
+  const source = sourceOf(stimulus);
   if (source === "clip") return paragraphs(["This stimulus shows a motion file. What is done to it stands under Modify."]);
   if (source === "path") return paragraphs(["This stimulus walks a path, as the manifest says. What is done to it "
     + "stands under Modify."]);
   if (source === "foil") return paragraphs(["This stimulus is the foil of another and has no sliders of its own."]);
   const tabs = element("div", { class: "kinds", role: "group", "aria-label": "made from" });
   for (const kind of kinds) {
-    const tab = button(kind, () => change_kind(studio, stimulus, kind), kind === source ? "chosen" : "");
+    const tab = button(kind, () => changeKind(studio, stimulus, kind), kind === source ? "chosen" : "");
     tab.setAttribute("aria-pressed", String(kind === source));
     tabs.append(tab);
   }
@@ -79,18 +79,18 @@ function content(studio: Studio, stimulus: Stimulus): HTMLElement[] {
 }
 
 /** Other sliders for about the same motion. */
-function change_kind(studio: Studio, stimulus: Stimulus, kind: Kind): void {
-  const before = source_of(stimulus);
+function changeKind(studio: Studio, stimulus: Stimulus, kind: Kind): void {
+  const before = sourceOf(stimulus);
   if (before === kind) return;
   const made: Stimulus = { id: stimulus.id };
   for (const [key, value] of Object.entries(stimulus)) {
-    if (key === before) made[kind] = first_values(studio, kind);
+    if (key === before) made[kind] = firstValues(studio, kind);
     else if (key !== "hold") made[key] = value;
   }
-  studio.change_stimulus(made);
+  studio.changeStimulus(made);
 }
 
-function first_values(studio: Studio, kind: Kind): JsonMap {
+function firstValues(studio: Studio, kind: Kind): JsonMap {
   const weights = studio.made?.weights ?? {};
   if (kind === "weights") {
     const told = Object.entries(weights).map(([name, value]) => [name, Math.max(0, rounded(value))]);
@@ -102,11 +102,11 @@ function first_values(studio: Studio, kind: Kind): JsonMap {
 }
 
 function sliders(studio: Studio, stimulus: Stimulus, kind: Kind): HTMLElement[] {
-  const values = map_of(stimulus[kind]);
+  const values = mapOf(stimulus[kind]);
   const set = (name: string, value: number | undefined, gesture: string): void => {
     const now = studio.stimulus();
     if (!now) return;
-    studio.change_stimulus(with_member(now, kind, with_member(map_of(now[kind]), name, value)), gesture);
+    studio.changeStimulus(withMember(now, kind, withMember(mapOf(now[kind]), name, value)), gesture);
   };
   const known: Map<string, Slider | undefined> = kind === "weights"
     ? new Map(studio.choices.examples.map((name) => [name, undefined]))
@@ -121,7 +121,7 @@ function sliders(studio: Studio, stimulus: Stimulus, kind: Kind): HTMLElement[] 
       ...(one ? { usual: one.mean } : {}),
       ...(one?.low && one.high ? { low: one.low, high: one.high } : {}),
       moved: (next) => set(name, next, `${kind} ${name}`),
-      settled: () => studio.history.end_gesture(),
+      settled: () => studio.history.endGesture(),
       ...(many ? { removed: () => set(name, undefined, "") } : {}),
     });
   });

@@ -1,20 +1,20 @@
 import { button, element } from "../questionnaire/elements";
 import { choice, labelled } from "./fields";
 import { Refusal } from "./refusal";
-import { begin_job, cancel_job, job_result, job_told, type Job } from "./server";
-import { seconds_of } from "../figure/playing";
+import { beginJob, cancelJob, jobResult, jobTold, type Job } from "./server";
+import { secondsOf } from "../figure/playing";
 import type { StageView } from "./stage_view";
 import type { Studio } from "./studio";
 
 /** Stills and videos by the real renderer. */
-export function render_panel(studio: Studio, stage: StageView): HTMLElement {
+export function renderPanel(studio: Studio, stage: StageView): HTMLElement {
   const panel = element("section", { class: "panel", "aria-label": "Render" });
   let quality = "draft";
   let running: Job | null = null;
   const bar = element("progress", { max: "1", value: "0" });
   const told = element("p", { class: "told", role: "status" });
   const shown = element("div", { class: "result" });
-  const stop = button("Stop", () => running && void cancel_job(running.job));
+  const stop = button("Stop", () => running && void cancelJob(running.job));
   stop.hidden = bar.hidden = true;
 
   const watch = async (job: Job): Promise<void> => {
@@ -24,10 +24,10 @@ export function render_panel(studio: Studio, stage: StageView): HTMLElement {
       bar.value = running.share;
       told.textContent = `${running.kind} of ${running.stimulus}: ${Math.round(100 * running.share)} %`;
       await new Promise((resolve) => setTimeout(resolve, 250));
-      running = await job_told(job.job);
+      running = await jobTold(job.job);
     }
     stop.hidden = bar.hidden = true;
-    show_result(running, told, shown);
+    showResult(running, told, shown);
   };
   const watched = async (begun: () => Promise<Job>): Promise<void> => {
     told.textContent = "";
@@ -40,8 +40,8 @@ export function render_panel(studio: Studio, stage: StageView): HTMLElement {
   };
   const begin = (kind: "still" | "video"): Promise<void> => watched(() => {
     const motion = studio.made?.motion;
-    return begin_job(studio.document(), {
-      kind, stimulus: studio.selected, seconds: motion ? stage.phase() * seconds_of(motion) : 0,
+    return beginJob(studio.document(), {
+      kind, stimulus: studio.selected, seconds: motion ? stage.phase() * secondsOf(motion) : 0,
       quality: quality === "manifest" ? "" : quality,
     });
   });
@@ -54,18 +54,18 @@ export function render_panel(studio: Studio, stage: StageView): HTMLElement {
     bar, told, shown,
     element("p", { class: "quiet" }, "Made by the renderer that mien run uses, of what is shown here, saved or not. "
       + "Figures are not made alike with the study's other films (equalize)."));
-  const { job_before } = studio;
-  if (job_before) void watched(() => Promise.resolve(job_before));
+  const { jobBefore: jobBefore } = studio;
+  if (jobBefore) void watched(() => Promise.resolve(jobBefore));
   return panel;
 }
 
-function show_result(job: Job, told: HTMLElement, shown: HTMLElement): void {
+function showResult(job: Job, told: HTMLElement, shown: HTMLElement): void {
   if (job.state !== "done") {
     told.textContent = job.state === "cancelled" ? "Stopped." : job.told;
     return;
   }
   told.textContent = `Saved to ${job.told}`;
-  const source = job_result(job.job);
+  const source = jobResult(job.job);
   const made = job.kind === "still"
     ? element("img", { src: source, alt: `still of ${job.stimulus}` })
     : element("video", { src: source, controls: "", loop: "", muted: "" });

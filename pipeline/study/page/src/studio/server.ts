@@ -1,7 +1,7 @@
 // What the studio's server is asked (pipeline/study/studio/studio_service.h).
 
 import type { JointPoses } from "../figure/figure";
-import { read_motion } from "../live/answers";
+import { readMotion } from "../live/answers";
 import type { LiveMotion, Slider } from "../live/core";
 import type { Body } from "../figure/body_shape";
 import { about, type Document, type Json, type JsonMap, type ManifestState, type Stimulus } from "./document";
@@ -99,7 +99,7 @@ export interface Job {
   told: string;
 }
 
-async function answer_to(what: string, body?: unknown): Promise<Response> {
+async function answerTo(what: string, body?: unknown): Promise<Response> {
   let response: Response;
   try {
     response = await fetch(what, body === undefined ? {} : {
@@ -117,7 +117,7 @@ async function answer_to(what: string, body?: unknown): Promise<Response> {
 }
 
 /** Faults of a part of a document tell the places of stimuli in the whole of it. */
-const of_whole = (document: Document, part: JsonMap) => (refusal: unknown): never => {
+const ofWhole = (document: Document, part: JsonMap) => (refusal: unknown): never => {
   if (!(refusal instanceof Refusal)) throw refusal;
   const place = (all: string, index: string): string => {
     const at = document.stimuli.indexOf((part["stimuli"] as Stimulus[])[Number(index)]!);
@@ -127,26 +127,26 @@ const of_whole = (document: Document, part: JsonMap) => (refusal: unknown): neve
     refusal.status);
 };
 
-const json_of = async <Told>(what: string, body?: unknown): Promise<Told> =>
-  (await (await answer_to(what, body)).json()) as Told;
+const jsonOf = async <Told>(what: string, body?: unknown): Promise<Told> =>
+  (await (await answerTo(what, body)).json()) as Told;
 
-export const load_studio = (): Promise<StudioState> => json_of("studio.json");
-export const load_choices = (document: Document): Promise<Choices> =>
-  json_of("choices", { document: about(document, []) });
+export const loadStudio = (): Promise<StudioState> => jsonOf("studio.json");
+export const loadChoices = (document: Document): Promise<Choices> =>
+  jsonOf("choices", { document: about(document, []) });
 
 export async function make(document: Document, show: string, against: string): Promise<Made> {
   const body = { document: about(document, [show, against]), show, against };
-  const bytes = await (await answer_to("motion", body).catch(of_whole(document, body.document))).arrayBuffer();
+  const bytes = await (await answerTo("motion", body).catch(ofWhole(document, body.document))).arrayBuffer();
   const length = new DataView(bytes).getUint32(0, true);
   const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as Omit<Made, "motion" | "poses">;
-  const poses_at = bytes.byteLength - 4 * 7 * head.figure.joints * frames_of(bytes, 4 + length);
-  return { ...head, motion: read_motion(bytes.slice(4 + length, poses_at)), poses: poses_in(bytes.slice(poses_at)) };
+  const posesAt = bytes.byteLength - 4 * 7 * head.figure.joints * framesOf(bytes, 4 + length);
+  return { ...head, motion: readMotion(bytes.slice(4 + length, posesAt)), poses: posesIn(bytes.slice(posesAt)) };
 }
 
 /** Of the motion that begins there. */
-const frames_of = (bytes: ArrayBuffer, at: number): number => new DataView(bytes).getInt32(at + 4, true);
+const framesOf = (bytes: ArrayBuffer, at: number): number => new DataView(bytes).getInt32(at + 4, true);
 
-function poses_in(bytes: ArrayBuffer): JointPoses | null {
+function posesIn(bytes: ArrayBuffer): JointPoses | null {
   if (bytes.byteLength === 0) return null;
   const numbers = new Float32Array(bytes);
   const places = numbers.length / 7;
@@ -154,18 +154,18 @@ function poses_in(bytes: ArrayBuffer): JointPoses | null {
 }
 
 /** The file of the figure that a motion is shown on; refused where it is another by now. */
-export const load_figure = async (document: Document, show: string, key: string): Promise<ArrayBuffer> =>
-  (await answer_to("figure", { document: about(document, [show]), show, key })).arrayBuffer();
+export const loadFigure = async (document: Document, show: string, key: string): Promise<ArrayBuffer> =>
+  (await answerTo("figure", { document: about(document, [show]), show, key })).arrayBuffer();
 
-export const load_places = (): Promise<Places> => json_of("places", {});
+export const loadPlaces = (): Promise<Places> => jsonOf("places", {});
 
 /** The file's text was made from that of `version`, and says what the document does. */
 export const save = (document: Document, text: string, version: string): Promise<ManifestState & { saved: boolean }> =>
-  json_of("save", { document, text, version });
-export const reload = (): Promise<ManifestState> => json_of("reload", {});
+  jsonOf("save", { document, text, version });
+export const reload = (): Promise<ManifestState> => jsonOf("reload", {});
 
-export const begin_job = (document: Document, job: JsonMap): Promise<Job> =>
-  json_of("jobs", { document: about(document, [String(job["stimulus"])]), ...job });
-export const job_told = (job: number): Promise<Job> => json_of(`jobs/${job}`);
-export const cancel_job = (job: number): Promise<unknown> => json_of(`jobs/${job}/cancel`, {});
-export const job_result = (job: number): string => `jobs/${job}/result`;
+export const beginJob = (document: Document, job: JsonMap): Promise<Job> =>
+  jsonOf("jobs", { document: about(document, [String(job["stimulus"])]), ...job });
+export const jobTold = (job: number): Promise<Job> => jsonOf(`jobs/${job}`);
+export const cancelJob = (job: number): Promise<unknown> => jsonOf(`jobs/${job}/cancel`, {});
+export const jobResult = (job: number): string => `jobs/${job}/result`;

@@ -3,8 +3,8 @@ import { FigureView, type Arrangement } from "../figure/figure_view";
 import type { BodyStyle } from "../figure/body_shape";
 import type { Turn } from "../figure/camera_turn";
 import { find } from "./document";
-import { heat_colours } from "./heat";
-import { look_of, name_of } from "./look_panel";
+import { heatColours } from "./heat";
+import { lookOf, nameOf } from "./look_panel";
 import type { Made } from "./server";
 import type { Studio } from "./studio";
 import { Wardrobe } from "./wardrobe";
@@ -19,8 +19,8 @@ const directions: Record<string, [number, number]> = {
   front: [0, 6 * degree], side: [-90 * degree, 6 * degree], "three-quarter": [-42 * degree, 10 * degree],
 };
 /** Of roles, as on sheets and overlays; of examples. */
-const role_colours: Record<string, string> = { target: "#2ea05c", created: "#3474cc", reference: "#ce483c" };
-const example_colour = "#7a8696";
+const roleColours: Record<string, string> = { target: "#2ea05c", created: "#3474cc", reference: "#ce483c" };
+const exampleColour = "#7a8696";
 
 /** The figure, or two of them, playing. */
 export class StageView {
@@ -31,13 +31,13 @@ export class StageView {
   private arrangement: Arrangement = "beside";
   /** Of the motion and of what it is held against. */
   private wardrobes = [0, 1].map((figure) => new Wardrobe((skin) => this.view?.wear(figure, skin)));
-  is_hot = true;
+  isHot = true;
 
   constructor(private studio: Studio) {
     studio.on((change) => {
-      if (change === "asked") this.view?.expect_motion();
+      if (change === "asked") this.view?.expectMotion();
       if (change === "motion") this.show();
-      if (change === "document" || change === "selection") this.show_look();
+      if (change === "document" || change === "selection") this.showLook();
     });
   }
 
@@ -61,15 +61,15 @@ export class StageView {
     this.view?.arrange(arrangement);
   }
 
-  set_heat(is_hot: boolean): void {
-    this.is_hot = is_hot;
+  setHeat(isHot: boolean): void {
+    this.isHot = isHot;
     this.paint();
   }
 
   /** What is drawn here, where no file comes. */
-  private body_style(): BodyStyle {
-    const figure = this.studio.shown_on ?? look_of(this.studio)["figure"];
-    return name_of(figure, "mannequin") === "stick" ? "stick" : "mannequin";
+  private bodyStyle(): BodyStyle {
+    const figure = this.studio.shownOn ?? lookOf(this.studio)["figure"];
+    return nameOf(figure, "mannequin") === "stick" ? "stick" : "mannequin";
   }
 
   /** Of the motion and of what it is held against. */
@@ -77,32 +77,32 @@ export class StageView {
     const { studio } = this;
     return [studio.selected, studio.against].map((name) => {
       const stimulus = find(studio.document(), name);
-      return stimulus ? role_colours[String(stimulus["role"] ?? "created")]! : example_colour;
+      return stimulus ? roleColours[String(stimulus["role"] ?? "created")]! : exampleColour;
     });
   }
 
   /** What a view is made for: another one needs another. */
-  private shape_now(): string {
-    return JSON.stringify([this.body_style(), this.studio.made?.body, this.colours()]);
+  private shapeNow(): string {
+    return JSON.stringify([this.bodyStyle(), this.studio.made?.body, this.colours()]);
   }
 
   /** A new view where the body or the kind of figure is another; camera and moment stay. */
   private rebuild(): void {
     const { made } = this.studio;
     if (!made) return;
-    const style = this.body_style();
-    const shape = this.shape_now();
+    const style = this.bodyStyle();
+    const shape = this.shapeNow();
     if (this.view && shape === this.shape) return;
     const before: { turn: Turn; phase: number; plays: boolean } | null = this.view
       ? { turn: this.view.stands(), phase: this.view.phase(), plays: this.view.plays() } : null;
     this.view?.release();
     this.view?.element.remove();
-    for (const wardrobe of this.wardrobes) wardrobe.begin_anew();
+    for (const wardrobe of this.wardrobes) wardrobe.beginAnew();
     this.view = new FigureView(made.body, this.colours(), "the motion in three dimensions", style);
     this.shape = shape;
     this.element.prepend(this.view.element);
     if (!before) return;
-    this.view.stand_at(before.turn);
+    this.view.standAt(before.turn);
     this.view.seek(before.phase);
     if (!before.plays) this.view.pause();
   }
@@ -111,35 +111,35 @@ export class StageView {
     const { made, other } = this.studio;
     if (!made) return;
     this.rebuild();
-    [made, other].forEach((one, figure) => this.show_figure(figure, one));
+    [made, other].forEach((one, figure) => this.showFigure(figure, one));
     this.view!.arrange(this.arrangement);
-    this.show_look();
+    this.showLook();
     this.paint();
   }
 
-  private show_figure(figure: number, made: Made | null): void {
+  private showFigure(figure: number, made: Made | null): void {
     const { studio } = this;
     const name = figure === 0 ? studio.selected : studio.against;
     const key = made?.figure.key ?? "";
     this.view!.show(figure, made?.motion ?? null, made?.poses ?? null);
-    this.wardrobes[figure]!.want(key, () => studio.figure_of(name, key));
+    this.wardrobes[figure]!.want(key, () => studio.figureOf(name, key));
   }
 
-  private show_look(): void {
+  private showLook(): void {
     if (!this.view) return;
-    const look = look_of(this.studio);
-    if (this.studio.made && this.shape_now() !== this.shape) return this.show();
-    this.view.set_background(backgrounds[name_of(look["scene"], "studio")] ?? "#b8b8b8");
-    const camera = name_of(look["camera"], "three-quarter");
+    const look = lookOf(this.studio);
+    if (this.studio.made && this.shapeNow() !== this.shape) return this.show();
+    this.view.setBackground(backgrounds[nameOf(look["scene"], "studio")] ?? "#b8b8b8");
+    const camera = nameOf(look["camera"], "three-quarter");
     if (camera === this.camera) return;
     this.camera = camera;
     const [azimuth, elevation] = directions[camera] ?? directions["three-quarter"]!;
-    this.view.stand_at({ ...this.view.stands(), azimuth, elevation });
+    this.view.standAt({ ...this.view.stands(), azimuth, elevation });
   }
 
   /** Joints in the colours of their distance. */
   private paint(): void {
     const distance = this.studio.made?.distance;
-    this.view?.paint(0, distance && this.is_hot ? heat_colours(distance.by_joint) : null);
+    this.view?.paint(0, distance && this.isHot ? heatColours(distance.by_joint) : null);
   }
 }

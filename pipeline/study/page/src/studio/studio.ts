@@ -1,8 +1,8 @@
-import { find, map_of, with_figure, type Document, type Json, type JsonMap, type ManifestState, type Stimulus } from "./document";
+import { find, mapOf, withFigure, type Document, type Json, type JsonMap, type ManifestState, type Stimulus } from "./document";
 import { History } from "./history";
 import { edited } from "./manifest_edit";
-import { Refusal, sentence_of, type Fault } from "./refusal";
-import { load_choices, load_figure, load_places, make, reload, save, type Choices, type Made, type Places,
+import { Refusal, sentenceOf, type Fault } from "./refusal";
+import { loadChoices, loadFigure, loadPlaces, make, reload, save, type Choices, type Made, type Places,
   type StudioState } from "./server";
 
 /** What has changed, for those who show it. */
@@ -14,10 +14,10 @@ export class Studio {
   readonly place: string;
   readonly file: string;
   readonly words: StudioState["words"];
-  readonly has_walker: boolean;
-  readonly job_before: StudioState["job"];
+  readonly hasWalker: boolean;
+  readonly jobBefore: StudioState["job"];
   /** The examples of the manifest as it was opened: a folder can be named by nobody else. */
-  readonly opened_examples: JsonMap;
+  readonly openedExamples: JsonMap;
   selected: string;
   /** What the motion is held against: a stimulus, an example, or nothing. */
   against = "";
@@ -25,7 +25,7 @@ export class Studio {
     simulated: false, warnings: [] };
   places: Places = { folders: [], characters: [], all: true };
   /** What motions are shown on here, whatever the manifest says; null: what it says. */
-  shown_on: Json = null;
+  shownOn: Json = null;
   made: Made | null = null;
   other: Made | null = null;
   faults: Fault[] = [];
@@ -34,10 +34,10 @@ export class Studio {
   took = 0;
   private saved: ManifestState;
   private told: ((change: Change) => void)[] = [];
-  private is_making = false;
-  private is_stale = false;
+  private isMaking = false;
+  private isStale = false;
   private examples = "";
-  private other_key = "";
+  private otherKey = "";
 
   constructor(state: StudioState) {
     this.history = new History(state.manifest.document);
@@ -45,9 +45,9 @@ export class Studio {
     this.file = state.file;
     this.place = state.place;
     this.words = state.words;
-    this.has_walker = state.walker;
-    this.job_before = state.job;
-    this.opened_examples = map_of(state.manifest.document["examples"]);
+    this.hasWalker = state.walker;
+    this.jobBefore = state.job;
+    this.openedExamples = mapOf(state.manifest.document["examples"]);
     this.is_on_disk = state.is_on_disk;
     this.selected = state.manifest.document.stimuli[0]?.id ?? "";
   }
@@ -68,27 +68,27 @@ export class Studio {
     return find(this.document(), this.selected);
   }
 
-  has_changes = (): boolean =>
+  hasChanges = (): boolean =>
     !this.is_on_disk || JSON.stringify(this.document()) !== JSON.stringify(this.saved.document);
 
   /** `gesture`: what is changed again and again while a slider is dragged. */
   change(document: Document, gesture = ""): void {
     this.history.change(document, gesture);
-    this.after_change();
+    this.afterChange();
   }
 
-  change_stimulus(stimulus: Stimulus, gesture = ""): void {
+  changeStimulus(stimulus: Stimulus, gesture = ""): void {
     const document = this.document();
     const stimuli = document.stimuli.map((one) => (one.id === this.selected ? stimulus : one));
     this.change({ ...document, stimuli }, gesture && `${this.selected} ${gesture}`);
   }
 
   undo(): void {
-    if (this.history.undo()) this.after_change();
+    if (this.history.undo()) this.afterChange();
   }
 
   redo(): void {
-    if (this.history.redo()) this.after_change();
+    if (this.history.redo()) this.afterChange();
   }
 
   select(id: string): void {
@@ -97,32 +97,32 @@ export class Studio {
     this.remake();
   }
 
-  compare_with(name: string): void {
+  compareWith(name: string): void {
     this.against = name;
     this.tell("selection");
     this.remake();
   }
 
-  show_on(figure: Json): void {
-    this.shown_on = figure;
+  showOn(figure: Json): void {
+    this.shownOn = figure;
     this.remake();
   }
 
   /** The document with the figure that is chosen here in the place of its own. */
-  private shown_document(): Document {
-    return this.shown_on === null ? this.document() : with_figure(this.document(), this.shown_on);
+  private shownDocument(): Document {
+    return this.shownOn === null ? this.document() : withFigure(this.document(), this.shownOn);
   }
 
   /** The file of the figure that a stimulus or an example is shown on. */
-  figure_of = (name: string, key: string): Promise<ArrayBuffer> => load_figure(this.shown_document(), name, key);
+  figureOf = (name: string, key: string): Promise<ArrayBuffer> => loadFigure(this.shownDocument(), name, key);
 
   /** What of the folders about may be chosen. */
-  async find_places(): Promise<void> {
-    this.places = await load_places();
+  async findPlaces(): Promise<void> {
+    this.places = await loadPlaces();
     this.tell("places");
   }
 
-  private after_change(): void {
+  private afterChange(): void {
     if (!this.stimulus()) this.selected = this.document().stimuli[0]?.id ?? "";
     this.tell("document");
     this.remake();
@@ -131,47 +131,47 @@ export class Studio {
   /** The motions as the document has them now; what was asked meanwhile is asked once, when the last
       answer has come. */
   remake(): void {
-    this.is_stale = true;
-    if (!this.is_making) void this.make_all();
+    this.isStale = true;
+    if (!this.isMaking) void this.makeAll();
   }
 
-  private async make_all(): Promise<void> {
-    this.is_making = true;
-    while (this.is_stale) {
-      this.is_stale = false;
+  private async makeAll(): Promise<void> {
+    this.isMaking = true;
+    while (this.isStale) {
+      this.isStale = false;
       const from = performance.now();
       this.tell("asked");
       try {
-        await this.load_choices();
-        await this.make_shown();
+        await this.loadChoices();
+        await this.makeShown();
         this.took = performance.now() - from;
-        this.set_faults([]);
+        this.setFaults([]);
       } catch (error) {
-        this.set_faults(error instanceof Refusal ? error.faults
+        this.setFaults(error instanceof Refusal ? error.faults
           : [{ path: "", wrong: String(error), remedy: "load the page again" }]);
       }
     }
-    this.is_making = false;
+    this.isMaking = false;
   }
 
-  private async load_choices(): Promise<void> {
+  private async loadChoices(): Promise<void> {
     const { examples, seed } = this.document();
     const key = JSON.stringify([examples, seed]);
     if (key === this.examples) return;
-    this.choices = await load_choices(this.document());
+    this.choices = await loadChoices(this.document());
     this.examples = key;
     if (this.against && !this.names().includes(this.against)) this.against = "";
     this.tell("choices");
   }
 
-  private async make_shown(): Promise<void> {
-    const document = this.shown_document();
+  private async makeShown(): Promise<void> {
+    const document = this.shownDocument();
     const against = this.against === this.selected ? "" : this.against;
     const made = await make(document, this.selected, against);
     const key = against && JSON.stringify([find(document, against) ?? against, document["examples"],
       document["interpolation"], document["output"], document["recipes"], document["look"]]);
-    if (key !== this.other_key) this.other = against ? await make(document, against, "") : null;
-    this.other_key = key;
+    if (key !== this.otherKey) this.other = against ? await make(document, against, "") : null;
+    this.otherKey = key;
     this.made = made;
     this.tell("motion");
   }
@@ -181,10 +181,10 @@ export class Studio {
     return [...this.document().stimuli.map((stimulus) => stimulus.id), ...this.choices.examples];
   }
 
-  private set_faults(faults: Fault[]): void {
-    const is_other = faults.map(sentence_of).join() !== this.faults.map(sentence_of).join();
+  private setFaults(faults: Fault[]): void {
+    const isOther = faults.map(sentenceOf).join() !== this.faults.map(sentenceOf).join();
     this.faults = faults;
-    if (is_other) this.tell("faults");
+    if (isOther) this.tell("faults");
   }
 
   /** The manifest as it would be saved. Throws Refusal. */
@@ -205,7 +205,7 @@ export class Studio {
     this.saved = await reload();
     this.is_on_disk = true;
     this.history.begin(this.saved.document);
-    this.after_change();
+    this.afterChange();
     this.tell("saved");
   }
 }

@@ -1,5 +1,5 @@
 import { element } from "../questionnaire/elements";
-import { seconds_of } from "../figure/playing";
+import { secondsOf } from "../figure/playing";
 import { heat } from "./heat";
 import type { Made } from "./server";
 import type { StageView } from "./stage_view";
@@ -67,21 +67,21 @@ function paint(canvas: HTMLCanvasElement, made: Made, phase: number): void {
     y += high + 5;
     return at;
   };
-  paint_distance(pen, made, along, row("D", rows.D));
-  paint_contacts(pen, made, 0, along, row("left foot", rows.left));
-  paint_contacts(pen, made, 1, along, row("right foot", rows.right));
-  paint_findings(pen, made, along, row("findings", rows.findings));
-  paint_times(pen, made, along, y, phase);
+  paintDistance(pen, made, along, row("D", rows.D));
+  paintContacts(pen, made, 0, along, row("left foot", rows.left));
+  paintContacts(pen, made, 1, along, row("right foot", rows.right));
+  paintFindings(pen, made, along, row("findings", rows.findings));
+  paintTimes(pen, made, along, y, phase);
 }
 
 type Along = (share: number) => number;
 
-function paint_distance(pen: CanvasRenderingContext2D, made: Made, along: Along, y: number): void {
-  const by_time = made.distance?.by_time;
+function paintDistance(pen: CanvasRenderingContext2D, made: Made, along: Along, y: number): void {
+  const byTime = made.distance?.by_time;
   pen.fillStyle = "#d9d9d9";
   pen.fillRect(along(0), y, along(1) - along(0), rows.D);
-  if (!by_time) return;
-  by_time.forEach((metres, k) => {
+  if (!byTime) return;
+  byTime.forEach((metres, k) => {
     const from = Math.max(0, (k - 0.5) / 10);
     const to = Math.min(1, (k + 0.5) / 10);
     pen.fillStyle = heat(metres);
@@ -89,7 +89,7 @@ function paint_distance(pen: CanvasRenderingContext2D, made: Made, along: Along,
   });
 }
 
-function paint_contacts(pen: CanvasRenderingContext2D, made: Made, foot: number, along: Along, y: number): void {
+function paintContacts(pen: CanvasRenderingContext2D, made: Made, foot: number, along: Along, y: number): void {
   const { frames, contacts } = made.motion;
   pen.fillStyle = "#d9d9d9";
   pen.fillRect(along(0), y, along(1) - along(0), rows.left);
@@ -98,7 +98,7 @@ function paint_contacts(pen: CanvasRenderingContext2D, made: Made, foot: number,
     if (contacts[2 * frame + foot]) pen.fillRect(along(frame / frames), y, along(1 / frames) - along(0) + 0.5, rows.left);
 }
 
-function paint_findings(pen: CanvasRenderingContext2D, made: Made, along: Along, y: number): void {
+function paintFindings(pen: CanvasRenderingContext2D, made: Made, along: Along, y: number): void {
   const { frames } = made.motion;
   pen.fillStyle = "#d9d9d9";
   pen.fillRect(along(0), y, along(1) - along(0), rows.findings);
@@ -110,8 +110,8 @@ function paint_findings(pen: CanvasRenderingContext2D, made: Made, along: Along,
   }
 }
 
-function paint_times(pen: CanvasRenderingContext2D, made: Made, along: Along, bottom: number, phase: number): void {
-  const seconds = seconds_of(made.motion);
+function paintTimes(pen: CanvasRenderingContext2D, made: Made, along: Along, bottom: number, phase: number): void {
+  const seconds = secondsOf(made.motion);
   pen.strokeStyle = "#1c1c1c";
   pen.lineWidth = 1;
   for (const time of made.motion.keytimes) {

@@ -3,19 +3,19 @@ import type { ManifestState } from "./document";
 import { Refusal } from "./refusal";
 import type { Studio } from "./studio";
 
-const no_walker = "The walker that arrow keys or a gamepad steer runs on the motion core compiled for browsers, "
+const noWalker = "The walker that arrow keys or a gamepad steer runs on the motion core compiled for browsers, "
   + "which is not there yet. End the studio and start it as ./mien studio --walk: that compiles it once, which takes "
   + "some minutes, and from then on it is opened here.";
 
 /** The way to the walker, or why there is none. */
-function walker_link(studio: Studio, tell: (text: string) => void): HTMLElement {
-  if (!studio.has_walker) return button("Walker…", () => tell(no_walker), "small walker");
+function walkerLink(studio: Studio, tell: (text: string) => void): HTMLElement {
+  if (!studio.hasWalker) return button("Walker…", () => tell(noWalker), "small walker");
   return element("a", { class: "button small walker", href: "walk.html", target: "_blank", rel: "noopener",
     title: "a walker that arrow keys or a gamepad steer, and sliders of moods" }, "Walker");
 }
 
 /** The manifest's name, the way back and forth, and saving. */
-export function top_bar(studio: Studio): { element: HTMLElement; save: () => Promise<void> } {
+export function topBar(studio: Studio): { element: HTMLElement; save: () => Promise<void> } {
   const state = element("span", { class: "state", role: "status" });
   const undo = button("Undo", () => studio.undo(), "small");
   const redo = button("Redo", () => studio.redo(), "small");
@@ -27,10 +27,10 @@ export function top_bar(studio: Studio): { element: HTMLElement; save: () => Pro
   refusal.hidden = true;
 
   const tell = (): void => {
-    undo.disabled = !studio.history.can_undo();
-    redo.disabled = !studio.history.can_redo();
-    keep.disabled = !studio.has_changes();
-    state.textContent = studio.has_changes() ? (studio.is_on_disk ? "not saved yet" : "not saved yet: the file is new") : "saved";
+    undo.disabled = !studio.history.canUndo();
+    redo.disabled = !studio.history.canRedo();
+    keep.disabled = !studio.hasChanges();
+    state.textContent = studio.hasChanges() ? (studio.is_on_disk ? "not saved yet" : "not saved yet: the file is new") : "saved";
   };
   const refuse = (text: string, ...ways: HTMLElement[]): void => {
     const close = button("Close", () => {
@@ -39,9 +39,9 @@ export function top_bar(studio: Studio): { element: HTMLElement; save: () => Pro
     refusal.replaceChildren(element("p", {}, text), element("div", { class: "row" }, ...ways, close));
     refusal.hidden = false;
   };
-  const walker = walker_link(studio, refuse);
+  const walker = walkerLink(studio, refuse);
   const save = async (base?: ManifestState): Promise<void> => {
-    if (!studio.has_changes() && !base) return;
+    if (!studio.hasChanges() && !base) return;
     refusal.hidden = true;
     try {
       await studio.save(base);

@@ -3,7 +3,7 @@ import type { Studio } from "./studio";
 import { yamlElement } from "./yaml_text";
 
 /** The lines of the stimulus, and the manifest as it would be saved. */
-export function yaml_panel(studio: Studio): HTMLElement {
+export function yamlPanel(studio: Studio): HTMLElement {
   const panel = element("section", { class: "panel yaml", "aria-label": "YAML" });
   const lines = element("pre", { class: "lines", tabindex: "0", "aria-label": "lines of the stimulus" });
   const whole = element("pre", { class: "whole", tabindex: "0", "aria-label": "the manifest" });

@@ -1,5 +1,5 @@
 import { Document, isCollection, isPair, isScalar, visit, type Node, type Scalar, type ToStringOptions } from "yaml";
-import { is_map, type Json } from "./document";
+import { isMap, type Json } from "./document";
 
 /** Lines are no longer than this, if that can be. */
 const yamlWidth = 100;
@@ -12,7 +12,7 @@ const isItself = (text: string): boolean =>
 export function withoutVariables(value: Json): Json {
   if (typeof value === "string") return value.split("${").join("$${");
   if (Array.isArray(value)) return value.map(withoutVariables);
-  if (!is_map(value)) return value;
+  if (!isMap(value)) return value;
   return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, withoutVariables(one)]));
 }
 
@@ -51,4 +51,4 @@ export function yamlLines(value: Json, column: number, begin = column): string {
 
 /** An element of a list, its dash behind `column` spaces: of a map, a member a line. */
 export const yamlElement = (value: Json, column: number): string =>
-  `- ${yamlLines(value, column + 2, is_map(value) ? Infinity : undefined)}`;
+  `- ${yamlLines(value, column + 2, isMap(value) ? Infinity : undefined)}`;

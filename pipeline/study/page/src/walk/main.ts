@@ -1,6 +1,6 @@
-import { open_walker } from "../live/walker";
+import { openWalker } from "../live/walker";
 import { element } from "../questionnaire/elements";
-import { mount_walk } from "./mount_walk";
+import { mountWalk } from "./mount_walk";
 
 declare global {
   // Beside the page, or before it in a script: live_core.js.
@@ -9,7 +9,7 @@ declare global {
 }
 
 /** The motion core: of a script that came before, else from beside the page. */
-async function module_bytes(): Promise<ArrayBuffer | string> {
+async function moduleBytes(): Promise<ArrayBuffer | string> {
   const files = globalThis.mien_live_files;
   if (files?.module) return files.module;
   const answer = await fetch("live_core.wasm");
@@ -18,18 +18,18 @@ async function module_bytes(): Promise<ArrayBuffer | string> {
 }
 
 /** A walker that the studio opened leads back to it. */
-function studio_link(): HTMLElement {
+function studioLink(): HTMLElement {
   return element("a", { class: "to-studio", href: "./" }, "Studio");
 }
 
 async function start(): Promise<void> {
   const place = document.querySelector<HTMLElement>("main")!;
   try {
-    const module = await module_bytes();
-    const walk = await mount_walk(place, { module });
-    if (document.querySelector('meta[name="mien-mode"][content="served"]')) place.append(studio_link());
+    const module = await moduleBytes();
+    const walk = await mountWalk(place, { module });
+    if (document.querySelector('meta[name="mien-mode"][content="served"]')) place.append(studioLink());
     // For measurements from outside: what is shown, and a walker that nobody sees.
-    Object.assign(globalThis, { mien_walk: walk, mien_walk_alone: () => open_walker(module) });
+    Object.assign(globalThis, { mien_walk: walk, mien_walk_alone: () => openWalker(module) });
   } catch (error) {
     place.textContent = `The walker cannot walk here: ${error instanceof Error ? error.message : String(error)}`;
   }

@@ -28,8 +28,8 @@ export class MoodPanel {
   }
 
   private changed(): void {
-    const is_none = this.shares().every((share) => share === 0);
-    this.note.textContent = is_none ? "No mood is chosen: the last one stays." : "";
+    const isNone = this.shares().every((share) => share === 0);
+    this.note.textContent = isNone ? "No mood is chosen: the last one stays." : "";
     this.told();
   }
 }

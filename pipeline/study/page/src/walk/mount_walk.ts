@@ -1,6 +1,6 @@
 // A walker that somebody steers, on any page that has room for it.
 
-import { open_walker, type WalkFrame, type WalkWish, type Walker } from "../live/walker";
+import { openWalker, type WalkFrame, type WalkWish, type Walker } from "../live/walker";
 import { element } from "../questionnaire/elements";
 import { MoodPanel, slider } from "./mood_panel";
 import { Steering, type Hold } from "./steering";
@@ -34,9 +34,9 @@ export interface MountedWalk {
 const help = "Arrow keys or W, A, D: walk and turn; Shift: faster; Space: walk on; a gamepad's stick does the same. " +
   "Drag to turn the camera, wheel to come nearer.";
 
-function hold_button(text: string, label: string, what: Hold, steering: Steering): HTMLElement {
+function holdButton(text: string, label: string, what: Hold, steering: Steering): HTMLElement {
   const made = element("button", { type: "button", class: "hold", "aria-label": label }, text);
-  const set = (is_held: boolean) => () => steering.hold(what, is_held);
+  const set = (isHeld: boolean) => () => steering.hold(what, isHeld);
   made.addEventListener("pointerdown", (event) => {
     made.setPointerCapture(event.pointerId);
     steering.hold(what, true);
@@ -57,25 +57,25 @@ function check(text: string, value: boolean, changed: (value: boolean) => void):
 }
 
 /** The controls beside the view. */
-function panel_of(steering: Steering, view: WalkView, moods: MoodPanel): HTMLElement {
-  const [on_field, on] = check("walk on", false, (value) => (steering.walks_on = value));
-  steering.changed = () => (on.checked = steering.walks_on);
-  const [along_field] = check("camera turns along", true, (value) => (view.turns_along = value));
+function panelOf(steering: Steering, view: WalkView, moods: MoodPanel): HTMLElement {
+  const [onField, on] = check("walk on", false, (value) => (steering.walksOn = value));
+  steering.changed = () => (on.checked = steering.walksOn);
+  const [alongField] = check("camera turns along", true, (value) => (view.turnsAlong = value));
   const pace = slider("pace", steering.pace, 1.2, (value) => (steering.pace = value));
   return element("div", { class: "walk-panel" },
     element("div", { class: "holds" },
-      hold_button("↰", "turn left", "left", steering), hold_button("↑", "walk", "forward", steering),
-      hold_button("↱", "turn right", "right", steering)),
+      holdButton("↰", "turn left", "left", steering), holdButton("↑", "walk", "forward", steering),
+      holdButton("↱", "turn right", "right", steering)),
     element("div", { class: "mood-row" }, element("span", {}, "pace"), pace),
-    on_field, along_field, moods.element, element("p", { class: "help" }, help));
+    onField, alongField, moods.element, element("p", { class: "help" }, help));
 }
 
 /**
  * Puts a walker into the element, with what steers it: keys while the focus is in it, a gamepad, buttons,
  * and a slider a mood. Rejects with an Error when there is no motion core or no WebGL.
  */
-export async function mount_walk(place: HTMLElement, options: WalkOptions): Promise<MountedWalk> {
-  const walker = await open_walker(options.module, options.set, options.moods);
+export async function mountWalk(place: HTMLElement, options: WalkOptions): Promise<MountedWalk> {
+  const walker = await openWalker(options.module, options.set, options.moods);
   const view = new WalkView(walker.info, options.colour ?? "#3f7fbf", "a walker, steered by keys");
   const status = element("p", { class: "walk-status", role: "status" });
   const root = element("div", { class: "walk" });
@@ -83,15 +83,15 @@ export async function mount_walk(place: HTMLElement, options: WalkOptions): Prom
   let shares = [] as number[];
   const moods = new MoodPanel(walker.info.moods, () => (shares = moods.shares()));
   shares = moods.shares();
-  root.append(element("div", { class: "walk-stage" }, view.element, status), panel_of(steering, view, moods));
+  root.append(element("div", { class: "walk-stage" }, view.element, status), panelOf(steering, view, moods));
   place.append(root);
   view.element.focus();
 
   let seen: Parameters<MountedWalk["watch"]>[0] = () => undefined;
-  let last = 0, told = 0, is_released = false;
+  let last = 0, told = 0, isReleased = false;
   const wish = (): WalkWish => ({ ...steering.now(), moods: shares });
   const show = (now: number): void => {
-    if (is_released) return;
+    if (isReleased) return;
     const seconds = last === 0 ? 0 : Math.min(0.25, Math.max(0, (now - last) / 1000));
     last = now;
     const begun = performance.now();
@@ -111,7 +111,7 @@ export async function mount_walk(place: HTMLElement, options: WalkOptions): Prom
     wish,
     watch: (watcher) => (seen = watcher),
     release() {
-      is_released = true;
+      isReleased = true;
       steering.release();
       view.release();
       root.remove();

@@ -1,8 +1,8 @@
 // What keys, a gamepad and buttons on the page want of the walker.
 
 /** Degrees a second that the walker turns at most when it is told to. */
-const turn_deg_s = 70;
-const fast_pace = 1.2;
+const turnDegS = 70;
+const fastPace = 1.2;
 /** Of a gamepad's stick that is let go. */
 const dead = 0.15;
 
@@ -19,20 +19,20 @@ export interface Steer {
   turn_deg_s: number;
 }
 
-const beyond_dead = (value: number): number =>
+const beyondDead = (value: number): number =>
   Math.abs(value) < dead ? 0 : Math.sign(value) * Math.min(1, (Math.abs(value) - dead) / (0.95 - dead));
 
 /** The first gamepad that is there and is moved: its left stick, or its cross. */
-function from_gamepad(): Steer | null {
+function fromGamepad(): Steer | null {
   const pads = typeof navigator.getGamepads === "function" ? navigator.getGamepads() : [];
   for (const pad of pads) {
     if (!pad) continue;
     const pressed = (button: number) => (pad.buttons[button]?.pressed ? 1 : 0);
-    const across = beyond_dead(pad.axes[0] ?? 0) + pressed(15) - pressed(14);
-    const ahead = beyond_dead(-(pad.axes[1] ?? 0)) + pressed(12);
+    const across = beyondDead(pad.axes[0] ?? 0) + pressed(15) - pressed(14);
+    const ahead = beyondDead(-(pad.axes[1] ?? 0)) + pressed(12);
     if (across === 0 && ahead <= 0) continue;
-    const fast = 1 + (fast_pace - 1) * (pad.buttons[7]?.value ?? 0);
-    return { pace: Math.min(1, Math.max(0, ahead)) * fast, turn_deg_s: -turn_deg_s * Math.max(-1, Math.min(1, across)) };
+    const fast = 1 + (fastPace - 1) * (pad.buttons[7]?.value ?? 0);
+    return { pace: Math.min(1, Math.max(0, ahead)) * fast, turn_deg_s: -turnDegS * Math.max(-1, Math.min(1, across)) };
   }
   return null;
 }
@@ -41,10 +41,10 @@ function from_gamepad(): Steer | null {
 export class Steering {
   private held = new Set<Hold>();
   /** Walks on by itself. */
-  walks_on = false;
+  walksOn = false;
   /** Share of the mood's own speed at which it walks. */
   pace = 1;
-  /** Told when `walks_on` has changed by a key. */
+  /** Told when `walksOn` has changed by a key. */
   changed: () => void = () => undefined;
   private ended = new AbortController();
 
@@ -60,40 +60,40 @@ export class Steering {
     }, { signal });
   }
 
-  hold(what: Hold, is_held: boolean): void {
-    if (is_held) this.held.add(what);
+  hold(what: Hold, isHeld: boolean): void {
+    if (isHeld) this.held.add(what);
     else this.held.delete(what);
   }
 
   now(): Steer {
-    const pad = from_gamepad();
+    const pad = fromGamepad();
     if (pad) return { pace: pad.pace * this.pace, turn_deg_s: pad.turn_deg_s };
-    const walks = this.held.has("forward") || this.walks_on;
+    const walks = this.held.has("forward") || this.walksOn;
     const turn = Number(this.held.has("left")) - Number(this.held.has("right"));
-    const fast = this.held.has("fast") ? fast_pace : 1;
-    return { pace: walks ? Math.min(fast_pace, this.pace * fast) : 0, turn_deg_s: turn * turn_deg_s };
+    const fast = this.held.has("fast") ? fastPace : 1;
+    return { pace: walks ? Math.min(fastPace, this.pace * fast) : 0, turn_deg_s: turn * turnDegS };
   }
 
   release(): void {
     this.ended.abort();
   }
 
-  private key(event: KeyboardEvent, is_down: boolean): void {
+  private key(event: KeyboardEvent, isDown: boolean): void {
     // Sliders and buttons have keys of their own.
-    const in_field = event.target instanceof HTMLInputElement || event.target instanceof HTMLButtonElement;
-    if (is_down && (in_field || event.ctrlKey || event.altKey || event.metaKey)) return;
+    const inField = event.target instanceof HTMLInputElement || event.target instanceof HTMLButtonElement;
+    if (isDown && (inField || event.ctrlKey || event.altKey || event.metaKey)) return;
     if (event.code === "Space" || event.code === "ArrowDown" || event.code === "KeyS") {
-      if (in_field) return;
+      if (inField) return;
       event.preventDefault();
       event.stopPropagation();
-      if (!is_down || event.repeat) return;
-      this.walks_on = event.code === "Space" && !this.walks_on;
+      if (!isDown || event.repeat) return;
+      this.walksOn = event.code === "Space" && !this.walksOn;
       return this.changed();
     }
     const what = keys[event.code];
     if (!what) return;
-    this.hold(what, is_down);
-    if (!is_down || what === "fast") return;
+    this.hold(what, isDown);
+    if (!isDown || what === "fast") return;
     event.preventDefault();
     event.stopPropagation();
   }

@@ -1,10 +1,10 @@
 import { PerspectiveCamera, type WebGLRenderer } from "three";
-import { let_turn, stand, type Turn } from "../figure/camera_turn";
+import { letTurn, stand, type Turn } from "../figure/camera_turn";
 import { Figure } from "../figure/figure";
-import { floor, floor_square, lit_scene, renderer_on } from "../figure/stage";
+import { floor, floorSquare, litScene, rendererOn } from "../figure/stage";
 import type { WalkFrame, WalkerInfo } from "../live/walker";
 
-const field_of_view = 32;  // degrees, upright
+const fieldOfView = 32;  // degrees, upright
 const radians = Math.PI / 180;
 /** How soon the camera follows, 1/s. */
 const follows = 8;
@@ -13,11 +13,11 @@ const follows = 8;
 export class WalkView {
   readonly element: HTMLCanvasElement;
   /** Whether the camera turns as the walker does. */
-  turns_along = true;
+  turnsAlong = true;
   private renderer: WebGLRenderer;
-  private camera = new PerspectiveCamera(field_of_view, 1, 0.05, 60);
+  private camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 60);
   private turn: Turn = { azimuth: Math.PI - 0.55, elevation: 0.22, distance: 5.2 };
-  private scene = lit_scene();
+  private scene = litScene();
   private ground = floor();
   private figure: Figure;
   private at = { x: 0, z: 0, heading: 0 };
@@ -28,10 +28,10 @@ export class WalkView {
     this.element.setAttribute("role", "img");
     this.element.setAttribute("aria-label", label);
     this.element.className = "walk-view";
-    this.renderer = renderer_on(this.element);
+    this.renderer = rendererOn(this.element);
     this.figure = new Figure(info.body, colour);
     this.scene.add(this.ground, this.figure.group);
-    let_turn(this.element, this.turn, () => undefined);
+    letTurn(this.element, this.turn, () => undefined);
   }
 
   /** Draws the frame, `seconds` after the last one. */
@@ -45,17 +45,17 @@ export class WalkView {
       renderer.setPixelRatio(ratio);
       renderer.setSize(width, height, false);
     }
-    this.figure.stand_as(frame.positions, frame.rotations);
+    this.figure.standAs(frame.positions, frame.rotations);
     this.follow(frame, seconds);
     camera.aspect = width / height;
     const wider = Math.max(1, 0.62 / camera.aspect);
-    camera.fov = 2 * Math.atan(Math.tan(field_of_view / 2 * radians) * wider) / radians;
+    camera.fov = 2 * Math.atan(Math.tan(fieldOfView / 2 * radians) * wider) / radians;
     camera.updateProjectionMatrix();
-    const along = this.turns_along ? this.at.heading : 0;
+    const along = this.turnsAlong ? this.at.heading : 0;
     stand(camera, { ...this.turn, azimuth: this.turn.azimuth + along }, this.at.x, 0.9, this.at.z);
     // The floor is endless: its squares are put where the walker is.
-    this.ground.position.x = Math.round(this.at.x / floor_square) * floor_square;
-    this.ground.position.z = Math.round(this.at.z / floor_square) * floor_square;
+    this.ground.position.x = Math.round(this.at.x / floorSquare) * floorSquare;
+    this.ground.position.z = Math.round(this.at.z / floorSquare) * floorSquare;
     renderer.render(this.scene, camera);
   }
 

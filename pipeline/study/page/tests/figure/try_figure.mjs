@@ -3,7 +3,7 @@ import { build } from "esbuild";
 import { mkdir, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { open_browser } from "../questionnaire/participant.mjs";
+import { openBrowser } from "../questionnaire/participant.mjs";
 
 const folder = process.argv[2];
 await mkdir(folder, { recursive: true });
@@ -12,7 +12,7 @@ await build({
   bundle: true, format: "iife", outfile: join(folder, "try.js"), logLevel: "warning",
 });
 await writeFile(join(folder, "try.html"), '<!doctype html><body><script src="try.js"></script></body>');
-const browser = await open_browser();
+const browser = await openBrowser();
 const page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
 page.on("console", (message) => console.log(message.text()));
 page.on("pageerror", (error) => console.log(String(error)));
@@ -29,9 +29,9 @@ const shot = async (name, ...what) => {
 };
 await shot("over");
 await shot("beside", "arrange", "beside");
-await shot("side", "look_from", "side");
+await shot("side", "lookFrom", "side");
 await page.setViewportSize({ width: 390, height: 420 });
-await shot("phone", "look_from", "front");
+await shot("phone", "lookFrom", "front");
 console.log(await page.evaluate(async () => {
   const view = globalThis.view;
   const from = performance.now();

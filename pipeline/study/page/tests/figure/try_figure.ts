@@ -1,8 +1,8 @@
 // Two figures on a page of their own, for looking at them: node try_figure.mjs FOLDER.
-import { open_fake } from "../live/fake_core";
+import { openFake } from "../live/fake_core";
 import { FigureView } from "../../src/figure/figure_view";
 
-const core = open_fake({ a: [0.8, 0.6, 0.3, 0.7] });
+const core = openFake({ a: [0.8, 0.6, 0.3, 0.7] });
 const view = new FigureView(core.info.body, ["#2e8b57", "#3465c8"], "two figures");
 view.element.style.cssText = "display:block;width:100vw;height:100vh";
 document.body.style.margin = "0";

@@ -39,7 +39,7 @@ const features = kinds.map((name) => slider(name, true, "less", "more"));
 const examples = ["normal", "long", "swinging", "bowed", "quick"];
 
 /** The four numbers behind a setting, 0 to 1. */
-function numbers_of({ kind, sliders, values }: LiveSetting): number[] {
+function numbersOf({ kind, sliders, values }: LiveSetting): number[] {
   const of = (name: string, otherwise: number) => {
     const at = sliders.indexOf(name);
     return at < 0 ? otherwise : values[at]!;
@@ -50,7 +50,7 @@ function numbers_of({ kind, sliders, values }: LiveSetting): number[] {
   return examples.slice(1).map((name) => 0.2 + 0.8 * of(name, 0) / all);
 }
 
-function motion_of([stride, arms, bow, tempo]: number[]): LiveMotion {
+function motionOf([stride, arms, bow, tempo]: number[]): LiveMotion {
   const fps = 30;
   const frames = Math.round(fps * (1.5 - 0.8 * tempo!));
   const walked = 0.5 + stride!;
@@ -86,9 +86,9 @@ function motion_of([stride, arms, bow, tempo]: number[]): LiveMotion {
   };
 }
 
-function distance_of(a: LiveMotion, b: LiveMotion): LiveDistance {
-  const by_joint = new Float64Array(20);
-  const by_time = new Float64Array(11);
+function distanceOf(a: LiveMotion, b: LiveMotion): LiveDistance {
+  const byJoint = new Float64Array(20);
+  const byTime = new Float64Array(11);
   for (let t = 0; t < 11; t += 1) {
     const at = (motion: LiveMotion, joint: number, axis: number) => {
       const frame = Math.round(t / 10 * motion.frames) % motion.frames * rows.length;
@@ -96,29 +96,29 @@ function distance_of(a: LiveMotion, b: LiveMotion): LiveDistance {
     };
     for (let j = 1; j < 21; j += 1) {
       const apart = Math.hypot(...[0, 1, 2].map((axis) => at(a, j, axis) - at(b, j, axis)));
-      by_joint[j - 1]! += apart / 11;
-      by_time[t]! += apart / 20;
+      byJoint[j - 1]! += apart / 11;
+      byTime[t]! += apart / 20;
     }
   }
-  const D_sum = by_joint.reduce((sum, one) => sum + 11 * one, 0);
-  return { D: D_sum / 220, D_sum, by_joint, by_time };
+  const DSum = byJoint.reduce((sum, one) => sum + 11 * one, 0);
+  return { D: DSum / 220, D_sum: DSum, by_joint: byJoint, by_time: byTime };
 }
 
 /** `targets`: their four numbers by name. */
-export function open_fake(targets: Record<string, number[]>): LiveCore {
+export function openFake(targets: Record<string, number[]>): LiveCore {
   const target = (name: string): LiveMotion => {
     const numbers = targets[name];
     if (!numbers) throw new Error(`no target is called "${name}"`);
-    return motion_of(numbers);
+    return motionOf(numbers);
   };
   return {
     info: {
       body, examples, sliders: { adjectives, features }, targets: Object.keys(targets), foot_lock: false,
       method: "fake", fps: 30,
     },
-    example: async (name) => motion_of(examples.slice(1).map((one) => (one === name ? 1 : 0.2))),
+    example: async (name) => motionOf(examples.slice(1).map((one) => (one === name ? 1 : 0.2))),
     target: async (name) => target(name),
-    make: async (setting) => motion_of(numbers_of(setting)),
-    distance: async (name, setting) => distance_of(target(name), motion_of(numbers_of(setting))),
+    make: async (setting) => motionOf(numbersOf(setting)),
+    distance: async (name, setting) => distanceOf(target(name), motionOf(numbersOf(setting))),
   };
 }

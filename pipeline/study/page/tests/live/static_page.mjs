@@ -34,7 +34,7 @@ try {
       }
     };
     const { module, bundle } = globalThis.mien_live_files;
-    const core = await globalThis.mien_live.open_wasm(module, bundle);
+    const core = await globalThis.mien_live.openWasm(module, bundle);
     const answers = [];
     for (const request of asked) {
       try {

@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 const here = dirname(fileURLToPath(import.meta.url));
 const page = join(here, "../../src/matching");
 
-const with_fake_core = {
+const withFakeCore = {
   name: "fake core",
   setup(builder) {
     builder.onResolve({ filter: /\/live\/core$/ }, ({ importer }) =>
@@ -37,11 +37,11 @@ export const experiment = (more = {}) => ({
   ...more,
 });
 
-export async function fake_page(folder, more) {
+export async function fakePage(folder, more) {
   await mkdir(folder, { recursive: true });
   await build({
     entryPoints: [{ in: join(page, "main.ts"), out: "matching" }, { in: join(page, "matching.css"), out: "matching" }],
-    outdir: folder, bundle: true, format: "iife", logLevel: "warning", plugins: [with_fake_core],
+    outdir: folder, bundle: true, format: "iife", logLevel: "warning", plugins: [withFakeCore],
   });
   await cp(join(page, "index.html"), join(folder, "index.html"));
   await writeFile(join(folder, "experiment.js"), `globalThis.mienExperiment = ${JSON.stringify(experiment(more))};`);

@@ -5,7 +5,7 @@
 // milliseconds from the slider's event to the end of the frame that shows the motion, and to the end of
 // the one that tells its D.
 import { resolve } from "node:path";
-import { open_browser } from "../questionnaire/participant.mjs";
+import { openBrowser } from "../questionnaire/participant.mjs";
 import { take } from "./participant.mjs";
 
 const [given, sliders = "10", changes = "25"] = process.argv.slice(2);
@@ -15,7 +15,7 @@ const measured = new Map();
 
 class Enough extends Error {}
 
-async function add_sliders(page) {
+async function addSliders(page) {
   for (let i = 0; i < Number(sliders); i += 1) {
     if (await page.locator('.sliders input[type="range"]').count() >= Number(sliders)) return;
     const add = page.locator(".offer button");
@@ -27,7 +27,7 @@ async function add_sliders(page) {
 const latencies = (page) => page.evaluate(async (most) => {
   const readings = document.querySelector(".readings");
   const rows = [...document.querySelectorAll('.sliders input[type="range"]')];
-  const is_over = () => document.querySelector(".matching").dataset.step === "over";
+  const isOver = () => document.querySelector(".matching").dataset.step === "over";
   const frame = () => new Promise((drawn) => requestAnimationFrame(() => {
     const channel = new MessageChannel();
     channel.port1.onmessage = drawn;  // once the frame is drawn
@@ -40,7 +40,7 @@ const latencies = (page) => page.evaluate(async (most) => {
   });
   const view = document.querySelector(".figure-view");
   const took = [];
-  for (let i = 0; i < most + 2 && !is_over(); i += 1) {
+  for (let i = 0; i < most + 2 && !isOver(); i += 1) {
     const slider = rows[i % rows.length];
     slider.value = String(((Number(slider.value) * 100 + 37) % 100) / 100);
     const before = performance.now();
@@ -56,12 +56,12 @@ const latencies = (page) => page.evaluate(async (most) => {
   return { took, sliders: rows.length };
 }, Number(changes));
 
-const browser = await open_browser();
+const browser = await openBrowser();
 const page = await (await browser.newContext({ viewport: { width: 1366, height: 768 } })).newPage();
 await page.goto(address);
 try {
   await take(page, { each: async (seen) => {
-    if (seen === "guess") await add_sliders(page);
+    if (seen === "guess") await addSliders(page);
     if (seen !== "adjust") return false;
     const kind = await page.evaluate(() => document.querySelector(".matching").dataset.interface);
     if ((measured.get(kind)?.took.length ?? 0) >= Number(changes)) return false;

@@ -4,17 +4,17 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
-import { open_browser } from "../questionnaire/participant.mjs";
-import { downloads_of, take } from "./participant.mjs";
+import { openBrowser } from "../questionnaire/participant.mjs";
+import { downloadsOf, take } from "./participant.mjs";
 
 const [name, given, pictures] = process.argv.slice(2);
 const address = given.startsWith("http") ? given : `file://${resolve(given)}/index.html`;
-const is_served = given.startsWith("http");
+const isServed = given.startsWith("http");
 const desktop = { viewport: { width: 1366, height: 768 } };
 const phone = { viewport: { width: 390, height: 844 }, screen: { width: 390, height: 844 },
   hasTouch: true, isMobile: true };
 
-const browser = await open_browser();
+const browser = await openBrowser();
 
 async function open(how = desktop) {
   const context = await browser.newContext({ acceptDownloads: true, ...how });
@@ -28,19 +28,19 @@ async function open(how = desktop) {
     if (/^http/.test(request.url())) asked.push(request.url());
     if (/\/records\//.test(request.url())) posted[request.url().split("/").pop()] = request.postDataJSON();
   });
-  const saved = downloads_of(page);
+  const saved = downloadsOf(page);
   await page.goto(address);
   return { page, troubles, saved, asked, posted };
 }
 
 /** Until all four files are there; a server has what it was given. */
-async function with_files({ page, saved, troubles, asked, posted }, more = {}) {
-  for (let i = 0; !is_served && i < 100 && Object.keys(saved).length < 4; i += 1) await page.waitForTimeout(100);
+async function withFiles({ page, saved, troubles, asked, posted }, more = {}) {
+  for (let i = 0; !isServed && i < 100 && Object.keys(saved).length < 4; i += 1) await page.waitForTimeout(100);
   return { ...saved, troubles, requests: asked.length, posted, ...more };
 }
 
 /** Pictures of every page and step, where a folder for them is given. */
-const with_pictures = (page, begin) => {
+const withPictures = (page, begin) => {
   let shots = 0;
   return async (seen) => {
     if (pictures && seen !== "matching")
@@ -51,14 +51,14 @@ const with_pictures = (page, begin) => {
 
 async function whole() {
   const opened = await open();
-  await take(opened.page, { each: with_pictures(opened.page, "desktop") });
-  return with_files(opened);
+  await take(opened.page, { each: withPictures(opened.page, "desktop") });
+  return withFiles(opened);
 }
 
 async function keys() {
   const opened = await open();
   await take(opened.page, { by_keys: true });
-  return with_files(opened);
+  return withFiles(opened);
 }
 
 /** A reload in the first trial, while its clock runs. */
@@ -74,14 +74,14 @@ async function reload() {
     await page.reload();
     return true;
   } });
-  return with_files(opened, { reloads });
+  return withFiles(opened, { reloads });
 }
 
 /**
  * Guesses before anything is seen of one, with a reload while the second is made and another one while the
  * first match goes on; the examples play beside. What was seen comes in order, with the motions that were asked for.
  */
-async function guesses_first() {
+async function guessesFirst() {
   const opened = await open();
   const { page } = opened;
   const story = [];
@@ -92,7 +92,7 @@ async function guesses_first() {
     return true;
   };
   page.on("request", (request) => { if (/\/live\/make$/.test(request.url())) story.push("make"); });
-  const with_picture = with_pictures(page, "guesses");
+  const withPicture = withPictures(page, "guesses");
   const film = () => page.locator(".examples-film .example-name").textContent();
   const look = () => page.evaluate(() => {
     const { step, interface: kind } = document.querySelector(".matching").dataset;
@@ -103,7 +103,7 @@ async function guesses_first() {
   const count = (what) => story.filter((one) => one.startsWith(what)).length;
   let name = "";
   await take(page, { each: async (seen) => {
-    await with_picture(seen);
+    await withPicture(seen);
     if (seen !== "matching") return false;
     const { step, kind, ...shown } = await look();
     story.push(`${step === "guess" ? "guess" : "match"} ${kind}`);
@@ -120,16 +120,16 @@ async function guesses_first() {
     } else if (count("reload") === 1) return reload();
     return false;
   } });
-  return with_files(opened, { story, shows, film: name });
+  return withFiles(opened, { story, shows, film: name });
 }
 
 /** On a phone's screen: what is told there, or the whole of it where phones are served. */
-async function on_phone() {
+async function onPhone() {
   const opened = await open(phone);
   const text = await opened.page.locator("main").innerText();
-  const is_told = (await opened.page.locator(".button").count()) === 0;
-  if (!is_told) await take(opened.page, { each: with_pictures(opened.page, "phone") });
-  return with_files(opened, { text, is_told });
+  const isTold = (await opened.page.locator(".button").count()) === 0;
+  if (!isTold) await take(opened.page, { each: withPictures(opened.page, "phone") });
+  return withFiles(opened, { text, is_told: isTold });
 }
 
 /** Faults of accessibility on every page and in every step, as wide as a laptop and as a phone. */
@@ -151,7 +151,7 @@ async function accessibility() {
   return { faults: [...new Set(faults)], checked };
 }
 
-const scenarios = { whole, keys, reload, guesses_first, on_phone, accessibility };
+const scenarios = { whole, keys, reload, guesses_first: guessesFirst, on_phone: onPhone, accessibility };
 try {
   console.log(JSON.stringify(await scenarios[name]()));
 } finally {

@@ -1,18 +1,18 @@
 // Screenshots of the page with a fake motion core, and what it saves: node try_page.mjs FOLDER
 import { join, resolve } from "node:path";
-import { open_browser } from "../questionnaire/participant.mjs";
-import { fake_page } from "./fake_page.mjs";
-import { downloads_of, take } from "./participant.mjs";
+import { openBrowser } from "../questionnaire/participant.mjs";
+import { fakePage } from "./fake_page.mjs";
+import { downloadsOf, take } from "./participant.mjs";
 
 const folder = resolve(process.argv[2]);
-await fake_page(folder);
-const browser = await open_browser();
+await fakePage(folder);
+const browser = await openBrowser();
 for (const [size, viewport] of Object.entries({ desktop: { width: 1366, height: 768 }, phone: { width: 390, height: 844 } })) {
   const context = await browser.newContext({ viewport, acceptDownloads: true, ...(size === "phone" ? { hasTouch: true, isMobile: true } : {}) });
   const page = await context.newPage();
   page.on("console", (message) => { if (message.type() === "error") console.log(message.text()); });
   page.on("pageerror", (error) => console.log(String(error)));
-  const saved = downloads_of(page);
+  const saved = downloadsOf(page);
   await page.goto(`file://${folder}/index.html`);
   let shots = 0;
   await take(page, { each: async (seen) => {

@@ -16,13 +16,13 @@ export const mark = (page, trial) => page.evaluate((name) => {
 }, trial);
 
 /** Waits for another page than the one of that mark. */
-export const is_past = (page, trial, before) => page.waitForFunction(([name, old]) => {
+export const isPast = (page, trial, before) => page.waitForFunction(([name, old]) => {
   const shown = document.querySelector(`.page, .${name}`);
   return shown && shown.dataset.mark !== old;
 }, [trial, before], { timeout: 60000 });
 
 /** Texts of the files that the page saves, by the names of `kinds` that theirs hold. */
-export function saved_texts(page, kinds) {
+export function savedTexts(page, kinds) {
   const saved = {};
   page.on("download", async (download) => {
     const stream = await download.createReadStream();

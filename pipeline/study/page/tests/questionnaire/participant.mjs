@@ -1,32 +1,32 @@
 // Somebody who takes a questionnaire in a browser, by mouse or by keyboard alone.
 import { chromium } from "playwright-core";
-import { is_past, mark, saved_texts, sight } from "./pages.mjs";
+import { isPast, mark, savedTexts, sight } from "./pages.mjs";
 
-export async function open_browser() {
+export async function openBrowser() {
   return chromium.launch({
     executablePath: process.env.MIEN_CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-gpu", "--mute-audio", "--enable-unsafe-swiftshader"],
   });
 }
 
-const open_answers = (page) =>
+const openAnswers = (page) =>
   page.waitForFunction(() => !document.querySelector(".answers").inert, null, { timeout: 30000 });
 
 /** Checks are answered as they say. */
-const place_of = (wanted, turn, all) =>
+const placeOf = (wanted, turn, all) =>
   /leftmost/.test(wanted) ? 0 : /rightmost/.test(wanted) ? all - 1 : turn % all;
 
 /** Answers of a trial by clicks: place (index + number of the trial) of each scale. */
-async function answer_by_mouse(page, number) {
+async function answerByMouse(page, number) {
   if (await page.locator(".stage").count()) {
     await page.locator(".play").click();
-    await open_answers(page);
+    await openAnswers(page);
   }
   const wanted = await page.locator(".question-text").textContent();
   const asked = page.locator("fieldset.asked");
   for (let i = 0; i < (await asked.count()); i += 1) {
     const inputs = asked.nth(i).locator("input");
-    const place = place_of(wanted, i + number, await inputs.count());
+    const place = placeOf(wanted, i + number, await inputs.count());
     await inputs.nth(place).click({ force: true });
   }
   for (const slider of await page.locator('.asked input[type="range"]').all()) {
@@ -39,12 +39,12 @@ async function answer_by_mouse(page, number) {
 }
 
 /** The same without a mouse: whatever has the focus is used. */
-async function answer_by_keys(page, number) {
+async function answerByKeys(page, number) {
   const focus = (what) => page.waitForFunction((css) => document.activeElement?.matches(css), what, { timeout: 30000 });
   if (await page.locator(".stage").count()) {
     await focus(".play");
     await page.keyboard.press("Space");
-    await open_answers(page);
+    await openAnswers(page);
   }
   const wanted = await page.locator(".question-text").textContent();
   const asked = await page.locator("fieldset.asked").count();
@@ -52,7 +52,7 @@ async function answer_by_keys(page, number) {
     await focus("fieldset.asked input");
     const all = await page.evaluate(() =>
       document.activeElement.closest("fieldset").querySelectorAll("input").length);
-    const place = place_of(wanted, i + number, all);
+    const place = placeOf(wanted, i + number, all);
     if (i % 2 === 0 || all > 9) {
       await page.keyboard.press(String(place + 1));
     } else {
@@ -72,10 +72,10 @@ async function answer_by_keys(page, number) {
   await page.keyboard.press("Enter");
 }
 
-async function pass_text(page, by_keys) {
+async function passText(page, byKeys) {
   const number = page.locator("#about-age");
   if (await number.count()) {
-    if (by_keys) {
+    if (byKeys) {
       await page.keyboard.type("31");
       await page.keyboard.press("Tab");
       await page.keyboard.press("Space");
@@ -85,7 +85,7 @@ async function pass_text(page, by_keys) {
       if (await choice.count()) await choice.check();
     }
   }
-  if (!by_keys) return page.locator(".page .buttons .main").click();
+  if (!byKeys) return page.locator(".page .buttons .main").click();
   for (let i = 0; i < 8 && !(await page.evaluate(() => document.activeElement.matches(".main"))); i += 1)
     await page.keyboard.press("Tab");
   return page.keyboard.press("Enter");
@@ -95,7 +95,7 @@ async function pass_text(page, by_keys) {
  * Takes the questionnaire that is open to its end. `each(sight, number)` is told of every page
  * before it is answered; it may reload, and then returns true.
  */
-export async function take(page, { by_keys = false, each = async () => false } = {}) {
+export async function take(page, { by_keys: byKeys = false, each = async () => false } = {}) {
   for (let pages = 0; pages < 500; pages += 1) {
     await page.waitForSelector(".page, .trial", { timeout: 30000 });
     const seen = await sight(page, "trial");
@@ -104,12 +104,12 @@ export async function take(page, { by_keys = false, each = async () => false } =
     if (await each(seen, number)) continue;
     if (seen === "end") return;
     const before = await mark(page, "trial");
-    if (seen === "text") await pass_text(page, by_keys);
-    if (seen === "trial") await (by_keys ? answer_by_keys : answer_by_mouse)(page, number);
-    await is_past(page, "trial", before);
+    if (seen === "text") await passText(page, byKeys);
+    if (seen === "trial") await (byKeys ? answerByKeys : answerByMouse)(page, number);
+    await isPast(page, "trial", before);
   }
   throw new Error("the questionnaire has no end");
 }
 
 /** Texts of the files that the page saves. */
-export const downloads_of = (page) => saved_texts(page, ["answers", "participant", "records"]);
+export const downloadsOf = (page) => savedTexts(page, ["answers", "participant", "records"]);

@@ -10,7 +10,7 @@ const built = await build({
   bundle: true, write: false, format: "esm", logLevel: "warning",
 });
 const source = Buffer.from(built.outputFiles[0].contents).toString("base64");
-const { answers_csv } = await import(`data:text/javascript;base64,${source}`);
+const { answers_csv: answersCsv } = await import(`data:text/javascript;base64,${source}`);
 const { experiment, participant, records } = JSON.parse(await readFile(process.argv[2], "utf8"));
 const session = experiment.sessions.find((one) => one.participant === participant);
-process.stdout.write(answers_csv(experiment, session, records));
+process.stdout.write(answersCsv(experiment, session, records));

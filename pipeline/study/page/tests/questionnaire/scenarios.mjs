@@ -4,17 +4,17 @@
 import { readFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { createRequire } from "node:module";
-import { files_of, files_of_zip, serve } from "../http_server.mjs";
-import { downloads_of, open_browser, take } from "./participant.mjs";
+import { filesOf, filesOfZip, serve } from "../http_server.mjs";
+import { downloadsOf, openBrowser, take } from "./participant.mjs";
 
 const [name, given] = process.argv.slice(2);
 const folder = resolve(given);
-const on_disk = `file://${folder}/index.html`;
+const onDisk = `file://${folder}/index.html`;
 const desktop = { viewport: { width: 1366, height: 768 } };
 const phone = { viewport: { width: 390, height: 844 }, screen: { width: 390, height: 844 },
   hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-const browser = await open_browser();
+const browser = await openBrowser();
 
 async function open(url, how = desktop) {
   const context = await browser.newContext({ acceptDownloads: true, ...how });
@@ -22,13 +22,13 @@ async function open(url, how = desktop) {
   const troubles = [];
   page.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });
   page.on("pageerror", (error) => troubles.push(error.message));
-  const saved = downloads_of(page);
+  const saved = downloadsOf(page);
   await page.goto(url);
   return { page, troubles, saved };
 }
 
 /** Until all three files are there. */
-async function with_files({ saved, troubles }, more = {}) {
+async function withFiles({ saved, troubles }, more = {}) {
   for (let i = 0; i < 100 && Object.keys(saved).length < 3; i += 1)
     await new Promise((done) => setTimeout(done, 100));
   return { ...saved, troubles, ...more };
@@ -36,7 +36,7 @@ async function with_files({ saved, troubles }, more = {}) {
 
 /** A reload in the middle of trial 3, while its film runs. */
 async function reload() {
-  const opened = await open(`${on_disk}?participant=p002`);
+  const opened = await open(`${onDisk}?participant=p002`);
   const seen = [];
   let reloads = 0;
   await take(opened.page, { each: async (sight, number) => {
@@ -50,14 +50,14 @@ async function reload() {
     if (sight === "trial") seen.push(number);
     return false;
   } });
-  return with_files(opened, { seen, reloads });
+  return withFiles(opened, { seen, reloads });
 }
 
 async function keys() {
-  const opened = await open(`${on_disk}?participant=p001`);
+  const opened = await open(`${onDisk}?participant=p001`);
   await opened.page.mouse.move(0, 0);
   await take(opened.page, { by_keys: true });
-  return with_files(opened);
+  return withFiles(opened);
 }
 
 /**
@@ -67,15 +67,15 @@ async function keys() {
 async function stall() {
   const asked = {};
   let late = "";
-  let late_ms = 0;
+  let lateMs = 0;
   const began = Date.now();
-  const server = await serve(await files_of(folder), async (path, answer) => {
+  const server = await serve(await filesOf(folder), async (path, answer) => {
     if (!path.startsWith("/media/")) return false;
     asked[path] = (asked[path] ?? 0) + 1;
     late ||= path;
     if (path === late) {
       await new Promise((done) => setTimeout(done, 2500));
-      late_ms = Date.now() - began;
+      lateMs = Date.now() - began;
     } else if (asked[path] === 1 && Object.keys(asked).length === 2) {
       answer.writeHead(200, { "Content-Type": "video/mp4" }).end("no video");
       return true;
@@ -84,7 +84,7 @@ async function stall() {
   });
   const opened = await open(`${server.base}/index.html?participant=p003`);
   const { page } = opened;
-  let first_trial_ms = 0;
+  let firstTrialMs = 0;
   let again = 0;
   await take(page, { each: async (sight, number) => {
     if (sight === "load") {
@@ -99,7 +99,7 @@ async function stall() {
         document.querySelector(".page .main"));
       return true;
     }
-    if (sight === "trial") first_trial_ms ||= Date.now() - began;
+    if (sight === "trial") firstTrialMs ||= Date.now() - began;
     if (sight === "trial" && number === 2)
       await page.evaluate(() => {
         const video = document.querySelector("video");
@@ -111,21 +111,21 @@ async function stall() {
       });
     return false;
   } });
-  const given = await with_files(opened, { first_trial_ms, late_ms, again });
+  const given = await withFiles(opened, { first_trial_ms: firstTrialMs, late_ms: lateMs, again });
   server.close();
   return given;
 }
 
 /** On a phone, in a questionnaire that refuses them. */
-async function refused_phone() {
-  const { page, troubles } = await open(on_disk, phone);
+async function refusedPhone() {
+  const { page, troubles } = await open(onDisk, phone);
   const text = await page.locator("main").innerText();
   return { text, trials: await page.locator(".trial, .button").count(), troubles };
 }
 
 /** Whoever does not agree leaves nothing behind. */
 async function refusal() {
-  const { page, troubles } = await open(on_disk);
+  const { page, troubles } = await open(onDisk);
   await page.locator(".page .button").nth(1).click();
   await page.waitForFunction(() => !document.querySelector(".button"));
   const kept = await page.evaluate(() =>
@@ -138,7 +138,7 @@ async function accessibility(how = desktop) {
   const script = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
   const faults = [];
   let checked = 0;
-  const { page } = await open(on_disk, { ...how, bypassCSP: true });
+  const { page } = await open(onDisk, { ...how, bypassCSP: true });
   const check = async (where) => {
     if (!(await page.evaluate(() => !!window.axe))) await page.evaluate(script);
     const { violations } = await page.evaluate(() => window.axe.run());
@@ -160,10 +160,10 @@ async function accessibility(how = desktop) {
 }
 
 /** As narrow as a phone, and not refused as one. */
-const narrow_accessibility = () => accessibility({ viewport: phone.viewport });
+const narrowAccessibility = () => accessibility({ viewport: phone.viewport });
 
 /** In the place of JATOS's own script: what it keeps outlives a reload. */
-const jatos_script = `
+const jatosScript = `
 const kept = JSON.parse(sessionStorage.jatos ?? "{}");
 const keep = () => { sessionStorage.jatos = JSON.stringify(kept); };
 globalThis.jatos = {
@@ -186,11 +186,11 @@ globalThis.jatos = {
 
 /** As JATOS unpacks and shows it, with a reload on the way. */
 async function jatos() {
-  const archive = join(folder, given_study());
-  const files = await files_of_zip(archive);
+  const archive = join(folder, givenStudy());
+  const files = await filesOfZip(archive);
   const described = Object.keys(files).find((path) => path.endsWith(".jas"));
   const { dirName } = JSON.parse(files[described]).data;
-  files[`/${dirName}/jatos.js`] = Buffer.from(jatos_script);
+  files[`/${dirName}/jatos.js`] = Buffer.from(jatosScript);
   const server = await serve(files);
   const { page, troubles } = await open(`${server.base}/${dirName}/index.html`);
   let reloads = 0;
@@ -215,7 +215,7 @@ async function jatos() {
 async function served() {
   const policy = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; " +
     "media-src 'self' blob:; connect-src 'self' blob:; base-uri 'none'; form-action 'none'";
-  const files = await files_of(folder);
+  const files = await filesOf(folder);
   const experiment = JSON.parse(files["/experiment.json"]);
   delete experiment.stimuli;
   experiment.sessions = experiment.sessions.slice(0, 1);
@@ -223,7 +223,7 @@ async function served() {
   const kept = new Map();
   const tried = new Set();
   const wrong = [];
-  const page_of = { "/s/link/": "index.html", "/s/link/questionnaire.js": "questionnaire.js",
+  const pageOf = { "/s/link/": "index.html", "/s/link/questionnaire.js": "questionnaire.js",
     "/s/link/questionnaire.css": "questionnaire.css" };
   const server = await serve(files, async (path, answer, request) => {
     answer.setHeader("Content-Security-Policy", policy);
@@ -236,18 +236,18 @@ async function served() {
       let body = "";
       for await (const part of request) body += part;
       const record = path.split("/").pop();
-      const is_first = !tried.has(record);
+      const isFirst = !tried.has(record);
       tried.add(record);
-      const keeps_first = /[02468]$/.test(record);
-      if (!is_first || keeps_first) {
+      const keepsFirst = /[02468]$/.test(record);
+      if (!isFirst || keepsFirst) {
         if (kept.has(record) && kept.get(record) !== body) wrong.push(`${record} came otherwise`);
         kept.set(record, body);
       }
-      if (is_first) request.socket.destroy();
+      if (isFirst) request.socket.destroy();
       else answer.writeHead(200, { "Content-Type": "application/json" }).end(JSON.stringify({ kept: record }));
       return true;
     }
-    const file = page_of[path];
+    const file = pageOf[path];
     if (!file) return false;
     const text = String(files[`/${file}`]).replace('name="mien-mode" content="static"', 'name="mien-mode" content="served"');
     answer.setHeader("Content-Type", file.endsWith("html") ? "text/html" : file.endsWith("css") ? "text/css" : "text/javascript");
@@ -306,9 +306,9 @@ async function laboratory() {
 
   // Of those who come by the link of all, a phone is sent away, one refuses, and one agrees.
   const before = await lab();
-  const sent_away = await open(all, phone);
-  await closed(sent_away.page);
-  told.phone = await text(sent_away.page);
+  const sentAway = await open(all, phone);
+  await closed(sentAway.page);
+  told.phone = await text(sentAway.page);
   const refusing = await open(all);
   await refusing.page.locator(".page .button").nth(1).click();
   await closed(refusing.page);
@@ -318,21 +318,21 @@ async function laboratory() {
   await take(joined.page);
   told.joined = await text(joined.page);
   const after = await lab();
-  const troubles = [mouse, keys, sent_away, refusing, joined].flatMap((one) => one.troubles);
+  const troubles = [mouse, keys, sentAway, refusing, joined].flatMap((one) => one.troubles);
   return { ...told, reloads, troubles, path: new URL(joined.page.url()).pathname,
     participants: [before.length, between.length, after.length], states: after.map(({ state }) => state) };
 }
 
 /** What keys do on the page of consent and among answers; what a phone is told of them. */
-async function single_keys() {
-  const { page, troubles } = await open(`${on_disk}?participant=p001`);
+async function singleKeys() {
+  const { page, troubles } = await open(`${onDisk}?participant=p001`);
   await page.waitForSelector(".page .buttons .main");
   await page.keyboard.press("Enter");
   const shown = await page.evaluate(() => document.activeElement.matches(".page .main"));
-  const is_there = await page.locator(".page .button").count();
+  const isThere = await page.locator(".page .button").count();
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => document.querySelectorAll(".page .button").length === 1);
-  const desktop_text = await page.locator("main").innerText();
+  const desktopText = await page.locator("main").innerText();
   let replayed = null;
   let chosen = null;
   await take(page, { each: async (sight, number) => {
@@ -346,20 +346,20 @@ async function single_keys() {
     await page.reload();
     return true;
   } });
-  const touched = await open(`${on_disk}?participant=p001`, { ...phone, screen: { width: 800, height: 1200 } });
+  const touched = await open(`${onDisk}?participant=p001`, { ...phone, screen: { width: 800, height: 1200 } });
   await touched.page.locator(".page .buttons .main").click();
   await touched.page.waitForFunction(() => document.querySelectorAll(".page .button").length === 1);
-  return { shown, is_there, replayed, chosen, desktop_text,
+  return { shown, is_there: isThere, replayed, chosen, desktop_text: desktopText,
     touched_text: await touched.page.locator("main").innerText(), troubles };
 }
 
 /** The page of thanks is loaded again. */
-async function thanks_again() {
-  const opened = await open(`${on_disk}?participant=p002`);
+async function thanksAgain() {
+  const opened = await open(`${onDisk}?participant=p002`);
   let saved = 0;
   opened.page.on("download", () => { saved += 1; });
   await take(opened.page);
-  await with_files(opened);
+  await withFiles(opened);
   await opened.page.waitForTimeout(500);
   const first = saved;
   await opened.page.reload();
@@ -377,7 +377,7 @@ async function thanks_again() {
  * Japanese, on a phone. Of the folder's questionnaire, with other scales.
  */
 async function crowded() {
-  const files = await files_of(folder);
+  const files = await filesOf(folder);
   const changed = (change) => {
     const experiment = JSON.parse(files["/experiment.json"]);
     change(experiment);
@@ -387,22 +387,22 @@ async function crowded() {
     return { ...files, "/experiment.js":
       Buffer.from(`globalThis.mienExperiment = ${JSON.stringify(experiment)};`) };
   };
-  const first_trial = async (server, how) => {
+  const firstTrial = async (server, how) => {
     const { page } = await open(`${server.base}/index.html?participant=p001`, how);
-    await take_to_trial(page);
+    await takeToTrial(page);
     return page;
   };
   const words = await serve(changed(({ items }) => {
     for (const item of Object.values(items)) item.words = true;
   }));
-  const laptop = await first_trial(words, desktop);
+  const laptop = await firstTrial(words, desktop);
   const foot = await laptop.locator(".answers .main").boundingBox();
   const japanese = await serve(changed((experiment) => {
     experiment.language = "ja";
     experiment.settings.phones = "served";
     for (const item of Object.values(experiment.items)) item.points = 7;
   }));
-  const small = await first_trial(japanese, phone);
+  const small = await firstTrial(japanese, phone);
   const sizes = await small.evaluate(() => {
     const of = (css, told) => [...document.querySelectorAll(css)].map(told);
     return {
@@ -422,21 +422,21 @@ async function crowded() {
 }
 
 /** Until the answers of a first trial are open. */
-async function take_to_trial(page) {
-  let is_there = false;
+async function takeToTrial(page) {
+  let isThere = false;
   await take(page, { each: async (sight) => {
-    if (sight === "trial") is_there = true;
-    if (is_there) throw "there";
+    if (sight === "trial") isThere = true;
+    if (isThere) throw "there";
     return false;
   } }).catch((why) => { if (why !== "there") throw why; });
   await page.locator(".play").click();
   await page.waitForFunction(() => !document.querySelector(".answers").inert, null, { timeout: 30000 });
 }
 
-const given_study = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
+const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
-const scenarios = { reload, keys, stall, refused_phone, refusal, accessibility, narrow_accessibility, jatos,
-  served, laboratory, single_keys, thanks_again, crowded };
+const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
+  served, laboratory, single_keys: singleKeys, thanks_again: thanksAgain, crowded };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);

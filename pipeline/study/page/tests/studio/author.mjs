@@ -2,10 +2,10 @@
 // and redoes, compares, saves FILE, and has a still and a video made. Prints what was seen as JSON.
 // MIEN_PICTURES: a folder for screenshots.
 import { readFileSync, writeFileSync } from "node:fs";
-import { open_studio } from "./open_studio.mjs";
+import { openStudio } from "./open_studio.mjs";
 
 const [link, file] = process.argv.slice(2);
-const { browser, page, wrong, tab, number, settled, set, pictures } = await open_studio(link);
+const { browser, page, wrong, tab, number, settled, set, pictures } = await openStudio(link);
 
 const text = () => readFileSync(file, "utf8");
 
@@ -50,7 +50,7 @@ await pictures("modify");
 // Wrong values are told.
 await page.evaluate(() => {
   const { studio } = globalThis.studio;
-  studio.change_stimulus({ ...studio.stimulus(), adjectives: { quicknes: 0.5 } });
+  studio.changeStimulus({ ...studio.stimulus(), adjectives: { quicknes: 0.5 } });
 });
 await page.locator(".findings .wrong").filter({ hasText: "quickness" }).waitFor();
 await page.locator("h1").click();

@@ -2,25 +2,25 @@
 // mannequin and a character, takes a folder of captures as examples, sets options of a modification and
 // saves FILE. Prints what was seen as JSON. MIEN_PICTURES: a folder for screenshots.
 import { readFileSync } from "node:fs";
-import { open_studio } from "./open_studio.mjs";
+import { openStudio } from "./open_studio.mjs";
 
 const [link, file] = process.argv.slice(2);
-const { browser, page, wrong, tab, settled, set, pictures } = await open_studio(link);
-const options_of = (name) => page.locator(`select[name=${name}] option`).evaluateAll((all) => all.map((one) => one.value));
+const { browser, page, wrong, tab, settled, set, pictures } = await openStudio(link);
+const optionsOf = (name) => page.locator(`select[name=${name}] option`).evaluateAll((all) => all.map((one) => one.value));
 const seen = {};
 
 /** What the first figure of the stage wears: how many joints its surfaces follow; 0 without any. */
 const worn = () => page.evaluate(() => {
   const [figure] = globalThis.studio.stage.view.figures;
-  return figure.is_dressed() ? figure.skin.joints.length : 0;
+  return figure.isDressed() ? figure.skin.joints.length : 0;
 });
 // Figures: here alone, then in the look.
 await page.waitForFunction(() => globalThis.studio.studio.places.folders.length > 0);
-seen.figures = await options_of("shown-on");
+seen.figures = await optionsOf("shown-on");
 seen.stick = await worn();
 await page.locator("select[name=shown-on]").selectOption("mannequin");
 await settled();
-await page.waitForFunction(() => globalThis.studio.stage.view.figures[0].is_dressed(), null, { timeout: 60000 });
+await page.waitForFunction(() => globalThis.studio.stage.view.figures[0].isDressed(), null, { timeout: 60000 });
 seen.mannequin = await worn();
 seen.body_joints = await page.evaluate(() => globalThis.studio.studio.made.body.names.length);
 await pictures("mannequin");
@@ -29,7 +29,7 @@ if (seen.figures.includes("character robot.gltf")) {
   await tab("Look");
   await page.locator("select[name=figure]").selectOption("character robot.gltf");
   await settled();
-  await page.waitForFunction(() => globalThis.studio.stage.view.figures[0].is_dressed(), null, { timeout: 60000 });
+  await page.waitForFunction(() => globalThis.studio.stage.view.figures[0].isDressed(), null, { timeout: 60000 });
   seen.character = await worn();
   seen.characters_joints = await page.evaluate(() => globalThis.studio.studio.made.figure.joints);
   // The joints are where the server says.
@@ -50,7 +50,7 @@ if (seen.figures.includes("character robot.gltf")) {
 
 // A folder of captures, some of its files, and what is made of them.
 await tab("Motion");
-seen.examples = await options_of("examples");
+seen.examples = await optionsOf("examples");
 await page.locator("select[name=examples]").selectOption("captures");
 await settled();
 seen.count = await page.evaluate(() => globalThis.studio.studio.choices.examples.length);

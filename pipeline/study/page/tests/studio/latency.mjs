@@ -7,7 +7,7 @@ import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
-import { open_browser } from "../questionnaire/participant.mjs";
+import { openBrowser } from "../questionnaire/participant.mjs";
 
 const [program, figure = "stick", changes = "60"] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), "mien-latency-"));
@@ -22,7 +22,7 @@ stimuli:
 `);
 
 /** The link that a studio tells. */
-function open_studio() {
+function openStudio() {
   const studio = spawn(resolve(program), ["studio", "latency.yaml", "--json"], { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
   return new Promise((resolve, reject) => {
     studio.on("exit", (code) => reject(new Error(`the studio ended with ${code}`)));
@@ -31,20 +31,20 @@ function open_studio() {
 }
 
 /** User and system time of a process, milliseconds (proc(5); its ticks are hundredths of a second). */
-function processor_ms(id) {
-  const after_name = readFileSync(`/proc/${id}/stat`, "utf8").split(") ").at(-1).split(" ");
-  return 10 * (Number(after_name[11]) + Number(after_name[12]));
+function processorMs(id) {
+  const afterName = readFileSync(`/proc/${id}/stat`, "utf8").split(") ").at(-1).split(" ");
+  return 10 * (Number(afterName[11]) + Number(afterName[12]));
 }
 
-async function browser_ms(session) {
+async function browserMs(session) {
   const { processInfo } = await session.send("SystemInfo.getProcessInfo");
   return 1000 * processInfo.reduce((sum, one) => sum + one.cpuTime, 0);
 }
 
 const median = (numbers) => [...numbers].sort((a, b) => a - b)[Math.floor(numbers.length / 2)];
 
-const { studio, link } = await open_studio();
-const browser = await open_browser();
+const { studio, link } = await openStudio();
+const browser = await openBrowser();
 try {
   const session = await browser.newBrowserCDPSession();
   const page = await (await browser.newContext({ viewport: { width: 1366, height: 768 } })).newPage();
@@ -55,15 +55,15 @@ try {
     const { studio } = globalThis.studio;
     const named = studio.choices.sliders.adjectives.slice(0, 10);
     const adjectives = Object.fromEntries(named.map((one, i) => [one.name, Math.round(100 * one.mean + 3 * (i % 3)) / 100]));
-    studio.change_stimulus({ id: "moved", adjectives });
+    studio.changeStimulus({ id: "moved", adjectives });
     return named.length;
   });
   await page.waitForFunction(() => {
     const { studio } = globalThis.studio;
-    return !studio.is_making && document.querySelectorAll(".slider input[type=range]").length >= 10;
+    return !studio.isMaking && document.querySelectorAll(".slider input[type=range]").length >= 10;
   });
   await page.waitForTimeout(1500);
-  const before = [processor_ms(studio.pid), await browser_ms(session)];
+  const before = [processorMs(studio.pid), await browserMs(session)];
   const moved = await page.evaluate(async (count) => {
     const { studio } = globalThis.studio;
     const ranges = [...document.querySelectorAll(".slider input[type=range]")].slice(0, 10);
@@ -81,7 +81,7 @@ try {
     }
     return seen;
   }, Number(changes));
-  const after = [processor_ms(studio.pid), await browser_ms(session)];
+  const after = [processorMs(studio.pid), await browserMs(session)];
   const share = (k) => Number(((after[k] - before[k]) / moved.length).toFixed(1));
   const of = (name) => Number(median(moved.map((one) => one[name])).toFixed(1));
   console.log(JSON.stringify({ examples: 27, parameters, figure, changes: moved.length,

@@ -235,8 +235,8 @@ test("lines that a change does not touch stay to the byte", () => {
   for (const [name, text] of manifests) {
     if (!valueOf(text).stimuli?.length) continue;
     const after = edited(text, name, valueOf(text), changed(text, (m) => { m.stimuli[0].id = "renamed"; }));
-    const [lines, lines_after] = [text.split("\n"), after.split("\n")];
-    assert.equal(lines.filter((line, i) => line !== lines_after[i]).length, 1, name);
-    assert.equal(lines.length, lines_after.length, name);
+    const [lines, linesAfter] = [text.split("\n"), after.split("\n")];
+    assert.equal(lines.filter((line, i) => line !== linesAfter[i]).length, 1, name);
+    assert.equal(lines.length, linesAfter.length, name);
   }
 });

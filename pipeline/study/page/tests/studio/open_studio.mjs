@@ -1,6 +1,6 @@
 // A studio in a browser, as tests of it need it.
 import { join } from "node:path";
-import { open_browser } from "../questionnaire/participant.mjs";
+import { openBrowser } from "../questionnaire/participant.mjs";
 
 const sizes = [{ width: 1366, height: 768 }, { width: 1920, height: 1080 }];
 
@@ -8,8 +8,8 @@ const sizes = [{ width: 1366, height: 768 }, { width: 1920, height: 1080 }];
  * Opens the studio at a link: its page, what the browser complains of, and hands to use it with.
  * MIEN_PICTURES: a folder for screenshots.
  */
-export async function open_studio(link) {
-  const browser = await open_browser();
+export async function openStudio(link) {
+  const browser = await openBrowser();
   const page = await (await browser.newContext({ viewport: sizes[0] })).newPage();
   page.setDefaultTimeout(120000); // of busy machines that draw without a graphics card
   const wrong = [];
@@ -22,7 +22,7 @@ export async function open_studio(link) {
   /** The motion is that of what the page shows. */
   const settled = () => page.waitForFunction(() => {
     const { studio } = globalThis.studio ?? {};
-    return studio?.made && !studio.is_making;
+    return studio?.made && !studio.isMaking;
   }, null, { timeout: 60000 });
 
   async function set(name, value) {

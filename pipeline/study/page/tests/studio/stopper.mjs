@@ -1,10 +1,10 @@
 // Somebody who stops films: node stopper.mjs LINK. Begins a long one and stops it, begins another,
 // closes the page in the midst of it, finds it in a new page and stops it there, and has a still made
 // after all that. Follows the way to the walker. Prints what was seen as JSON.
-import { open_studio } from "./open_studio.mjs";
+import { openStudio } from "./open_studio.mjs";
 
 const [link] = process.argv.slice(2);
-const { browser, page, wrong, tab, settled, pictures } = await open_studio(link);
+const { browser, page, wrong, tab, settled, pictures } = await openStudio(link);
 const seen = {};
 
 /** Begins the film that the manifest asks for: long enough to be stopped. */

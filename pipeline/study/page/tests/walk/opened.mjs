@@ -1,9 +1,9 @@
 // Somebody opens the walker's page and walks:  node opened.mjs LINK [PICTURE]
 // prints how far the pelvis came within two seconds, metres, and what the browser complained of.
-import { open_browser } from "../questionnaire/participant.mjs";
+import { openBrowser } from "../questionnaire/participant.mjs";
 
 const [link, picture] = process.argv.slice(2);
-const browser = await open_browser();
+const browser = await openBrowser();
 const page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
 const troubles = [];
 page.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });

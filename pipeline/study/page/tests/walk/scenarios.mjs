@@ -4,15 +4,15 @@
 // screenshots are put there.
 import { readFile, mkdir } from "node:fs/promises";
 import { join, resolve } from "node:path";
-import { files_of, serve } from "../http_server.mjs";
-import { open_browser } from "../questionnaire/participant.mjs";
-import { largest_acceleration, largest_distance, largest_slide, median, quantile } from "./walk_measures.mjs";
+import { filesOf, serve } from "../http_server.mjs";
+import { openBrowser } from "../questionnaire/participant.mjs";
+import { largestAcceleration, largestDistance, largestSlide, median, quantile } from "./walk_measures.mjs";
 
 const [folder, module, pictures] = process.argv.slice(2);
-const files = await files_of(resolve(folder));
+const files = await filesOf(resolve(folder));
 files["/live_core.wasm"] = await readFile(module);
 const served = await serve(files);
-const browser = await open_browser();
+const browser = await openBrowser();
 const troubles = [];
 
 async function open(viewport) {
@@ -30,7 +30,7 @@ const picture = async (page, name) => {
   await page.screenshot({ path: join(pictures, `${name}.png`) });
 };
 
-const set_slider = (page, name, value) => page.evaluate(([label, to]) => {
+const setSlider = (page, name, value) => page.evaluate(([label, to]) => {
   const slider = document.querySelector(`input[aria-label="${label}"]`);
   slider.value = String(to);
   slider.dispatchEvent(new Event("input", { bubbles: true }));
@@ -61,8 +61,8 @@ async function steered() {
   await wait(1.5);
   await page.keyboard.up("ArrowLeft");
   await picture(page, "walk-turned");
-  await set_slider(page, "normal", 0);
-  await set_slider(page, "sad", 1);
+  await setSlider(page, "normal", 0);
+  await setSlider(page, "sad", 1);
   await wait(2);
   await picture(page, "walk-sad");
   await page.keyboard.up("ArrowUp");
@@ -75,7 +75,7 @@ async function steered() {
   await page.close();
   return {
     frames: seen.length,
-    slide_mm: 1000 * largest_slide(seen, body),
+    slide_mm: 1000 * largestSlide(seen, body),
     fastest: Math.max(...seen.map((frame) => frame.speed)),
     speed_at_end: end.speed,
     most_heading: Math.max(...seen.map((frame) => frame.heading)),
@@ -89,12 +89,12 @@ async function steered() {
 }
 
 /** The walker alone, at 60 frames a second of its own time, steered at random for a minute. */
-async function by_itself() {
+async function byItself() {
   const page = await open({ width: 640, height: 480 });
-  const { frames, body, ms, opened_ms } = await page.evaluate(async () => {
+  const { frames, body, ms, opened_ms: openedMs } = await page.evaluate(async () => {
     const opening = performance.now();
     const walker = await globalThis.mien_walk_alone();
-    const opened_ms = performance.now() - opening;
+    const openedMs = performance.now() - opening;
     let state = 12345;
     const random = () => (state = (1103515245 * state + 12345) % 2147483648) / 2147483648;
     const frames = [];
@@ -108,24 +108,24 @@ async function by_itself() {
       const frame = walker.advance(1 / 60, wish);
       frames.push({ positions: [...frame.positions], rotations: [...frame.rotations], planted: [...frame.planted] });
     }
-    return { frames, body: walker.info.body, ms: (performance.now() - begun) / 3600, opened_ms };
+    return { frames, body: walker.info.body, ms: (performance.now() - begun) / 3600, opened_ms: openedMs };
   });
   await page.close();
-  return { slide_mm: 1000 * largest_slide(frames, body), acceleration: largest_acceleration(frames, 1 / 60), ms_a_frame: ms, opened_ms };
+  return { slide_mm: 1000 * largestSlide(frames, body), acceleration: largestAcceleration(frames, 1 / 60), ms_a_frame: ms, opened_ms: openedMs };
 }
 
 /** How soon a mood is seen: two walkers do the same, and one of them becomes sad. */
 async function mood() {
   const page = await open({ width: 640, height: 480 });
   const [plain, sadder] = await page.evaluate(async () => {
-    const changed_at = 180;
+    const changedAt = 180;
     const walked = async (mood) => {
       const walker = await globalThis.mien_walk_alone();
       const only = (name) => walker.info.moods.map((one) => (one === name ? 1 : 0));
       const frames = [];
-      for (let i = 0; i < changed_at + 60; i += 1) {
-        const frame = walker.advance(1 / 60, { pace: 1, moods: only(i < changed_at ? "normal" : mood) });
-        if (i >= changed_at - 1) frames.push({ positions: [...frame.positions] });
+      for (let i = 0; i < changedAt + 60; i += 1) {
+        const frame = walker.advance(1 / 60, { pace: 1, moods: only(i < changedAt ? "normal" : mood) });
+        if (i >= changedAt - 1) frames.push({ positions: [...frame.positions] });
       }
       return frames;
     };
@@ -134,9 +134,9 @@ async function mood() {
   await page.close();
   // From the pelvis, so that what differs is posture and not place.
   const posture = ({ positions }) => ({ positions: positions.map((x, k) => x - positions[k % 3]) });
-  const apart = plain.map((frame, i) => largest_distance(posture(frame), posture(sadder[i])));
-  const first_ms = (metres) => apart.findIndex((distance) => distance > metres) * 1000 / 60;
-  return { before_mm: 1000 * apart[0], one_cm_ms: first_ms(0.01), three_cm_ms: first_ms(0.03) };
+  const apart = plain.map((frame, i) => largestDistance(posture(frame), posture(sadder[i])));
+  const firstMs = (metres) => apart.findIndex((distance) => distance > metres) * 1000 / 60;
+  return { before_mm: 1000 * apart[0], one_cm_ms: firstMs(0.01), three_cm_ms: firstMs(0.03) };
 }
 
 /** On a phone the controls lie below. */
@@ -150,9 +150,9 @@ async function phone() {
   await page.waitForTimeout(1500);
   await hold.dispatchEvent("pointerup", { pointerId: 1 });
   const seen = await recorded(page);
-  const is_wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+  const isWide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
   await page.close();
-  return { fastest: Math.max(...seen.map((frame) => frame.speed)), is_wide };
+  return { fastest: Math.max(...seen.map((frame) => frame.speed)), is_wide: isWide };
 }
 
 /** With a gamepad's stick to the front right, and its cross to the left. */
@@ -176,7 +176,7 @@ async function gamepad() {
   return { rested, speed: right.speed, heading: right.heading, back: left.heading - right.heading };
 }
 
-const told = { steered: await steered(), by_itself: await by_itself(), mood: await mood(), phone: await phone(),
+const told = { steered: await steered(), by_itself: await byItself(), mood: await mood(), phone: await phone(),
   gamepad: await gamepad(), troubles };
 console.log(JSON.stringify(told));
 await browser.close();

@@ -14,7 +14,7 @@ function turned(v, [x, y, z, w]) {
 }
 
 /** Where the back edge of a heel and the joint of the toes are (motion/skeleton/sole.h). */
-function foot_points(frame, body, side) {
+function footPoints(frame, body, side) {
   const ankle = body.names.indexOf(`${side}Ankle`);
   const toe = body.names.indexOf(`${side}Toe`);
   const [x, y] = body.offsets[toe];
@@ -24,13 +24,13 @@ function foot_points(frame, body, side) {
 }
 
 /** Farthest that a standing foot moves on what it turns on, heel or toe joint, over a stance; metres. */
-export function largest_slide(frames, body) {
+export function largestSlide(frames, body) {
   let largest = 0;
   ["Left", "Right"].forEach((side, s) => {
     let slid = 0;
     let before = null;
     for (const frame of frames) {
-      const now = frame.planted[s] === 1 ? foot_points(frame, body, side) : null;
+      const now = frame.planted[s] === 1 ? footPoints(frame, body, side) : null;
       if (now && before) slid += Math.min(length(less(now.heel, before.heel)), length(less(now.toe, before.toe)));
       else slid = 0;
       largest = Math.max(largest, slid);
@@ -41,7 +41,7 @@ export function largest_slide(frames, body) {
 }
 
 /** Largest acceleration of a joint, m/s², of frames that are evenly spaced. */
-export function largest_acceleration(frames, seconds) {
+export function largestAcceleration(frames, seconds) {
   let largest = 0;
   for (let i = 1; i + 1 < frames.length; i += 1) {
     const [a, b, c] = [frames[i - 1].positions, frames[i].positions, frames[i + 1].positions];
@@ -54,7 +54,7 @@ export function largest_acceleration(frames, seconds) {
 }
 
 /** Farthest that a joint of one frame is from that of another, metres. */
-export function largest_distance(a, b) {
+export function largestDistance(a, b) {
   let largest = 0;
   for (let k = 0; k < a.positions.length; k += 3)
     largest = Math.max(largest, length([0, 1, 2].map((d) => a.positions[k + d] - b.positions[k + d])));
