@@ -29,6 +29,19 @@ std::string with_halves_exchanged(const std::string& word) {
   return word.substr(hyphen + 1) + "-" + word.substr(0, hyphen);
 }
 
+/// The only candidate of which the word is the first part: "limit" of "limit_s".
+std::optional<std::string> only_beginning_with(std::string_view word,
+                                               std::span<const std::string> candidates) {
+  const auto begins = [&](const std::string& candidate) {
+    return candidate.size() > word.size() && candidate.starts_with(word) &&
+           (candidate[word.size()] == '-' || candidate[word.size()] == '_');
+  };
+  const auto first = std::ranges::find_if(candidates, begins);
+  if (word.empty() || first == candidates.end()) return std::nullopt;
+  if (std::any_of(first + 1, candidates.end(), begins)) return std::nullopt;
+  return *first;
+}
+
 }  // namespace
 
 int edit_distance(std::string_view from, std::string_view to) {
@@ -78,7 +91,7 @@ std::optional<std::string> nearest_word(std::string_view word,
     nearest = distance;
     best = candidate;
   }
-  return best;
+  return best ? best : only_beginning_with(word, candidates);
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {

@@ -14,9 +14,9 @@ int edit_distance(std::string_view from, std::string_view to);
 
 /// The candidate that `word` was most likely meant to be; empty when none is near.
 ///
-/// Near is at most one edit for each three letters (at least one), case aside. The halves of a
-/// hyphenated word may also have been exchanged: "happy-sad" is near "sad-happy". The first of
-/// equally near candidates is taken. Nothing is near a word of more than 200 bytes.
+/// Near is at most one edit for each three letters (at least one), case aside, also of a hyphenated
+/// word with its halves exchanged ("happy-sad"). The first of equally near ones is taken; without
+/// any the only one that the word is the first part of ("limit" of "limit_s"). At most 200 bytes.
 std::optional<std::string> nearest_word(std::string_view word,
                                         std::span<const std::string> candidates);
 

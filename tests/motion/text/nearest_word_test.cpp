@@ -63,6 +63,16 @@ TEST(NearestWord, TakesTheFirstOfEquallyNearCandidates) {
   EXPECT_EQ(nearest_word("walk-1", candidates), "walk-2");
 }
 
+TEST(NearestWord, IsTheOnlyOneThatTheWordBegins) {
+  const std::vector<std::string> keys = {"head-flexion", "chest-flexion", "head-turn", "limit_s",
+                                         "limited"};
+  EXPECT_EQ(nearest_word("chest", keys), "chest-flexion");
+  EXPECT_EQ(nearest_word("head", keys), std::nullopt);  // of two
+  EXPECT_EQ(nearest_word("che", keys), std::nullopt);   // no whole part
+  const std::vector<std::string> seconds = {"threshold_m", "limit_s"};
+  EXPECT_EQ(did_you_mean("limit", seconds), "did you mean \"limit_s\"?");
+}
+
 TEST(NearestWord, RemedyAsksOrElseListsWhatThereIs) {
   EXPECT_EQ(did_you_mean("quicknes", names), "did you mean \"quickness\"?");
   const std::vector<std::string> few = {"front", "side"};
