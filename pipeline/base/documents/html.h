@@ -15,7 +15,8 @@ std::string html_escaped(std::string_view text);
 /// A list of plain texts; empty without any.
 std::string html_list(std::string_view css_class, const std::vector<std::string>& texts);
 
-/// A table from the HTML of its heads and of its rows.
+/// A table from the HTML of its heads and of its rows. A head that begins with ">" stands above
+/// numbers: it and the cells below it have the class "number", for style sheets to align alike.
 std::string html_table(std::initializer_list<std::string_view> heads, const std::string& rows);
 
 /// A vector drawing as part of the page. A picture of its own, since glyphs of drawings in one page

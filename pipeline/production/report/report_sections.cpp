@@ -1,5 +1,7 @@
 #include "pipeline/production/report/report_sections.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +53,14 @@ std::string card_grid(const std::string& cards) {
   return "<div class=\"cards\">\n" + cards + "</div>";
 }
 
+/// An error, else a warning of the lint, else one of how the motion was made.
+std::string first_found(const Synthesis& made) {
+  const auto error =
+      std::ranges::find(made.findings, motion::Severity::error, &motion::Finding::severity);
+  if (error != made.findings.end()) return error->sentence;
+  return made.findings.empty() ? made.warnings.front() : made.findings.front().sentence;
+}
+
 /// The ids of a page's stimuli, folded away, for a reader who looks for one.
 std::string linked_stimuli(const ReportPart& part, const Manifest& manifest) {
   std::string links;
@@ -90,23 +100,19 @@ std::string findings_section(const Manifest& manifest, Motions& motions) {
   std::size_t count = 0;
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Synthesis& made = motions.of(stimulus.id);
-    int errors = 0;
-    std::string first = made.warnings.empty() ? "" : made.warnings.front();
-    for (const motion::Finding& finding : made.findings) {
-      if (finding.severity != motion::Severity::error) continue;
-      if (errors++ == 0) first = finding.sentence;
-    }
     if (made.findings.empty() && made.warnings.empty()) continue;
     ++count;
+    const auto errors =
+        std::ranges::count(made.findings, motion::Severity::error, &motion::Finding::severity);
     rows += fmt::format(
         "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
         link_to(stimulus, manifest), html_escaped(stimulus.id), errors,
-        static_cast<int>(made.findings.size()) - errors + static_cast<int>(made.warnings.size()),
-        html_escaped(first));
+        static_cast<std::ptrdiff_t>(made.findings.size() + made.warnings.size()) - errors,
+        html_escaped(first_found(made)));
   }
   if (rows.empty()) return "";
   constexpr std::size_t most_open = 12;
-  const std::string table = html_table({"stimulus", "errors", "warnings", "first"}, rows);
+  const std::string table = html_table({"stimulus", ">errors", ">warnings", "first"}, rows);
   return titled_section(
       "Findings",
       count <= most_open

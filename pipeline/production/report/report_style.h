@@ -35,9 +35,7 @@ figcaption, p, footer { color: var(--quiet); }
 table { border-collapse: collapse; width: 100%; margin: .6rem 0; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: .2rem .6rem .2rem 0; border-bottom: 1px solid var(--line); font-weight: 400; }
 thead th { color: var(--quiet); font-size: .85rem; }
-td:not(.bar) { text-align: right; }
-section > table td:first-of-type { text-align: left; }
-section > table td:last-child, section > details > table td:last-child { text-align: left; }
+.number { text-align: right; }
 .wide { overflow-x: auto; }
 .impressions th[scope="col"] { text-align: right; }
 .impressions td { text-align: right; background: color-mix(in srgb, var(--tone) var(--far), transparent); }

@@ -83,7 +83,7 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
     add(made.held[i].first, fmt::format("held {:.2f}", made.held[i].second), "",
         made.held_reached[i].second);
   if (rows.empty()) return rows;
-  return html_table({"parameter", "", "asked", "reached", "possible"}, rows);
+  return html_table({"parameter", "", ">asked", ">reached", ">possible"}, rows);
 }
 
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
@@ -105,7 +105,7 @@ std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Mo
       made.asked.empty() && made.held.empty()
           ? (count == 1 ? "scale that nothing was asked of" : "scales that nothing was asked of")
           : (count == 1 ? "other scale" : "other scales"),
-      html_table({"scale", "", "has"}, rows));
+      html_table({"scale", "", ">has"}, rows));
 }
 
 std::string weight_table(const Synthesis& made, Motions& motions) {
@@ -127,7 +127,7 @@ std::string weight_table(const Synthesis& made, Motions& motions) {
         "value=\"{:.3f}\"></meter></td><td>{:.2f}</td></tr>\n",
         html_escaped(name), weight, weight);
   }
-  return html_table({"example", "", "weight"}, rows + smaller_weights(weights, shown));
+  return html_table({"example", "", ">weight"}, rows + smaller_weights(weights, shown));
 }
 
 std::string distance_table(std::span<const Sheet* const> sheets, Motions& motions) {
@@ -147,7 +147,7 @@ std::string distance_table(std::span<const Sheet* const> sheets, Motions& motion
     }
   }
   return html_table(
-      {"target", "created", "D (m)", "sum (m)", "MPJPE (m)",
+      {"target", "created", ">D (m)", ">sum (m)", ">MPJPE (m)",
        "D &lt; 0.06 m (the matching task's threshold)", "joint that differs most; durations"},
       rows);
 }
@@ -167,8 +167,8 @@ std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motion
                         html_escaped(sheet->target), html_escaped(sheet->created), moved, agree);
   }
   if (rows.empty()) return rows;
-  return html_table({"target", "created", "features that the target moved from the reference",
-                     "moved the same way"},
+  return html_table({"target", "created", ">features that the target moved from the reference",
+                     ">moved the same way"},
                     rows);
 }
 
@@ -185,7 +185,7 @@ std::string foil_table(std::span<const Stimulus> stimuli, Motions& motions) {
     }
   }
   if (rows.empty()) return "";
-  return html_table({"foil", "of", "aspect", "difference", ""}, rows);
+  return html_table({"foil", "of", "aspect", ">difference", ""}, rows);
 }
 
 }  // namespace mien::pipeline

@@ -16,6 +16,18 @@ TEST(HtmlList, EscapesItsTextsAndIsNothingWithoutAny) {
             "<ul class=\"warnings\">\n<li>a &lt; b</li>\n<li>c</li>\n</ul>\n");
 }
 
+TEST(HtmlTable, MarksNumbersAndTheirHeadsAlike) {
+  const std::string table =
+      html_table({"who", ">count", "note", ""},
+                 "<tr><th scope=\"row\">a</th><td>3</td><td>some</td><td class=\"bar\"></td></tr>\n"
+                 "<tr><td>b</td><td class=\"bar\">4</td><td>1</td></tr>\n");
+  EXPECT_EQ(table,
+            "<table><thead><tr><th>who</th><th class=\"number\">count</th><th>note</th><th></th>"
+            "</tr></thead>\n<tbody><tr><th scope=\"row\">a</th><td class=\"number\">3</td>"
+            "<td>some</td><td class=\"bar\"></td></tr>\n"
+            "<tr><td>b</td><td class=\"bar\">4</td><td>1</td></tr>\n</tbody></table>\n");
+}
+
 /// The text that a browser reads out of a data URL.
 std::string decoded(std::string_view url) {
   std::string text;
