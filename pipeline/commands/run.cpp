@@ -39,22 +39,7 @@ void tell_faults(const TaskGraph& graph, const RunResult& result, const Console&
 }
 
 void tell_summary(const RunResult& result, const fs::path& folder, const Console& console) {
-  const int made = result.count(TaskState::made);
-  const int cached = result.count(TaskState::cached);
-  if (result.is_complete() && made == 0) {
-    console.out << folder.string() << ": nothing to do, all " << cached << " tasks are done\n";
-    return;
-  }
-  console.out << folder.string() << ": " << made << (made == 1 ? " task" : " tasks") << " done";
-  if (cached > 0)
-    console.out << ", " << cached << (cached == 1 ? " was" : " were") << " done before";
-  if (const int failed = result.count(TaskState::failed))
-    console.out << ", " << failed << " failed";
-  if (const int skipped = result.count(TaskState::skipped)) {
-    console.out << ", " << skipped << " not begun because of that";
-  }
-  if (result.was_interrupted) console.out << "; interrupted, the same command goes on from here";
-  console.out << '\n';
+  console.out << folder.string() << ": " << counted_tasks(result) << '\n';
 }
 
 ordered_json tasks_in(const TaskGraph& graph, const RunResult& result, TaskState state) {

@@ -18,6 +18,7 @@ Progress::Progress(std::ostream& out, bool terminal, const TaskGraph& graph,
   for (std::size_t i = 0; i < graph.tasks.size(); ++i) {
     if (takes_time(plan[i])) total_cost_ += graph.tasks[i].cost_seconds;
   }
+  bar_.expect(total_cost_);
 }
 
 RunObserver Progress::observer() {

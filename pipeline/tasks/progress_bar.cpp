@@ -49,7 +49,7 @@ void ProgressBar::show(double share, const std::string& name, bool at_once) {
   const int percent = static_cast<int>(std::floor(100.0 * share));
   const double elapsed = now - start_;
   const std::string left = share > 0.01 && elapsed > 1.0
-                               ? ", " + as_duration(elapsed * (1.0 - share) / share) + " left"
+                               ? ", " + as_duration(seconds_left(share, elapsed)) + " left"
                                : "";
   if (!terminal_) {
     out_ << percent << " %" << left << '\n' << std::flush;
@@ -59,6 +59,12 @@ void ProgressBar::show(double share, const std::string& name, bool at_once) {
   put_control(out_, clear_line);
   out_ << '[' << std::string(filled, '#') << std::string(bar_width - filled, '.') << "] " << percent
        << " %" << left << "  " << name << std::flush;
+}
+
+double ProgressBar::seconds_left(double share, double elapsed) const {
+  constexpr double most_weight = 0.1;  // of what was expected, as a share of the work
+  const double weight = expected_s_ > 0.0 ? most_weight * std::pow(1.0 - share, 3.0) : 0.0;
+  return (1.0 - share) * (elapsed + weight * expected_s_) / (share + weight);
 }
 
 void ProgressBar::clear() {

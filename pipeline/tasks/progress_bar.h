@@ -24,6 +24,10 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  /// All is thought to take so many seconds: what is left is told by that at first, and more and
+  /// more by how long it has taken so far.
+  void expect(double seconds) { expected_s_ = seconds; }
+
   /// A share from 0 to 1 is done and `name` is being worked on. Says nothing when it has just said
   /// something, unless it has to `at_once`.
   void show(double share, const std::string& name, bool at_once = false);
@@ -32,11 +36,14 @@ class ProgressBar {
   void clear();
 
  private:
+  double seconds_left(double share, double elapsed) const;
+
   std::ostream& out_;
   bool terminal_;
   Clock clock_;
   double start_;
   double last_shown_;
+  double expected_s_ = 0.0;
 };
 
 }  // namespace mien::pipeline

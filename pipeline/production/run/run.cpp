@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "motion/error.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/repetitions.h"
@@ -80,6 +82,21 @@ int RunResult::count(TaskState state) const {
 
 bool RunResult::is_complete() const {
   return count(TaskState::cached) + count(TaskState::made) == static_cast<int>(outcomes.size());
+}
+
+std::string counted_tasks(const RunResult& result) {
+  const int made = result.count(TaskState::made);
+  const int cached = result.count(TaskState::cached);
+  const int failed = result.count(TaskState::failed);
+  if (result.is_complete() && made == 0)
+    return fmt::format("nothing to do, all {} tasks are done", cached);
+  std::string text = fmt::format("{} {} done", made, made == 1 ? "task" : "tasks");
+  if (cached > 0) text += fmt::format(", {} {} done before", cached, cached == 1 ? "was" : "were");
+  if (failed > 0) text += fmt::format(", {} failed", failed);
+  const int left = static_cast<int>(result.outcomes.size()) - made - cached - failed;
+  if (result.was_interrupted)
+    return text + fmt::format(", {} left; interrupted, the same command goes on from here", left);
+  return left > 0 ? text + fmt::format(", {} not begun because of that", left) : text;
 }
 
 std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production) {

@@ -24,6 +24,10 @@ struct RunResult {
   bool is_complete() const;  ///< every task was cached or made
 };
 
+/// "7 tasks done, 2 were done before, 1 failed, 3 not begun because of that": how a run ended, in
+/// the words of its last line; of an interrupted one with all that is left to do.
+std::string counted_tasks(const RunResult& result);
+
 /// Artifacts in `folder` that the manifest no longer makes. Nothing of a production of some stimuli
 /// only: the others are no less wanted.
 std::vector<Receipt> stale_in(const std::filesystem::path& folder, const Production& production);

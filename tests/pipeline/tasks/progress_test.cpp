@@ -60,6 +60,17 @@ TEST_F(ProgressTest, TellsPlainLinesRarelyWithoutATerminal) {
   EXPECT_EQ(taken(), "film:b failed\n100 %, 0:00 left\n");
 }
 
+/// The first tasks of a plan may take far longer than it thinks: 20 s for 2 % of 20 s are no 16
+/// min.
+TEST_F(ProgressTest, GoesByThePlanAsLongAsLittleIsDone) {
+  Progress progress(out, false, graph, planned, [this] { return now; });
+  const RunObserver observer = progress.observer();
+  observer.started(graph.tasks[0]);
+  now = 20.0;
+  observer.progressed(graph.tasks[0], 0.04);
+  EXPECT_EQ(taken(), "2 %, 3:08 left\n");
+}
+
 TEST_F(ProgressTest, DrawsABarOnATerminalAndTakesItAway) {
   {
     Progress progress(out, true, graph, planned, [this] { return now; });
