@@ -128,7 +128,8 @@ std::vector<BodyShare> body_shares(const render::Image8& picture_before,
                                    const SeenBody& now) {
   const SeenParts then = parts_of(before);
   const SeenParts today = parts_of(now);
-  const std::vector<double> moved = moves(then, today);
+  // Seen by one camera, which may have been moved by what the body does now.
+  const std::vector<double> moved = moves(parts_of({before.clip, before.frame, now.camera}), today);
   std::vector<double> by_part(moved.size() + 1);  // the last: nobody's
   double all = 0.0;
   const int width = std::min(picture_before.width, picture_now.width);

@@ -26,8 +26,8 @@ struct SeenBody {
 /// Splits the difference of two pictures among the parts of a body that moved: a pixel counts for
 /// the nearest bone, where that is (before or now) within 0.15 m of it as the camera sees it and a
 /// point of the part, or one 0.1 m beside it that turns with it, moved by a twentieth of a pixel at
-/// least. The largest share first; what is left stands last, without a name. Empty when no pixel
-/// differs.
+/// least before the camera that there is now: what shifts because the camera does has not moved.
+/// The largest share first; what is left stands last, without a name. Empty when no pixel differs.
 std::vector<BodyShare> body_shares(const render::Image8& picture_before,
                                    const render::Image8& picture_now, const SeenBody& before,
                                    const SeenBody& now);

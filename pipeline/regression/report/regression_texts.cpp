@@ -134,6 +134,7 @@ std::string motion_text(const StimulusComparison& comparison) {
 
 std::string shares_text(const std::vector<BodyShare>& shares) {
   constexpr std::size_t most_parts = 5;
+  constexpr const char* nothing_moved = "where nothing moved (camera, light, noise)";
   std::string text;
   const auto add = [&](double share, const std::string& what) {
     if (share >= 0.005)
@@ -148,7 +149,7 @@ std::string shares_text(const std::vector<BodyShare>& shares) {
       others += shares[i].share;
   }
   add(others, "other parts");
-  if (!shares.empty() && shares.back().part.empty()) add(shares.back().share, "unexplained");
+  if (!shares.empty() && shares.back().part.empty()) add(shares.back().share, nothing_moved);
   return text;
 }
 

@@ -47,7 +47,7 @@ std::string unapproved_text(const Regression& regression);
 /// "NOT COMPARED, …: 2 of 3: blend, file", with a line break; empty when all were compared.
 std::string not_compared_text(const Regression& regression);
 
-/// "72 % left forearm, 20 % left hand, 8 % unexplained"
+/// "72 % left forearm, 20 % left hand, 8 % where nothing moved (camera, light, noise)"
 std::string shares_text(const std::vector<BodyShare>& shares);
 
 }  // namespace mien::pipeline

@@ -40,9 +40,10 @@ class BodyShares : public testing::Test {
   void change(const Eigen::Vector2f& place, std::uint8_t by) {
     now_.at(static_cast<int>(place.x()), static_cast<int>(place.y()))[0] += by;
   }
-  std::vector<BodyShare> shares(const Clip& before, const Clip& now) const {
+  std::vector<BodyShare> shares(const Clip& before, const Clip& now,
+                                const render::Camera& camera_now = in_front()) const {
     const render::Camera camera = in_front();
-    return body_shares(before_, now_, {before, 0, camera}, {now, 0, camera});
+    return body_shares(before_, now_, {before, 0, camera}, {now, 0, camera_now});
   }
 
   render::Image8 before_{200, 150};
@@ -74,6 +75,22 @@ TEST_F(BodyShares, KnowATwistThatMovesNoJoint) {
   const std::vector<BodyShare> found = shares(standing(), twisted);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].part, "left forearm");
+}
+
+/// A head that bends moves the box of the body, and the camera with it.
+TEST_F(BodyShares, AreNotThoseOfWhatShiftsWithTheCamera) {
+  Clip bent = standing();
+  bent.poses[0].rotations[motion::Neck] =
+      motion::Quat(Eigen::AngleAxisd(0.3, motion::Vec3::UnitZ()));
+  render::Camera farther = in_front();
+  farther.position.z() += 0.05f;
+  change(middle_of(standing(), motion::LeftElbow, motion::LeftWrist), 10);
+  change(middle_of(standing(), motion::Neck, motion::Head), 30);
+  const std::vector<BodyShare> found = shares(standing(), bent, farther);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].part, "neck");
+  EXPECT_EQ(found[1].part, "");
+  EXPECT_NEAR(found[1].share, 0.1, 1e-12);
 }
 
 TEST_F(BodyShares, LeaveUnexplainedWhatChangesThoughNothingMoved) {
