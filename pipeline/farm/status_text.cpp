@@ -118,8 +118,12 @@ std::string status_text(const FarmStatus& status) {
                 ? "less than a second left at this pace\n"
                 : "about " + as_duration(*status.seconds_left) + " left at this pace\n";
   }
-  if (!status.without_slurm.empty())
-    text += "nothing is known of jobs: " + status.without_slurm + "\n";
+  if (status.without_slurm.empty()) return text;
+  // What Slurm itself wrote stands below.
+  text += "nothing is known of jobs: " +
+          status.without_slurm.substr(0, status.without_slurm.find('\n')) + "\n";
+  if (!status.is_complete && !status.is_active())
+    text += "mien run " + status.words + " makes what is missing, as mien farm worker does\n";
   return text;
 }
 

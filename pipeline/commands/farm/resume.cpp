@@ -81,7 +81,9 @@ JournalSubmission asked_again(const ResumeCommand& command, const JournalContent
   if (earlier == nullptr) {
     throw Error(study.folder.string() + ": nothing has been submitted yet" +
                     (journal.submissions.empty() ? "" : " that Slurm did not refuse"),
-                "mien farm submit " + study_words(command.study));
+                "mien farm submit " + study_words(command.study) +
+                    " does, or without Slurm mien run " + study_words(command.study) +
+                    " makes what is missing");
   }
   JournalSubmission asked = asked_for(command.options, *earlier);
   asked.quality = command.study.quality;

@@ -166,9 +166,12 @@ TEST_F(FarmStatusOfAStudy, TellsThatItsFolderIsAwayWhereSlurmHasJobsOfIt) {
 
 TEST_F(FarmStatusOfAStudy, DoesWithoutSlurm) {
   const FarmStatus without =
-      farm_status(*production, folder, std::nullopt, "squeue is not there", "");
-  EXPECT_NE(status_text(without).find("nothing is known of jobs: squeue is not there"),
-            std::string::npos);
+      farm_status(*production, folder, std::nullopt, "squeue is not there\n  its words", "m.yaml");
+  const std::string text = status_text(without);
+  EXPECT_NE(text.find("nothing is known of jobs: squeue is not there\n"), std::string::npos);
+  EXPECT_EQ(text.find("its words"), std::string::npos);
+  EXPECT_NE(text.find("nobody works on it"), std::string::npos);
+  EXPECT_NE(text.find("mien run m.yaml makes what is missing"), std::string::npos) << text;
 }
 
 TEST_F(FarmStatusOfAStudy, DoesNotTakeASilentWorkerForALivingOne) {
