@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <system_error>
 
 #include "motion/error.h"
 #include "motion/formats/acclaim.h"
@@ -33,6 +34,10 @@ bool may_hold_takes(const std::filesystem::path& path) {
 
 Recording read_motion(const std::filesystem::path& path, const std::optional<std::string>& take) {
   const std::string extension = extension_of(path);
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown)) {
+    throw Error({path.string(), 0, 0}, "is a folder", "name a motion file in it");
+  }
   if (take && is_motion_file(path) && !may_hold_takes(path)) {
     throw Error({path.string(), 0, 0}, "holds one motion, so that no take can be chosen",
                 "leave the take out; glTF files (.gltf, .glb) may hold several");

@@ -13,6 +13,7 @@
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/manifest/checks/session_checks.h"
+#include "pipeline/manifest/checks/take_checks.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/run/rehearsal.h"
 #include "pipeline/production/run/rehearsal_sample.h"
@@ -83,9 +84,17 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
   Findings findings{.faults = reading.faults};
   if (!findings.faults.empty()) {
     const DocumentKind kind = kind_of_file(file);
-    if (kind != DocumentKind::manifest) findings.faults = check_other_document(kind, file);
+    if (kind != DocumentKind::manifest) {
+      findings.faults = check_other_document(kind, file);
+      return findings;
+    }
+  }
+  append(findings.faults, check_recordings(reading.manifest));
+  if (!findings.faults.empty()) {
+    findings.faults = in_reading_order(std::move(findings.faults));
     return findings;
   }
+  append(findings.warnings, silent_takes(reading.manifest));
   for (const Repetition& repetition : repetitions_in(reading.manifest))
     findings.warnings.push_back(told_at_its_place(repetition, reading.manifest.places));
   for (Fault& warning : questionnaire_warnings(reading.manifest))

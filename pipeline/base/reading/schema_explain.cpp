@@ -195,11 +195,24 @@ class Explainer {
     if (node_.contains("oneOf")) explain_exclusive_keys();
   }
 
+  /// Whether an unknown key, which is told as such, stands for one of these.
+  bool is_misspelt(const std::vector<std::string>& keys) const {
+    if (!node_.contains("properties") || node_.value("additionalProperties", json()) != false)
+      return false;
+    const std::vector<std::string> known = keys_of(node_["properties"]);
+    for (const auto& [key, member] : value_.items()) {
+      if (node_["properties"].contains(key)) continue;
+      const auto meant = motion::nearest_word(key, known);
+      if (meant && std::ranges::find(keys, *meant) != keys.end()) return true;
+    }
+    return false;
+  }
+
   void explain_missing_keys() {
     if (!node_.contains("required")) return;
     for (const json& key : node_["required"]) {
-      if (value_.contains(key)) continue;
       const std::string name = key.get<std::string>();
+      if (value_.contains(name) || is_misspelt({name})) continue;
       std::string remedy = "add it";
       const SchemaNode member = narrowed(member_schema(schema_, name), {});
       if (member && member.node->contains("examples")) {
@@ -233,7 +246,8 @@ class Explainer {
       if (value_.contains(key)) given.push_back(key);
     }
     if (given.empty()) {
-      add(fmt::format("has none of {}", fmt::join(all, ", ")), "give one of them");
+      if (!is_misspelt(all))
+        add(fmt::format("has none of {}", fmt::join(all, ", ")), "give one of them");
     } else if (given.size() > 1) {
       add(fmt::format("{} exclude each other", fmt::join(given, " and ")), "keep one of them");
     }

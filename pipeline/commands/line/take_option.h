@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "pipeline/commands/line/command.h"
+#include "pipeline/commands/line/console.h"
 
 namespace mien::pipeline {
 
@@ -19,9 +19,15 @@ inline CommandOption take_option(std::string& take) {
                 "Of a glTF file with several motions: which (mien motion info lists them)");
 }
 
-/// The motion of a file; the first of several where no take is named.
-inline motion::Recording read_take(const std::string& file, const std::string& take) {
-  return motion::read_motion(file, take.empty() ? std::nullopt : std::optional(take));
+using motion::read_take;
+
+/// The motion of a file, and says what its reader chose: the take where none is named, the figure.
+inline motion::Recording read_told(const std::string& file, const std::string& take,
+                                   const Console& console) {
+  motion::Recording recording = motion::read_take(file, take);
+  for (const std::string& note : recording.notes)
+    console.err << "warning: " << file << ": " << note << '\n';
+  return recording;
 }
 
 /// The take that the recording is, where its file holds several; else empty.

@@ -26,15 +26,15 @@ int convert(const ConvertOptions& options, const Console& console) {
   if (std::filesystem::equivalent(options.in, options.out, unknown)) {
     throw Error(Place{options.out}, "is the motion that is read", "name another file to write");
   }
-  motion::Recording recording = read_take(options.in, options.take);
+  motion::Recording recording = read_told(options.in, options.take, console);
   const bool is_glb = std::filesystem::path(options.out).extension() == ".glb";
   if (options.body) {
     recording = motion::to_recording(motion::to_body(recording));
   } else if (is_glb) {
     const motion::RigSketch rig = motion::sketch(recording);
     if (!rig.human) {
-      for (const std::string& warning : rig.warnings)
-        console.err << "warning: " << options.in << ": " << warning << '\n';
+      for (std::size_t i = recording.notes.size(); i < rig.warnings.size(); ++i)
+        console.err << "warning: " << options.in << ": " << rig.warnings[i] << '\n';
     }
     recording = motion::in_metres(std::move(recording));
   }

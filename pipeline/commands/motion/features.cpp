@@ -34,6 +34,7 @@ struct FeaturesOptions {
 /// A motion file, what was measured, and over which frames.
 struct MeasuredFile {
   std::string file;
+  std::string take;  ///< where the file holds several
   std::string name;
   motion::PreparedExample prepared;
   motion::FeatureValues values;
@@ -48,11 +49,13 @@ motion::FeatureOptions feature_options(const FeaturesOptions& options) {
 }
 
 MeasuredFile measured(const std::string& file, const std::string& take,
-                      const motion::FeatureOptions& options) {
-  const motion::Clip clip = motion::to_body(read_take(file, take));
+                      const motion::FeatureOptions& options, const Console& console) {
+  const motion::Recording recording = read_told(file, take, console);
+  const motion::Clip clip = motion::to_body(recording);
   motion::PreparedExample prepared = motion::prepare_example(clip);
   const motion::FeatureValues values = motion::measure_features(prepared.example, options);
-  return {file, std::filesystem::path(file).stem().string(), std::move(prepared), values};
+  return {file, chosen_take(recording), std::filesystem::path(file).stem().string(),
+          std::move(prepared), values};
 }
 
 std::vector<std::string> warnings_of(const MeasuredFile& measured) {
@@ -72,10 +75,12 @@ ordered_json as_json(const MeasuredFile& measured) {
   if (const auto& found = measured.prepared.cycle) {
     cycle = {{"start_frame", found->start_frame}, {"end_frame", found->end_frame}};
   }
-  return {{"file", measured.file},
-          {"cycle", cycle},
-          {"features", values},
-          {"warnings", warnings_of(measured)}};
+  ordered_json result = {{"file", measured.file},
+                         {"cycle", cycle},
+                         {"features", values},
+                         {"warnings", warnings_of(measured)}};
+  if (!measured.take.empty()) result["take"] = measured.take;
+  return result;
 }
 
 ordered_json as_json(const motion::MotionFeature& feature) {
@@ -152,7 +157,7 @@ void show_table(const std::vector<MeasuredFile>& all, const Console& console) {
 int show_features(const FeaturesOptions& options, const Console& console) {
   std::vector<MeasuredFile> all;
   for (const std::string& file : options.files) {
-    all.push_back(measured(file, options.take, feature_options(options)));
+    all.push_back(measured(file, options.take, feature_options(options), console));
   }
   if (options.json) {
     show_json(all, console);

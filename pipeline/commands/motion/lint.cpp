@@ -41,6 +41,7 @@ struct LintCommand {
 /// A motion file and what was found in it.
 struct LintedFile {
   std::string file;
+  std::string take;  ///< where the file holds several
   bool is_human = false;
   LintedMotion motion;
 };
@@ -63,20 +64,19 @@ motion::Clip as_loop(motion::Clip clip) {
   return clip;
 }
 
-motion::Clip clip_in(const std::string& file, const std::string& take, bool loop) {
-  const motion::Clip clip = clip_of(read_take(file, take));
-  return loop ? as_loop(clip) : clip;
+motion::Clip as_asked(motion::Clip clip, bool loop) {
+  return loop ? as_loop(std::move(clip)) : clip;
 }
 
-LintedFile linted(const std::string& file, const LintCommand& command,
-                  const motion::Clip* original) {
+LintedFile linted(const std::string& file, const LintCommand& command, const motion::Clip* original,
+                  const Console& console) {
   motion::LintOptions options;
   options.body_mass_kg = command.mass_kg;
-  const motion::Recording recording = read_take(file, command.take);
-  const motion::Clip read = clip_of(recording);
-  const motion::Clip clip = command.loop ? as_loop(read) : read;
+  const motion::Recording recording = read_told(file, command.take, console);
+  const motion::Clip clip = as_asked(clip_of(recording), command.loop);
   LintedFile result;
   result.file = file;
+  result.take = chosen_take(recording);
   result.is_human = motion::is_body(clip.body);
   result.motion = {fs::path(file).stem().string(),
                    clip.frame_count(),
@@ -123,6 +123,7 @@ void show_json(const std::vector<LintedFile>& all, const Console& console) {
                        {"frames_per_second", one.motion.frames_per_second},
                        {"errors", errors_in(one)},
                        {"findings", findings}});
+    if (!one.take.empty()) motions.back()["take"] = one.take;
   }
   const ordered_json result = {{"motions", motions}};
   console.out << result.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
@@ -186,7 +187,8 @@ int show_findings(const LintCommand& command, const Console& console) {
   require_timeline(command);
   std::optional<motion::Clip> original;
   if (!command.original.empty()) {
-    original = clip_in(command.original, command.original_take, command.loop);
+    original = as_asked(clip_of(read_told(command.original, command.original_take, console)),
+                        command.loop);
     if (!motion::is_body(original->body)) {
       throw Error(fmt::format("no human was recognised in \"{}\"", command.original),
                   "the original must be a motion of a human");
@@ -194,7 +196,7 @@ int show_findings(const LintCommand& command, const Console& console) {
   }
   std::vector<LintedFile> all;
   for (const std::string& file : command.files) {
-    all.push_back(linted(file, command, original ? &*original : nullptr));
+    all.push_back(linted(file, command, original ? &*original : nullptr, console));
   }
   if (command.json) {
     show_json(all, console);

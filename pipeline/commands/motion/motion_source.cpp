@@ -11,10 +11,16 @@
 #include <unistd.h>
 
 #include "motion/error.h"
+#include "motion/formats/motion_file.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+bool is_bvh(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".bvh" || extension == ".BVH";
+}
 
 constexpr int look_up_milliseconds = 100;  // for a wish to stop
 
@@ -28,6 +34,10 @@ MotionSource::MotionSource(const std::string& file) : name_(file) {
   }
   if (std::filesystem::is_directory(file)) {
     throw Error(Place{file}, "is a folder", "name a BVH file, or - for standard input");
+  }
+  if (motion::is_motion_file(file) && !is_bvh(file)) {
+    throw Error(Place{file}, "cannot be streamed: its format comes as a whole",
+                "write it as BVH, with mien motion convert, or use mien motion modify");
   }
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) {

@@ -41,20 +41,22 @@ struct Unrated {
 
 /// On the examples' body, as the examples were measured.
 motion::FeatureValues features_of(const std::string& file, const std::string& take,
-                                  const Repertoire& repertoire) {
-  motion::Example example = motion::make_example(motion::to_body(read_take(file, take)));
+                                  const Repertoire& repertoire, const Console& console) {
+  motion::Example example = motion::make_example(motion::to_body(read_told(file, take, console)));
   const motion::Skeleton& body = repertoire.examples.examples.front().clip.body;
   example.clip = motion::retarget(example.clip, body);
   return motion::measure_features(example);
 }
 
 std::vector<Unrated> predicted_motions(const PredictOptions& options, const Repertoire& repertoire,
-                                       const FeatureRegression& regression) {
+                                       const FeatureRegression& regression,
+                                       const Console& console) {
   std::vector<Unrated> all;
   for (const std::string& file : options.motions) {
-    Unrated one{fs::path(file).stem().string(),
-                features_of(file, motion::may_hold_takes(file) ? options.take : "", repertoire),
-                {}};
+    Unrated one{
+        fs::path(file).stem().string(),
+        features_of(file, motion::may_hold_takes(file) ? options.take : "", repertoire, console),
+        {}};
     try {
       one.predictions = predict(regression, one.features);
     } catch (const Error& error) {
@@ -145,7 +147,7 @@ void write_tables(const fs::path& folder, const std::vector<Unrated>& motions,
 int show_prediction(const PredictOptions& options, const Console& console) {
   const Repertoire repertoire = load_repertoire(manifest_of(options.subject, console));
   const FeatureRegression regression = fit_feature_regression(repertoire);
-  const std::vector<Unrated> motions = predicted_motions(options, repertoire, regression);
+  const std::vector<Unrated> motions = predicted_motions(options, repertoire, regression, console);
   show_checks(regression, console);
   show_predictions(motions, console);
   if (!options.out.empty()) {

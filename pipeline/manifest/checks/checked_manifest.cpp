@@ -53,19 +53,25 @@ ManifestReading read_again(const StudyRecord& record, const std::filesystem::pat
   return reading;
 }
 
+/// What of it is known although something is wrong with the examples, which is added to the faults.
+Vocabulary known_vocabulary(ManifestReading& reading) {
+  const ScalesSource& scales = reading.manifest.scales;
+  const bool has_scales = scales.file.empty() || !scales.set.scales.empty();  // else as was told
+  try {
+    if (has_scales) return vocabulary_of(reading.manifest);
+  } catch (const Error& error) {
+    add_faults_of_examples(reading.faults, error, reading.manifest.places);
+  }
+  return certain_vocabulary(reading.manifest);
+}
+
 /// The reading with what names of examples and parameters are at fault.
 ManifestReading checked(ManifestReading reading, const std::filesystem::path& out) {
   if (!out.empty() && !reading.manifest.study.empty())
     append(reading.faults, check_sources(reading.manifest, out / reading.manifest.study));
-  try {
-    const ScalesSource& scales = reading.manifest.scales;
-    if (!scales.file.empty() && scales.set.scales.empty()) return reading;  // as was told
-    const Vocabulary vocabulary = vocabulary_of(reading.manifest);
-    append(reading.faults, check_names(reading.manifest, vocabulary));
-    append(reading.faults, check_modification_names(reading.manifest, vocabulary));
-  } catch (const Error& error) {
-    add_faults_of_examples(reading.faults, error, reading.manifest.places);
-  }
+  const Vocabulary vocabulary = known_vocabulary(reading);
+  append(reading.faults, check_names(reading.manifest, vocabulary));
+  append(reading.faults, check_modification_names(reading.manifest, vocabulary));
   reading.faults = in_reading_order(std::move(reading.faults));
   return reading;
 }

@@ -28,10 +28,20 @@ bool is_among(const std::string& name, const Names& known) {
 
 /// Names that many others are looked up in.
 struct NameIndex {
-  explicit NameIndex(Names all) : names(std::move(all)), known(names.begin(), names.end()) {}
+  explicit NameIndex(Names all, bool is_all_known = true)
+      : names(std::move(all)), known(names.begin(), names.end()), is_all(is_all_known) {}
+
+  /// Whether none is meant by it: where not all are known, that is so of what is near another.
+  bool lacks(const std::string& name) const {
+    const auto is_near = [&](const std::string& one) {
+      return motion::edit_distance(name, one) <= 1;
+    };
+    return !known.contains(name) && (is_all || std::ranges::any_of(names, is_near));
+  }
 
   Names names;  ///< as they were given
   std::set<std::string_view> known;
+  bool is_all;  ///< no others may be meant
 };
 
 /// What many file systems take for one name is the same here. Ids are ASCII.
@@ -140,7 +150,7 @@ void check_hold(const Stimulus& stimulus, const Names& parameters, const ScaleSe
 
 void check_motion(const std::string& path, const std::string& name, const NameIndex& motions,
                   FaultList& list) {
-  if (name.empty() || motions.known.contains(name)) return;
+  if (name.empty() || !motions.lacks(name)) return;
   list.add(path, motion::in_quotes(name) + " is neither a stimulus nor an example",
            motion::did_you_mean(name, motions.names));
 }
@@ -253,7 +263,7 @@ std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocab
   const NameIndex stimuli(stimuli_of(manifest));
   Names all = stimuli.names;
   all.insert(all.end(), vocabulary.examples.begin(), vocabulary.examples.end());
-  const NameIndex motions(std::move(all));
+  const NameIndex motions(std::move(all), vocabulary.knows_examples);
   check_expectations(manifest, vocabulary, list);
   check_stems(manifest, vocabulary.file_stems, list);
   for (const Overlay& overlay : manifest.overlays)

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/named_motions.h"
 #include "scenes/figures/figure.h"
 
 namespace mien::pipeline {
@@ -40,7 +41,7 @@ class SourceChecker : public FaultList {
   }
 
   /// A value that is a map with a file, or that file alone.
-  void check_file_of(const std::string& path, const char* key, const fs::path& source) {
+  void check_file_of(const std::string& path, const std::string& key, const fs::path& source) {
     const std::string own = member_path(path, key);
     check(was_given(own) ? own : path, source);
   }
@@ -68,20 +69,8 @@ std::vector<Fault> check_sources(const Manifest& manifest, const fs::path& folde
   for (const Stimulus* film : films_of(manifest))
     checker.check_look(member_path(film->path, "look"), film->look);
   for (const Stimulus& stimulus : manifest.stimuli) {
-    if (stimulus.clip)
-      checker.check_file_of(member_path(stimulus.path, "clip"), "file", stimulus.clip->file);
-    const std::vector<GraphMotion> graph =
-        stimulus.walk ? stimulus.walk->graph : std::vector<GraphMotion>();
-    for (std::size_t i = 0; i < graph.size(); ++i) {
-      checker.check_file_of(element_path(member_path(stimulus.path, "path.graph"), i), "file",
-                            graph[i].file);
-    }
-    for (const ModificationStep& step : stimulus.modify) {
-      if (!step.pose) continue;
-      const std::string pose = member_path(step.path, "pose");
-      checker.check_file_of(member_path(pose, "neutral"), "motion", step.pose->neutral.file);
-      checker.check_file_of(member_path(pose, "posed"), "motion", step.pose->posed.file);
-    }
+    for (const NamedMotion& motion : named_motions(stimulus))
+      checker.check_file_of(motion.path, motion.key, motion.file);
   }
   return checker.take();
 }

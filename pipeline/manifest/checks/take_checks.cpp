@@ -1,14 +1,103 @@
 #include "pipeline/manifest/checks/take_checks.h"
 
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
 #include "motion/formats/motion_file.h"
+#include "motion/text/file_contents.h"
+#include "pipeline/manifest/example_files.h"
+#include "pipeline/manifest/named_motions.h"
 
 namespace mien::pipeline {
+
+namespace {
+
+/// Motion files that are read once each.
+class ReadTakes {
+ public:
+  struct Take {
+    motion::Recording recording;  ///< without poses when there is none
+    std::string wrong;
+  };
+
+  const Take& of(const std::filesystem::path& file, const std::string& take) {
+    const auto [entry, is_new] = takes_.emplace(std::pair(file, take), Take());
+    if (!is_new) return entry->second;
+    try {
+      entry->second.recording = motion::read_take(file, take);
+    } catch (const Error& error) {
+      entry->second.wrong = error.what();
+    }
+    return entry->second;
+  }
+
+ private:
+  std::map<std::pair<std::filesystem::path, std::string>, Take> takes_;
+};
+
+/// Whether the checks of files and of takes have nothing to say of it.
+bool is_readable(const NamedMotion& motion) {
+  return motion::is_motion_file(motion.file) &&
+         (motion.take.empty() || motion::may_hold_takes(motion.file)) &&
+         motion::hindrance_of(motion.file, motion::most_of_recording).empty();
+}
+
+void check_recording(const NamedMotion& motion, ReadTakes& takes, FaultList& list) {
+  if ((motion.take.empty() && motion.last_frame == 0) || !is_readable(motion)) return;
+  const auto& [recording, wrong] = takes.of(motion.file, motion.take);
+  if (!wrong.empty()) return list.add(member_path(motion.path, "take"), wrong, "");
+  if (const std::string fault = frame_fault(recording, motion.last_frame); !fault.empty()) {
+    list.add(motion.frame_at, motion.file.string() + ": " + fault,
+             fmt::format("name a frame from 0 to {}", recording.frame_count() - 1));
+  }
+}
+
+/// What is taken of a file without anybody having said so, and nothing for one that cannot be read.
+void add_silent_take(const NamedMotion& motion, FaultList& list) {
+  try {
+    const std::string note = is_readable(motion) ? silent_take(motion) : "";
+    if (note.empty()) return;
+    const std::string own = member_path(motion.path, motion.key);
+    list.add(list.was_given(own) ? own : motion.path, motion.file.string() + ": " + note,
+             "add take:");
+  } catch (const Error&) {
+    // Told where motions are made.
+  }
+}
+
+}  // namespace
 
 void check_take(const std::string& path, const std::filesystem::path& file, const std::string& take,
                 FaultList& list) {
   if (take.empty() || !motion::is_motion_file(file) || motion::may_hold_takes(file)) return;
   list.add(path, "a file of " + file.extension().string() + " holds one motion",
            "leave take out; glTF files (.gltf, .glb) may hold several");
+}
+
+std::vector<Fault> check_recordings(const Manifest& manifest) {
+  FaultList list(manifest.places);
+  ReadTakes takes;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.foil) continue;
+    for (const NamedMotion& motion : named_motions(stimulus)) check_recording(motion, takes, list);
+  }
+  return list.take();
+}
+
+std::vector<Fault> silent_takes(const Manifest& manifest) {
+  FaultList list(manifest.places);
+  const Examples& examples = manifest.examples;
+  if (examples.builtin.empty() && !examples.folder.empty() && examples.take.empty()) {
+    for (const auto& file : motion::example_files(example_folder(examples)))
+      add_silent_take({"examples.set", "folder", file, "", 0, ""}, list);
+  }
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.foil) continue;
+    for (const NamedMotion& motion : named_motions(stimulus)) add_silent_take(motion, list);
+  }
+  return list.take();
 }
 
 }  // namespace mien::pipeline

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/manifest.h"
 
 namespace mien::pipeline {
 
@@ -11,5 +13,14 @@ namespace mien::pipeline {
 /// only; `path` is where the take stands in the manifest.
 void check_take(const std::string& path, const std::filesystem::path& file, const std::string& take,
                 FaultList& list);
+
+/// Takes and frames that the motion files of the manifest's stimuli do not hold, each where it
+/// stands. Reads the files of which a take or a frame is asked for; what else is wrong with the
+/// manifest does not matter.
+std::vector<Fault> check_recordings(const Manifest& manifest);
+
+/// Motion files with several takes of which none is chosen, and which is taken. Reads glTF files;
+/// those that cannot be read are passed over.
+std::vector<Fault> silent_takes(const Manifest& manifest);
 
 }  // namespace mien::pipeline

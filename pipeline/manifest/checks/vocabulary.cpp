@@ -51,12 +51,29 @@ std::vector<std::string> rated_parameters(const Manifest& manifest) {
   return parameters;
 }
 
+/// Of a set without any, as of a folder that is not there, others were meant.
+bool knows_all(const std::vector<std::string>& examples, const Manifest& manifest) {
+  return !examples.empty() || !manifest.places.values.contains("examples");
+}
+
 }  // namespace
 
 Vocabulary vocabulary_of(const Manifest& manifest) {
   Vocabulary vocabulary{rated_parameters(manifest), feature_parameter_names(), {}};
   vocabulary.examples = example_names(manifest);
   vocabulary.file_stems = stems_in_folder(manifest.examples);
+  vocabulary.knows_examples = knows_all(vocabulary.examples, manifest);
+  return vocabulary;
+}
+
+Vocabulary certain_vocabulary(const Manifest& manifest) {
+  Vocabulary vocabulary{{}, feature_parameter_names(), {}};
+  try {
+    vocabulary.examples = example_names(manifest);
+  } catch (const Error&) {
+    // Told of vocabulary_of.
+  }
+  vocabulary.knows_examples = knows_all(vocabulary.examples, manifest);
   return vocabulary;
 }
 

@@ -11,6 +11,7 @@
 #include "motion/lint/lint.h"
 #include "motion/rig/recording_clip.h"
 #include "pipeline/base/documents/csv.h"
+#include "pipeline/manifest/named_motions.h"
 #include "pipeline/production/synthesis/style_transfer.h"
 
 namespace mien::pipeline {
@@ -30,14 +31,14 @@ motion::Pose pose_of(const PoseSource& source, const Repertoire& repertoire) {
     }
     clip = found->clip;
   } else {
-    clip = clip_of(motion::read_take(source.file, source.take));
+    const motion::Recording recording = motion::read_take(source.file, source.take);
+    require_frame(recording, source.frame, source.file);
+    clip = clip_of(recording);
   }
   if (source.frame >= clip.frame_count()) {
-    throw Error(
-        Place{source.file.string(), 0, 0},
-        fmt::format("{} has {} frames, so frame {} does not exist",
-                    source.file.empty() ? source.example : "it", clip.frame_count(), source.frame),
-        fmt::format("name a frame from 0 to {}", clip.frame_count() - 1));
+    throw Error(fmt::format("{} has {} frames, so frame {} does not exist", source.example,
+                            clip.frame_count(), source.frame),
+                fmt::format("name a frame from 0 to {}", clip.frame_count() - 1));
   }
   return clip.poses[static_cast<std::size_t>(source.frame)];
 }

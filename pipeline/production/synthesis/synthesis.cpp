@@ -14,6 +14,7 @@
 #include "motion/lint/lint.h"
 #include "motion/live/made_motion.h"
 #include "motion/rig/body_mapping.h"
+#include "pipeline/manifest/named_motions.h"
 #include "pipeline/production/synthesis/modified_motion.h"
 #include "pipeline/production/synthesis/slider_interface.h"
 #include "pipeline/production/synthesis/walked_path.h"
@@ -193,23 +194,29 @@ Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire
 motion::Clip excerpt(motion::Clip clip, const ClipSource& source) {
   if (!source.frames) return clip;
   const auto [first, last] = *source.frames;
-  if (last >= clip.frame_count()) {
-    throw Error(Place{source.file.string(), 0, 0},
-                fmt::format("has {} frames, so frame {} does not exist", clip.frame_count(), last),
-                fmt::format("name frames from 0 to {}", clip.frame_count() - 1));
-  }
   clip.poses = {clip.poses.begin() + first, clip.poses.begin() + last + 1};
   return clip;
 }
 
+/// Takes of files with several that nobody has chosen. Those of a clip are told by its reader.
+void tell_silent_takes(const Stimulus& stimulus, std::vector<std::string>& warnings) {
+  for (const NamedMotion& motion : named_motions(stimulus)) {
+    if (stimulus.clip && motion.path == member_path(stimulus.path, "clip")) continue;
+    const std::string note = silent_take(motion);
+    const std::string warning = motion.file.filename().string() + ": " + note;
+    if (!note.empty() && std::ranges::find(warnings, warning) == warnings.end())
+      warnings.push_back(warning);
+  }
+}
+
 Synthesis as_captured(const Stimulus& stimulus) {
   Synthesis result;
-  const std::string& take = stimulus.clip->take;
-  const motion::Recording recording =
-      motion::read_motion(stimulus.clip->file, take.empty() ? std::nullopt : std::optional(take));
+  const ClipSource& source = *stimulus.clip;
+  const motion::Recording recording = motion::read_take(source.file, source.take);
+  if (source.frames) require_frame(recording, (*source.frames)[1], source.file);
   const motion::BodyMapping mapping = motion::recognise(recording);
   result.warnings = mapping.warnings;
-  const motion::Clip clip = excerpt(motion::to_body(recording, mapping), *stimulus.clip);
+  const motion::Clip clip = excerpt(motion::to_body(recording, mapping), source);
   result.motion.name = stimulus.id;
   // What is modified stays at its own rate until then.
   result.motion.clip =
@@ -278,6 +285,7 @@ Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
   Synthesis result = unmodified(stimulus, repertoire);
   result.motion.name = stimulus.id;
   result.motion.clip.name = stimulus.id;
+  tell_silent_takes(stimulus, result.warnings);
   if (stimulus.modify.empty()) {
     result.findings = motion::lint(result.motion.clip);
   } else {

@@ -1,6 +1,5 @@
 #include "pipeline/regression/comparison/compared_motions.h"
 
-#include <optional>
 #include <string>
 
 #include "motion/error.h"
@@ -12,11 +11,6 @@
 namespace mien::pipeline {
 
 namespace {
-
-/// The first of several motions where no take is named.
-motion::Recording read_take(const std::string& file, const std::string& take) {
-  return motion::read_motion(file, take.empty() ? std::nullopt : std::optional(take));
-}
 
 /// The take that the recording is, where its file holds several; else empty.
 std::string several_take(const motion::Recording& recording) {
@@ -51,8 +45,8 @@ std::vector<motion::FeatureDifference> features_of(const motion::Clip& before,
 ComparedMotions compared_motion_files(const std::string& before, const std::string& now,
                                       const motion::MotionTolerance& tolerance,
                                       const std::array<std::string, 2>& takes) {
-  const motion::Recording was = read_take(before, takes[0]);
-  const motion::Recording is = read_take(now, takes[1]);
+  const motion::Recording was = motion::read_take(before, takes[0]);
+  const motion::Recording is = motion::read_take(now, takes[1]);
   const motion::ComparedRecordings recordings = motion::compared_recordings(was, is);
   ComparedMotions result{
       before,    now, several_take(was), several_take(is), motion::motion_difference(recordings),

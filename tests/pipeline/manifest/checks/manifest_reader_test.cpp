@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/checks/manifest_checks.h"
 #include "pipeline/manifest/checks/name_checks.h"
 #include "pipeline/temporary_folder.h"
@@ -469,6 +470,27 @@ sheets:
             "\"sigma-head-lr\"?\n"
             "m.yaml:9:23: sheets[0].compare.target: \"target-2\" is neither a stimulus nor an "
             "example; did you mean \"target-1\"?\n");
+}
+
+TEST_F(ManifestReaderTest, TellsAMisspeltKeyOnce) {
+  EXPECT_EQ(faults_after_head("stimuli: [{id: a, clip: walk.bvh}]\nsheets: [{galery: [a]}]\n"),
+            "m.yaml:5:11: sheets[0].galery: unknown key; did you mean \"gallery\"?\n");
+  EXPECT_EQ(faults_after_head("stimuli: [{idd: a, clip: walk.bvh}]\n"),
+            "m.yaml:4:12: stimuli[0].idd: unknown key; did you mean \"id\"?\n");
+}
+
+/// What may be an example is no fault then, unless it is nearly a stimulus.
+TEST_F(ManifestReaderTest, TellsNamesOfStimuliThoughTheExamplesAreAtFault) {
+  const ManifestReading reading = check_manifest_text(
+      "mien: 1\nstudy: s\nexamples: {set: none-here, ratings: none}\n"
+      "stimuli:\n  - {id: bowed, clip: walk.bvh}\n  - {id: normal, clip: walk.bvh}\n"
+      "overlays:\n  - {target: proud, created: boed}\n"
+      "sheets:\n  - {id: s, stills: [head-dwn]}\n",
+      folder.path() / "m.yaml", process_environment());
+  std::vector<std::string> paths;
+  for (const Fault& fault : reading.faults) paths.push_back(fault.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{"examples.set", "overlays[0].created",
+                                             "sheets[0].stills[0]"}));
 }
 
 TEST_F(ManifestReaderTest, TellsLabelsAndKeytimesOfFilesThatAreNotThere) {

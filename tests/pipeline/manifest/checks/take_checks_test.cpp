@@ -1,5 +1,6 @@
 #include "pipeline/manifest/checks/take_checks.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -115,6 +116,55 @@ TEST_F(Takes, OfGraphsAreTakenByName) {
               0.01);
   EXPECT_GT(bend(by_take), 0.3);
   EXPECT_LT(bend(walked("{file: takes.gltf, take: Stand}")), 1e-3);
+}
+
+/// Whatever else is wrong.
+TEST_F(Takes, AndFramesThatFilesDoNotHoldAreToldWhereTheyStand) {
+  const ManifestReading reading = read(
+      "examples: {set: builtin:walks-11}\nstuff: 1\nstimuli:\n"
+      "  - id: a\n    clip: {file: takes.gltf,\n      take: walk}\n"
+      "  - id: b\n    clip:\n      file: takes.gltf\n      take: Stand\n"
+      "      frames: [1, 9000]\n"
+      "  - id: c\n    clip: captures/walk.bvh\n    modify:\n      pose:\n"
+      "        neutral: captures/walk.bvh\n        posed: {motion: captures/walk.bvh,\n"
+      "          frame: 8000}");
+  const std::vector<Fault> faults = check_recordings(reading.manifest);
+  ASSERT_EQ(faults.size(), 3u);
+  EXPECT_EQ(faults[0].path, "stimuli[0].clip.take");
+  EXPECT_EQ(faults[0].place.line, 8);
+  EXPECT_NE(faults[0].wrong.find("there is no take \"walk\""), std::string::npos);
+  EXPECT_EQ(faults[1].path, "stimuli[1].clip.frames");
+  EXPECT_EQ(faults[1].place.line, 13);
+  EXPECT_NE(faults[1].wrong.find("its take \"Stand\" has "), std::string::npos);
+  EXPECT_NE(faults[1].remedy, "");
+  EXPECT_EQ(faults[2].path, "stimuli[2].modify.pose.posed.frame");
+  EXPECT_EQ(faults[2].place.line, 20);
+  EXPECT_NE(faults[2].wrong.find("it has "), std::string::npos);
+}
+
+TEST_F(Takes, ThatNobodyChoseAreTold) {
+  const ManifestReading reading = read(
+      "stimuli:\n"
+      "  - {id: a, clip: takes.gltf}\n"
+      "  - {id: b, clip: {file: takes.gltf, take: Walk}}\n"
+      "  - {id: c, clip: captures/walk.bvh, modify: {pose: {neutral: captures/walk.bvh,\n"
+      "      posed: {motion: takes.gltf, frame: 5}}}}\n"
+      "  - {id: d, path: {graph: [takes.gltf], script: [{walk: 1}]}}\n");
+  std::vector<std::string> told;
+  for (const Fault& one : silent_takes(reading.manifest)) {
+    told.push_back(one.path + ":" + std::to_string(one.place.line));
+    EXPECT_NE(one.wrong.find("\"Walk\" is taken"), std::string::npos) << one.wrong;
+  }
+  EXPECT_EQ(told,
+            (std::vector<std::string>{"stimuli[0].clip:4", "stimuli[2].modify.pose.posed.motion:7",
+                                      "stimuli[3].path.graph[0]:8"}));
+  for (const Stimulus& stimulus : reading.manifest.stimuli) {
+    const std::vector<std::string> warnings = synthesize(stimulus, {}).warnings;
+    const auto telling = std::ranges::count_if(warnings, [](const std::string& warning) {
+      return warning.find("\"Walk\" is taken") != std::string::npos;
+    });
+    EXPECT_EQ(telling, stimulus.id == "b" ? 0 : 1) << stimulus.id;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,64 @@
+#include "pipeline/manifest/named_motions.h"
+
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+void add_pose(const std::string& path, const PoseSource& pose, std::vector<NamedMotion>& motions) {
+  if (pose.file.empty()) return;
+  motions.push_back({path, "motion", pose.file, pose.take, pose.frame, member_path(path, "frame")});
+}
+
+}  // namespace
+
+std::vector<NamedMotion> named_motions(const Stimulus& stimulus) {
+  std::vector<NamedMotion> motions;
+  if (stimulus.clip && !stimulus.clip->file.empty()) {
+    const ClipSource& clip = *stimulus.clip;
+    const std::string path = member_path(stimulus.path, "clip");
+    motions.push_back({path, "file", clip.file, clip.take, clip.frames ? (*clip.frames)[1] : 0,
+                       member_path(path, "frames")});
+  }
+  if (stimulus.walk) {
+    const std::string path = member_path(stimulus.path, "path.graph");
+    for (std::size_t i = 0; i < stimulus.walk->graph.size(); ++i) {
+      const auto& [file, take] = stimulus.walk->graph[i];
+      motions.push_back({element_path(path, i), "file", file, take, 0, ""});
+    }
+  }
+  for (const ModificationStep& step : stimulus.modify) {
+    if (!step.pose) continue;
+    const std::string path = member_path(step.path, step.edit.pose ? "pose" : "emotion");
+    add_pose(member_path(path, "neutral"), step.pose->neutral, motions);
+    add_pose(member_path(path, "posed"), step.pose->posed, motions);
+  }
+  return motions;
+}
+
+std::string silent_take(const NamedMotion& motion) {
+  if (!motion.take.empty() || !motion::may_hold_takes(motion.file)) return "";
+  const motion::Recording recording = motion::read_motion(motion.file);
+  return recording.takes.size() > 1 ? recording.notes.front() : "";
+}
+
+std::string frame_fault(const motion::Recording& recording, int frame) {
+  if (frame < recording.frame_count()) return "";
+  const std::string take =
+      recording.takes.size() > 1 ? "its take " + motion::in_quotes(recording.take) : "it";
+  return fmt::format("{} has {} frames, so frame {} does not exist", take, recording.frame_count(),
+                     frame);
+}
+
+void require_frame(const motion::Recording& recording, int frame,
+                   const std::filesystem::path& file) {
+  const std::string fault = frame_fault(recording, frame);
+  if (fault.empty()) return;
+  throw Error(Place{file.string(), 0, 0}, fault,
+              fmt::format("name a frame from 0 to {}", recording.frame_count() - 1));
+}
+
+}  // namespace mien::pipeline
