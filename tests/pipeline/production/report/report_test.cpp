@@ -189,26 +189,6 @@ TEST(Report, OpensWithWhatWasFoundAndTheSheets) {
   EXPECT_EQ(unbalanced_tag(page), "");
 }
 
-/// Where the lint warns alone, and nothing is said of how the motion was made.
-TEST(Report, NamesAFirstFindingWhereThereAreWarningsAlone) {
-  for (double degrees = 40.0; degrees < 90.0; degrees += 4.0) {
-    Manifest manifest = study_called("plain");
-    manifest.stimuli[0].modify.resize(1);
-    manifest.stimuli[0].modify[0].modification.posture = {
-        {motion::PostureUnit::head_flexion, degrees}};
-    Motions motions(manifest);
-    const std::vector<motion::Finding>& found = motions.of("target").findings;
-    if (found.empty() || motion::has_errors(found)) continue;
-    const std::string page = report(manifest, motions, methods_of(manifest, motions));
-    const std::size_t row = page.find("<a href=\"#target\">target</a>");
-    ASSERT_NE(row, std::string::npos);
-    EXPECT_NE(page.substr(row, page.find("</tr>", row) - row).find(found.front().sentence),
-              std::string::npos);
-    return;
-  }
-  FAIL() << "no posture is warned of alone";
-}
-
 /// The card of a stimulus, and what of it is not folded away.
 std::string open_part_of(const std::string& page, const std::string& id) {
   const std::size_t first = page.find("id=\"" + id + "\"");
