@@ -1,6 +1,7 @@
 #include "pipeline/commands/line/command.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -162,7 +163,8 @@ CommandOption choice_of(const std::string& names, std::vector<std::string> words
     if (place_of(given) < words.size()) return "";
     if (motion::nearest_word(given, words))
       return fmt::format("\"{}\": {}", given, motion::did_you_mean(given, words));
-    return fmt::format("\"{}\" is not one of {}", given, fmt::join(words, ", "));
+    const std::set<std::string> in_order(words.begin(), words.end());
+    return fmt::format("\"{}\" is not one of {}", given, fmt::join(in_order, ", "));
   };
   made.choices = std::move(words);
   return made;

@@ -82,7 +82,8 @@ void fill(CLI::App& app, const Command& command) {
     if (!option.needed.empty())
       app.get_option(option.names.back())->needs(app.get_option(option.needed));
   }
-  if (!command.commands.empty()) app.require_subcommand(command.run ? 0 : 1, command.run ? 1 : 0);
+  // One at most: the word after it is its own, whatever it is (mien sets studio).
+  if (!command.commands.empty()) app.require_subcommand(command.run ? 0 : 1, 1);
   for (const Command& below : command.commands)
     fill(*app.add_subcommand(below.name, below.summary), below);
 }

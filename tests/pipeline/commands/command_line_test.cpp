@@ -38,7 +38,8 @@ struct Market {
                     flag("--open", &is_open, "Now").excludes("--names")},
         .notes = "Example:\n  mien sell here",
         .run = [this](const Console&) { return ++runs, exit_done; }};
-    return {.name = "mien", .summary = "A market", .commands = {sell}};
+    const Command close = {.name = "close", .run = [](const Console&) { return exit_failed; }};
+    return {.name = "mien", .summary = "A market", .commands = {sell, close}};
   }
 };
 
@@ -87,6 +88,13 @@ TEST(CommandValues, RefuseWhatTheyDoNotAllowAndRunNothing) {
     EXPECT_NE(told.find(fault), std::string::npos) << told;
     EXPECT_EQ(market.runs, 0);
   }
+}
+
+TEST(CommandValues, TakeWordsThatAreNamesOfOtherCommandsToo) {
+  Market market;
+  const auto [code, told] = ended(market, {"sell", "close"});
+  EXPECT_EQ(code, exit_done) << told;
+  EXPECT_EQ(market.place, "close");
 }
 
 TEST(CommandValues, AreWhatHelpTells) {
