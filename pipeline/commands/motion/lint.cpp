@@ -212,7 +212,7 @@ int show_findings(const LintCommand& command, const Console& console) {
 }
 
 std::string footer() {
-  std::string text = "\nRules:\n";
+  std::string text = "Rules:\n";
   for (const motion::LintCheck& check : motion::lint_checks()) {
     text += fmt::format("  {:18} {}{}\n", check.id, check.what,
                         check.needs_original ? " (--original)" : "");

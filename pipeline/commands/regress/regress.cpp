@@ -142,7 +142,7 @@ std::vector<CommandOption> file_options(RegressOptions& options) {
 }
 
 constexpr char footer[] =
-    "\nMotions are compared as they are: nothing is settled on the floor, aligned or turned first. "
+    "Motions are compared as they are: nothing is settled on the floor, aligned or turned first. "
     "Joints are paired by name; where rigs differ, both are put on one body. Told are the largest "
     "change in a sentence (which joint does something else itself, not which ones it carries "
     "along; "
@@ -157,7 +157,7 @@ constexpr char footer[] =
     "  mien regress approved/walk.bvh walk.glb --position 0.005 --rotation 0.5 --json";
 
 constexpr char approve_footer[] =
-    "\nA baseline holds what is needed to tell later what has changed, and why: the manifest and "
+    "A baseline holds what is needed to tell later what has changed, and why: the manifest and "
     "what it names, motions, a few key frames, hashes; with --keep-videos the videos themselves. "
     "It "
     "is made to lie in git. Look at the study before you approve it.\n\n"
