@@ -8,7 +8,7 @@ namespace mien::pipeline {
 
 namespace {
 
-bool is_of_numbers(std::string_view head) { return head.starts_with('>'); }
+bool is_head_of_numbers(std::string_view head) { return head.starts_with('>'); }
 
 /// Rows whose plain cells below a head of numbers are marked as it is.
 std::string with_numbers_marked(std::string_view rows,
@@ -19,7 +19,8 @@ std::string with_numbers_marked(std::string_view rows,
     const bool is_row = rows.starts_with("<tr");
     const bool is_cell = !is_row && (rows.starts_with("<td") || rows.starts_with("<th"));
     if (is_row) column = 0;
-    const bool is_number = is_cell && column < heads.size() && is_of_numbers(heads.begin()[column]);
+    const bool is_number =
+        is_cell && column < heads.size() && is_head_of_numbers(heads.begin()[column]);
     if (is_cell) ++column;
     const bool is_marked = is_number && rows.starts_with("<td>");
     marked += is_marked ? "<td class=\"number\">" : rows.substr(0, 1);
@@ -66,8 +67,8 @@ std::string html_list(std::string_view css_class, const std::vector<std::string>
 std::string html_table(std::initializer_list<std::string_view> heads, const std::string& rows) {
   std::string table = "<table><thead><tr>";
   for (const std::string_view head : heads) {
-    table += is_of_numbers(head) ? fmt::format("<th class=\"number\">{}</th>", head.substr(1))
-                                 : fmt::format("<th>{}</th>", head);
+    table += is_head_of_numbers(head) ? fmt::format("<th class=\"number\">{}</th>", head.substr(1))
+                                      : fmt::format("<th>{}</th>", head);
   }
   return table + "</tr></thead>\n<tbody>" + with_numbers_marked(rows, heads) + "</tbody></table>\n";
 }
