@@ -209,8 +209,8 @@ TEST(Analysis, RealRatingsOfThirtyWalksAreTooDisputedForTheUsualThresholds) {
   EXPECT_GE(kept, 3);
   EXPECT_EQ(a.clusters.size(), 4u);
   for (const Agreement& agreement : a.agreements) {
-    EXPECT_GT(agreement.answers_per_stimulus, 14.0);
-    EXPECT_LT(agreement.icc_1_k, 1.0);
+    EXPECT_GT(agreement.all.answers_per_stimulus, 14.0);
+    EXPECT_LT(agreement.all.one_k, 1.0);
   }
 }
 
