@@ -57,8 +57,8 @@ fs::path mien_with_pages(const fs::path& folder) {
     std::ofstream(page / (name + ".js")) << "start();";
   }
   for (const fs::path& part :
-       {fs::path(MIEN_PROGRAM), program_part("mien-image-files.so"), program_part("mien-pages.so"),
-        program_part("mien-video-files.so")}) {
+       {fs::path(MIEN_PROGRAM), program_part("mien-study"), program_part("mien-image-files.so"),
+        program_part("mien-pages.so"), program_part("mien-video-files.so")}) {
     std::error_code other_disk;
     fs::create_hard_link(part, folder / part.filename(), other_disk);
     if (other_disk) fs::copy_file(part, folder / part.filename());

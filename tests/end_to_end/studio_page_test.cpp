@@ -70,15 +70,17 @@ class StudioAtWork : public testing::Test {
 
 /// Pages that stand for those that Node.js builds.
 fs::path mien_with_studio_page(const fs::path& folder) {
-  const fs::path program = folder / "mien";
   fs::create_directories(folder / "pages/studio");
   std::ofstream(folder / "pages/studio/index.html")
       << "<!doctype html><meta name=\"mien-mode\" content=\"static\"><title>stand-in</title>";
   std::ofstream(folder / "pages/studio/studio.js") << "start();";
-  std::error_code other_disk;
-  fs::create_hard_link(MIEN_PROGRAM, program, other_disk);
-  if (other_disk) fs::copy_file(MIEN_PROGRAM, program);
-  return program;
+  for (const char* part : {"mien", "mien-study"}) {
+    const fs::path built = fs::path(MIEN_PROGRAM).parent_path() / part;
+    std::error_code other_disk;
+    fs::create_hard_link(built, folder / part, other_disk);
+    if (other_disk) fs::copy_file(built, folder / part);
+  }
+  return folder / "mien";
 }
 
 TEST_F(StudioAtWork, IsReachedByItsLinkAloneAndEndsWhenTold) {

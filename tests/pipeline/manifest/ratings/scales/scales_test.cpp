@@ -61,8 +61,9 @@ TEST(Scales, RefuseWithEveryFaultAndItsPlace) {
       "s.yaml:6:3: groups.b: a scale has the same name; name the group otherwise\n"
       "s.yaml:6:19: groups.b.scales[1]: unknown scale \"bb\"; did you mean \"b\"?");
   EXPECT_EQ(refusal("scales: {a: {low: x, hihg: y}}\n"),
-            "s.yaml:1:13: scales.a.high: missing; add it, for example high: extraverted\n"
             "s.yaml:1:22: scales.a.hihg: unknown key; did you mean \"high\"?");
+  EXPECT_EQ(refusal("scales: {a: {low: x}}\n"),
+            "s.yaml:1:13: scales.a.high: missing; add it, for example high: extraverted");
 }
 
 }  // namespace
