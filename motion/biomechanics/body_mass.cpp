@@ -1,6 +1,5 @@
 #include "motion/biomechanics/body_mass.h"
 
-#include <array>
 #include <cassert>
 
 #include "motion/skeleton/body.h"

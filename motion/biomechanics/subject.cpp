@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "motion/gait/contact.h"
-#include "motion/skeleton/straighten.h"
 
 namespace mien::motion {
 

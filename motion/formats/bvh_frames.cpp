@@ -1,7 +1,6 @@
 #include "motion/formats/bvh_frames.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>

@@ -2,7 +2,6 @@
 #include <array>
 #include <cassert>
 #include <charconv>
-#include <cmath>
 
 #include "motion/formats/bvh.h"
 #include "motion/formats/bvh_rotation.h"

@@ -1,7 +1,6 @@
 #include "motion/formats/gltf_meshopt.h"
 
 #include <array>
-#include <cstdint>
 #include <span>
 
 #include <meshoptimizer.h>

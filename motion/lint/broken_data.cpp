@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"

@@ -4,7 +4,6 @@
 #include "motion/biomechanics/joint_angles.h"
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"
-#include "motion/math/rotation.h"
 
 namespace mien::motion {
 

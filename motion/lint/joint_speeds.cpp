@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "motion/lint/checks.h"
 #include "motion/lint/stretches.h"

@@ -1,7 +1,6 @@
 #include "motion/math/state_space.h"
 
 #include <algorithm>
-#include <limits>
 
 #include <Eigen/Eigenvalues>
 

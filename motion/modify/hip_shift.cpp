@@ -1,7 +1,6 @@
 #include "motion/modify/hip_shift.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -9,7 +8,6 @@
 #include "motion/gait/foot_path.h"
 #include "motion/math/filter.h"
 #include "motion/skeleton/sole.h"
-#include "motion/skeleton/straighten.h"
 
 namespace mien::motion {
 

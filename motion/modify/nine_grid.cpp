@@ -1,7 +1,6 @@
 #include "motion/modify/nine_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 

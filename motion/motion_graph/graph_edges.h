@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "motion/motion_graph/distance_minima.h"
 #include "motion/motion_graph/motion_graph.h"

@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "motion/error.h"
 #include "motion/interpolation/time_warp.h"

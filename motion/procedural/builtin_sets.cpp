@@ -1,7 +1,5 @@
 #include "motion/procedural/builtin_sets.h"
 
-#include <utility>
-
 #include "motion/modify/posture.h"
 #include "motion/procedural/acted_walks.h"
 #include "motion/procedural/expressive_walks.h"

@@ -1,8 +1,5 @@
 #include "motion/rig/calibration.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "motion/math/rotation.h"
 #include "motion/rig/measured_calibration.h"
 #include "motion/rig/proportions.h"

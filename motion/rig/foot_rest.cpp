@@ -1,7 +1,6 @@
 #include "motion/rig/foot_rest.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "motion/math/percentile.h"
 

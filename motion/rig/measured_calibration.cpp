@@ -1,6 +1,5 @@
 #include "motion/rig/measured_calibration.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 

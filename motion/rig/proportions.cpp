@@ -1,8 +1,5 @@
 #include "motion/rig/proportions.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "motion/math/percentile.h"
 #include "motion/math/rotation.h"
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <string_view>
-#include <vector>
 
 #include "motion/math/geometry.h"
 #include "motion/skeleton/skeleton.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "motion/error.h"
 #include "motion/interpolation/blend.h"

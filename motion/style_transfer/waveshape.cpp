@@ -1,6 +1,5 @@
 #include "motion/style_transfer/waveshape.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/production/synthesis/motion_record.h"

@@ -1,6 +1,5 @@
 #include "pipeline/farm/trouble_words.h"
 
-#include <csignal>
 #include <cstring>
 
 #include <fmt/format.h>

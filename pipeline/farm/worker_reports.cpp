@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 #include <tuple>
 
 #include <nlohmann/json.hpp>

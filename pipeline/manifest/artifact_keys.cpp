@@ -1,6 +1,5 @@
 #include "pipeline/manifest/artifact_keys.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <variant>

@@ -1,7 +1,6 @@
 #include "pipeline/manifest/manifest_builder.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "pipeline/base/reading/field_reader.h"

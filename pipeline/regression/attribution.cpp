@@ -1,8 +1,6 @@
 #include "pipeline/regression/attribution.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 #include <fmt/format.h>

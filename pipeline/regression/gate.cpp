@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "motion/math/rotation.h"
 #include "motion/measures/differences/motion_tolerance.h"
 #include "motion/measures/distance/body_part.h"
 #include "pipeline/manifest/own_seed.h"

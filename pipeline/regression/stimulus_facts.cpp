@@ -1,6 +1,5 @@
 #include "pipeline/regression/stimulus_facts.h"
 
-#include "pipeline/manifest/example_files.h"
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/regression/settings.h"
 

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "motion/math/rotation.h"
 #include "motion/measures/differences/motion_tolerance.h"
 #include "pipeline/regression/comparison/told_apart.h"
 

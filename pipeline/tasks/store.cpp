@@ -1,7 +1,6 @@
 #include "pipeline/tasks/store.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/disk_fault.h"

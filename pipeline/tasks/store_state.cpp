@@ -1,6 +1,5 @@
 #include "pipeline/tasks/store_state.h"
 
-#include <cerrno>
 #include <cstdio>
 #include <optional>
 #include <system_error>

@@ -1,7 +1,5 @@
 #include "render/image_files/picture_limits.h"
 
-#include <algorithm>
-
 #include "render/error.h"
 
 namespace mien::render {

@@ -1,7 +1,6 @@
 #include "render/math/filter.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace mien::render {

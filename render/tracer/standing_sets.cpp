@@ -1,7 +1,5 @@
 #include "render/tracer/standing_sets.h"
 
-#include <utility>
-
 namespace mien::render {
 
 StandingSets::Lent StandingSets::lend(const std::string& name,

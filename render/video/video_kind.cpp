@@ -1,6 +1,5 @@
 #include "render/video/video_kind.h"
 
-#include <algorithm>
 #include <string>
 
 namespace mien::render {

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 
 #include "motion/formats/gltf_accessor.h"
 #include "scenes/character/character_file.h"

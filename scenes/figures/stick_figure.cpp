@@ -1,7 +1,5 @@
 #include "scenes/figures/stick_figure.h"
 
-#include <array>
-
 namespace mien::scenes {
 
 namespace {

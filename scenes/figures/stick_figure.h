@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "motion/skeleton/clip.h"
 #include "render/scene/scene.h"
 #include "scenes/figures/figure_colour.h"

@@ -1,7 +1,6 @@
 #include "scenes/mannequin/mannequin.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "scenes/mannequin/largest_piece.h"
 #include "scenes/mannequin/mannequin_paint.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "motion/skeleton/body.h"
 #include "scenes/mannequin/mannequin_landmarks.h"

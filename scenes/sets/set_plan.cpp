@@ -1,7 +1,6 @@
 #include "scenes/sets/set_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "scenes/sets/box_mesh.h"

@@ -1,8 +1,5 @@
-#include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>

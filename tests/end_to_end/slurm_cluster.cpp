@@ -1,6 +1,5 @@
 #include "end_to_end/slurm_cluster.h"
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "pipeline/base/documents/fault.h"
-#include "pipeline/manifest/checks/manifest_checks.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/manifest/checks/name_checks.h"
 #include "pipeline/manifest/ratings/scales/scales.h"

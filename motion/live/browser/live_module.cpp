@@ -2,11 +2,8 @@
 // core a module; texts are UTF-8, with their length. Functions that answer 1 have made an answer,
 // those that answer 0 an error in plain words: live_result() and live_result_size() give either.
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "motion/live/live_answer.h"
 #include "motion/live/live_bundle.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "motion/error.h"
-#include "motion/rig/rig_names.h"
+#include "motion/rig/joint_word.h"
 
 namespace mien::motion {
 

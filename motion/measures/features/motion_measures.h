@@ -1,8 +1,6 @@
 #pragma once
 
 #include <array>
-#include <string_view>
-#include <vector>
 
 #include "motion/skeleton/example.h"
 

@@ -1,6 +1,5 @@
 #include "pipeline/base/statistics/agreement.h"
 
-#include <cmath>
 #include <limits>
 
 namespace mien::pipeline {

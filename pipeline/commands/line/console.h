@@ -2,7 +2,6 @@
 
 #include <ostream>
 #include <stop_token>
-#include <string>
 
 #include "pipeline/commands/line/command.h"
 

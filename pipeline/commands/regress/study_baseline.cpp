@@ -1,7 +1,6 @@
 #include "pipeline/commands/regress/study_baseline.h"
 
 #include <chrono>
-#include <utility>
 
 #include "motion/text/shell_word.h"
 #include "pipeline/base/documents/fault.h"

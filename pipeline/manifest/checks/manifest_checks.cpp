@@ -1,8 +1,5 @@
 #include "pipeline/manifest/checks/manifest_checks.h"
 
-#include <string>
-#include <utility>
-
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/examples_checks.h"
 #include "pipeline/manifest/checks/film_checks.h"

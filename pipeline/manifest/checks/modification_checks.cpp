@@ -1,6 +1,5 @@
 #include "pipeline/manifest/checks/modification_checks.h"
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>

@@ -1,6 +1,5 @@
 #include "pipeline/production/archive/pack.h"
 
-#include <algorithm>
 #include <fstream>
 #include <map>
 #include <set>

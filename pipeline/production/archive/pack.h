@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "pipeline/production/archive/bag.h"

@@ -2,8 +2,6 @@
 
 #include <filesystem>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_presentation.h"

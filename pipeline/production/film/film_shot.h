@@ -3,8 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/clips/finished_motions.h"

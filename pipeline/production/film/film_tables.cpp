@@ -1,7 +1,5 @@
 #include "pipeline/production/film/film_tables.h"
 
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"

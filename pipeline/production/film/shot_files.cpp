@@ -2,8 +2,6 @@
 
 #include <cstddef>
 #include <numeric>
-#include <system_error>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #include "pipeline/production/report/lint_timeline.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "pipeline/production/report/study_tasks.h"
 
 #include <stdexcept>
-#include <utility>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/artifact_keys.h"

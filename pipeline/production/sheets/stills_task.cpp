@@ -1,7 +1,6 @@
 #include "pipeline/production/sheets/stills_task.h"
 
 #include <string>
-#include <utility>
 
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_shot.h"

@@ -1,6 +1,5 @@
 #include "pipeline/production/synthesis/adjective_moods.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "motion/interpolation/interpolation.h"

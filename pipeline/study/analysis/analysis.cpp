@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "motion/error.h"
 #include "pipeline/study/analysis/cluster_names.h"
 
 namespace mien::pipeline {

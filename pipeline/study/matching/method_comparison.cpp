@@ -1,9 +1,7 @@
 #include "pipeline/study/matching/method_comparison.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "pipeline/study/questionnaire/balance.h"
 
 #include <algorithm>
-#include <set>
 
 #include <fmt/format.h>
 

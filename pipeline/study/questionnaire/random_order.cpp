@@ -1,6 +1,5 @@
 #include "pipeline/study/questionnaire/random_order.h"
 
-#include <algorithm>
 #include <cassert>
 #include <numeric>
 #include <utility>

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "pipeline/manifest/questionnaire.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 

@@ -1,6 +1,5 @@
 #include "pipeline/study/results/axis_correlations.h"
 
-#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "pipeline/study/results/confusion.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>

@@ -1,6 +1,5 @@
 #include "pipeline/study/results/reliability.h"
 
-#include <cmath>
 #include <limits>
 
 #include <Eigen/Core>

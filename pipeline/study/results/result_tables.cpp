@@ -1,6 +1,5 @@
 #include "pipeline/study/results/result_tables.h"
 
-#include <array>
 #include <cmath>
 #include <utility>
 

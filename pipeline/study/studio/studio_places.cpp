@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <system_error>
-#include <utility>
 
 #include "motion/formats/motion_file.h"
 

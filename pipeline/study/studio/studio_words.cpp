@@ -1,6 +1,5 @@
 #include "pipeline/study/studio/studio_words.h"
 
-#include <filesystem>
 #include <string>
 
 #include "motion/modify/posture.h"

@@ -12,7 +12,6 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/rig_motion.h"
 #include "motion/skeleton/floor.h"
-#include "motion/skeleton/straighten.h"
 
 #include "real_data.h"
 

@@ -1,7 +1,6 @@
 #include "motion/formats/bvh.h"
 
 #include <array>
-#include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>

@@ -11,7 +11,6 @@
 #include "motion/error.h"
 #include "motion/formats/gltf.h"
 #include "motion/gltf_text.h"
-#include "motion/math/rotation.h"
 #include "motion/random_recording.h"
 #include "motion/refusal.h"
 

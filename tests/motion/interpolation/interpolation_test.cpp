@@ -1,7 +1,6 @@
 #include "motion/interpolation/interpolation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <random>
 

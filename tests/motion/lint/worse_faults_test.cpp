@@ -1,4 +1,3 @@
-#include <array>
 #include <functional>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 #include "motion/live/live_core.h"
 
-#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include "motion/gait/contact.h"
 #include "motion/procedural/walker.h"
 #include "motion/skeleton/mirror.h"
-#include "motion/skeleton/straighten.h"
 
 namespace mien::motion {
 namespace {

@@ -1,7 +1,6 @@
 #include "motion/motion_graph/point_cloud.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 

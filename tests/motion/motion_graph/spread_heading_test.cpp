@@ -1,8 +1,6 @@
 #include "motion/motion_graph/spread_heading.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <gtest/gtest.h>
 

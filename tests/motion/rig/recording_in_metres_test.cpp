@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/formats/gltf.h"
 #include "motion/other_rigs.h"
 #include "motion/random_recording.h"
 #include "motion/synthetic_walk.h"

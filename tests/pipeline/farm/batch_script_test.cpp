@@ -1,10 +1,8 @@
 #include "pipeline/farm/batch_script.h"
 
 #include <chrono>
-#include <csignal>
 #include <fstream>
 #include <iterator>
-#include <thread>
 
 #include <gtest/gtest.h>
 #include <unistd.h>

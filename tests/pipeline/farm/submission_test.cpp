@@ -1,6 +1,5 @@
 #include "pipeline/farm/submission.h"
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 

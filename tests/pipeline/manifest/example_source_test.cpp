@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "pipeline/base/documents/files.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {

@@ -1,7 +1,5 @@
 #include "pipeline/regression/approval.h"
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/files.h"

@@ -1,6 +1,5 @@
 #include "pipeline/regression/mutations.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "motion/skeleton/body.h"

@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/regression/report/regression_texts.h"
-
 namespace mien::pipeline {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "pipeline/regression/report/regression_report.h"
 
-#include <fstream>
 #include <regex>
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <barrier>
 #include <chrono>
-#include <mutex>
 #include <stdexcept>
 #include <thread>
 

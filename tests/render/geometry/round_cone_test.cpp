@@ -1,7 +1,6 @@
 #include "render/geometry/round_cone.h"
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,5 @@
 #include "render/image/luminance.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 namespace mien::render {

@@ -2,8 +2,6 @@
 
 #include "render/light/shading.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 namespace mien::render {

@@ -1,7 +1,6 @@
 #include "render/video/colour_table.h"
 
 #include <cmath>
-#include <set>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 #include "render/video/yuv.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>

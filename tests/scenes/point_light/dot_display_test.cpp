@@ -6,7 +6,6 @@
 
 #include "render/image/tone.h"
 #include "render/tracer/tracer.h"
-#include "scenes/figures/hex_colour.h"
 
 namespace mien::scenes {
 namespace {

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
-#include "scenes/point_light/dot_joints.h"
 #include "scenes/stage/shot.h"
 #include "scenes/stage/travel.h"
 #include "scenes/walking_clip.h"

@@ -1,7 +1,6 @@
 #include "scenes/skinning/skinned_glb.h"
 
 #include <random>
-#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>

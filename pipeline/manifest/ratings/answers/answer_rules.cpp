@@ -1,7 +1,6 @@
 #include "pipeline/manifest/ratings/answers/answer_rules.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>

@@ -1,7 +1,6 @@
 #include "pipeline/manifest/ratings/answers/unknown_names.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
 #include "pipeline/study/matching/experiment/simulated_matching.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "pipeline/study/results/figures/difference_figures.h"
 
-#include <cmath>
 #include <map>
 #include <tuple>
 

@@ -1,6 +1,5 @@
 #include "pipeline/study/results/report/page_tables.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "motion/measures/differences/feature_change.h"
 
-#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>

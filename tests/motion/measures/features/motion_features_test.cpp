@@ -9,7 +9,6 @@
 
 #include "motion/examples/example_set.h"
 #include "motion/gait/gait.h"
-#include "motion/math/rotation.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/procedural/walker.h"
 #include "motion/skeleton/mirror.h"

@@ -1,6 +1,5 @@
 #include "pipeline/base/documents/p_value.h"
 
-#include <cmath>
 #include <cstdlib>
 
 #include <gtest/gtest.h>

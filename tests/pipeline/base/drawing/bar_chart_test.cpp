@@ -1,7 +1,5 @@
 #include "pipeline/base/drawing/bar_chart.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "pipeline/plot_texts.h"

@@ -1,7 +1,6 @@
 #include "pipeline/base/statistics/agreement.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // Every statistic against what R says of the same numbers: reference/reference.R.
 
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>

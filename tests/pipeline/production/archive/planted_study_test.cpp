@@ -3,7 +3,6 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/planted_names.h"
-#include "pipeline/production/archive/extra_files.h"
 #include "pipeline/production/archive/keep.h"
 #include "pipeline/production/archive/made_study.h"
 #include "pipeline/production/archive/not_kept.h"

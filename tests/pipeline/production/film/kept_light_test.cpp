@@ -13,7 +13,6 @@
 #include "pipeline/tasks/receipt.h"
 #include "pipeline/tasks/task_graph.h"
 #include "pipeline/temporary_folder.h"
-#include "render/error.h"
 #include "scenes/sets/set_plan.h"
 
 namespace mien::pipeline {

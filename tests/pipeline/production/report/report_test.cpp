@@ -1,6 +1,5 @@
 #include "pipeline/production/report/report.h"
 
-#include <algorithm>
 #include <regex>
 #include <set>
 #include <vector>

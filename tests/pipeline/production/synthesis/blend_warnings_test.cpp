@@ -1,7 +1,6 @@
 #include "pipeline/production/synthesis/blend_warnings.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -9,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/error.h"
 #include "motion/examples/make_example.h"
 #include "motion/formats/motion_file.h"
 #include "motion/gait/contact.h"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/procedural/builtin_sets.h"
 #include "motion/skeleton/body.h"
 
 namespace mien::pipeline {

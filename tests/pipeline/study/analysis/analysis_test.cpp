@@ -7,7 +7,6 @@
 
 #include "motion/error.h"
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/ratings/answers/impression_table.h"
 #include "pipeline/study/analysis/analysis_report.h"
 #include "pipeline/study/analysis/analysis_tables.h"

@@ -1,6 +1,5 @@
 #include "pipeline/study/questionnaire/frozen_design.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>

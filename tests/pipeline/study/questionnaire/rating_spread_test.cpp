@@ -1,7 +1,5 @@
 #include "pipeline/study/questionnaire/rating_spread.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "motion/error.h"

@@ -1,7 +1,5 @@
 #include "pipeline/manifest/ratings/answers/expectation.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 namespace mien::pipeline {

@@ -1,6 +1,5 @@
 #include "pipeline/manifest/ratings/answers/word_answers.h"
 
-#include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>

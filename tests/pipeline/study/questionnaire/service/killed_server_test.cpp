@@ -1,7 +1,6 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <map>
 #include <thread>
 
 #include <gtest/gtest.h>

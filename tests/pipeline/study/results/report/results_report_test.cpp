@@ -1,7 +1,6 @@
 #include "pipeline/study/results/report/results_report.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
