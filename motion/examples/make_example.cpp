@@ -6,7 +6,6 @@
 
 #include "motion/error.h"
 #include "motion/gait/loop.h"
-#include "motion/gait/seam_cost.h"
 #include "motion/math/filter.h"
 #include "motion/math/peaks.h"
 #include "motion/skeleton/floor.h"

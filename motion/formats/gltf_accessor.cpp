@@ -67,57 +67,34 @@ T value_at(const unsigned char* bytes) {
   return value;
 }
 
-/// A number as it stands.
-double plain_number_at(const unsigned char* bytes, int type) {
-  switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
-      return value_at<float>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return value_at<std::int8_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return *bytes;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return value_at<std::int16_t>(bytes);
-    default:
-      return value_at<std::uint16_t>(bytes);
-  }
-}
-
-/// The largest number of an integer type, which stands for 1 where integers are normalised.
-double largest_of(int type) {
-  switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return 127.0;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return 255.0;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return 32767.0;
-    default:
-      return 65535.0;
-  }
+/// An integer as it stands, or where integers are normalised as a share of the largest of its type.
+template <typename T>
+double integer_at(const unsigned char* bytes, bool normalized) {
+  const double number = value_at<T>(bytes);
+  return normalized ? std::max(number / std::numeric_limits<T>::max(), -1.0) : number;
 }
 
 double number_at(const unsigned char* bytes, const tinygltf::Accessor& accessor) {
-  const int type = accessor.componentType;
-  const double number = plain_number_at(bytes, type);
-  if (!accessor.normalized || type == TINYGLTF_COMPONENT_TYPE_FLOAT) return number;
-  return std::max(number / largest_of(type), -1.0);
+  switch (accessor.componentType) {
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      return value_at<float>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return integer_at<std::int8_t>(bytes, accessor.normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return integer_at<std::uint8_t>(bytes, accessor.normalized);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return integer_at<std::int16_t>(bytes, accessor.normalized);
+    default:
+      return integer_at<std::uint16_t>(bytes, accessor.normalized);
+  }
 }
 
 /// Bytes of one number, or 0 when the accessor's type is not one that animations have.
 size_t size_of_number(const tinygltf::Accessor& accessor) {
-  switch (accessor.componentType) {
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
-      return 4;
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return 2;
-    default:
-      return 0;
-  }
+  const auto type = static_cast<std::uint32_t>(accessor.componentType);
+  const int size = tinygltf::GetComponentSizeInBytes(type);
+  const bool is_small = size == 1 || size == 2;
+  return is_small || type == TINYGLTF_COMPONENT_TYPE_FLOAT ? static_cast<size_t>(size) : 0;
 }
 
 size_t components_of(const tinygltf::Accessor& accessor) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "motion/skeleton/joint_transform.h"
+#include "motion/skeleton/pose.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {

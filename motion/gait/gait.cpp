@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "motion/gait/loop.h"
-#include "motion/gait/seam_cost.h"
 #include "motion/gait/stride.h"
 #include "motion/math/percentile.h"
 #include "motion/math/rotation.h"
-#include "motion/skeleton/joint_transform.h"
+#include "motion/skeleton/pose.h"
 
 namespace mien::motion {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "motion/interpolation/distinct_parameters.h"
+#include "motion/interpolation/parameter_table.h"
 
 namespace mien::motion {
 

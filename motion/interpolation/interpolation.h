@@ -9,10 +9,10 @@
 
 #include "motion/interpolation/blend.h"
 #include "motion/interpolation/cardinal_basis.h"
-#include "motion/interpolation/distinct_parameters.h"
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/interpolation/kriging.h"
 #include "motion/interpolation/nearest_neighbours.h"
+#include "motion/interpolation/parameter_table.h"
 #include "motion/interpolation/reach.h"
 #include "motion/interpolation/statistical_model.h"
 #include "motion/interpolation/weight_grid.h"

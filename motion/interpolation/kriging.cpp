@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "motion/interpolation/distinct_parameters.h"
+#include "motion/interpolation/parameter_table.h"
 #include "motion/math/singular_values.h"
 
 namespace mien::motion {

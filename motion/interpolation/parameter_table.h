@@ -8,6 +8,28 @@
 
 namespace mien::motion {
 
+/// Places in parameter space at which examples stand. Examples nearer than 1e-6 to one another
+/// share a place: no interpolation can reproduce both.
+struct DistinctParameters {
+  Eigen::MatrixXd places;             ///< one row a place (K × M)
+  std::vector<int> place_of_example;  ///< N entries
+  std::vector<int> sharers;           ///< examples a place; K entries
+};
+
+/// `example_parameters`: one row an example (N × M). Places are in the order of their first
+/// examples.
+DistinctParameters distinct_parameters(const Eigen::MatrixXd& example_parameters);
+
+/// Weights of examples from weights of places: those who share a place share its weight equally.
+Eigen::VectorXd by_example(const DistinctParameters& distinct, const Eigen::VectorXd& by_place);
+
+/// Singular values below this share of the largest are directions in which nothing spreads.
+inline constexpr double singular_share = 1e-8;
+
+/// Directions in which the rows spread: the number of singular values of the centred matrix above
+/// that share. 0 for one row.
+int spread_rank(const Eigen::MatrixXd& places);
+
 /// Parameters that motions can be made from, and where the examples lie on them: one row each,
 /// values 0…1 at the examples. Whether people's ratings or measures of the motions are behind them
 /// is of no concern to whoever makes motions.

@@ -59,16 +59,10 @@ struct ContactFault {
 void add_fault(const LintSubject& subject, const Levels& levels, const ContactFault& fault,
                Findings& findings) {
   if (!(fault.seconds > levels.warning)) return;
-  const bool is_error = fault.seconds > levels.error;
-  Finding finding;
-  finding.check = "contact-timing";
+  Finding finding = graded("contact-timing", fault.seconds, "s", levels);
   finding.joint = name_of(fault.expected.left ? LeftAnkle : RightAnkle);
   finding.first = static_cast<int>(std::lround(fault.expected.first));
   finding.last = static_cast<int>(std::lround(fault.expected.last));
-  finding.measured = fault.seconds;
-  finding.threshold = is_error ? levels.error : levels.warning;
-  finding.unit = "s";
-  finding.severity = is_error ? Severity::error : Severity::warning;
   finding.sentence =
       std::string("The ") + (fault.expected.left ? "left" : "right") + " foot " + fault.what;
   add_finding(findings, subject, std::move(finding));

@@ -66,15 +66,9 @@ double largest_slide(const LintSubject& subject) {
 }
 
 Finding drift_of(int first, int last, double measured, const Levels& levels) {
-  const bool is_error = measured > levels.error;
-  Finding finding;
-  finding.check = "drift";
+  Finding finding = graded("drift", measured, "m", levels);
   finding.first = first;
   finding.last = last;
-  finding.measured = measured;
-  finding.threshold = is_error ? levels.error : levels.warning;
-  finding.unit = "m";
-  finding.severity = is_error ? Severity::error : Severity::warning;
   return finding;
 }
 

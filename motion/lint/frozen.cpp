@@ -69,15 +69,9 @@ Findings find_frozen(const LintSubject& subject, const LintSubject* original) {
   for (const FrozenFrames& frames : frozen_frames(subject)) {
     const double seconds = seconds_of(frames, subject);
     if (!(seconds > levels.warning)) continue;
-    const bool is_error = seconds > levels.error;
-    Finding finding;
-    finding.check = "frozen";
+    Finding finding = graded("frozen", seconds, "s", levels);
     finding.first = frames.first;
     finding.last = frames.last;
-    finding.measured = seconds;
-    finding.threshold = is_error ? levels.error : levels.warning;
-    finding.unit = "s";
-    finding.severity = is_error ? Severity::error : Severity::warning;
     finding.sentence = "Nothing moves for " + rounded(seconds, 2) + " s: the recording is frozen.";
     add_finding(findings, subject, std::move(finding));
   }

@@ -80,38 +80,23 @@ std::vector<FootPlant> judged_plants(const LintSubject& subject, const LintSubje
   return plants;
 }
 
-std::string sentence_of(const FootPlant& plant, double slip) {
-  return std::string("The planted ") + (plant.left ? "left" : "right") + " foot slides by " +
-         rounded(100.0 * slip, 1) + " cm.";
-}
-
-void find_slips(const LintSubject& subject, const LintOptions& options, const LintSubject* original,
-                Findings& findings) {
-  const Levels levels = slip_levels(options, original);
-  for (const FootPlant& plant : judged_plants(subject, original)) {
-    const double slip = planted_slip(subject, plant) / subject.scale;
-    if (!(slip > levels.warning)) continue;
-    const bool is_error = slip > levels.error;
-    Finding finding;
-    finding.check = "foot-skate";
-    finding.joint = name_of(plant.left ? LeftAnkle : RightAnkle);
-    finding.first = plant.first;
-    finding.last = plant.last;
-    finding.measured = slip;
-    finding.threshold = is_error ? levels.error : levels.warning;
-    finding.unit = "m";
-    finding.severity = is_error ? Severity::error : Severity::warning;
-    finding.sentence = sentence_of(plant, slip);
-    add_finding(findings, subject, std::move(finding));
-  }
-}
-
 }  // namespace
 
 Findings find_skating_feet(const LintSubject& subject, const LintOptions& options,
                            const LintSubject* original) {
   Findings findings;
-  find_slips(subject, options, original, findings);
+  const Levels levels = slip_levels(options, original);
+  for (const FootPlant& plant : judged_plants(subject, original)) {
+    const double slip = planted_slip(subject, plant) / subject.scale;
+    if (!(slip > levels.warning)) continue;
+    Finding finding = graded("foot-skate", slip, "m", levels);
+    finding.joint = name_of(plant.left ? LeftAnkle : RightAnkle);
+    finding.first = plant.first;
+    finding.last = plant.last;
+    finding.sentence = std::string("The planted ") + (plant.left ? "left" : "right") +
+                       " foot slides by " + rounded(100.0 * slip, 1) + " cm.";
+    add_finding(findings, subject, std::move(finding));
+  }
   return findings;
 }
 

@@ -36,6 +36,18 @@ double worst_of(std::span<const double> values, int first, int last) {
 
 }  // namespace
 
+Finding graded(std::string_view check, double measured, const std::string& unit,
+               const Levels& levels) {
+  const bool is_error = measured > levels.error;
+  Finding finding;
+  finding.check = check;
+  finding.measured = measured;
+  finding.threshold = is_error ? levels.error : levels.warning;
+  finding.unit = unit;
+  finding.severity = is_error ? Severity::error : Severity::warning;
+  return finding;
+}
+
 void add_finding(std::vector<Finding>& findings, const LintSubject& subject, Finding finding) {
   const int start = subject.start;
   const int frames = subject.frames;

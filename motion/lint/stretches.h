@@ -34,6 +34,11 @@ struct MeasuredFault {
 void add_stretches(std::vector<Finding>& findings, const LintSubject& subject,
                    const MeasuredFault& fault, std::span<const double> values);
 
+/// A finding of what was measured, without frames and words: an error beyond the error level, else
+/// a warning.
+Finding graded(std::string_view check, double measured, const std::string& unit,
+               const Levels& levels);
+
 /// Adds a finding whose frames are those of the subject's clip, unless it lies in another lap of a
 /// loop than the middle one.
 void add_finding(std::vector<Finding>& findings, const LintSubject& subject, Finding finding);

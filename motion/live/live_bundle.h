@@ -11,7 +11,7 @@
 #include "motion/live/made_motion.h"
 #include "motion/measures/features/feature_scale.h"
 #include "motion/skeleton/example.h"
-#include "motion/skeleton/shown_clip.h"
+#include "motion/skeleton/straighten.h"
 
 namespace mien::motion {
 

@@ -4,6 +4,10 @@
 
 namespace mien::motion {
 
+/// An x ≥ 0 for which |A x − b| is least (Lawson & Hanson, Solving Least Squares Problems, 1974,
+/// chapter 23). The columns of A at which x is not 0 are linearly independent.
+Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
 // Weights of points that are ≥ 0 and sum to 1, chosen by what their weighted mean has to meet.
 
 /// Weights whose mean of the points (columns of a D × N matrix) lies nearest to `target`: on it

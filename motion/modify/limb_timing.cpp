@@ -6,7 +6,7 @@
 
 #include "motion/math/filter.h"
 #include "motion/modify/joint_curve.h"
-#include "motion/skeleton/joint_transform.h"
+#include "motion/skeleton/pose.h"
 
 namespace mien::motion {
 

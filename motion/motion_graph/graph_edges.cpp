@@ -4,7 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "motion/motion_graph/strong_components.h"
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/strong_components.hpp>
 
 namespace mien::motion {
 
@@ -50,12 +51,17 @@ void add_nodes_and_edges(MotionGraph& graph) {
   }
 }
 
-std::vector<std::vector<int>> nodes_reached(const MotionGraph& graph) {
-  std::vector<std::vector<int>> reached(graph.nodes.size());
+/// Number of the strongly connected component of each node: nodes of one reach each other.
+std::vector<int> strong_components(const MotionGraph& graph) {
+  using Ways = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
+  Ways ways(graph.nodes.size());
   for (const GraphEdge& edge : graph.edges) {
-    reached[static_cast<std::size_t>(edge.from)].push_back(edge.to);
+    add_edge(static_cast<std::size_t>(edge.from), static_cast<std::size_t>(edge.to), ways);
   }
-  return reached;
+  std::vector<int> component(graph.nodes.size());
+  boost::strong_components(
+      ways, boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, ways)));
+  return component;
 }
 
 /// The component with the most frames on edges within it, and how many they are.
@@ -112,7 +118,7 @@ int connect(MotionGraph& graph, std::span<const DistanceMinimum> minima, double 
     add_transition(graph, m.clip_b, m.frame_b, m.clip_a, m.frame_a, m.metres);
   }
   add_nodes_and_edges(graph);
-  const std::vector<int> component = strong_components(nodes_reached(graph));
+  const std::vector<int> component = strong_components(graph);
   const auto [number, frames] = largest_component(graph, component);
   std::vector<bool> kept;
   for (const int of_node : component) kept.push_back(of_node == number);

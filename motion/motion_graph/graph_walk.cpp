@@ -8,7 +8,7 @@
 #include "motion/error.h"
 #include "motion/gait/foot_lock.h"
 #include "motion/interpolation/blend.h"
-#include "motion/motion_graph/version_shares.h"
+#include "motion/motion_graph/walk_frames.h"
 #include "motion/steered_walk/carriage.h"
 
 namespace mien::motion {

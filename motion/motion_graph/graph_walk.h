@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -49,10 +48,5 @@ struct WalkHeadings {
 
 WalkHeadings headings_of(std::span<const MotionGraph> versions, const GraphWalk& walk,
                          std::span<const MoodFrom> moods, const GraphWalkOptions& options = {});
-
-/// A walk of at least so many seconds that chooses at the nodes at random, of the seed alone, and
-/// lets half a second pass between transitions where the clips go on for so long.
-/// Throws mien::Error for a duration that is not positive or more than an hour.
-GraphWalk random_walk(const MotionGraph& graph, double seconds, std::uint64_t seed);
 
 }  // namespace mien::motion

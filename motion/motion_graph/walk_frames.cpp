@@ -24,6 +24,21 @@ Quat turned_by(double turn) { return Quat(Eigen::AngleAxisd(turn, Vec3::UnitY())
 
 }  // namespace
 
+std::vector<double> shares_asked(std::span<const MoodFrom> moods, double seconds,
+                                 std::size_t versions) {
+  std::vector<double> shares(versions, 0.0);
+  shares.front() = 1.0;
+  for (const MoodFrom& from : moods) {
+    if (from.seconds > seconds && &from != &moods.front()) continue;
+    double sum = 0.0;
+    for (const double weight : from.moods) sum += weight;
+    for (std::size_t v = 0; v < versions; ++v) {
+      shares[v] = v < from.moods.size() ? from.moods[v] / sum : 0.0;
+    }
+  }
+  return shares;
+}
+
 double blend_share(int frame, int window) {
   const double p = (frame + 1.0) / (window + 1.0);
   return 2.0 * p * p * p - 3.0 * p * p + 1.0;

@@ -1,7 +1,6 @@
 #include "motion/procedural/builtin_sets.h"
 
 #include "motion/modify/posture.h"
-#include "motion/procedural/acted_walks.h"
 #include "motion/procedural/expressive_walks.h"
 #include "motion/procedural/knock.h"
 #include "motion/procedural/walker.h"

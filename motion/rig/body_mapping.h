@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "motion/rig/mapped_joint.h"
-#include "motion/rig/same_rig.h"
 #include "motion/skeleton/clip.h"
 #include "motion/skeleton/recording.h"
+#include "motion/skeleton/skeleton.h"
 
 namespace mien::motion {
 

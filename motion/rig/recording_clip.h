@@ -5,6 +5,11 @@
 
 namespace mien::motion {
 
+/// The recording on its own joints, but in metres and with +Y up, as glTF has it: a figure in
+/// centimetres would be a giant of 170 m to every viewer. Unit and axes are found as for drawing
+/// (`sketch`); what is no human stays as it is.
+Recording in_metres(Recording recording);
+
 /// A recording as a clip in metres, +Y up, on the floor: of the canonical body when the figure is
 /// human, else of the recording's own skeleton, so that it can be drawn at all.
 Clip clip_of(const Recording& recording);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "motion/math/rotation.h"
-#include "motion/skeleton/joint_transform.h"
+#include "motion/skeleton/pose.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {

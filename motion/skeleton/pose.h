@@ -30,4 +30,13 @@ std::vector<Vec3> world_positions(const Skeleton& skeleton, const Pose& pose);
 /// Slerp of the rotations and linear interpolation of the positions; t in [0, 1].
 Pose interpolate(const Pose& from, const Pose& to, double t);
 
+/// Where one joint is, and how it is turned, in world space.
+struct JointTransform {
+  Vec3 position;
+  Quat rotation;
+};
+
+/// The same as `world_transforms` has for the joint, from the joints above it alone.
+JointTransform world_transform(const Skeleton& skeleton, const Pose& pose, int joint);
+
 }  // namespace mien::motion

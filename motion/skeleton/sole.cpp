@@ -1,6 +1,6 @@
 #include "motion/skeleton/sole.h"
 
-#include "motion/skeleton/joint_transform.h"
+#include "motion/skeleton/pose.h"
 
 namespace mien::motion {
 

@@ -37,6 +37,11 @@ std::vector<Vec3> smooth_way(const Clip& clip) {
 
 }  // namespace
 
+Clip shown_clip(const Clip& clip, const Showing& showing) {
+  if (!clip.loops) return showing.in_place ? kept_in_place(clip) : clip;
+  return repeated(showing.in_place ? in_place(clip) : clip, showing.cycles);
+}
+
 Vec3 mean_direction(const Clip& clip) {
   const Vec3 travel = displacement(clip);
   if (travel.norm() > slowest_walk * clip.duration_seconds()) return travel.normalized();

@@ -4,6 +4,15 @@
 
 namespace mien::motion {
 
+/// What a video shows, and a clip file holds: a loop repeated, or in place.
+struct Showing {
+  int cycles = 3;  ///< of a loop
+  bool in_place = false;
+};
+
+/// A loop is repeated; another clip is shown once. In place, both stay where they begin.
+Clip shown_clip(const Clip& clip, const Showing& showing);
+
 /// Horizontal unit vector along which the clip walks as a whole: the way from its first to its last
 /// frame (a loop: its displacement) or, when that is slower than 0.1 m/s, where the pelvis faces on
 /// the average.

@@ -4,7 +4,7 @@
 #include "motion/math/rotation.h"
 #include "motion/procedural/upper_body.h"
 #include "motion/procedural/walker_legs.h"
-#include "motion/skeleton/joint_transform.h"
+#include "motion/skeleton/pose.h"
 #include "motion/steered_walk/steered_moment.h"
 
 namespace mien::motion {

@@ -1,11 +1,43 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
-#include "motion/steered_walk/fitted_gait.h"
+#include "motion/procedural/leg_cycle.h"
 
 namespace mien::motion {
+
+/// What `fit_swing` finds for a leg by search (leg_cycle.h).
+struct FittedSwing {
+  double knee_peak = 0.0;
+  double lift = 0.0;
+  double landing = 0.0;
+};
+
+/// A style fitted to a body: all that takes time to find, and nothing but numbers, so that gaits
+/// can be blended as they are played.
+struct FittedGait {
+  WalkStyle style;              ///< lengths of the body, not of 1.75 m
+  double mean_height_m = 0.0;   ///< of the pelvis joint
+  double passing_phase = 0.25;  ///< of the cycle after heel strike: the pelvis passes the print
+  double ahead_m = 0.0;         ///< of the print before the pelvis as it is passed
+  std::array<FittedSwing, 2> swings;  ///< left, right
+};
+
+/// The style on the body, as high and as well placed over its feet as the walker walks
+/// (stance_fit.h). Throws mien::Error when its steps are too long for the legs.
+FittedGait fit_gait(const WalkStyle& style, const Skeleton& body);
+
+/// Standing in the posture of the style: the weight lies over the middle of the feet.
+FittedGait fit_standing(const WalkStyle& style, const Skeleton& body);
+
+/// The mean of gaits by weights that sum to 1.
+FittedGait blended(std::span<const FittedGait> gaits, std::span<const double> weights);
+
+/// Both legs of the gait as they walk straight on at a speed: the swings continue the stances. The
+/// pelvis is at z = stride · phase (surge aside), the left foot strikes at phase 0.
+std::array<LegCycle, 2> legs_of(const FittedGait& gait, const Skeleton& body, double speed_m_s);
 
 /// A way of walking from standing to fast, all on one body: what is blended while it is played.
 struct MoodGaits {

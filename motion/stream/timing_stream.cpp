@@ -6,7 +6,7 @@
 
 #include "motion/modify/joint_curve.h"
 #include "motion/modify/nine_grid.h"
-#include "motion/skeleton/joint_transform.h"
+#include "motion/skeleton/pose.h"
 
 namespace mien::motion {
 

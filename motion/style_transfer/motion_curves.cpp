@@ -5,6 +5,7 @@
 
 #include "motion/error.h"
 #include "motion/interpolation/blend.h"
+#include "motion/math/filter.h"
 #include "motion/math/rotation.h"
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/straighten.h"
@@ -12,6 +13,9 @@
 namespace mien::motion {
 
 namespace {
+
+/// Styles change tempo no faster than this.
+constexpr double timing_cutoff_hz = 4.0;
 
 void require_curves(const Clip& clip) {
   if (!is_body(clip.body)) {
@@ -42,6 +46,28 @@ double way_share(bool loops, int frames, int frame) {
 }
 
 }  // namespace
+
+Eigen::MatrixXd with_closing_frame(const MotionCurves& curves) {
+  if (!curves.timing.loops) return curves.values;
+  Eigen::MatrixXd closed(curves.frame_count() + 1, curve_count);
+  closed << curves.values, curves.values.row(0);
+  return closed;
+}
+
+double frame_span(const MotionCurves& curves) {
+  return curves.timing.loops ? curves.frame_count() : curves.frame_count() - 1;
+}
+
+std::vector<double> smoothed_times(const std::vector<double>& times, const MotionCurves& from,
+                                   const MotionCurves& to) {
+  const double even = frame_span(to) / frame_span(from);
+  std::vector<double> ahead;
+  for (int i = 0; i < from.frame_count(); ++i) ahead.push_back(times[i] - even * i);
+  ahead = low_pass(ahead, timing_cutoff_hz, from.timing.frames_per_second,
+                   from.timing.loops ? SignalEnds::periodic : SignalEnds::open);
+  for (size_t i = 0; i < ahead.size(); ++i) ahead[i] += even * static_cast<double>(i);
+  return ahead;
+}
 
 Vec3 unwrapped(const Vec3& vector, const Vec3& previous) {
   const double angle = vector.norm();

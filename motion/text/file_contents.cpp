@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "motion/error.h"
-#include "motion/text/lfs_pointer.h"
 #include "motion/text/result_file.h"
 
 namespace mien::motion {

@@ -31,6 +31,11 @@ struct FileReading {
 /// Reads a regular file of at most so many bytes. Never waits for anybody to write.
 FileReading bytes_of_file(const std::filesystem::path& path, std::uintmax_t most_bytes);
 
+/// Whether a file's bytes are what git keeps in place of a large file (git LFS).
+inline bool is_lfs_pointer(std::string_view bytes) {
+  return bytes.starts_with("version https://git-lfs.github.com/spec/");
+}
+
 /// The bytes of a motion's or character's file. Throws mien::Error when something hinders reading
 /// it.
 std::string read_contents(const std::filesystem::path& path);

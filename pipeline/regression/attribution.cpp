@@ -3,16 +3,14 @@
 #include <array>
 #include <map>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace mien::pipeline {
 
 namespace {
 
 std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
-  return text;
+  return fmt::to_string(fmt::join(parts, "; "));
 }
 
 std::vector<std::string> changes_of(Aspect aspect, const std::vector<Setting>& before,
@@ -75,10 +73,6 @@ std::vector<std::string> lost(const StimulusStates& states, Aspect aspect) {
   return changes_of(aspect, states.approved.settings, states.then.settings);
 }
 
-double value(const Exchanged& set, const std::map<Exchanged, double>& errors) {
-  return errors.at(set);
-}
-
 using Member = bool Exchanged::*;
 
 constexpr std::array<Member, 3> members = {&Exchanged::motion, &Exchanged::scene,
@@ -112,7 +106,7 @@ double shapley(Member member, const Exchanged& can, const std::map<Exchanged, do
     with.*member = true;
     const int before = size_of(without);
     const double weight = factorial(before) * factorial(all - before - 1) / factorial(all);
-    sum += weight * (value(with, errors) - value(without, errors));
+    sum += weight * (errors.at(with) - errors.at(without));
   }
   return sum;
 }

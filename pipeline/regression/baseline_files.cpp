@@ -6,7 +6,6 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/json_depth.h"
-#include "motion/text/lfs_pointer.h"
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
@@ -181,28 +180,30 @@ std::string library_words(const Json::exception& error) {
   return end == std::string::npos ? text : text.substr(end + 2);
 }
 
+constexpr char keep_remedy[] =
+    "take it from where the baseline is kept (git checkout), or remove the folder and approve the "
+    "study again";
+
 /// Reads one document of a baseline and makes something of it.
 template <class Make>
 auto from_document(const fs::path& file, const Make& make) {
-  const std::string remedy =
-      "take it from where the baseline is kept (git checkout), or remove the folder and approve "
-      "the study again";
   const std::string hindrance = motion::hindrance_of(file, motion::most_of_document);
-  if (!hindrance.empty()) throw Error({file.string()}, hindrance, remedy);
+  if (!hindrance.empty()) throw Error({file.string()}, hindrance, keep_remedy);
   const std::string text = read_file(file);
   refuse_text(file, text);
   if (motion::is_nested_deeper(text, motion::deepest_document))
-    throw Error({file.string()}, "holds something else than a baseline does", remedy);
+    throw Error({file.string()}, "holds something else than a baseline does", keep_remedy);
   try {
     return make(Json::parse(text), text);
   } catch (const Json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     throw Error({file.string(), static_cast<int>(std::count(text.begin(), end, '\n')) + 1, 0},
-                "is cut off or damaged: no JSON from here on", remedy);
+                "is cut off or damaged: no JSON from here on", keep_remedy);
   } catch (const Json::exception& error) {
-    throw Error({file.string()}, "lacks what a baseline holds: " + library_words(error), remedy);
+    throw Error({file.string()}, "lacks what a baseline holds: " + library_words(error),
+                keep_remedy);
   } catch (const std::logic_error&) {  // no number where one should be
-    throw Error({file.string()}, "holds something else than a baseline does", remedy);
+    throw Error({file.string()}, "holds something else than a baseline does", keep_remedy);
   }
 }
 
@@ -216,10 +217,6 @@ std::string with_checksum(const Json& json) {
   const Hash hash = hash_of(text);
   return text + std::string(checksum_key) + hash + "\"\n}\n";
 }
-
-constexpr char keep_remedy[] =
-    "take it from where the baseline is kept (git checkout), or remove the folder and approve the "
-    "study again";
 
 /// Throws Error where the text is not the one that was written. One without checksum may be of mien
 /// 0.2, which had none.
@@ -236,8 +233,7 @@ void refuse_damage(const fs::path& file, const std::string& text, const Json& js
 /// What stands for a large file until git LFS fetches it.
 bool is_pointer(const fs::path& file) {
   constexpr std::uintmax_t most = 1024;
-  return fs::file_size(file) < most &&
-         read_file(file).starts_with("version https://git-lfs.github.com/spec/");
+  return fs::file_size(file) < most && motion::is_lfs_pointer(read_file(file));
 }
 
 /// Empty when a kept file is as it was approved.

@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <optional>
+#include <span>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/regression/settings.h"
@@ -34,9 +35,8 @@ std::string content_text(const SettingChange& change) {
   for (const auto& [name, content] : now.items()) {
     if (!before.contains(name)) texts.push_back(name + " is new");
   }
-  std::string text;
-  for (std::size_t i = 0; i < std::min(texts.size(), most_told); ++i)
-    text += (i == 0 ? "" : ", ") + texts[i];
+  const auto told = std::span(texts).first(std::min(texts.size(), most_told));
+  std::string text = fmt::to_string(fmt::join(told, ", "));
   if (texts.size() > most_told)
     text += " and " + std::to_string(texts.size() - most_told) + " more files";
   return change.path + (text.empty() ? " is another" : ": " + text);

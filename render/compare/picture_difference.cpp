@@ -6,8 +6,10 @@
 #include <cstdlib>
 
 #include "render/compare/picture_size.h"
+#include "render/image_files/image_files.h"
 
 namespace mien::render {
+
 namespace {
 
 /// Grows a window so that it holds a pixel.
@@ -58,6 +60,21 @@ PictureDifference picture_difference(const Image8& a, const Image8& b, double li
   found.differing_share = static_cast<double>(found.differing_pixels) / pixels;
   found.over_limit_share = static_cast<double>(found.pixels_over_limit) / pixels;
   return found;
+}
+
+LibraryDifference library_difference(const Image8& a, const Image8& b, double limit) {
+  expect_one_size(a, b);
+  const ImageComparison found = image_files().compare(
+      {a.width, a.height, ChannelKind::byte, a.channels.data()},
+      {b.width, b.height, ChannelKind::byte, b.channels.data()}, static_cast<float>(limit));
+  return {.mean = found.mean,
+          .rms = found.rms,
+          .psnr_db = found.psnr_db,
+          .largest = found.largest,
+          .x = found.x,
+          .y = found.y,
+          .channel = found.channel,
+          .failing_pixels = found.failing};
 }
 
 }  // namespace mien::render

@@ -9,10 +9,8 @@ namespace mien::render {
 /// values above 1 are allowed).
 using Film = Image<float>;
 
-/// The pixels of a window.
-Film cut_out(const Film& film, const Window& window);
-
-/// Likewise of a list with `stride` values a pixel, of a picture `width` pixels wide.
+/// The pixels of a window, of a list with `stride` values a pixel, of a picture `width` pixels
+/// wide.
 template <class Value>
 std::vector<Value> cut_out(const std::vector<Value>& values, int width, const Window& window,
                            std::size_t stride = 1) {
@@ -26,6 +24,15 @@ std::vector<Value> cut_out(const std::vector<Value>& values, int width, const Wi
     const auto count = static_cast<std::ptrdiff_t>(stride * static_cast<std::size_t>(window.width));
     cut.insert(cut.end(), values.begin() + row, values.begin() + row + count);
   }
+  return cut;
+}
+
+/// Likewise of a film.
+inline Film cut_out(const Film& film, const Window& window) {
+  Film cut;
+  cut.width = window.width;
+  cut.height = window.height;
+  cut.channels = cut_out(film.channels, film.width, window, 3);
   return cut;
 }
 

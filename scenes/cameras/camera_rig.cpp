@@ -8,7 +8,7 @@
 #include "motion/math/rotation.h"
 #include "scenes/cameras/camera_path.h"
 #include "scenes/cameras/framing.h"
-#include "scenes/figures/figure_height.h"
+#include "scenes/figures/figure.h"
 #include "scenes/sets/set_plan.h"
 
 namespace mien::scenes {

@@ -6,9 +6,14 @@
 #include <variant>
 #include <vector>
 
+#include "motion/skeleton/clip.h"
 #include "scenes/figures/point_light_options.h"
 
 namespace mien::scenes {
+
+/// How tall the figure is drawn, metres: the body's stature, or how far any other skeleton reaches
+/// from its root at first, and at least 0.2.
+double figure_height(const motion::Clip& clip);
 
 /// A round cone a bone and a sphere a joint.
 struct StickOptions {

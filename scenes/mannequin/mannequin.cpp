@@ -1,11 +1,13 @@
 #include "scenes/mannequin/mannequin.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "scenes/mannequin/largest_piece.h"
 #include "scenes/mannequin/mannequin_paint.h"
 #include "scenes/mannequin/mannequin_weights.h"
 #include "scenes/mannequin/surface_nets.h"
+#include "scenes/skinning/skinned_glb.h"
 
 namespace mien::scenes {
 
@@ -86,6 +88,20 @@ int part_of(const SkinnedMesh& mesh, const std::array<int, 3>& triangle) {
 }
 
 }  // namespace
+
+std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body) {
+  const std::vector<SkinnedMesh> meshes = {mannequin.mesh};
+  const std::vector<render::Material> materials = {mannequin_skin(0)};
+  SkinnedFigure figure{.bind = mannequin.bind,
+                       .meshes = meshes,
+                       .materials = materials,
+                       .textures = {&mannequin.paint}};
+  for (const motion::Joint& joint : body.joints) {
+    figure.body_joints.push_back(static_cast<int>(figure.joints.size()));
+    figure.joints.push_back(joint.name);
+  }
+  return skinned_glb(figure);
+}
 
 Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
                          const FigureColours& colours) {

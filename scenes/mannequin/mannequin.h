@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/pose.h"
 #include "render/scene/scene.h"
@@ -35,5 +37,10 @@ void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motio
 /// As above, as a mesh: material 0, parts the joints of the body.
 render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose);
+
+/// A mannequin that was made for that body as a GLB file (skinned_glb.h); its joints are the
+/// body's. Readers of glTF skin it linearly, so that wrists and shoulders that twist get a little
+/// thinner than in films. Throws Error.
+std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body);
 
 }  // namespace mien::scenes

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "motion/math/geometry.h"
-#include "scenes/figures/hex_colour.h"
+#include "scenes/figures/figure_colour.h"
 
 namespace mien::scenes {
 

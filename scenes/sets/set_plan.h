@@ -89,4 +89,7 @@ void add_walls(render::Scene& scene, const SetPlan& plan, const Place& place,
 void add_moving_ground(render::Scene& scene, const SetPlan& plan, const Place& place,
                        const motion::Vec3& way, const motion::Vec3& counted_at);
 
+/// The six faces of a box as triangles, flat, normals outwards.
+render::Mesh box_mesh(const Box& box, const Place& place, int material);
+
 }  // namespace mien::scenes

@@ -8,9 +8,10 @@
 #include <benchmark/benchmark.h>
 
 #include "motion/motion_graph/guided_walk.h"
+#include "motion/motion_graph/random_walk.h"
 #include "motion/procedural/affective_walk.h"
 #include "motion/steered_walk/live_walk.h"
-#include "motion/steered_walk/walker_motions.h"
+#include "motion/walker_motions.h"
 
 namespace {
 
@@ -23,7 +24,7 @@ std::vector<Clip> takes(double minutes) {
   std::size_t made = 0;
   for (double valence = -0.9; made < frames; valence += 0.15) {
     for (const Clip& take :
-         walker_motions(affective_walk(valence, 0.5 * valence), 30.0, standard_body())) {
+         test::walker_motions(affective_walk(valence, 0.5 * valence), 30.0, standard_body())) {
       if (made >= frames) break;
       clips.push_back(take);
       made += take.poses.size();
@@ -42,7 +43,8 @@ BENCHMARK(build)->Arg(1)->Arg(10)->Unit(benchmark::kSecond)->Iterations(1)->UseR
 
 void random_minute(benchmark::State& state) {
   const MotionGraph graph = motion_graph(takes(0.9));
-  for (auto _ : state) benchmark::DoNotOptimize(motion_of(graph, random_walk(graph, 60.0, 1)));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(motion_of(graph, test::random_walk(graph, 60.0, 1)));
 }
 BENCHMARK(random_minute)->Unit(benchmark::kMillisecond);
 

@@ -20,7 +20,7 @@ const std::set<std::string> writers = {"motion/text/result_file.cpp",
                                        "pipeline/tasks/frame_store.cpp",
                                        "pipeline/farm/submission_journal.cpp",
                                        "pipeline/study/studio/open_browser.cpp",
-                                       "pipeline/commands/motion/motion_sink.h"};
+                                       "pipeline/commands/motion/live_stream.h"};
 
 bool opens_for_writing(const std::string& text) {
   for (const char* words : {"std::ofstream", "O_CREAT", ", \"wb\")", ", \"w\")", ", \"ab\")"}) {

@@ -1,5 +1,6 @@
 #include "skinned_gltf.h"
 
+#include <cstdint>
 #include <cstring>
 
 #include "motion/math/rotation.h"

@@ -18,11 +18,10 @@ files='error.cpp
   measures/features/feature_scale.cpp measures/features/motion_feature_list.cpp measures/features/motion_features.cpp
   procedural/affective_walk.cpp procedural/builtin_styles.cpp
   procedural/expressive_walks.cpp procedural/foot_roll.cpp procedural/leg_cycle.cpp
-  procedural/pelvis_path.cpp procedural/stance_fit.cpp procedural/upper_body.cpp
+  procedural/stance_fit.cpp procedural/upper_body.cpp
   procedural/walk_curves.cpp procedural/walk_style.cpp procedural/walker.cpp
   procedural/walker_legs.cpp
-  steered_walk/carriage.cpp steered_walk/fitted_gait.cpp steered_walk/live_walk.cpp
-  steered_walk/paced_style.cpp steered_walk/steered_moment.cpp
+  steered_walk/carriage.cpp steered_walk/live_walk.cpp steered_walk/steered_moment.cpp
   steered_walk/steered_pose.cpp steered_walk/steered_walk.cpp
   steered_walk/step_plan.cpp steered_walk/stepping_leg.cpp
   steered_walk/walker_gaits.cpp'

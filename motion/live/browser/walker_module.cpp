@@ -3,18 +3,70 @@
 // walker_told_size() give an error in plain words.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "motion/live/walker_frame.h"
 #include "motion/skeleton/body.h"
+#include "motion/steered_walk/live_walk.h"
 
 namespace {
 
 using namespace mien::motion;
+
+std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.17g", value);
+  return text.data();
+}
+
+std::string vector_of(const Vec3& v) {
+  return "[" + number(v.x()) + "," + number(v.y()) + "," + number(v.z()) + "]";
+}
+
+/// "name":[one,one,…]
+template <class List, class Write>
+std::string listed(const std::string& name, const List& list, Write&& write) {
+  std::string text;
+  for (const auto& one : list) text += (text.empty() ? "" : ",") + write(one);
+  return quoted(name) + ":[" + text + "]";
+}
+
+/// What a page is told of a walker before it walks, as JSON: {"set", "moods": […], "body":
+/// {"names", "parents", "offsets", "tips"}}, metres; the body as LiveInfo of pages has it.
+std::string walker_info(const LiveWalk& walk, const std::string& set) {
+  const std::vector<Joint>& joints = walk.gaits.body.joints;
+  const std::string body =
+      listed("names", joints, [](const Joint& joint) { return quoted(joint.name); }) + "," +
+      listed("parents", joints, [](const Joint& joint) { return std::to_string(joint.parent); }) +
+      "," + listed("offsets", joints, [](const Joint& joint) { return vector_of(joint.offset); }) +
+      "," + listed("tips", joints, [](const Joint& joint) {
+        return joint.tip ? vector_of(*joint.tip) : std::string("null");
+      });
+  return "{\"set\":" + quoted(set) + "," + listed("moods", walk.moods, quoted) + ",\"body\":{" +
+         body + "}}";
+}
+
+/// A pose as pages show it: of each joint its place (x, y, z) in the world, metres, then of each
+/// its rotation (x, y, z, w), joint frame → world, then whether the left and the right foot are
+/// planted (1 or 0), then speed (m/s) and heading (°).
+void write_frame(const LiveWalk& walk, const Pose& pose, std::vector<double>& frame) {
+  frame.clear();
+  const JointTransforms joints = world_transforms(walk.gaits.body, pose);
+  for (const Vec3& place : joints.positions)
+    frame.insert(frame.end(), {place.x(), place.y(), place.z()});
+  for (const Quat& turn : joints.rotations)
+    frame.insert(frame.end(), {turn.x(), turn.y(), turn.z(), turn.w()});
+  for (const SteppingLeg& leg : walk.walker.legs) frame.push_back(leg.swinging ? 0.0 : 1.0);
+  frame.push_back(walk.walker.carriage.speed.value);
+  frame.push_back(walk.walker.carriage.heading / radians_per_degree);
+}
 
 LiveWalk walker;
 WalkWish wish;
@@ -49,7 +101,7 @@ bool is_among(std::string_view name, std::string_view names) {
 extern "C" {
 
 /// A walker that stands; moods are those walks of the built-in set that `moods` names (between
-/// commas), or all when it is empty. walker_told() is then what walker_info (walker_frame.h) says.
+/// commas), or all when it is empty. walker_told() is then what walker_info says.
 int walker_open(const char* set, std::size_t set_size, const char* moods, std::size_t moods_size) {
   return done([&] {
     const std::string name(set, set_size);
@@ -76,7 +128,7 @@ void walker_steer(double pace, double heading_deg, double turn_deg_s) {
   wish.turn_deg_s = turn_deg_s;
 }
 
-/// So many seconds later; walker_frame() is then its pose (walker_frame.h).
+/// So many seconds later; walker_frame() is then its pose (write_frame).
 int walker_advance(double seconds) {
   return done([&] { write_frame(walker, advance(walker, seconds, wish), frame); });
 }

@@ -20,7 +20,7 @@ namespace mien::pipeline {
 ///
 /// Whatever is done with options walks that list: reading it (field_reader.h), writing it
 /// (field_writer.h), keys of artifacts (artifact_keys.h), options of the command line
-/// (output_flags.h), and the test that holds the list against the schema (field_names.h). Beside
+/// (render_options.h), and the test that holds the list against the schema (field_names.h). Beside
 /// plain values a `field` takes
 ///
 /// - `group(key, [&](auto& inner) { … })`: a map within the map, of members of the same struct;

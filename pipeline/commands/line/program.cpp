@@ -1,10 +1,20 @@
 #include "pipeline/commands/line/program.h"
 
+#include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <ostream>
+#include <streambuf>
+#include <string_view>
+#include <system_error>
 
+#include <fcntl.h>
 #include <unistd.h>
+
+#include "pipeline/commands/line/console.h"
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -14,12 +24,99 @@
 #include "pipeline/base/documents/printable_stream.h"
 #include "pipeline/commands/line/command_line.h"
 #include "pipeline/commands/line/other_programs.h"
-#include "pipeline/commands/line/standard_output.h"
 #include "pipeline/tasks/interruption.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+/// Where commands put their results, buffered. It remembers why something could not be written,
+/// which std::cout forgets, so that results that went nowhere are told at the program's end.
+///
+/// From its first failure on it takes nothing more. While it lives, SIGPIPE is ignored and
+/// std::cerr flushes it first, so that the two keep their order on a terminal.
+class StandardOutput : private std::streambuf {
+ public:
+  StandardOutput();
+  ~StandardOutput() override;
+  StandardOutput(const StandardOutput&) = delete;
+  StandardOutput& operator=(const StandardOutput&) = delete;
+
+  std::ostream& stream() { return stream_; }
+
+  /// Writes what is left. Returns the exit code of a program that would have ended with `code`:
+  /// results that could not be written are a failure, which is told in one line; a reader that has
+  /// gone (`| head`) had what it wanted, and is none.
+  int finish(int code, std::ostream& err);
+
+ private:
+  int_type overflow(int_type letter) override;
+  std::streamsize xsputn(const char* text, std::streamsize count) override;
+  int sync() override;
+  bool write(std::string_view text);
+
+  std::array<char, 65536> buffer_;
+  std::error_code failure_;
+  bool is_terminal_;
+  std::ostream stream_;
+};
+
+StandardOutput::StandardOutput() : is_terminal_(isatty(STDOUT_FILENO) != 0), stream_(this) {
+  setp(buffer_.data(), buffer_.data() + buffer_.size());
+  std::signal(SIGPIPE, SIG_IGN);  // that a reader has gone is told by the write
+  std::cerr.tie(&stream_);
+}
+
+StandardOutput::~StandardOutput() { std::cerr.tie(&std::cout); }
+
+bool StandardOutput::write(std::string_view text) {
+  while (!text.empty() && !failure_) {
+    const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
+    if (count >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno != EINTR) {
+      failure_ = {errno, std::generic_category()};
+    }
+  }
+  return !failure_;
+}
+
+int StandardOutput::sync() {
+  const bool is_written = write({pbase(), static_cast<std::size_t>(pptr() - pbase())});
+  setp(buffer_.data(), buffer_.data() + buffer_.size());
+  return is_written ? 0 : -1;
+}
+
+StandardOutput::int_type StandardOutput::overflow(int_type letter) {
+  if (sync() != 0) return traits_type::eof();
+  if (!traits_type::eq_int_type(letter, traits_type::eof()))
+    sputc(traits_type::to_char_type(letter));
+  return traits_type::not_eof(letter);
+}
+
+std::streamsize StandardOutput::xsputn(const char* text, std::streamsize count) {
+  const std::streamsize put = std::streambuf::xsputn(text, count);
+  const std::string_view written(text, static_cast<std::size_t>(count));
+  const bool ends_line = is_terminal_ && written.find('\n') != std::string_view::npos;
+  return ends_line && sync() != 0 ? 0 : put;
+}
+
+int StandardOutput::finish(int code, std::ostream& err) {
+  sync();
+  if (!failure_ || failure_ == std::errc::broken_pipe) return code;
+  err << "mien: standard output cannot be written (" << failure_.message() << ")\n";
+  return code == exit_done ? exit_failed : code;
+}
+
+/// Puts /dev/null where standard input, output or error was closed by whoever started the program:
+/// the first file that it opens would get that number, and what is printed would be written into
+/// it. Reading from them or writing to them fails as before.
+void keep_standard_streams_open() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(number, F_GETFD) != -1) continue;
+    ::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // takes the lowest number
+  }
+}
 
 constexpr char examples[] = R"(Examples:
   mien run quickstart                      make everything that a manifest asks for

@@ -6,7 +6,7 @@
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
-#include "motion/rig/recording_in_metres.h"
+#include "motion/rig/recording_clip.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/motion/motion.h"
 

@@ -1,16 +1,36 @@
 #include "pipeline/commands/motion/live_stream.h"
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include "motion/error.h"
+#include "motion/formats/motion_file.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+bool is_bvh(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".bvh" || extension == ".BVH";
+}
+
+constexpr int look_up_milliseconds = 100;  // for a wish to stop
+
+/// Room for any number of frames that is known at the end.
+constexpr std::size_t count_width = 12;
 
 using Clock = std::chrono::steady_clock;
 
@@ -24,6 +44,93 @@ int frames_in(double delay_ms, double frames_per_second) {
 }
 
 }  // namespace
+
+MotionSource::MotionSource(const std::string& file) : name_(file) {
+  if (file == "-") {
+    name_ = "standard input";
+    descriptor_ = STDIN_FILENO;
+    return;
+  }
+  if (std::filesystem::is_directory(file)) {
+    throw Error(Place{file}, "is a folder", "name a BVH file, or - for standard input");
+  }
+  if (motion::is_motion_file(file) && !is_bvh(file)) {
+    throw Error(Place{file}, "cannot be streamed: its format comes as a whole",
+                "write it as BVH, with mien motion convert, or use mien motion modify");
+  }
+  descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor_ < 0) {
+    throw Error(Place{file}, std::string("cannot be read: ") + std::strerror(errno),
+                "name a BVH file, or - for standard input");
+  }
+}
+
+MotionSource::~MotionSource() {
+  if (descriptor_ > STDIN_FILENO) close(descriptor_);
+}
+
+std::optional<std::string> MotionSource::next(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    pollfd waiting{descriptor_, POLLIN, 0};
+    if (poll(&waiting, 1, look_up_milliseconds) == 0) continue;
+    std::array<char, 16384> bytes;
+    const ssize_t count = read(descriptor_, bytes.data(), bytes.size());
+    if (count > 0) return std::string(bytes.data(), static_cast<std::size_t>(count));
+    if (count == 0) return std::nullopt;
+    if (errno != EINTR && errno != EAGAIN) {
+      throw std::system_error(errno, std::generic_category(), "reading " + name_);
+    }
+  }
+  return std::nullopt;
+}
+
+MotionSink::MotionSink(std::ostream& out, std::filesystem::path file, Form form)
+    : out_(out), file_(std::move(file)), form_(form) {}
+
+void MotionSink::begin(const motion::Skeleton& body, double frames_per_second,
+                       std::size_t claimed_frames) {
+  text_.emplace(body);
+  std::string count = std::to_string(claimed_frames);
+  if (has_file()) {
+    unfinished_.emplace(file_);
+    in_file_.open(unfinished_->draft(), std::ios::binary | std::ios::trunc);
+    if (!in_file_) throw cannot_be_written(file_, {errno, std::generic_category()});
+    count = "0" + std::string(count_width - 1, ' ');
+  }
+  if (form_ == Form::lines) return;
+  const std::string head = text_->head(count, frames_per_second);
+  constexpr std::string_view label = "\nFrames: ";
+  count_place_ = static_cast<std::streamoff>(head.rfind(label) + label.size());
+  (has_file() ? in_file_ : out_) << head;
+  flushed();
+}
+
+bool MotionSink::put(const motion::Pose& pose) {
+  line_.clear();
+  text_->append_frame(line_, pose);
+  (has_file() ? in_file_ : out_) << line_;
+  ++frames_;
+  return flushed();
+}
+
+bool MotionSink::flushed() {
+  std::ostream& out = has_file() ? in_file_ : out_;
+  out.flush();
+  if (has_file() && !out) throw cannot_be_written(file_, {errno, std::generic_category()});
+  return static_cast<bool>(out);
+}
+
+void MotionSink::publish() {
+  if (!unfinished_) return;
+  if (form_ == Form::bvh) {
+    in_file_.seekp(count_place_);
+    in_file_ << frames_;
+  }
+  flushed();
+  in_file_.close();
+  unfinished_->publish();
+  unfinished_.reset();
+}
 
 LiveStream::LiveStream(LiveOptions options, MotionSink& sink)
     : options_(std::move(options)), sink_(sink) {

@@ -12,7 +12,6 @@
 #include "pipeline/commands/motion/change.h"
 #include "pipeline/commands/motion/live_stream.h"
 #include "pipeline/commands/motion/motion.h"
-#include "pipeline/commands/motion/motion_source.h"
 #include "pipeline/production/synthesis/modified_motion.h"
 
 namespace mien::pipeline {

@@ -3,20 +3,35 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
 #include "motion/math/geometry.h"
+#include "motion/measures/differences/motion_tolerance.h"
 #include "pipeline/base/documents/failure_text.h"
 #include "pipeline/commands/line/other_programs.h"
 #include "pipeline/commands/line/take_option.h"
 #include "pipeline/commands/regress/regress_study.h"
 #include "pipeline/regression/comparison/compared_media.h"
+#include "pipeline/regression/comparison/compared_motions.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
 
 namespace {
+
+/// What `mien regress` was asked to do.
+struct RegressOptions {
+  std::string before;              ///< what was approved
+  std::string now;                 ///< what is to be judged
+  std::vector<std::string> takes;  ///< of motion files: of both, or of each
+  motion::MotionTolerance tolerance;
+  double rotation_degrees = 0.1;  ///< of the tolerance, as it is typed
+  double perceptual = 0.0;        ///< mean ꟻLIP that pictures may have
+  bool json = false;
+  std::vector<std::string> given;  ///< options that are of files alone
+};
 
 constexpr char study_group[] = "Of a study";
 constexpr char files_group[] = "How much is no difference between two files";
@@ -50,18 +65,33 @@ void require_file(const std::string& file) {
               "is now");
 }
 
+/// Tells how two files differ on `console.out`.
+template <class Compared>
+int told(const Compared& files, const RegressOptions& options, const Console& console) {
+  if (options.json) {
+    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+    console.out << as_json(files).dump(2, ' ', false, replace) << '\n';
+  } else {
+    console.out << as_text(files);
+  }
+  return files.are_alike() ? exit_done : exit_failed;
+}
+
 int regress_files(const RegressOptions& options, const Console& console) {
   const auto both = [&](const auto& is_kind) {
     return is_kind(options.before) && is_kind(options.now);
   };
   require_file(options.before);
   require_file(options.now);
-  if (both([](const std::string& file) { return motion::is_motion_file(file); }))
-    return regress_motion_files(options, console);
+  if (both([](const std::string& file) { return motion::is_motion_file(file); })) {
+    const auto takes = takes_of(options.takes, {options.before, options.now});
+    return told(compared_motion_files(options.before, options.now, options.tolerance, takes),
+                options, console);
+  }
   if (both([](const std::string& file) { return is_media(file); })) {
     if (!options.takes.empty())
       throw Error({"--take"}, "is for motions, not for pictures and videos", "leave it out");
-    return regress_media_files(options, console);
+    return told(compared_media(options.before, options.now, options.perceptual), options, console);
   }
   throw Error({options.now}, "cannot be compared with " + options.before,
               "motion files can (BVH, Acclaim, glTF), and pictures (PNG, EXR, JPEG, TIFF), folders "

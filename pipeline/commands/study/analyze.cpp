@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/safe_name.h"
+#include "pipeline/base/documents/environment.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/commands/study/kept_scales.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/commands/study/study_subject.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/checks/study_record.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/production/synthesis/repertoire.h"
@@ -26,6 +29,23 @@ namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+
+fs::path folder_of_study(const fs::path& study) {
+  return fs::is_directory(study) ? study : fs::absolute(study).parent_path().parent_path();
+}
+
+/// The scales file that a study keeps beside its results, in inputs/; none where it was made with
+/// the built-in pairs or keeps nothing. `study` is its folder, or its metrics/parameters.csv.
+std::optional<fs::path> kept_scales(const fs::path& study) {
+  const auto record = study_record_in(folder_of_study(study) / "provenance.json");
+  if (!record || !fs::is_regular_file(record->as_run)) return std::nullopt;
+  // Motions that the study was made of may be gone: of faults, only those of the scales matter, and
+  // who reads these is told them.
+  const fs::path scales = read_manifest(record->as_run, process_environment()).manifest.scales.file;
+  if (scales.empty()) return std::nullopt;
+  return scales;
+}
+
 using nlohmann::ordered_json;
 
 struct AnalyzeOptions {

@@ -3,28 +3,93 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/commands/study/asked_manifest.h"
-#include "pipeline/commands/study/frozen_archive.h"
+#include "pipeline/base/documents/places.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
+#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/session_checks.h"
+#include "pipeline/manifest/manifest.h"
+#include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/power.h"
 #include "pipeline/study/questionnaire/session_duration.h"
+#include "pipeline/study/questionnaire/session_plan.h"
+#include "pipeline/study/results/report/results_report.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+/// An archive for a preregistration, in memory.
+struct FrozenArchive {
+  std::filesystem::path file;
+  std::string bytes;
+  std::size_t files = 0;
+};
+
+fs::path beside(const fs::path& file, const char* ending) { return file.string() + ending; }
+
+/// A folder beside a file, for as long as it is needed.
+class FolderBeside {
+ public:
+  explicit FolderBeside(const fs::path& file) : path_(beside(file, ".part.d")) {
+    fs::remove_all(path_);
+    make_folder(path_);
+  }
+  ~FolderBeside() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  FolderBeside(const FolderBeside&) = delete;
+  FolderBeside& operator=(const FolderBeside&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// What mien study report would write of answers in which all stimuli are alike.
+void add_dummy_report(ZipFiles& files, const Manifest& manifest,
+                      const std::vector<SessionPlan>& plans, const fs::path& file) {
+  const FolderBeside folder(file);
+  const std::vector<AnswerRow> rows = dummy_answers(manifest, plans);
+  const Results results = results_of(gather(manifest, rows), rows, {});
+  write_results(results, rows, {}, folder.path());
+  add_folder(files, folder.path(), "dummy-report");
+}
+
+/// Freezes a study that was made in the folder `made`, with answers that nobody gave and the report
+/// on them. Throws Error where its media are missing, and where something else than these bytes is
+/// in `file`: what was registered is not lost by a slip. Nothing is left on the disk.
+FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                             const fs::path& made, const fs::path& file) {
+  ZipFiles files = frozen_design(manifest, plans, made);
+  add_dummy_answers(files, manifest, plans);
+  add_dummy_report(files, manifest, plans, file);
+  FrozenArchive archive{.file = file, .bytes = zip_of(files), .files = files.size()};
+  if (fs::exists(fs::symlink_status(file)) && read_file(file) != archive.bytes)
+    throw Error({file.string()}, "is there already, and holds something else",
+                "name another file, or remove it");
+  return archive;
+}
+
+/// Writes it, whole or not at all.
+void write_archive(const FrozenArchive& archive) {
+  replace_file(archive.file, beside(archive.file, ".part"), archive.bytes);
+}
 
 struct DesignCommand {
   std::string manifest;

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/page_bundle.h"
-#include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/made_questionnaire.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/study.h"
+#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/matching/experiment/matching_export.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"

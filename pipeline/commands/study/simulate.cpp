@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/commands/study/asked_manifest.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
+#include "pipeline/commands/study/study_subject.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/example_source.h"
 #include "pipeline/production/run/study_inputs.h"

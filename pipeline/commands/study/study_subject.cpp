@@ -4,10 +4,37 @@
 
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/example_source.h"
 
 namespace mien::pipeline {
+
+std::vector<motion::InterpolationMethod> methods_with_parameters() {
+  using enum motion::InterpolationMethod;
+  return {reach, cardinal, nearest, inverse_distance, grid, kriging, pca, incremental};
+}
+
+CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
+                             const std::string& otherwise) {
+  WordValues<motion::InterpolationMethod> by_name;
+  for (const motion::InterpolationMethod method : methods_with_parameters())
+    by_name.emplace_back(motion::name_of(method), method);
+  return choice("--methods", methods, by_name,
+                "Methods of interpolation to try, with commas; " + otherwise);
+}
+
+Manifest asked_manifest(const std::string& name, const Console& console) {
+  Manifest manifest = load_manifest(manifest_meant(name, console), process_environment());
+  questionnaire_of(manifest);
+  return manifest;
+}
+
+Manifest participants_manifest(const std::string& name, const Console& console) {
+  Manifest manifest = load_manifest(manifest_meant(name, console), process_environment());
+  if (!manifest.matching) questionnaire_of(manifest);
+  return manifest;
+}
 
 Manifest manifest_of(const StudySubject& subject, const Console& console) {
   const std::filesystem::path file(subject.examples);

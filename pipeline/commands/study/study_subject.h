@@ -1,10 +1,34 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "motion/interpolation/interpolation_options.h"
+#include "pipeline/commands/line/console.h"
 #include "pipeline/manifest/manifest.h"
 
 namespace mien::pipeline {
+
+/// Methods of interpolation that take parameters; shares of the examples are an interface of their
+/// own.
+std::vector<motion::InterpolationMethod> methods_with_parameters();
+
+/// The option --methods; `otherwise` says what happens without it.
+CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
+                             const std::string& otherwise);
+
+/// The manifest of that name, which must have a questionnaire. Throws Faults, or Error where it has
+/// none.
+Manifest asked_manifest(const std::string& name, const Console& console);
+
+/// The manifest of that name, which must have a questionnaire or a matching experiment. Throws
+/// likewise.
+Manifest participants_manifest(const std::string& name, const Console& console);
+
+inline constexpr char asked_manifest_help[] =
+    "Manifest (YAML) with a questionnaire or a matching experiment, the name of one of mien "
+    "manifests, or a study's "
+    "provenance.json";
 
 struct Console;
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scenes/figures/hex_colour.h"
+#include "scenes/figures/figure_colour.h"
 
 namespace mien::pipeline {
 

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "scenes/figures/hex_colour.h"
+#include "scenes/figures/figure_colour.h"
 #include "scenes/point_light/dot_display.h"
 
 namespace mien::pipeline {

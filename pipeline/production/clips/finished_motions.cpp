@@ -1,6 +1,6 @@
 #include "pipeline/production/clips/finished_motions.h"
 
-#include "motion/skeleton/shown_clip.h"
+#include "motion/skeleton/straighten.h"
 
 namespace mien::pipeline {
 

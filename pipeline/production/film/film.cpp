@@ -13,6 +13,7 @@
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/frame_drawer.h"
 #include "pipeline/production/film/frame_taker.h"
+#include "pipeline/tasks/progress_bar.h"
 #include "render/error.h"
 #include "render/image/contact_sheet.h"
 #include "render/image/image_io.h"

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "motion/text/lfs_pointer.h"
+#include "motion/text/file_contents.h"
 #include "pipeline/regression/comparison/compared_containers.h"
 #include "pipeline/regression/comparison/frame_alignment.h"
 #include "pipeline/regression/comparison/mirroring.h"

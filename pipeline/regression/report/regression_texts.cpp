@@ -1,8 +1,9 @@
 #include "pipeline/regression/report/regression_texts.h"
 
 #include <algorithm>
+#include <span>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "motion/measures/differences/difference_sentence.h"
 #include "pipeline/base/documents/html.h"
@@ -14,9 +15,8 @@ namespace {
 constexpr std::size_t most_names = 6;
 
 std::string names_text(const std::vector<std::string>& ids) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(ids.size(), most_names); ++i)
-    text += (i == 0 ? "" : ", ") + ids[i];
+  const auto named = std::span(ids).first(std::min(ids.size(), most_names));
+  std::string text = fmt::to_string(fmt::join(named, ", "));
   if (ids.size() > most_names) text += fmt::format(" and {} more", ids.size() - most_names);
   return text;
 }

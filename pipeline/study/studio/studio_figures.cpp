@@ -10,7 +10,7 @@
 #include "motion/rig/proportions.h"
 #include "motion/skeleton/body.h"
 #include "scenes/character/character_glb.h"
-#include "scenes/mannequin/mannequin_glb.h"
+#include "scenes/mannequin/mannequin.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/skeleton/joint_transform.h"
+#include "motion/skeleton/pose.h"
 #include "motion/skeleton/recording.h"
 
 namespace mien::test {

@@ -1,7 +1,6 @@
-#include "motion/gait/flight.h"
-
 #include <gtest/gtest.h>
 
+#include "motion/gait/gait_events.h"
 #include "motion/synthetic_walk.h"
 
 namespace mien::motion {

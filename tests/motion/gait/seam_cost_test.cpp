@@ -1,7 +1,6 @@
-#include "motion/gait/seam_cost.h"
-
 #include <gtest/gtest.h>
 
+#include "motion/gait/loop.h"
 #include "motion/synthetic_walk.h"
 
 namespace mien::motion {

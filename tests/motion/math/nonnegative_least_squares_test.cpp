@@ -1,8 +1,8 @@
-#include "motion/math/nonnegative_least_squares.h"
-
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "motion/math/convex_weights.h"
 
 namespace mien::motion {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "motion/motion_graph/motion_graph.h"
-#include "motion/steered_walk/walker_motions.h"
+#include "motion/walker_motions.h"
 
 namespace mien::motion::test {
 

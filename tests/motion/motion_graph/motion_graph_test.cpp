@@ -12,12 +12,14 @@
 #include "motion/procedural/walker.h"
 
 #include "made_motions.h"
+#include "random_walk.h"
 
 namespace mien::motion {
 namespace {
 
 using test::made_graph;
 using test::made_motions;
+using test::random_walk;
 
 std::set<int> reached_from(const MotionGraph& graph, int start) {
   std::set<int> reached = {start};

@@ -14,6 +14,7 @@
 #include "motion/rig/retarget.h"
 
 #include "made_motions.h"
+#include "random_walk.h"
 #include "real_data.h"
 
 // A graph of captured walks: thirty takes of one performer, in fifteen styles.
@@ -22,6 +23,7 @@ namespace mien::motion {
 namespace {
 
 using test::largest_acceleration;
+using test::random_walk;
 
 std::vector<Clip> captured_walks(const std::filesystem::path& folder) {
   std::vector<Clip> clips;

@@ -1,9 +1,8 @@
-#include "motion/rig/recording_in_metres.h"
-
 #include <gtest/gtest.h>
 
 #include "motion/other_rigs.h"
 #include "motion/random_recording.h"
+#include "motion/rig/recording_clip.h"
 #include "motion/synthetic_walk.h"
 
 namespace mien::motion {

@@ -13,7 +13,7 @@
 #include "motion/procedural/builtin_sets.h"
 #include "motion/procedural/expressive_walks.h"
 #include "motion/steered_walk/floor_path.h"
-#include "motion/steered_walk/walker_motions.h"
+#include "motion/walker_motions.h"
 
 namespace mien::motion {
 namespace {
@@ -155,7 +155,7 @@ TEST(FloorPath, KeepsItsEndsAndItsLength) {
 }
 
 TEST(WalkerMotions, BeginAndEndWhereOthersGoOn) {
-  const std::vector<Clip> clips = walker_motions(WalkStyle{}, 30.0, standard_body());
+  const std::vector<Clip> clips = test::walker_motions(WalkStyle{}, 30.0, standard_body());
   EXPECT_EQ(clips.size(), 11U);
   for (const Clip& clip : clips) {
     EXPECT_FALSE(clip.loops);

@@ -11,7 +11,6 @@
 #include "motion/modify/real_takes.h"
 #include "motion/refusal.h"
 #include "motion/stream/look_ahead.h"
-#include "motion/stream/stream_error.h"
 #include "motion/stream/streamed_motions.h"
 
 namespace mien::motion {

@@ -9,7 +9,6 @@
 
 #include "motion/error.h"
 #include "scenes/stage/shot.h"
-#include "scenes/stage/travel.h"
 #include "scenes/walking_clip.h"
 
 namespace mien::scenes {

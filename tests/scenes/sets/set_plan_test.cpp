@@ -6,9 +6,7 @@
 
 #include "render/geometry/shapes.h"
 #include "render/light/floor.h"
-#include "scenes/sets/box_mesh.h"
 #include "scenes/stage/shot.h"
-#include "scenes/stage/travel.h"
 #include "scenes/walking_clip.h"
 
 namespace mien::scenes {

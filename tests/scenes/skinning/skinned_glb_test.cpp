@@ -9,7 +9,7 @@
 #include "render/scene/texture_io.h"
 #include "scenes/character/character_glb.h"
 #include "scenes/glb_contents.h"
-#include "scenes/mannequin/mannequin_glb.h"
+#include "scenes/mannequin/mannequin.h"
 #include "scenes/skinned_gltf.h"
 
 // Files are read back by glTF's own rules, and posed as three.js does.

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "motion/math/rotation.h"
-#include "scenes/skinning/dual_quaternion.h"
 
 namespace mien::scenes {
 namespace {

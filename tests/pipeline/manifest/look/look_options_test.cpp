@@ -6,7 +6,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/look/look_checks.h"
 #include "pipeline/temporary_folder.h"
-#include "scenes/figures/hex_colour.h"
+#include "scenes/figures/figure_colour.h"
 
 namespace mien::pipeline {
 namespace {

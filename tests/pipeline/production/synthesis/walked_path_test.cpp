@@ -11,7 +11,7 @@
 #include "motion/gait/foot_slide.h"
 #include "motion/lint/lint.h"
 #include "motion/skeleton/body.h"
-#include "motion/steered_walk/walker_motions.h"
+#include "motion/walker_motions.h"
 #include "pipeline/production/synthesis/adjective_moods.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/temporary_folder.h"
@@ -162,7 +162,7 @@ class WalkedGraph : public testing::Test {
  protected:
   void SetUp() override {
     for (const motion::Clip& clip :
-         motion::walker_motions(motion::WalkStyle{}, 30.0, motion::standard_body())) {
+         motion::test::walker_motions(motion::WalkStyle{}, 30.0, motion::standard_body())) {
       files_.push_back({folder_.path() / (clip.name + ".bvh"), ""});
       motion::write_motion(motion::to_recording(clip), files_.back().file);
     }

@@ -1,14 +1,15 @@
-#include "motion/steered_walk/walker_motions.h"
+#pragma once
 
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "motion/steered_walk/scripted_walk.h"
 
-namespace mien::motion {
+namespace mien::motion::test {
 
-namespace {
+namespace walker_take {
 
 using Kind = WalkSegment::Kind;
 
@@ -19,7 +20,7 @@ struct Take {
   double skipped_seconds = 0.0;  ///< at the beginning
 };
 
-std::vector<Take> takes() {
+inline std::vector<Take> takes() {
   const WalkSegment stand = {.kind = Kind::stand, .seconds = 0.6};
   const auto walk = [](double seconds, double turn_rate = 0.0) {
     return WalkSegment{.kind = Kind::walk, .seconds = seconds, .turn_rate_deg = turn_rate};
@@ -47,7 +48,7 @@ std::vector<Take> takes() {
   return takes;
 }
 
-Clip cut(Clip clip, double skipped_seconds) {
+inline Clip cut(Clip clip, double skipped_seconds) {
   const auto first = std::lround(skipped_seconds * clip.frames_per_second);
   clip.poses.erase(clip.poses.begin(), clip.poses.begin() + first);
   const Vec3 start = level(clip.poses.front().root_position);
@@ -55,20 +56,26 @@ Clip cut(Clip clip, double skipped_seconds) {
   return clip;
 }
 
-}  // namespace
+}  // namespace walker_take
 
-std::vector<Clip> walker_motions(const WalkStyle& style, double frames_per_second,
-                                 const Skeleton& body) {
+/// What a walker does besides walking on, as takes that do not loop, each beginning and ending in
+/// standing or in a steady walk, along +Z from the origin: "stand" (4 s), "start", "walk", "stop",
+/// "curve-left" and "curve-right" (at 45°/s), "wide-left" and "wide-right" (at 20°/s), "turn-left",
+/// "turn-right" (90° on the spot) and "about-turn". For a motion graph. Throws as `fit_walker`
+/// (walker_gaits.h), and for frame rates that are not positive.
+inline std::vector<Clip> walker_motions(const WalkStyle& style, double frames_per_second,
+                                        const Skeleton& body) {
   const WalkerGaits gaits = fit_walker({&style, 1}, body);
   ScriptedWalkOptions options;
   options.frames_per_second = frames_per_second;
   std::vector<Clip> clips;
-  for (const Take& take : takes()) {
-    Clip clip = cut(scripted_walk(gaits, take.script, options).clip, take.skipped_seconds);
+  for (const walker_take::Take& take : walker_take::takes()) {
+    Clip clip =
+        walker_take::cut(scripted_walk(gaits, take.script, options).clip, take.skipped_seconds);
     clip.name = take.name;
     clips.push_back(std::move(clip));
   }
   return clips;
 }
 
-}  // namespace mien::motion
+}  // namespace mien::motion::test

@@ -1,22 +1,18 @@
-#include <algorithm>
+#pragma once
 
-#include "motion/error.h"
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "motion/math/random_number.h"
 #include "motion/motion_graph/graph_walk.h"
 
-namespace mien::motion {
+namespace mien::motion::test {
 
-namespace {
-
-constexpr double least_between = 0.5;  // seconds from transition to transition
-
-}  // namespace
-
-GraphWalk random_walk(const MotionGraph& graph, double seconds, std::uint64_t seed) {
-  if (!(seconds > 0.0) || seconds > 3600.0) {
-    throw Error("a random walk that does not last between 0 and 3600 seconds",
-                "choose its seconds");
-  }
+/// A walk of at least so many seconds that chooses at the nodes at random, of the seed alone, and
+/// lets half a second pass between transitions where the clips go on for so long.
+inline GraphWalk random_walk(const MotionGraph& graph, double seconds, std::uint64_t seed) {
+  constexpr double least_between = 0.5;  // seconds from transition to transition
   GraphWalk walk;
   const double step = 1.0 / graph.clips.front().frames_per_second;
   double walked = 0.0;
@@ -41,4 +37,4 @@ GraphWalk random_walk(const MotionGraph& graph, double seconds, std::uint64_t se
   return walk;
 }
 
-}  // namespace mien::motion
+}  // namespace mien::motion::test
