@@ -64,11 +64,41 @@ HttpResponse http_json(const std::string& text) {
 
 HttpResponse http_refusal(int status, const std::string& error, const std::string& wrong,
                           const std::string& remedy) {
-  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  const nlohmann::ordered_json text = {{"error", error}, {"wrong", wrong}, {"remedy", remedy}};
-  HttpResponse response = http_json(text.dump(-1, ' ', false, replace) + "\n");
+  HttpResponse response =
+      http_value({{"error", error}, {"wrong", wrong}, {"remedy", remedy}}, status);
+  response.body += "\n";
+  return response;
+}
+
+HttpResponse http_too_often() {
+  HttpResponse response =
+      http_refusal(429, "often", "too many requests", "wait a few seconds and ask again");
+  response.headers["Retry-After"] = "5";
+  return response;
+}
+
+HttpResponse http_wrong_method(const std::string& allowed) {
+  HttpResponse response = http_refusal(405, "method", "this cannot be done here", allowed);
+  response.headers["Allow"] = allowed;
+  return response;
+}
+
+HttpResponse http_value(const nlohmann::ordered_json& value, int status) {
+  HttpResponse response =
+      http_json(value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   response.status = status;
   return response;
+}
+
+std::string header_of(const HttpRequest& request, const std::string& name) {
+  const auto found = request.headers.find(name);
+  return found == request.headers.end() ? std::string() : found->second;
+}
+
+bool is_json(const HttpRequest& request) {
+  std::string type = header_of(request, "content-type");
+  type = type.substr(0, type.find(';'));
+  return type.substr(0, type.find_last_not_of(' ') + 1) == "application/json";
 }
 
 HttpResponse http_file(const HttpRequest& request, const std::filesystem::path& file,
@@ -78,10 +108,8 @@ HttpResponse http_file(const HttpRequest& request, const std::filesystem::path& 
   if (error) return http_refusal(404, "unknown", "the file is not there", "tell the experimenter");
   HttpResponse response{.type = type, .part = FilePart{file, 0, size}};
   response.headers["Accept-Ranges"] = "bytes";
-  const auto header = request.headers.find("range");
-  if (header == request.headers.end()) return response;
   ByteRange range;
-  const RangeKind kind = read_range(header->second, size, range);
+  const RangeKind kind = read_range(header_of(request, "range"), size, range);
   if (kind == RangeKind::beyond) {
     HttpResponse refusal = http_refusal(
         416, "range", "the file has " + std::to_string(size) + " bytes", "ask for less");

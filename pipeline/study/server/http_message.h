@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace mien::pipeline {
 
 /// What a client asks for.
@@ -41,8 +43,21 @@ struct HttpResponse {
 HttpResponse http_refusal(int status, const std::string& error, const std::string& wrong,
                           const std::string& remedy);
 
-/// JSON text as an answer.
+/// Of one who asks too often for what is not there, or for too much.
+HttpResponse http_too_often();
+
+/// Of a method that is not among those that are allowed: "GET, HEAD".
+HttpResponse http_wrong_method(const std::string& allowed);
+
+/// JSON as an answer.
 HttpResponse http_json(const std::string& text);
+HttpResponse http_value(const nlohmann::ordered_json& value, int status = 200);
+
+/// What a header says; nothing without it. `name` is in lower case.
+std::string header_of(const HttpRequest& request, const std::string& name);
+
+/// Whether the body is said to be "application/json", with or without parameters.
+bool is_json(const HttpRequest& request);
 
 /// A file, or of it the part that a "Range" header asks for (RFC 9110 §14). Several ranges at once
 /// are answered with the whole file, and a range beyond its end with 416; 404 without the file.

@@ -8,11 +8,6 @@ namespace mien::pipeline {
 
 namespace {
 
-std::string header(const HttpRequest& request, const std::string& name) {
-  const auto found = request.headers.find(name);
-  return found == request.headers.end() ? std::string() : found->second;
-}
-
 bool is_this_machine(const std::string& host, int port) {
   const std::array<std::string, 3> names = {"127.0.0.1", "localhost", "[::1]"};
   return std::ranges::any_of(
@@ -21,15 +16,15 @@ bool is_this_machine(const std::string& host, int port) {
 
 /// A link that somebody follows, to look at what is there.
 bool is_followed_link(const HttpRequest& request) {
-  return request.method == "GET" && header(request, "sec-fetch-mode") == "navigate" &&
-         header(request, "sec-fetch-dest") == "document";
+  return request.method == "GET" && header_of(request, "sec-fetch-mode") == "navigate" &&
+         header_of(request, "sec-fetch-dest") == "document";
 }
 
 }  // namespace
 
 std::optional<HttpResponse> unwelcome(const HttpRequest& request, int port) {
-  const std::string host = header(request, "host"), origin = header(request, "origin"),
-                    site = header(request, "sec-fetch-site");
+  const std::string host = header_of(request, "host"), origin = header_of(request, "origin"),
+                    site = header_of(request, "sec-fetch-site");
   if (!is_this_machine(host, port))
     return http_refusal(421, "host", "this server is not called so", "use the link as it was told");
   if (!origin.empty() && origin != "http://" + host)
@@ -37,24 +32,6 @@ std::optional<HttpResponse> unwelcome(const HttpRequest& request, int port) {
   if (!site.empty() && site != "same-origin" && site != "none" && !is_followed_link(request))
     return http_refusal(403, "origin", "this comes from another site", "use the studio's own page");
   return std::nullopt;
-}
-
-bool is_nested_deeper(std::string_view json, int most) {
-  int depth = 0;
-  bool is_text = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char letter = json[i];
-    if (is_text && letter == '\\') {
-      ++i;
-    } else if (letter == '"') {
-      is_text = !is_text;
-    } else if (!is_text && (letter == '[' || letter == '{')) {
-      if (++depth > most) return true;
-    } else if (!is_text && (letter == ']' || letter == '}')) {
-      --depth;
-    }
-  }
-  return false;
 }
 
 bool same_secret(const std::string& given, const std::string& secret) {

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "pipeline/study/server/http_message.h"
 
@@ -13,10 +12,6 @@ namespace mien::pipeline {
 /// this machine (DNS rebinding: "Host" must name the loopback and `port`), nor by a form or a
 /// script of its own ("Origin", "Sec-Fetch-Site"). Only a link may be followed from elsewhere.
 std::optional<HttpResponse> unwelcome(const HttpRequest& request, int port);
-
-/// Whether a JSON text holds arrays and objects in each other deeper than that: whoever walks
-/// through them would run out of stack.
-bool is_nested_deeper(std::string_view json, int most);
 
 /// Compares without telling by its duration where they differ.
 bool same_secret(const std::string& given, const std::string& secret);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "motion/error.h"
+#include "motion/text/json_depth.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/study/server/session_store.h"
@@ -18,28 +19,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int deepest_body = 64;
-
 /// A body that is not as this server's page sends it.
 struct MalformedBody {};
 
-bool is_json(const HttpRequest& request) {
-  const auto type = request.headers.find("content-type");
-  if (type == request.headers.end()) return false;
-  std::string name = type->second.substr(0, type->second.find(';'));
-  while (!name.empty() && name.back() == ' ') name.pop_back();
-  return name == "application/json";
-}
-
-HttpResponse json_answer(const ordered_json& value, int status = 200) {
-  HttpResponse response =
-      http_json(value.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
-  response.status = status;
-  return response;
-}
-
 HttpResponse faults_answer(const std::vector<Fault>& faults) {
-  return json_answer({{"error", "faults"}, {"faults", faults_json(faults)}}, 422);
+  return http_value({{"error", "faults"}, {"faults", faults_json(faults)}}, 422);
 }
 
 ordered_json state_json(const ManifestState& state) {
@@ -95,15 +79,12 @@ HttpResponse StudioService::answer(const HttpRequest& request) {
   if (request.path.size() < 2 || !same_secret(request.path[0], link_)) return unknown(request);
   if (request.method == "GET" || request.method == "HEAD") return read(request);
   if (request.method == "POST") return take(request);
-  HttpResponse refusal = http_refusal(405, "method", "this cannot be done here", "GET, HEAD, POST");
-  refusal.headers["Allow"] = "GET, HEAD, POST";
-  return refusal;
+  return http_wrong_method("GET, HEAD, POST");
 }
 
 /// Of those that ask for much that is not there, somebody is guessing.
 HttpResponse StudioService::unknown(const HttpRequest& request) {
-  if (!wrong_rate_.allows(request.address))
-    return http_refusal(429, "often", "too many requests", "wait a few seconds and ask again");
+  if (!wrong_rate_.allows(request.address)) return http_too_often();
   return http_refusal(404, "unknown", "there is nothing here", "use the link as it was told");
 }
 
@@ -125,7 +106,7 @@ HttpResponse StudioService::take(const HttpRequest& request) {
   if (request.path.size() != 2 && !is_cancel) return unknown(request);
   if (!is_json(request))
     return http_refusal(415, "type", "this is no JSON", "send Content-Type: application/json");
-  const bool is_deep = is_nested_deeper(request.body, deepest_body);
+  const bool is_deep = motion::is_nested_deeper(request.body, motion::deepest_document);
   const Body body =
       is_deep ? Body(Body::value_t::discarded) : Body::parse(request.body, nullptr, false);
   if (body.is_discarded())
@@ -133,7 +114,7 @@ HttpResponse StudioService::take(const HttpRequest& request) {
   try {
     if (!is_cancel) return posted(request.path[1], body);
     jobs_.cancel();
-    return json_answer({{"cancelled", true}});
+    return http_value({{"cancelled", true}});
   } catch (const MalformedBody&) {
     return http_refusal(400, "malformed", "this is not what is asked here", "load the page again");
   } catch (const DraftFaults& faults) {
@@ -157,12 +138,12 @@ StudioService::Body StudioService::document_in(const Body& body) const {
 
 HttpResponse StudioService::posted(const std::string& what, const Body& body) {
   if (what == "motion") return motion(body);
-  if (what == "choices") return json_answer(motions_.choices(document_in(body)));
+  if (what == "choices") return http_value(motions_.choices(document_in(body)));
   if (what == "figure") return figure(body);
   if (what == "places")
-    return json_answer(StudioPlaces(file_.file(), file_.state().document).listed());
+    return http_value(StudioPlaces(file_.file(), file_.state().document).listed());
   if (what == "save") return save(body);
-  if (what == "reload") return json_answer(state_json(file_.reload()));
+  if (what == "reload") return http_value(state_json(file_.reload()));
   if (what == "jobs") return begin_job(body);
   return http_refusal(404, "unknown", "there is nothing here", "load the page again");
 }
@@ -176,7 +157,7 @@ HttpResponse StudioService::studio_json() {
                  {"walker", page_.contains(walker_page)},
                  {"job", jobs_.last()},
                  {"words", studio_words(file_)}};
-  return json_answer(studio);
+  return http_value(studio);
 }
 
 HttpResponse StudioService::motion(const Body& body) {
@@ -199,9 +180,9 @@ HttpResponse StudioService::save(const Body& body) {
   Body told = state_json(saving.state);
   if (saving.outcome != Saving::Outcome::elsewhere) {
     told["saved"] = saving.outcome == Saving::Outcome::saved;
-    return json_answer(told);
+    return http_value(told);
   }
-  return json_answer(
+  return http_value(
       {{"error", "elsewhere"},
        {"wrong", file_.file().filename().string() + " has been changed since it was opened here"},
        {"remedy", "load it again and lose what was changed here, or write what is here into it"},
@@ -224,7 +205,7 @@ HttpResponse StudioService::begin_job(const Body& body) {
   if (!number)
     return http_refusal(409, "busy", "another picture or film is being made",
                         "wait for it, or stop it");
-  return json_answer(jobs_.told(*number));
+  return http_value(jobs_.told(*number));
 }
 
 HttpResponse StudioService::job(const HttpRequest& request) {
@@ -233,7 +214,7 @@ HttpResponse StudioService::job(const HttpRequest& request) {
   if (!number) return unknown(request);
   if (request.path.size() == 3) {
     const Body told = jobs_.told(*number);
-    return told.is_null() ? unknown(request) : json_answer(told);
+    return told.is_null() ? unknown(request) : http_value(told);
   }
   const bool is_result = request.path.size() == 4 && request.path[3] == "result";
   const auto made = is_result ? jobs_.result(*number) : std::nullopt;

@@ -64,13 +64,12 @@ HttpResponse saved_as(const std::string& name, const std::string& type, std::str
 
 /// Where the browser has found the server.
 std::string base_of(const HttpRequest& request) {
-  const auto host = request.headers.find("host");
-  if (host == request.headers.end()) return {};
-  const bool is_plain = std::ranges::all_of(host->second, [](unsigned char one) {
+  const std::string host = header_of(request, "host");
+  const bool is_plain = std::ranges::all_of(host, [](unsigned char one) {
     return std::isalnum(one) != 0 || one == '.' || one == ':' || one == '-' || one == '[' ||
            one == ']';
   });
-  return is_plain ? "http://" + host->second : std::string();
+  return is_plain && !host.empty() ? "http://" + host : std::string();
 }
 
 }  // namespace
@@ -79,14 +78,12 @@ std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedS
                                        const StudySessions& sessions, const std::string& trouble,
                                        std::int64_t now) {
   const std::string& name = request.path.at(2);
-  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   const std::string csv = "text/csv; charset=utf-8";
   const std::string file = study.experiment.at("study").get<std::string>() + "-" + name;
   const auto page = study.lab.find(name.empty() ? "index.html" : name);
   if (page != study.lab.end())
     return HttpResponse{.type = page->second.type, .body = page->second.bytes};
-  if (name == "status.json")
-    return http_json(lab_status(study, sessions, trouble, now).dump(-1, ' ', false, replace));
+  if (name == "status.json") return http_value(lab_status(study, sessions, trouble, now));
   if (study.facts.matching && name == "trials.csv")
     return saved_as(file, csv, trials_csv(study, sessions));
   if (study.facts.matching && name == "changes.csv")

@@ -18,19 +18,6 @@ bool is_reading(const HttpRequest& request) {
   return request.method == "GET" || request.method == "HEAD";
 }
 
-HttpResponse wrong_method(const std::string& allowed) {
-  HttpResponse response = http_refusal(405, "method", "this cannot be done here", allowed);
-  response.headers["Allow"] = allowed;
-  return response;
-}
-
-HttpResponse too_often() {
-  HttpResponse response =
-      http_refusal(429, "often", "too many requests", "wait a few seconds and ask again");
-  response.headers["Retry-After"] = "5";
-  return response;
-}
-
 HttpResponse redirect(int status, const std::string& where) {
   HttpResponse response{
       .status = status, .type = "text/plain; charset=utf-8", .body = where + "\n"};
@@ -45,19 +32,6 @@ HttpResponse message_page(int status, const std::string& english, const std::str
           .body = html_page("Questionnaire", "",
                             "<p>" + html_escaped(english) + "</p><p lang=\"ja\">" +
                                 html_escaped(japanese) + "</p>")};
-}
-
-/// "application/json", with or without parameters.
-bool is_json(const HttpRequest& request) {
-  const auto type = request.headers.find("content-type");
-  if (type == request.headers.end()) return false;
-  std::string name = type->second.substr(0, type->second.find(';'));
-  while (!name.empty() && name.back() == ' ') name.pop_back();
-  return name == "application/json";
-}
-
-std::string json_text(const nlohmann::ordered_json& value) {
-  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 /// Answers what `take` makes of the record that is posted under its name.
@@ -125,7 +99,7 @@ HttpResponse QuestionnaireService::answer_kind(const HttpRequest& request) {
 
 /// Of those that ask for much that is not there, somebody is guessing.
 HttpResponse QuestionnaireService::unknown(const HttpRequest& request) {
-  if (!wrong_rate_.allows(request.address)) return too_often();
+  if (!wrong_rate_.allows(request.address)) return http_too_often();
   if (is_reading(request) && request.path.size() <= 3 && request.path.back().empty())
     return message_page(404, "This link is not known here. Please ask the experimenter for yours.",
                         "このリンクは登録されていません。実験者にお尋ねください。");
@@ -138,10 +112,10 @@ HttpResponse QuestionnaireService::answer_session(const HttpRequest& request) {
   if (!session) return unknown(request);
   if (study_.live && request.path.size() == 4 && request.path[2] == "live")
     return answer_live(request);
-  if (!link_rate_.allows(request.path[1])) return too_often();
+  if (!link_rate_.allows(request.path[1])) return http_too_often();
   if (request.path.size() == 4 && request.path[2] == "records")
-    return request.method == "POST" ? take_record(request, *session) : wrong_method("POST");
-  if (!is_reading(request)) return wrong_method("GET, HEAD");
+    return request.method == "POST" ? take_record(request, *session) : http_wrong_method("POST");
+  if (!is_reading(request)) return http_wrong_method("GET, HEAD");
   return answer_own(request, *session);
 }
 
@@ -163,7 +137,7 @@ HttpResponse QuestionnaireService::answer_own(const HttpRequest& request, int se
 }
 
 HttpResponse QuestionnaireService::answer_live(const HttpRequest& request) {
-  if (!live_rate_.allows(request.path[1])) return too_often();
+  if (!live_rate_.allows(request.path[1])) return http_too_often();
   return study_.live->answer(request, std::span(request.path).subspan(3));
 }
 
@@ -198,19 +172,17 @@ HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& re
     return http_refusal(409, "refused", "the participant has not agreed", "nothing more is taken");
   if (given.keeping == Keeping::other)
     return http_refusal(409, "other", "another answer was kept before", "that one stays");
-  if (given.keeping == Keeping::out_of_order) {
-    HttpResponse refusal = http_json(json_text({{"error", "order"},
-                                                {"wrong", "something goes before it"},
-                                                {"remedy", "send what is due"},
-                                                {"next", given.next}}));
-    refusal.status = 409;
-    return refusal;
-  }
-  return http_json(json_text({{"kept", record.name}}));
+  if (given.keeping == Keeping::out_of_order)
+    return http_value({{"error", "order"},
+                       {"wrong", "something goes before it"},
+                       {"remedy", "send what is due"},
+                       {"next", given.next}},
+                      409);
+  return http_value({{"kept", record.name}});
 }
 
 HttpResponse QuestionnaireService::answer_media(const HttpRequest& request) const {
-  if (!is_reading(request)) return wrong_method("GET, HEAD");
+  if (!is_reading(request)) return http_wrong_method("GET, HEAD");
   const auto media =
       request.path.size() == 2 ? study_.media.find(request.path[1]) : study_.media.end();
   if (media == study_.media.end())
@@ -222,11 +194,11 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
   const std::vector<std::string>& path = request.path;
   if (path.size() < 2 || path[1] != sessions_.join_link()) return unknown(request);
   if (path.size() == 4 && path[2] == "records" && path[3] == consent_record)
-    return request.method == "POST" ? take_joining(request) : wrong_method("POST");
-  if (!is_reading(request)) return wrong_method("GET, HEAD");
+    return request.method == "POST" ? take_joining(request) : http_wrong_method("POST");
+  if (!is_reading(request)) return http_wrong_method("GET, HEAD");
   if (path.size() == 2) return redirect(308, "/join/" + path[1] + "/");
   if (path.size() > 3) return unknown(request);
-  if (!link_rate_.allows("join " + request.address)) return too_often();
+  if (!link_rate_.allows("join " + request.address)) return http_too_often();
   if (path[2] == "session.json") return http_json(joining_json(study_));
   if (path[2].empty() && sessions_.has_enough())
     return message_page(403, "Enough people have taken part. Thank you for coming.",
@@ -237,22 +209,22 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
 
 /// Nothing is kept of whoever refuses here, nor of those who only look.
 HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
-  if (!joining_rate_.allows(request.address)) return too_often();
+  if (!joining_rate_.allows(request.address)) return http_too_often();
   return with_record(request, [&](const PageRecord& consent, const std::string& content) {
     check_record(study_.facts, study_.plans.front(), consent);
-    if (is_refusal(consent)) return http_json(json_text({{"kept", consent.name}}));
+    if (is_refusal(consent)) return http_value({{"kept", consent.name}});
     const std::optional<SessionState> joined = sessions_.join(consent, content);
     if (!joined)
       return http_refusal(409, "enough", "enough people have taken part", "nothing more is taken");
     set_trouble("");
     const std::string where = "../../s/" + joined->session.link + "/";
-    return http_json(json_text({{"kept", consent.name}, {"session", where}}));
+    return http_value({{"kept", consent.name}, {"session", where}});
   });
 }
 
 HttpResponse QuestionnaireService::answer_lab(const HttpRequest& request) {
   if (request.path.size() < 2 || request.path[1] != sessions_.lab_link()) return unknown(request);
-  if (!is_reading(request)) return wrong_method("GET, HEAD");
+  if (!is_reading(request)) return http_wrong_method("GET, HEAD");
   if (request.path.size() == 2) return redirect(308, "/lab/" + sessions_.lab_link() + "/");
   std::optional<HttpResponse> answer;
   if (request.path.size() == 3)
