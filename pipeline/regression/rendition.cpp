@@ -71,14 +71,14 @@ render::Film as_light(const render::Image8& picture) {
 
 Rendition::Rendition(Manifest manifest, const std::filesystem::path& folder, int threads,
                      const std::stop_token& stop)
-    : manifest_(std::move(manifest)), folder_(folder), motions_(manifest_) {
-  equalize(manifest_, shared_determinants(manifest_, files_), motions_, folder_, threads, stop);
+    : manifest_(std::move(manifest)), motions_(manifest_) {
+  equalize(manifest_, shared_determinants(manifest_, files_), motions_, folder, threads, stop);
+  equalized_ = equalized_films(manifest_.equalize, folder, motions_);
 }
 
 const motion::Clip& Rendition::clip_of(const std::string& id) {
   const auto known = clips_.find(id);
   if (known != clips_.end()) return known->second;
-  if (manifest_.equalize.duration) alike(id);
   return clips_.emplace(id, staged_clip(stimulus_of(*this, id), motions_)).first->second;
 }
 
@@ -90,7 +90,7 @@ Hash Rendition::scene_key(const std::string& id) {
   scene.output.in_place = false;
   KeyBuilder key;
   add_film(key, scene, files_);
-  const Equalized equal = alike(id);
+  const Equalized equal = equalized_.of(id);
   key.add("stops", equal.exposure_stops);
   if (equal.framing.figure_px) key.add("size", *equal.framing.figure_px);
   if (equal.framing.figure_place) {
@@ -108,10 +108,6 @@ Hash Rendition::drawing_key(const std::string& id) const {
   key.add("quality", name_of(output.quality)).add("shutter", output.shutter);
   key.add("seed", static_cast<std::int64_t>(manifest_.seed));
   return key.key();
-}
-
-Equalized Rendition::alike(const std::string& id) {
-  return equalized_film(manifest_.equalize, folder_, id, motions_);
 }
 
 StagedFilm staged(const std::string& id, const FrameSources& sources, int threads) {

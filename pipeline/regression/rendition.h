@@ -43,12 +43,12 @@ class Rendition {
   Hash scene_key(const std::string& id);
   Hash drawing_key(const std::string& id) const;
 
-  Equalized alike(const std::string& id);
+  Equalized alike(const std::string& id) const { return equalized_.of(id); }
 
  private:
   Manifest manifest_;
-  std::filesystem::path folder_;
   FileKeys files_;
+  EqualizedFilms equalized_;
   Motions motions_;
   std::map<std::string, motion::Clip> clips_;
 };

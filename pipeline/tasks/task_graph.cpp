@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "pipeline/base/documents/files.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -59,6 +61,15 @@ std::vector<TaskOutcome> outcomes_by(const Find& find, const TaskGraph& graph,
 }
 
 }  // namespace
+
+void TaskRun::put(std::size_t product, const Store::Write& write, const Store::Verify& verify) {
+  store.put(task.products[product].path, keys[product], write, verify);
+}
+
+void TaskRun::put_text(std::size_t product, const std::string& text, const Store::Verify& verify) {
+  put(
+      product, [&](const std::filesystem::path& file) { write_file(file, text); }, verify);
+}
 
 void TaskGraph::add(Task task) {
   assert(std::all_of(task.inputs.begin(), task.inputs.end(),

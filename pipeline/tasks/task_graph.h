@@ -32,6 +32,12 @@ struct TaskRun {
   std::vector<Hash> keys;                ///< one a product
   std::stop_token stop;                  ///< throw Interrupted soon after it is requested
   std::function<void(double)> progress;  ///< share done, 0 … 1
+
+  /// Makes one of the products (Store::put).
+  void put(std::size_t product, const Store::Write& write, const Store::Verify& verify);
+
+  /// One that is a text, which `verify` reads back.
+  void put_text(std::size_t product, const std::string& text, const Store::Verify& verify);
 };
 
 /// Thrown by a task that was asked to stop.

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/files.h"
@@ -222,54 +223,21 @@ Place place_of(const CsvTable& table, const CsvField& field) {
 }
 
 double number_in(const CsvTable& table, const CsvField& field) {
-  const char* begin = field.text.data();
-  const char* end = begin + field.text.size();
-  if (begin != end && *begin == '+') ++begin;
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
-    throw Error(place_of(table, field), motion::in_quotes(field.text) + " is not a number",
-                "write a finite decimal number");
-  }
-  return value;
+  std::string_view text = field.text;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto value = motion::as_number<double>(text);
+  if (value && std::isfinite(*value)) return *value;
+  throw Error(place_of(table, field), motion::in_quotes(field.text) + " is not a number",
+              "write a finite decimal number");
 }
 
-double number_of(const std::filesystem::path& file, std::string_view column,
-                 std::string_view stimulus) {
-  const std::string text = read_file(file);
-  const std::string begin = "\n" + std::string(stimulus) + ",";
-  const std::size_t before = text.find(begin);
-  if (before == std::string::npos) {
-    throw Error(file.string() + ": no row of " + motion::in_quotes(stimulus),
-                "delete the file and run again");
-  }
-  const std::string header = text.substr(0, text.find('\n') + 1);
-  const std::size_t row = before + 1;
-  const CsvTable table =
-      parse_csv(header + text.substr(row, text.find('\n', row) - row), file.string());
-  const auto number = static_cast<std::size_t>(require_column(table, column));
-  return number_in(table, table.rows.front()[number]);
-}
-
-StimulusNumbers::StimulusNumbers(const std::filesystem::path& file,
-                                 const std::vector<std::string>& columns)
-    : file_(file.string()) {
+std::map<std::string, double> stimulus_numbers(const std::filesystem::path& file,
+                                               std::string_view column) {
   const CsvTable table = read_csv(file);
-  const auto name = static_cast<std::size_t>(require_column(table, "stimulus"));
-  std::vector<std::size_t> indices;
-  for (const std::string& column : columns)
-    indices.push_back(static_cast<std::size_t>(require_column(table, column)));
-  for (const auto& row : table.rows) {
-    std::vector<double>& numbers = numbers_[row[name].text];
-    for (const std::size_t index : indices) numbers.push_back(number_in(table, row[index]));
-  }
-}
-
-const std::vector<double>& StimulusNumbers::of(const std::string& stimulus) const {
-  const auto found = numbers_.find(stimulus);
-  if (found != numbers_.end()) return found->second;
-  throw Error(file_ + ": no row of " + motion::in_quotes(stimulus),
-              "delete the file and run again");
+  const auto index = static_cast<std::size_t>(require_column(table, column));
+  std::map<std::string, double> numbers;
+  for (const auto& row : table.rows) numbers[row[0].text] = number_in(table, row[index]);
+  return numbers;
 }
 
 std::string shortest(double value) {

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
+#include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "motion/error.h"
@@ -44,23 +43,10 @@ Place place_of(const CsvTable& table, const CsvField& field);
 /// The field as a finite number. Throws Error.
 double number_in(const CsvTable& table, const CsvField& field);
 
-/// The number that a table which mien has written has for a stimulus, whose id is the first of a
-/// row. No other row is read. Throws Error.
-double number_of(const std::filesystem::path& file, std::string_view column,
-                 std::string_view stimulus);
-
-/// Likewise the numbers of all stimuli: of each, those in these columns. Throws Error.
-class StimulusNumbers {
- public:
-  StimulusNumbers(const std::filesystem::path& file, const std::vector<std::string>& columns);
-
-  /// One a column. Throws Error when there is no row of the stimulus.
-  const std::vector<double>& of(const std::string& stimulus) const;
-
- private:
-  std::string file_;
-  std::unordered_map<std::string, std::vector<double>> numbers_;
-};
+/// The numbers in a column of a table that mien has written, by the stimulus that a row begins
+/// with. Throws Error.
+std::map<std::string, double> stimulus_numbers(const std::filesystem::path& file,
+                                               std::string_view column);
 
 /// The shortest decimal that reads back as the same double: "0.1", "-3", "1e-07", "nan"; "0" for
 /// −0 too.

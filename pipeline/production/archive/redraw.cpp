@@ -8,13 +8,17 @@
 #include <utility>
 
 #include "motion/math/random_number.h"
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
+#include "pipeline/base/documents/csv.h"
 #include "pipeline/production/archive/frame_comparison.h"
 #include "pipeline/production/archive/scratch_folder.h"
+#include "pipeline/production/clips/durations.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/film_record.h"
+#include "pipeline/production/film/film_table_forms.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/film/film_task.h"
 #include "pipeline/production/synthesis/motions.h"
@@ -61,17 +65,15 @@ FilmSubject subject_named(const std::string& id, const Manifest& manifest, Motio
 class Redrawing {
  public:
   Redrawing(const FilmSubject& subject, const Redraw& wanted, const Manifest& manifest,
-            Motions& motions, const StudyContents& contents, int threads)
+            const Equalized& alike, const StudyContents& contents, int threads)
       : wanted_(wanted),
         contents_(contents),
         output_(subject.film.output),
         settings_{.output = output_,
                   .seed = manifest.seed,
                   .threads = threads,
-                  .eyes = subject.film.look.camera.stereo_separation_m ? 2 : 1} {
-    const Equalized alike =
-        equalized_film(subject.equalize, contents.folder, wanted.film.id, motions);
-    shot_ = subject.make_shot(alike);
+                  .eyes = subject.film.look.camera.stereo_separation_m ? 2 : 1},
+        shot_(subject.make_shot(alike)) {
     shot_.tone.exposure_stops += alike.exposure_stops;
   }
 
@@ -130,14 +132,36 @@ class Redrawing {
   scenes::Shot shot_;
 };
 
-void refuse_without_equalizing_tables(const Manifest& manifest, const StudyContents& contents) {
-  for (const std::string& table : equalizing_tables(manifest.equalize)) {
-    const std::string hindrance =
-        motion::hindrance_of(contents.folder / table, motion::most_of_table);
-    if (hindrance.empty()) continue;
-    throw Error({(contents.folder / table).string()}, hindrance,
-                "films of this study are made alike by it; keep metrics to draw frames again");
+/// What films have in common, from the tables of it: archives have no records of tasks. Of
+/// durations it is the motions that are told. Throws Error.
+EqualizedFilms equalized_in_tables(const Manifest& manifest, const fs::path& folder,
+                                   Motions& motions) {
+  const auto column = [&](const TableForm& form, std::string_view name) {
+    const fs::path table = folder / form.path;
+    const auto refuse = [&](const std::string& wrong) {
+      throw Error({table.string()}, wrong,
+                  "films of this study are made alike by it; keep metrics to draw frames again");
+    };
+    const std::string hindrance = motion::hindrance_of(table, motion::most_of_table);
+    if (!hindrance.empty()) refuse(hindrance);
+    std::map<std::string, double> numbers = stimulus_numbers(table, name);
+    for (const Stimulus& stimulus : manifest.stimuli) {
+      if (!numbers.contains(stimulus.id)) refuse("no row of " + motion::in_quotes(stimulus.id));
+    }
+    return numbers;
+  };
+  EqualizedFilms films;
+  const Equalize& equalize = manifest.equalize;
+  if (equalize.duration)
+    motions.know_shortest(column(durations_form, "duration_s").begin()->second);
+  if (equalize.luminance) films.exposure_stops = column(exposure_form, "exposure_stops");
+  if (equalize.size) films.figure_px = column(sizes_form, "figure_px");
+  if (equalize.place) {
+    const auto below = column(places_form, "y_px");
+    for (const auto& [stimulus, right] : column(places_form, "x_px"))
+      films.figure_place[stimulus] = {right, below.at(stimulus)};
   }
+  return films;
 }
 
 }  // namespace
@@ -181,10 +205,10 @@ std::vector<Redraw> drawn_by_lot(const std::vector<KeptFilm>& films, int count,
 std::vector<RedrawnFrame> redraw(const Manifest& manifest, const StudyContents& contents,
                                  const std::vector<Redraw>& wanted, int threads,
                                  const std::stop_token& stop, const ShareDone& done) {
-  refuse_without_equalizing_tables(manifest, contents);
   FileKeys files;
   const SharedDeterminants shared = shared_determinants(manifest, files);
   Motions motions(manifest);
+  const EqualizedFilms alike = equalized_in_tables(manifest, contents.folder, motions);
   std::vector<RedrawnFrame> result;
   for (std::size_t w = 0; w < wanted.size(); ++w) {
     const FilmSubject subject = subject_named(wanted[w].film.id, manifest, motions, shared);
@@ -193,7 +217,8 @@ std::vector<RedrawnFrame> redraw(const Manifest& manifest, const StudyContents& 
         done((static_cast<double>(w) + share) / static_cast<double>(wanted.size()),
              wanted[w].film.id);
     };
-    const Redrawing redrawing(subject, wanted[w], manifest, motions, contents, threads);
+    const Redrawing redrawing(subject, wanted[w], manifest, alike.of(wanted[w].film.id), contents,
+                              threads);
     for (RedrawnFrame& frame : redrawing.draw(stop, progress)) result.push_back(std::move(frame));
   }
   return result;

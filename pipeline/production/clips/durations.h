@@ -19,10 +19,13 @@ inline constexpr std::array durations_columns = std::to_array<Column>({
 inline constexpr TableForm durations_form = {
     "metrics/durations.csv", "a stimulus, where duration is equalized", durations_columns};
 
-/// How long all films are, of a table of that form. Throws Error when it tells of no stimulus.
-double common_duration_in(const std::filesystem::path& file);
+/// Holds how long all films are: a number of seconds in JSON, in the store's folder.
+inline constexpr char duration_record_path[] = ".mien/equalized/duration.json";
 
-/// Tells the motions what was found, in the store's folder. Throws Error when there is nothing.
+/// Throws where the file holds no number.
+double recorded_duration(const std::filesystem::path& file);
+
+/// Tells the motions what was found, in the store's folder. Throws when there is nothing.
 void know_durations(const std::filesystem::path& folder, FinishedMotions& motions);
 
 }  // namespace mien::pipeline

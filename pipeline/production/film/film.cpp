@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -184,6 +185,12 @@ render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int f
   const render::Scene next = scene_at(shot, frame + 1, frame);
   return tracer.layers(scene_at(shot, frame), camera_at(shot, frame), quality, &next,
                        &camera_at(shot, frame + 1));
+}
+
+std::vector<int> frames_between(int first, int end) {
+  std::vector<int> frames(static_cast<std::size_t>(end - first));
+  std::iota(frames.begin(), frames.end(), first);
+  return frames;
 }
 
 void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,

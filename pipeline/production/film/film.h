@@ -51,6 +51,9 @@ render::Quality quality_of(const FilmSettings& settings, const scenes::Shot& sho
 render::Layers layers_of(render::Tracer& tracer, const scenes::Shot& shot, int frame,
                          const render::Quality& quality);
 
+/// Numbers of frames, from `first` to the one before `end`.
+std::vector<int> frames_between(int first, int end);
+
 /// Takes the frames, in order, as a display shows them.
 using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 

@@ -1,12 +1,10 @@
 #include "pipeline/production/film/film_dots.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <variant>
 #include <vector>
 
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/base/documents/files.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/film/film_table_forms.h"
@@ -93,12 +91,8 @@ Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equ
   task.products.push_back({"clips/" + stimulus.id + ".dots.csv", {}});
   task.cost_seconds = dots_cost_seconds;
   task.make = [&stimulus, &motions, seed, alike](TaskRun& run) {
-    const Equalized found = equalized_film(alike, run.store.folder(), stimulus.id, motions);
-    const std::string text = dots_csv(shot_of(stimulus, motions, seed, found.framing));
-    run.store.put(
-        run.task.products[0].path, run.keys[0],
-        [&](const std::filesystem::path& file) { write_file(file, text); },
-        [](const std::filesystem::path& file) { read_csv(file); });
+    const Equalized found = equalized_films(alike, run.store.folder(), motions).of(stimulus.id);
+    run.put_text(0, dots_csv(shot_of(stimulus, motions, seed, found.framing)), read_csv);
   };
   return task;
 }

@@ -1,78 +1,96 @@
 #include "pipeline/production/film/film_equalized.h"
 
 #include <functional>
+#include <optional>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/production/clips/durations.h"
 #include "pipeline/production/film/film_exposure.h"
 #include "pipeline/production/film/film_framing.h"
-#include "pipeline/production/film/film_table_forms.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EqualizedFilms, exposure_stops, figure_px, figure_place)
+
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 constexpr double framing_cost_seconds = 0.2;  // a stimulus
 constexpr double exposure_cost_seconds = 0.5;
 
-/// A task that makes one table from all stimuli.
-Task table_task(const std::string& name, const Manifest& manifest, const SharedDeterminants& shared,
-                std::optional<Among> among, double cost_seconds,
-                std::function<std::string(TaskRun&)> text_of) {
+std::string record_path(const std::string& task) { return ".mien/equalized/" + task + ".json"; }
+
+EqualizedFilms recorded(const fs::path& file) {
+  return json::parse(read_file(file)).get<EqualizedFilms>();
+}
+
+/// Adds to what has been found, and returns the table of it.
+using Find = std::function<std::string(TaskRun&, EqualizedFilms&)>;
+
+/// A task that finds something from all stimuli and from what the task `before` has found, if there
+/// is one.
+Task finding_task(const std::string& name, const std::string& before, const Manifest& manifest,
+                  const SharedDeterminants& shared, Among among, double cost_seconds, Find find) {
   Task task;
   task.id = task.kind = name;
   task.determinants.add("libraries", shared.libraries).add("code", film_code());
   task.determinants.add("seed", static_cast<std::int64_t>(manifest.seed))
       .add("duration", std::int64_t{manifest.equalize.duration})
-      .add("among", static_cast<std::int64_t>(*among));
+      .add("among", static_cast<std::int64_t>(among));
   for (const Stimulus& stimulus : manifest.stimuli) {
     task.inputs.push_back("motion:" + stimulus.id);
     task.determinants.add("stimulus", stimulus.id);
     add_film(task.determinants, stimulus, shared.files);
   }
-  task.products.push_back({"metrics/" + name + ".csv", {}});
+  if (!before.empty()) task.inputs.push_back(before);
+  task.products = {{"metrics/" + name + ".csv", {}}, {record_path(name), {}}};
   task.cost_seconds = cost_seconds * static_cast<double>(manifest.stimuli.size());
-  task.make = [text_of = std::move(text_of)](TaskRun& run) {
-    const std::string text = text_of(run);
-    run.store.put(
-        run.task.products[0].path, run.keys[0],
-        [&](const fs::path& file) { write_file(file, text); },
-        [](const fs::path& file) { read_csv(file); });
+  task.make = [before, find = std::move(find)](TaskRun& run) {
+    EqualizedFilms films;
+    if (!before.empty()) films = recorded(run.store.folder() / record_path(before));
+    run.put_text(0, find(run, films), read_csv);
+    run.put_text(1, json(films).dump(), recorded);
   };
   return task;
 }
 
 }  // namespace
 
+Equalized EqualizedFilms::of(const std::string& stimulus) const {
+  const auto in = [&]<class Number>(const std::map<std::string, Number>& found) {
+    const auto one = found.find(stimulus);
+    return one == found.end() ? std::optional<Number>() : one->second;
+  };
+  return {static_cast<float>(in(exposure_stops).value_or(0.0)), {in(figure_px), in(figure_place)}};
+}
+
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, FinishedMotions& motions) {
   std::vector<Task> tasks;
-  const Equalize& equalize = manifest.equalize;
-  if (equalize.size) {
-    tasks.push_back(table_task(
-        "sizes", manifest, shared, equalize.size, framing_cost_seconds,
-        [&manifest, &motions](TaskRun& run) { return sizes_csv(manifest, motions, run); }));
-  }
-  if (equalize.place) {
-    tasks.push_back(table_task(
-        "places", manifest, shared, equalize.place, framing_cost_seconds,
-        [&manifest, &motions](TaskRun& run) { return places_csv(manifest, motions, run); }));
-    if (equalize.size) tasks.back().inputs.emplace_back("sizes");
-  }
-  if (equalize.luminance) {
-    tasks.push_back(table_task("exposure", manifest, shared, equalize.luminance,
-                               exposure_cost_seconds,
-                               [&manifest, &motions, settings](TaskRun& run) {
-                                 return exposure_csv(manifest, settings, motions, run);
-                               }));
-    if (equalize.size) tasks.back().inputs.emplace_back("sizes");
-    if (equalize.place) tasks.back().inputs.emplace_back("places");
-  }
+  const auto add = [&](const char* name, std::optional<Among> among, double cost, Find find) {
+    if (!among) return;
+    const std::string before = tasks.empty() ? std::string() : tasks.back().id;
+    tasks.push_back(finding_task(name, before, manifest, shared, *among, cost, std::move(find)));
+  };
+  add("sizes", manifest.equalize.size, framing_cost_seconds,
+      [&](TaskRun& run, EqualizedFilms& films) {
+        return sizes_csv(manifest, motions, run, films);
+      });
+  add("places", manifest.equalize.place, framing_cost_seconds,
+      [&](TaskRun& run, EqualizedFilms& films) {
+        return places_csv(manifest, motions, run, films);
+      });
+  add("exposure", manifest.equalize.luminance, exposure_cost_seconds,
+      [&, settings](TaskRun& run, EqualizedFilms& films) {
+        return exposure_csv(manifest, settings, motions, run, films);
+      });
   return tasks;
 }
 
@@ -85,23 +103,14 @@ std::vector<std::string> equalizing_task_ids(const Equalize& equalize) {
   return ids;
 }
 
-std::vector<std::string> equalizing_tables(const Equalize& equalize) {
-  std::vector<std::string> tables;
-  const auto add = [&](const TableForm& form) { tables.emplace_back(form.path); };
-  if (equalize.duration) add(durations_form);
-  if (equalize.luminance) add(exposure_form);
-  if (equalize.size) add(sizes_form);
-  if (equalize.place) add(places_form);
-  return tables;
-}
-
-Equalized equalized_film(const Equalize& equalize, const fs::path& folder,
-                         const std::string& stimulus, FinishedMotions& motions) {
+EqualizedFilms equalized_films(const Equalize& equalize, const fs::path& folder,
+                               FinishedMotions& motions) {
   if (equalize.duration) know_durations(folder, motions);
-  Equalized alike;
-  if (equalize.luminance) alike.exposure_stops = exposure_stops_of(folder, stimulus);
-  alike.framing = equalized_framing(equalize, folder, stimulus);
-  return alike;
+  const std::string last = equalize.luminance ? "exposure"
+                           : equalize.place   ? "places"
+                           : equalize.size    ? "sizes"
+                                              : "";
+  return last.empty() ? EqualizedFilms{} : recorded(folder / record_path(last));
 }
 
 }  // namespace mien::pipeline

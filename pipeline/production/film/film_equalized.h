@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,24 +21,29 @@ struct Equalized {
   Framing framing;
 };
 
+/// Likewise for all of them, by stimulus; empty what is not made alike, or not found yet.
+struct EqualizedFilms {
+  std::map<std::string, double> exposure_stops;
+  std::map<std::string, double> figure_px;                    ///< height of the standing figure
+  std::map<std::string, std::array<double, 2>> figure_place;  ///< scenes/cameras/figure_place.h
+
+  Equalized of(const std::string& stimulus) const;
+};
+
 /// Those of the tasks "sizes" and "places" (metrics/sizes.csv, metrics/places.csv: film_framing.h)
-/// and "exposure" (metrics/exposure.csv: film_exposure.h) that `manifest.equalize` asks for. Each
-/// goes by what those before it found, and all by durations (clips/durations.h), whose task comes
-/// before them. They read all motions and look at all stimuli. `manifest` and `motions` outlive
-/// them.
+/// and "exposure" (metrics/exposure.csv: film_exposure.h) that `manifest.equalize` asks for. Beside
+/// its table, which is for people, each writes all that has been found so far,
+/// .mien/equalized/<task>.json. They go by durations (clips/durations.h), whose task comes before
+/// them. They read all motions and look at all stimuli. `manifest` and `motions` outlive them.
 std::vector<Task> equalizing_tasks(const Manifest& manifest, const SharedDeterminants& shared,
                                    const FilmSettings& settings, FinishedMotions& motions);
 
-/// The tables that they and the task of durations make, in the store's folder: drawing a film anew
-/// needs all of them.
-std::vector<std::string> equalizing_tables(const Equalize& equalize);
-
-/// Their names, for what waits for them.
+/// Their names and that of the task of durations, for what waits for them.
 std::vector<std::string> equalizing_task_ids(const Equalize& equalize);
 
-/// What they found for a stimulus, in the store's folder; of durations it is the motions that are
-/// told. Throws Error.
-Equalized equalized_film(const Equalize& equalize, const std::filesystem::path& folder,
-                         const std::string& stimulus, FinishedMotions& motions);
+/// What they have recorded in the store's folder; of durations it is the motions that are told.
+/// Throws where there is no such record.
+EqualizedFilms equalized_films(const Equalize& equalize, const std::filesystem::path& folder,
+                               FinishedMotions& motions);
 
 }  // namespace mien::pipeline

@@ -11,7 +11,6 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/fault_list.h"
-#include "pipeline/production/film/film_framing.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/film/film_table_forms.h"
 #include "render/image/contact_sheet.h"
@@ -22,9 +21,6 @@ namespace mien::pipeline {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* table_path = "metrics/exposure.csv";
 constexpr float most_stops = 8.0f;
 constexpr int halvings = 24;  // to a millionth of a stop
 
@@ -229,14 +225,13 @@ float stops_for(const std::vector<render::Film>& films, const render::Tone& tone
 }
 
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
-                         FinishedMotions& motions, TaskRun& run) {
+                         FinishedMotions& motions, TaskRun& run, EqualizedFilms& films) {
   refuse(faults_in_light(manifest, motions));
   constexpr Sampling sampling;
-  const Framings framings(manifest.equalize, run.store.folder());
   SamplesById samples;
   for (const Stimulus& stimulus : manifest.stimuli) {
     samples[stimulus.id] =
-        samples_of(stimulus, sampling, settings, motions, framings.of(stimulus.id), run.stop);
+        samples_of(stimulus, sampling, settings, motions, films.of(stimulus.id).framing, run.stop);
     run.progress(static_cast<double>(samples.size()) /
                  static_cast<double>(manifest.stimuli.size()));
   }
@@ -245,6 +240,7 @@ std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
   CsvWriter table = table_of(exposure_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Adjustment& found = adjustments.at(stimulus.id);
+    films.exposure_stops[stimulus.id] = found.stops;
     table.row({stimulus.id, shortest(std::round(1e6 * found.mean) / 1e6),
                shortest(std::round(1e6 * found.wanted) / 1e6), shortest(found.stops)});
   }
@@ -257,10 +253,6 @@ std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& mo
   for (const Stimulus& stimulus : manifest.stimuli)
     samples[stimulus.id] = samples_of(stimulus, quick_sampling, settings, motions, {}, {});
   return faults_of(manifest, adjustments_of(manifest, samples), quick_sampling);
-}
-
-float exposure_stops_of(const fs::path& folder, const std::string& stimulus) {
-  return static_cast<float>(number_of(folder / table_path, "exposure_stops", stimulus));
 }
 
 }  // namespace mien::pipeline

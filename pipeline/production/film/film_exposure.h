@@ -1,12 +1,12 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/production/clips/finished_motions.h"
 #include "pipeline/production/film/film.h"
+#include "pipeline/production/film/film_equalized.h"
 #include "pipeline/tasks/task_graph.h"
 #include "render/image/film.h"
 #include "render/image/tone.h"
@@ -27,19 +27,15 @@ namespace mien::pipeline {
 /// `wanted`; the nearest end where none does.
 float stops_for(const std::vector<render::Film>& films, const render::Tone& tone, double wanted);
 
-/// metrics/exposure.csv (film_table_forms.h). Figures are as tall and stand
-/// where film_framing.h found it if size or place is equalized too. Throws Faults when no exposure
-/// brings a film, or the films that share one, within 1 %; where it is far from there, after a
-/// quick look.
+/// Finds the exposure of each film, and returns metrics/exposure.csv (film_table_forms.h). Figures
+/// are as tall and stand where `films` has them. Throws Faults when no exposure brings a film, or
+/// the films that share one, within 1 %; where it is far from there, after a quick look.
 std::string exposure_csv(const Manifest& manifest, const FilmSettings& settings,
-                         FinishedMotions& motions, TaskRun& run);
+                         FinishedMotions& motions, TaskRun& run, EqualizedFilms& films);
 
 /// A fault for each stimulus that no exposure brings near the others' light, as a quick look at
 /// small pictures shows; what is out of reach by less than 5 % is left to exposure_csv. Throws
 /// Error.
 std::vector<Fault> faults_in_light(const Manifest& manifest, FinishedMotions& motions);
-
-/// What the table has for a stimulus, in the store's folder. Throws Error.
-float exposure_stops_of(const std::filesystem::path& folder, const std::string& stimulus);
 
 }  // namespace mien::pipeline

@@ -19,11 +19,7 @@ namespace mien::pipeline {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Eigen::Vector2d;
-
-constexpr const char* sizes_path = "metrics/sizes.csv";
-constexpr const char* places_path = "metrics/places.csv";
 
 using SizesById = std::map<std::string, double>;
 
@@ -139,12 +135,12 @@ Vector2d common_place(const std::vector<const Stimulus*>& group, const Standings
 }
 
 /// Throws Error when there is none.
-std::map<std::string, Vector2d> common_places(const Manifest& manifest,
-                                              const StandingsById& standings) {
-  std::map<std::string, Vector2d> common;
+std::map<std::string, std::array<double, 2>> common_places(const Manifest& manifest,
+                                                           const StandingsById& standings) {
+  std::map<std::string, std::array<double, 2>> common;
   for (const auto& group : alike(manifest.stimuli, *manifest.equalize.place)) {
     const Vector2d place = common_place(group, standings);
-    for (const Stimulus* stimulus : group) common[stimulus->id] = place;
+    for (const Stimulus* stimulus : group) common[stimulus->id] = {place.x(), place.y()};
   }
   return common;
 }
@@ -161,31 +157,29 @@ auto placed_in(const Manifest& manifest, const Find& find) {
 
 }  // namespace
 
-std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run) {
+std::string sizes_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
+                      EqualizedFilms& films) {
   const SizesById framed = framed_sizes(manifest, motions, between_stimuli_of(run));
-  const SizesById common = common_sizes(manifest, framed);
+  films.figure_px = common_sizes(manifest, framed);
   CsvWriter table = table_of(sizes_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
-    table.row(
-        {stimulus.id, in_hundredths(framed.at(stimulus.id)), shortest(common.at(stimulus.id))});
+    table.row({stimulus.id, in_hundredths(framed.at(stimulus.id)),
+               shortest(films.figure_px.at(stimulus.id))});
   }
   return table.text();
 }
 
-std::string places_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run) {
-  SizesById sizes;
-  if (manifest.equalize.size) {
-    const StimulusNumbers found(run.store.folder() / sizes_path, {"figure_px"});
-    for (const Stimulus& stimulus : manifest.stimuli) sizes[stimulus.id] = found.of(stimulus.id)[0];
-  }
-  const StandingsById standings = standings_at(sizes, manifest, motions, between_stimuli_of(run));
-  const auto common = placed_in(manifest, [&] { return common_places(manifest, standings); });
+std::string places_csv(const Manifest& manifest, FinishedMotions& motions, TaskRun& run,
+                       EqualizedFilms& films) {
+  const StandingsById standings =
+      standings_at(films.figure_px, manifest, motions, between_stimuli_of(run));
+  films.figure_place = placed_in(manifest, [&] { return common_places(manifest, standings); });
   CsvWriter table = table_of(places_form);
   for (const Stimulus& stimulus : manifest.stimuli) {
     const Vector2d& framed = standings.at(stimulus.id).framed;
-    const Vector2d& place = common.at(stimulus.id);
-    table.row({stimulus.id, in_hundredths(framed.x()), in_hundredths(framed.y()),
-               shortest(place.x()), shortest(place.y())});
+    const auto& [x, y] = films.figure_place.at(stimulus.id);
+    table.row({stimulus.id, in_hundredths(framed.x()), in_hundredths(framed.y()), shortest(x),
+               shortest(y)});
   }
   return table.text();
 }
@@ -196,34 +190,6 @@ void check_places(const Manifest& manifest, FinishedMotions& motions) {
   if (manifest.equalize.size)
     sizes = common_sizes(manifest, framed_sizes(manifest, motions, quietly));
   common_places(manifest, standings_at(sizes, manifest, motions, quietly));
-}
-
-Framings::Framings(const Equalize& equalize, const fs::path& folder) {
-  if (equalize.size) sizes_.emplace(folder / sizes_path, std::vector<std::string>{"figure_px"});
-  if (equalize.place)
-    places_.emplace(folder / places_path, std::vector<std::string>{"x_px", "y_px"});
-}
-
-Framing Framings::of(const std::string& stimulus) const {
-  Framing framing;
-  if (sizes_) framing.figure_px = sizes_->of(stimulus)[0];
-  if (places_) {
-    const std::vector<double>& place = places_->of(stimulus);
-    framing.figure_place = {place[0], place[1]};
-  }
-  return framing;
-}
-
-Framing equalized_framing(const Equalize& equalize, const fs::path& folder,
-                          const std::string& stimulus) {
-  Framing framing;
-  if (equalize.size) framing.figure_px = number_of(folder / sizes_path, "figure_px", stimulus);
-  if (equalize.place) {
-    const fs::path places = folder / places_path;
-    framing.figure_place = {number_of(places, "x_px", stimulus),
-                            number_of(places, "y_px", stimulus)};
-  }
-  return framing;
 }
 
 }  // namespace mien::pipeline

@@ -116,11 +116,7 @@ Task films_task(const Manifest& manifest, const SharedDeterminants& shared) {
     for (const Stimulus* film : films_of(manifest))
       films.push_back(made_film(film->id, run.store.folder()));
     for (std::size_t i = 0; i < run.keys.size(); ++i) {
-      const std::string text = tables[i].make(films);
-      run.store.put(
-          run.task.products[i].path, run.keys[i],
-          [&](const fs::path& file) { write_file(file, text); },
-          [](const fs::path& file) { read_csv(file); });
+      run.put_text(i, tables[i].make(films), read_csv);
     }
   };
   return task;

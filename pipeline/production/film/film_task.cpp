@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -47,12 +46,6 @@ double cost_of(const Output& output) {
 
 std::string video_path(const std::string& stimulus, render::VideoKind kind) {
   return "videos/" + render::with_ending(stimulus, kind).string();
-}
-
-std::vector<int> all_frames(int count) {
-  std::vector<int> frames(static_cast<std::size_t>(count));
-  std::iota(frames.begin(), frames.end(), 0);
-  return frames;
 }
 
 std::vector<std::string> names_of(const std::vector<int>& frames, FrameFormat format) {
@@ -112,12 +105,10 @@ class FilmMaker {
   void make(const Part& part) {
     refuse_long_fades();
     const auto [first, end] = range_of(part, shot_.frame_count());
-    std::vector<int> frames(static_cast<std::size_t>(end - first));
-    std::iota(frames.begin(), frames.end(), first);
     const std::unique_ptr<FrameStore> store = open_frames();
     draw_frames(
-        shot_, frames, kept_frames(), store.get(), [](int, const render::Image8&) {}, run_.stop,
-        run_.progress);
+        shot_, frames_between(first, end), kept_frames(), store.get(),
+        [](int, const render::Image8&) {}, run_.stop, run_.progress);
     if (find_products(run_.task, run_.keys, run_.store.folder())) store->drop();
   }
 
@@ -142,7 +133,7 @@ class FilmMaker {
     return kept;
   }
 
-  std::vector<int> every_frame() const { return all_frames(shot_.frame_count()); }
+  std::vector<int> every_frame() const { return frames_between(0, shot_.frame_count()); }
 
   /// Draws frames for the sink and the contact sheet.
   void draw(FrameStore* store, const std::vector<int>& frames, const FrameSink& sink) {
@@ -164,8 +155,8 @@ class FilmMaker {
       return recorder_.close();
     }
     const render::VideoKind kind = output_.video[video];
-    run_.store.put(
-        run_.task.products[product].path, run_.keys[product],
+    run_.put(
+        product,
         [&](const std::filesystem::path& file) {
           recorder_.open(file, kind);
           make_videos(video + 1, product + 1, store);
@@ -179,18 +170,15 @@ class FilmMaker {
     for (const auto& [kind, check] : recorder_.checks()) {
       record_.videos.push_back(video_record(video_path(id_, kind), kind, output_.fps, check));
     }
-    const std::string text = film_record_text(record_);
-    run_.store.put(
-        run_.task.products[product].path, run_.keys[product],
-        [&](const std::filesystem::path& file) { write_file(file, text); },
-        [](const std::filesystem::path& file) { parse_film_record(read_file(file)); });
+    run_.put_text(product, film_record_text(record_),
+                  [](const std::filesystem::path& file) { parse_film_record(read_file(file)); });
   }
 
   void put_contact_sheet(std::size_t product) {
-    run_.store.put(
-        run_.task.products[product].path, run_.keys[product],
+    run_.put(
+        product,
         [&](const std::filesystem::path& file) { render::write_png(file, contact_.build()); },
-        [](const std::filesystem::path& file) { render::read_png8(file); });
+        render::read_png8);
   }
 
   const Stimulus& film_;
@@ -280,9 +268,8 @@ Task film_task(const FilmSubject& subject, const FilmSettings& settings,
     FilmSettings own = settings;
     own.loops = repeats(subject, motions);
     own.eyes = subject.film.look.camera.stereo_separation_m ? 2 : 1;
-    const Equalized alike =
-        equalized_film(subject.equalize, run.store.folder(), subject.film.id, motions);
-    return FilmMaker(subject, alike, own, run);
+    const EqualizedFilms alike = equalized_films(subject.equalize, run.store.folder(), motions);
+    return FilmMaker(subject, alike.of(subject.film.id), own, run);
   };
   task.make = [begin](TaskRun& run) { begin(run).make(); };
   task.make_part = [begin](TaskRun& run, const Part& part) { begin(run).make(part); };

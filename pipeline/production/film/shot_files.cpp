@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <numeric>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,12 +20,11 @@ namespace fs = std::filesystem;
 std::string write_video(const ShotWork& work, const fs::path& file) {
   const int count = work.shot.frame_count();
   const render::VideoKind kind = work.settings.output.video.front();
-  std::vector<int> frames(static_cast<std::size_t>(count));
-  std::iota(frames.begin(), frames.end(), 0);
   FilmRecorder recorder(work.settings, count);
   recorder.open(file, kind);
   const FrameSink take = [&](int, const render::Image8& picture) { recorder.take(picture); };
-  draw_frames(work.shot, frames, work.settings, nullptr, take, work.stop, work.progress);
+  draw_frames(work.shot, frames_between(0, count), work.settings, nullptr, take, work.stop,
+              work.progress);
   recorder.close();
   return render::likeness_text(recorder.check(file, kind));
 }

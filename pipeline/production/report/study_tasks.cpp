@@ -38,12 +38,9 @@ constexpr Table tables[] = {{distances_form, distances_csv},
                             {foils_form, foils_csv}};
 
 void put_page(TaskRun& run, std::size_t product, const std::string& text) {
-  run.store.put(
-      run.task.products[product].path, run.keys[product],
-      [&](const fs::path& file) { write_file(file, text); },
-      [&](const fs::path& file) {
-        if (read_file(file) != text) throw std::runtime_error(file.string() + " is not complete");
-      });
+  run.put_text(product, text, [&](const fs::path& file) {
+    if (read_file(file) != text) throw std::runtime_error(file.string() + " is not complete");
+  });
 }
 
 }  // namespace
@@ -74,13 +71,8 @@ Task tables_task(const Manifest& manifest, Motions& motions, const Hash& study) 
   for (const Table& table : tables) task.products.push_back({std::string(table.form.path), {}});
   task.cost_seconds = tables_cost_seconds;
   task.make = [&manifest, &motions](TaskRun& run) {
-    for (std::size_t i = 0; i < run.keys.size(); ++i) {
-      const std::string text = tables[i].make(manifest, motions);
-      run.store.put(
-          run.task.products[i].path, run.keys[i],
-          [&](const fs::path& file) { write_file(file, text); },
-          [](const fs::path& file) { read_csv(file); });
-    }
+    for (std::size_t i = 0; i < run.keys.size(); ++i)
+      run.put_text(i, tables[i].make(manifest, motions), read_csv);
   };
   return task;
 }

@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr double cost_seconds = 0.02;
 
-void check_csv(const fs::path& file) { read_csv(file); }
-
 void check_json(const fs::path& file) {
   if (!nlohmann::json::accept(read_file(file)))
     throw std::runtime_error(file.string() + " is not complete");
@@ -42,14 +40,9 @@ Task design_task(const Manifest& manifest, Motions& motions, const Hash& study,
   task.cost_seconds = cost_seconds;
   task.make = [&manifest, &motions](TaskRun& run) {
     const fs::path& folder = run.store.folder();
-    const auto put = [&](std::size_t product, const std::string& text, auto check) {
-      run.store.put(
-          run.task.products[product].path, run.keys[product],
-          [&](const fs::path& file) { write_file(file, text); }, check);
-    };
-    put(0, stimuli_csv(manifest, motions, folder), check_csv);
-    put(1, warnings_csv(manifest, motions, folder), check_csv);
-    put(2, codebook_json(manifest), check_json);
+    run.put_text(0, stimuli_csv(manifest, motions, folder), read_csv);
+    run.put_text(1, warnings_csv(manifest, motions, folder), read_csv);
+    run.put_text(2, codebook_json(manifest), check_json);
   };
   return task;
 }

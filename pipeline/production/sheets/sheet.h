@@ -7,6 +7,7 @@
 
 #include "motion/measures/distance/distance.h"
 #include "motion/skeleton/example.h"
+#include "pipeline/production/synthesis/parameter_label.h"
 
 namespace mien::pipeline {
 
@@ -27,13 +28,7 @@ struct SheetValue {
 };
 
 /// A parameter of both motions.
-struct SheetParameter {
-  std::string name;      ///< of a group, "quickness"; empty for a scale, which has two ends
-  std::string japanese;  ///< of a group, 速さ
-  std::string low;       ///< ends of a scale, "sad" and "happy"
-  std::string high;
-  std::string japanese_low;
-  std::string japanese_high;
+struct SheetParameter : ParameterLabel {
   SheetValue target;
   SheetValue created;
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "pipeline/production/synthesis/modified_motion.h"
-#include "pipeline/production/synthesis/parameter_label.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -72,18 +71,6 @@ Values values_of(const std::string& name, Motions& motions) {
           stimulus != nullptr && !stimulus->features.empty()};
 }
 
-SheetParameter sheet_parameter(const std::string& id, bool is_feature, const ScaleSet& scales) {
-  ParameterLabel label = is_feature ? feature_label(id) : rating_label(id, scales);
-  return {std::move(label.name),
-          std::move(label.japanese),
-          std::move(label.low),
-          std::move(label.high),
-          std::move(label.japanese_low),
-          std::move(label.japanese_high),
-          {},
-          {}};
-}
-
 /// Parameters that either motion was asked for, the target's first, then those held, then all
 /// others with a value.
 class ParameterList {
@@ -104,10 +91,8 @@ class ParameterList {
   void add(const NamedValues& values, bool are_features) {
     for (const auto& [id, value] : values) {
       if (!known_.emplace(id, are_features).second) continue;
-      SheetParameter parameter = sheet_parameter(id, are_features, scales_);
-      parameter.target = target_.of(id, are_features);
-      parameter.created = created_.of(id, are_features);
-      parameters_.push_back(std::move(parameter));
+      parameters_.push_back({are_features ? feature_label(id) : rating_label(id, scales_),
+                             target_.of(id, are_features), created_.of(id, are_features)});
     }
   }
 
@@ -129,13 +114,13 @@ MotionColours colours_of(const Stimulus* stimulus) {
   return stimulus->role == Role::target ? target_colours : created_colours;
 }
 
+}  // namespace
+
 std::vector<std::pair<std::string, std::string>> provenance_of(const Manifest& manifest) {
   return {{"mien", std::string(program_version())},
           {"seed", std::to_string(manifest.seed)},
           {"manifest", manifest.file.filename().string()}};
 }
-
-}  // namespace
 
 SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions& motions) {
   SheetContent content;

@@ -7,6 +7,9 @@
 
 namespace mien::pipeline {
 
+/// What every sheet says of how it was made: ("seed", "7"), …
+std::vector<std::pair<std::string, std::string>> provenance_of(const Manifest& manifest);
+
 /// What a comparison sheet of the manifest shows: makes its motions and measures their distance.
 SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions& motions);
 

@@ -32,12 +32,8 @@ std::vector<Product> sheet_products(const Sheet& sheet) {
 }
 
 void put_sheet(TaskRun& run, const std::string& pdf, const std::string& png) {
-  run.store.put(
-      run.task.products[0].path, run.keys[0], [&](const fs::path& file) { write_file(file, pdf); },
-      verify_pdf);
-  run.store.put(
-      run.task.products[1].path, run.keys[1], [&](const fs::path& file) { write_file(file, png); },
-      [](const fs::path& file) { render::check_image(file); });
+  run.put_text(0, pdf, verify_pdf);
+  run.put_text(1, png, render::check_image);
 }
 
 Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,

@@ -5,6 +5,7 @@
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/film/kept_light.h"
+#include "pipeline/production/sheets/sheet_content.h"
 #include "pipeline/production/sheets/sheet_task.h"
 #include "pipeline/production/sheets/stills.h"
 #include "pipeline/tasks/code_identity.h"
@@ -29,17 +30,11 @@ render::Image8 still_of(const Stimulus& stimulus, FilmSettings settings, Motions
 
 StillsContent stills_content(const Sheet& sheet, const Manifest& manifest,
                              const FilmSettings& settings, Motions& motions, TaskRun& run) {
-  StillsContent content{manifest.study,
-                        sheet.id,
-                        {},
-                        sheet.columns,
-                        {{"mien", std::string(program_version())},
-                         {"seed", std::to_string(manifest.seed)},
-                         {"manifest", manifest.file.filename().string()}}};
+  StillsContent content{manifest.study, sheet.id, {}, sheet.columns, provenance_of(manifest)};
+  const EqualizedFilms alike = equalized_films(manifest.equalize, run.store.folder(), motions);
   for (const std::string& id : sheet.stills) {
-    const Equalized alike = equalized_film(manifest.equalize, run.store.folder(), id, motions);
     content.stills.push_back(
-        {id, still_of(*motions.stimulus(id), settings, motions, alike, run.stop)});
+        {id, still_of(*motions.stimulus(id), settings, motions, alike.of(id), run.stop)});
     run.progress(static_cast<double>(content.stills.size()) /
                  static_cast<double>(sheet.stills.size()));
   }

@@ -2,16 +2,15 @@
 
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/base/documents/files.h"
 #include "pipeline/production/clips/durations.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double duration_cost_seconds = 0.001;  // a stimulus whose motion is there
 
@@ -33,14 +32,11 @@ Task durations_task(const Manifest& manifest, const SharedDeterminants& shared, 
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", motion_code());
   for (const Stimulus& stimulus : manifest.stimuli) task.inputs.push_back("motion:" + stimulus.id);
-  task.products.push_back({std::string(durations_form.path), {}});
+  task.products = {{std::string(durations_form.path), {}}, {duration_record_path, {}}};
   task.cost_seconds = duration_cost_seconds * static_cast<double>(manifest.stimuli.size());
   task.make = [&manifest, &motions](TaskRun& run) {
-    const std::string text = durations_csv(manifest, motions);
-    run.store.put(
-        run.task.products[0].path, run.keys[0],
-        [&](const fs::path& file) { write_file(file, text); },
-        [](const fs::path& file) { common_duration_in(file); });
+    run.put_text(0, durations_csv(manifest, motions), read_csv);
+    run.put_text(1, nlohmann::json(motions.shortest_seconds()).dump(), recorded_duration);
   };
   return task;
 }

@@ -55,10 +55,7 @@ Task motion_task(const Stimulus& stimulus, const SharedDeterminants& shared, Mot
     const Synthesis& synthesis = motions.of(stimulus.id);
     const std::string record =
         motion_record(synthesis, shown_clip(synthesis.motion.clip, stimulus.output));
-    run.store.put(
-        run.task.products[0].path, run.keys[0],
-        [&](const fs::path& file) { write_file(file, record); },
-        [](const fs::path& file) { parse_motion_record(read_file(file)); });
+    run.put_text(0, record, [](const fs::path& file) { parse_motion_record(read_file(file)); });
   };
   return task;
 }
@@ -81,9 +78,8 @@ Task clip_task(const Stimulus& stimulus, const Equalize& equalize, const SharedD
     if (is_cut) know_durations(run.store.folder(), motions);
     const motion::Recording recording = motion::to_recording(motions.shown(stimulus));
     for (std::size_t i = 0; i < run.keys.size(); ++i) {
-      run.store.put(
-          run.task.products[i].path, run.keys[i],
-          [&](const fs::path& file) { motion::write_motion(recording, file); },
+      run.put(
+          i, [&](const fs::path& file) { motion::write_motion(recording, file); },
           [&](const fs::path& file) { verify_clip(file, recording); });
     }
   };

@@ -12,6 +12,7 @@
 #include "pipeline/manifest/checks/manifest_checks.h"
 #include "pipeline/manifest/look/set_file.h"
 #include "pipeline/production/film/film_dots.h"
+#include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_exposure.h"
 #include "pipeline/production/film/film_framing.h"
 #include "pipeline/production/film/film_presentation.h"
@@ -102,7 +103,8 @@ std::map<std::string, double> stops_in(const Manifest& manifest) {
   for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
   std::map<std::string, double> stops;
   for (const Stimulus& one : manifest.stimuli)
-    stops[one.id] = number_of(folder.path() / "out/metrics/exposure.csv", "exposure_stops", one.id);
+    stops[one.id] =
+        stimulus_numbers(folder.path() / "out/metrics/exposure.csv", "exposure_stops").at(one.id);
   return stops;
 }
 
@@ -143,12 +145,13 @@ TEST(Equalize, MakesFiguresAsTallAsTheSmallest) {
   for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
   ASSERT_TRUE(result.is_complete());
   for (const Stimulus& one : manifest.stimuli) {
-    EXPECT_NEAR(number_of(folder.path() / "out/metrics/views.csv", "figure_px", one.id), least,
-                0.02)
+    EXPECT_NEAR(stimulus_numbers(folder.path() / "out/metrics/views.csv", "figure_px").at(one.id),
+                least, 0.02)
         << one.id;
   }
   // The dots are where their table says, in the picture of that size.
-  const double figure_px = number_of(folder.path() / "out/metrics/sizes.csv", "figure_px", "dots");
+  const double figure_px =
+      stimulus_numbers(folder.path() / "out/metrics/sizes.csv", "figure_px").at("dots");
   EXPECT_EQ(read_file(folder.path() / "out/clips/dots.dots.csv"),
             dots_csv(shot_of(manifest.stimuli[2], motions, 0, {.figure_px = figure_px})));
 }
@@ -175,16 +178,17 @@ TEST(Equalize, MakesFiguresStandAtOnePlaceWhereAllAreSeenWhole) {
   for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
   ASSERT_TRUE(result.is_complete());
   const auto found = [&](const char* table, const char* column, const Stimulus& of) {
-    return number_of(folder.path() / "out/metrics" / table, column, of.id);
+    return stimulus_numbers(folder.path() / "out/metrics" / table, column).at(of.id);
   };
+  const EqualizedFilms alike =
+      equalized_films(manifest.equalize, folder.path() / "out", production.motions());
   const Stimulus& first = manifest.stimuli.front();
   for (const Stimulus& one : manifest.stimuli) {
     for (const auto& [seen, common] : {std::pair("figure_x_px", "x_px"), {"figure_y_px", "y_px"}}) {
       EXPECT_NEAR(found("views.csv", seen, one), found("places.csv", common, first), 0.02)
           << one.id;
     }
-    const Framing framing = equalized_framing(manifest.equalize, folder.path() / "out", one.id);
-    const scenes::Shot shot = shot_of(one, production.motions(), 0, framing);
+    const scenes::Shot shot = shot_of(one, production.motions(), 0, alike.of(one.id).framing);
     const Eigen::AlignedBox2d taken = scenes::taken_part(shot.cameras, shot.action);
     const Eigen::Vector2d half = 0.5 * Eigen::Vector2d(shot.size[0], shot.size[1]);
     EXPECT_TRUE(Eigen::AlignedBox2d(-half, half).contains(taken)) << one.id;
@@ -193,9 +197,46 @@ TEST(Equalize, MakesFiguresStandAtOnePlaceWhereAllAreSeenWhole) {
   EXPECT_GT(std::abs(found("places.csv", "framed_y_px", manifest.stimuli[0]) -
                      found("places.csv", "framed_y_px", manifest.stimuli[1])),
             1.0);
-  EXPECT_EQ(read_file(folder.path() / "out/clips/dots.dots.csv"),
-            dots_csv(shot_of(manifest.stimuli[3], production.motions(), 0,
-                             equalized_framing(manifest.equalize, folder.path() / "out", "dots"))));
+  EXPECT_EQ(
+      read_file(folder.path() / "out/clips/dots.dots.csv"),
+      dots_csv(shot_of(manifest.stimuli[3], production.motions(), 0, alike.of("dots").framing)));
+}
+
+TEST(Equalize, RecordsForFilmsWhatItsTablesTell) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path out = folder.path() / "out";
+  Manifest manifest = differently_framed();
+  manifest.equalize = {
+      .luminance = Among::figure, .size = Among::study, .place = Among::study, .duration = true};
+  const auto made = [&] {
+    Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+    const RunResult result = run(production, out, 1, {}, {});
+    std::map<std::string, TaskState> states;
+    for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
+      EXPECT_EQ(result.outcomes[i].error, "");
+      states[production.graph().tasks[i].id] = result.outcomes[i].state;
+    }
+    return states;
+  };
+  made();
+  Motions motions(manifest);
+  const EqualizedFilms alike = equalized_films(manifest.equalize, out, motions);
+  EXPECT_EQ(alike.exposure_stops, stimulus_numbers(out / "metrics/exposure.csv", "exposure_stops"));
+  EXPECT_EQ(alike.figure_px, stimulus_numbers(out / "metrics/sizes.csv", "figure_px"));
+  for (const auto& [id, right] : stimulus_numbers(out / "metrics/places.csv", "x_px"))
+    EXPECT_EQ(alike.figure_place.at(id)[0], right) << id;
+  for (const auto& [id, seconds] : stimulus_numbers(out / "metrics/durations.csv", "duration_s"))
+    EXPECT_EQ(motions.shortest_seconds(), seconds) << id;
+
+  // What was taken away or altered is found anew, and films that rest on it are what they were.
+  std::filesystem::remove(out / ".mien/equalized/sizes.json");
+  write_file(out / ".mien/equalized/exposure.json", "{}");
+  std::map<std::string, TaskState> states = made();
+  EXPECT_EQ(states.at("sizes"), TaskState::made);
+  EXPECT_EQ(states.at("places"), TaskState::cached);
+  EXPECT_EQ(states.at("exposure"), TaskState::made);
+  EXPECT_EQ(states.at("film:short"), TaskState::cached);
+  EXPECT_EQ(equalized_films(manifest.equalize, out, motions).exposure_stops, alike.exposure_stops);
 }
 
 TEST(Equalize, FindsNoPlaceForFiguresOfWhichEachFillsItsPictureElsewhere) {
@@ -240,7 +281,7 @@ TEST(Equalize, MakesThoseWithTheSameKindOfFigureAlike) {
   for (const TaskOutcome& outcome : run(production, folder.path() / "out", 1, {}, {}).outcomes)
     EXPECT_EQ(outcome.error, "");
   const auto found = [&](const char* table, const char* column, const char* of) {
-    return number_of(folder.path() / "out/metrics" / table, column, of);
+    return stimulus_numbers(folder.path() / "out/metrics" / table, column).at(of);
   };
   for (const auto& [table, column] :
        {std::pair("sizes.csv", "figure_px"), std::pair("exposure.csv", "wanted_luminance")}) {
@@ -434,7 +475,7 @@ TEST(Overlays, ShowTheirMotionsTogetherInOneFilm) {
   const RunResult result = run(production, folder.path() / "out", 1, {}, {});
   for (const TaskOutcome& outcome : result.outcomes) EXPECT_EQ(outcome.error, "");
   ASSERT_TRUE(result.is_complete());
-  EXPECT_EQ(number_of(folder.path() / "out/metrics/videos.csv", "frames", "both"),
+  EXPECT_EQ(stimulus_numbers(folder.path() / "out/metrics/videos.csv", "frames").at("both"),
             shot.frame_count());
   // Its own layout is its own film; the films of its motions stay.
   manifest.overlays[0].layout = scenes::Layout::side_by_side;

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/base/documents/files.h"
-#include "pipeline/temporary_folder.h"
 #include "render/image/luminance.h"
 
 namespace mien::pipeline {
@@ -34,16 +32,6 @@ TEST(FilmExposure, LeavesAloneWhatIsRightAndStopsAtTheEnds) {
   EXPECT_NEAR(stops_for(films, {}, render::mean_luminance(films[0], {})), 0.0, 1e-4);
   EXPECT_NEAR(stops_for(films, {}, 1.0), 8.0, 1e-3);
   EXPECT_NEAR(stops_for({ramp(0.0f)}, {}, 0.2), 8.0, 1e-3);
-}
-
-TEST(FilmExposure, IsFoundInItsTable) {
-  const test::TemporaryFolder folder;
-  std::filesystem::create_directories(folder.path() / "metrics");
-  write_file(folder.path() / "metrics/exposure.csv",
-             "stimulus,mean_luminance,wanted_luminance,exposure_stops\na,0.2,0.3,0.5\nb,1,1,-2\n");
-  EXPECT_EQ(exposure_stops_of(folder.path(), "a"), 0.5f);
-  EXPECT_EQ(exposure_stops_of(folder.path(), "b"), -2.0f);
-  EXPECT_THROW(exposure_stops_of(folder.path(), "c"), Error);
 }
 
 }  // namespace
