@@ -1,6 +1,9 @@
 #include "pipeline/production/report/lint_timeline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,31 +34,19 @@ struct Row {
 
 /// In the order of the findings, which is that of the rules; rows of one rule by their joints.
 std::vector<Row> rows_of(const std::vector<motion::Finding>& findings) {
-  std::vector<Row> rows;
+  std::vector<std::string> checks;
+  std::map<std::pair<std::ptrdiff_t, std::string>, Row> rows;
   for (const motion::Finding& finding : findings) {
-    const auto same = [&](const Row& row) {
-      return row.check == finding.check && row.joint == finding.joint;
-    };
-    auto row = std::find_if(rows.begin(), rows.end(), same);
-    if (row == rows.end()) {
-      rows.push_back({finding.check, finding.joint, {}});
-      row = rows.end() - 1;
-    }
-    row->findings.push_back(&finding);
+    auto check = std::ranges::find(checks, finding.check);
+    if (check == checks.end()) check = checks.insert(check, finding.check);
+    Row& row = rows[{check - checks.begin(), finding.joint}];
+    row.check = finding.check;
+    row.joint = finding.joint;
+    row.findings.push_back(&finding);
   }
-  const auto rank = [&](const Row& row) {
-    const auto first = std::find_if(rows.begin(), rows.end(),
-                                    [&](const Row& other) { return other.check == row.check; });
-    return first - rows.begin();
-  };
-  std::vector<std::pair<long, Row>> ranked;
-  for (const Row& row : rows) ranked.emplace_back(rank(row), row);
-  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first < b.first : a.second.joint < b.second.joint;
-  });
-  rows.clear();
-  for (auto& [place, row] : ranked) rows.push_back(std::move(row));
-  return rows;
+  std::vector<Row> ordered;
+  for (auto& [place, row] : rows) ordered.push_back(std::move(row));
+  return ordered;
 }
 
 struct Layout {
@@ -129,9 +120,8 @@ void draw_row(Canvas& canvas, const Layout& layout, double top, const Row& row,
 }
 
 std::string subtitle_of(const LintedMotion& motion) {
-  const auto errors = std::count_if(
-      motion.findings.begin(), motion.findings.end(),
-      [](const motion::Finding& finding) { return finding.severity == motion::Severity::error; });
+  const auto errors =
+      std::ranges::count(motion.findings, motion::Severity::error, &motion::Finding::severity);
   const auto warnings = static_cast<long>(motion.findings.size()) - errors;
   return fmt::format(
       "{} {}, {} {}; {} frames at {:g} a second", errors, errors == 1 ? "error" : "errors",
@@ -143,8 +133,7 @@ std::vector<std::string> clean_lines(const LintedMotion& motion) {
   std::vector<std::string> lines = {"nothing found:"};
   for (const motion::LintCheck& check : motion::lint_checks()) {
     const bool has_findings =
-        std::any_of(motion.findings.begin(), motion.findings.end(),
-                    [&](const motion::Finding& finding) { return finding.check == check.id; });
+        std::ranges::count(motion.findings, check.id, &motion::Finding::check) > 0;
     const bool looked =
         (!check.needs_original || motion.was_compared) && (check.id != "loop-seam" || motion.loops);
     if (has_findings || !looked) continue;

@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/production/report/methods_blends.h"
-#include "pipeline/production/report/methods_examples.h"
-#include "pipeline/production/report/methods_modifications.h"
-#include "pipeline/production/report/methods_pictures.h"
-#include "pipeline/production/report/methods_settings.h"
+#include "pipeline/production/report/methods_parts.h"
 #include "pipeline/production/report/prose.h"
 #include "pipeline/production/report/references.h"
 #include "pipeline/production/report/study_facts.h"
@@ -16,17 +12,17 @@ namespace mien::pipeline {
 
 namespace {
 
-void tell_program(const Manifest& manifest, MethodsText& out) {
+void tell_program(MethodsText& out) {
   out.say(fmt::format("The {} made with mien {} [@mien] (random seed {})",
-                      count_of(manifest.stimuli.size(), "stimulus was", "stimuli were"),
-                      program_version(), manifest.seed));
+                      count_of(out.manifest.stimuli.size(), "stimulus was", "stimuli were"),
+                      program_version(), out.manifest.seed));
 }
 
-void tell_design(const Manifest& manifest, MethodsText& out) {
+void tell_design(MethodsText& out) {
   Names factors;
-  for (const std::string& factor : factors_of(manifest)) {
+  for (const std::string& factor : factors_of(out.manifest)) {
     Names levels;
-    for (const Stimulus& stimulus : manifest.stimuli) {
+    for (const Stimulus& stimulus : out.manifest.stimuli) {
       const std::string level = level_of(stimulus, factor);
       if (!level.empty()) add_once(levels, level);
     }
@@ -39,14 +35,14 @@ void tell_design(const Manifest& manifest, MethodsText& out) {
   }
 }
 
-void tell_files(const Manifest& manifest, MethodsText& out) {
-  const auto files = stimuli_from(manifest, "clip");
+void tell_files(MethodsText& out) {
+  const auto files = stimuli_from(out.manifest, "clip");
   if (files.empty()) return;
   out.say(count_of(files.size(), "stimulus shows", "stimuli show") + " recorded motion");
 }
 
-void tell_paths(const Manifest& manifest, MethodsText& out) {
-  const auto paths = stimuli_from(manifest, "path");
+void tell_paths(MethodsText& out) {
+  const auto paths = stimuli_from(out.manifest, "path");
   if (paths.empty()) return;
   out.say(count_of(paths.size(), "stimulus was", "stimuli were") +
           " walked along a path by a parametric walker that plans each step as it goes, and is no "
@@ -56,17 +52,17 @@ void tell_paths(const Manifest& manifest, MethodsText& out) {
 }  // namespace
 
 Methods methods_of(const Manifest& manifest, Motions& motions) {
-  MethodsText out;
-  tell_program(manifest, out);
-  tell_design(manifest, out);
-  if (uses_examples(manifest)) tell_examples(manifest, motions, out);
-  tell_blends(manifest, motions, out);
-  tell_files(manifest, out);
-  tell_paths(manifest, out);
-  tell_modifications(manifest, motions, out);
-  tell_matching_settings(manifest, out);
+  MethodsText out(manifest, motions);
+  tell_program(out);
+  tell_design(out);
+  if (uses_examples(manifest)) tell_examples(out);
+  tell_blends(out);
+  tell_files(out);
+  tell_paths(out);
+  tell_modifications(out);
+  tell_matching_settings(out);
   out.end_paragraph();
-  tell_pictures(manifest, motions, out);
+  tell_pictures(out);
   out.end_paragraph();
   std::string text = out.text();
   text.pop_back();  // one line end is enough

@@ -1,5 +1,3 @@
-#include "pipeline/production/report/methods_settings.h"
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -15,6 +13,7 @@
 #include "pipeline/manifest/look/set_fields.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/report/methods_parts.h"
 #include "pipeline/production/report/prose.h"
 #include "pipeline/production/report/stated_settings.h"
 
@@ -80,10 +79,10 @@ std::string dots_of(const Stimulus& stimulus, Motions& motions, std::uint64_t se
                                     : fmt::format("{:g} pixels", options.size_px));
 }
 
-void tell_dots(const Manifest& manifest, Motions& motions, MethodsText& out) {
+void tell_dots(MethodsText& out) {
   Names dots;
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (has_dots(stimulus)) add_once(dots, dots_of(stimulus, motions, manifest.seed));
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (has_dots(stimulus)) add_once(dots, dots_of(stimulus, out.motions, out.manifest.seed));
   }
   if (!dots.empty())
     out.say("A point-light figure has " + fmt::format("{}", fmt::join(dots, " or ")));
@@ -91,8 +90,8 @@ void tell_dots(const Manifest& manifest, Motions& motions, MethodsText& out) {
 
 }  // namespace
 
-void tell_settings(const Manifest& manifest, Motions& motions, MethodsText& out) {
-  tell_dots(manifest, motions, out);
+void tell_settings(MethodsText& out) {
+  tell_dots(out);
   StatedSettings settings;
   Names everybody;
   const auto add_settings_of = [&](const Stimulus& film) {
@@ -101,13 +100,13 @@ void tell_settings(const Manifest& manifest, Motions& motions, MethodsText& out)
     add_set(film, settings);
     add_differences("output.", film.output, film.id, settings);
   };
-  for (const Stimulus& stimulus : manifest.stimuli) add_settings_of(stimulus);
-  for (const Overlay& overlay : manifest.overlays) {
+  for (const Stimulus& stimulus : out.manifest.stimuli) add_settings_of(stimulus);
+  for (const Overlay& overlay : out.manifest.overlays) {
     Stimulus film = overlay.film;
     film.look.colours = Colours::neutral;  // which it does not go by
     add_settings_of(film);
   }
-  for (const Stimulus& stimulus : manifest.stimuli) {
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
     if (is_blend(stimulus))
       add_differences("interpolation.", stimulus.interpolation, stimulus.id, settings);
   }
@@ -115,16 +114,16 @@ void tell_settings(const Manifest& manifest, Motions& motions, MethodsText& out)
     out.say("Settings other than mien's own were: " + settings.text(everybody));
 }
 
-void tell_example_settings(const Manifest& manifest, MethodsText& out) {
-  if (!manifest.examples.builtin.empty()) return;
+void tell_example_settings(MethodsText& out) {
+  if (!out.manifest.examples.builtin.empty()) return;
   StatedSettings settings;
-  add_differences("examples.", manifest.examples, "", settings);
+  add_differences("examples.", out.manifest.examples, "", settings);
   if (!settings.empty()) out.say("They were taken by these settings: " + settings.text({""}));
 }
 
-void tell_matching_settings(const Manifest& manifest, MethodsText& out) {
-  if (!manifest.matching) return;
-  const Matching& matching = *manifest.matching;
+void tell_matching_settings(MethodsText& out) {
+  if (!out.manifest.matching) return;
+  const Matching& matching = *out.manifest.matching;
   if (matching.order == MatchingOrder::guesses_first)
     out.say(
         "In the matching experiment participants made a guess with every interface at a target "

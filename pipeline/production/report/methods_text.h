@@ -2,13 +2,20 @@
 
 #include <string>
 
+#include "pipeline/manifest/manifest.h"
 #include "pipeline/production/report/prose.h"
+#include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {
 
-/// A text of sentences and paragraphs that cites as pandoc reads it.
+/// A text of sentences and paragraphs about a study that cites as pandoc reads it.
 class MethodsText {
  public:
+  MethodsText(const Manifest& of, Motions& made) : manifest(of), motions(made) {}
+
+  const Manifest& manifest;
+  Motions& motions;
+
   void say(const std::string& sentence);
   void end_paragraph();
 

@@ -39,6 +39,15 @@ std::string parameter_name(const std::string& id, const Stimulus& stimulus, Moti
   return html_escaped(is_japanese ? japanese : english_text(label));
 }
 
+/// A name, a bar from 0 to 1, and cells of numbers.
+std::string bar_row(const std::string& name, double share,
+                    std::initializer_list<std::string> cells) {
+  return fmt::format(
+      "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
+      "value=\"{:.3f}\"></meter></td><td>{}</td></tr>\n",
+      name, share, fmt::join(cells, "</td><td>"));
+}
+
 /// The row of those that are left out; nothing where they weigh nothing.
 std::string smaller_weights(const std::vector<std::pair<double, std::string>>& weights, int shown) {
   double sum = 0.0;
@@ -69,10 +78,8 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
   std::string rows;
   const auto add = [&](const std::string& id, const std::string& asked, const std::string& possible,
                        double reached) {
-    rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
-        "value=\"{:.3f}\"></meter></td><td>{}</td><td>{:.2f}</td><td>{}</td></tr>\n",
-        parameter_name(id, stimulus, motions, language), reached, asked, reached, possible);
+    rows += bar_row(parameter_name(id, stimulus, motions, language), reached,
+                    {asked, fmt::format("{:.2f}", reached), possible});
   };
   for (std::size_t i = 0; i < made.asked.size(); ++i) {
     const std::string possible = i < made.feasible.size() ? range_cell(made.feasible[i]) : "";
@@ -94,10 +101,8 @@ std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Mo
   for (const auto& [id, value] : rated_values(made, motions.repertoire())) {
     if (is_listed(id, made)) continue;
     ++count;
-    rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
-        "value=\"{:.3f}\"></meter></td><td>{:.2f}</td></tr>\n",
-        parameter_name(id, stimulus, motions, language), value, value);
+    rows += bar_row(parameter_name(id, stimulus, motions, language), value,
+                    {fmt::format("{:.2f}", value)});
   }
   if (rows.empty()) return rows;
   return fmt::format(
@@ -122,10 +127,7 @@ std::string weight_table(const Synthesis& made, Motions& motions) {
   for (const auto& [weight, name] : weights) {
     if (weight < 0.005 || shown == most_weights) break;
     ++shown;
-    rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td class=\"bar\"><meter min=\"0\" max=\"1\" "
-        "value=\"{:.3f}\"></meter></td><td>{:.2f}</td></tr>\n",
-        html_escaped(name), weight, weight);
+    rows += bar_row(html_escaped(name), weight, {fmt::format("{:.2f}", weight)});
   }
   return html_table({"example", "", ">weight"}, rows + smaller_weights(weights, shown));
 }
@@ -156,12 +158,8 @@ std::string feature_agreement_table(std::span<const Sheet* const> sheets, Motion
   std::string rows;
   for (const Sheet* sheet : sheets) {
     const std::vector<motion::FeatureChange> changes = feature_changes(*sheet, motions);
-    const auto moved =
-        std::count_if(changes.begin(), changes.end(),
-                      [](const motion::FeatureChange& change) { return change.moved(); });
-    const auto agree =
-        std::count_if(changes.begin(), changes.end(),
-                      [](const motion::FeatureChange& change) { return change.agrees(); });
+    const auto moved = std::ranges::count_if(changes, &motion::FeatureChange::moved);
+    const auto agree = std::ranges::count_if(changes, &motion::FeatureChange::agrees);
     if (moved == 0) continue;
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                         html_escaped(sheet->target), html_escaped(sheet->created), moved, agree);
