@@ -88,27 +88,24 @@ void draw_rows(Canvas& canvas, const GalleryContent& content) {
   }
 }
 
-void draw_page(Canvas& canvas, const GalleryContent& content) {
+std::string drawn(Canvas canvas, const GalleryContent& content) {
   draw_title(canvas, content);
   draw_rows(canvas, content);
   std::string facts = "lighter limbs: left";
   for (const auto& [name, value] : content.provenance) facts += "  ·  " + name + " " + value;
   canvas.text({gallery_margin, page_height(content) - gallery_margin}, facts,
               {.size = 8.0, .colour = quiet_ink});
+  return canvas.finish();
 }
 
 }  // namespace
 
 std::string gallery_as_pdf(const GalleryContent& content) {
-  Canvas canvas = Canvas::pdf(page_width, page_height(content), content.title);
-  draw_page(canvas, content);
-  return canvas.finish();
+  return drawn(Canvas::pdf(page_width, page_height(content), content.title), content);
 }
 
 std::string gallery_as_png(const GalleryContent& content) {
-  Canvas canvas = Canvas::png(page_width, page_height(content), gallery_pixels_wide);
-  draw_page(canvas, content);
-  return canvas.finish();
+  return drawn(Canvas::png(page_width, page_height(content), gallery_pixels_wide), content);
 }
 
 }  // namespace mien::pipeline

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int pixels_wide = 3508;  // A4 at 300 dots an inch
 
-void draw_page(Canvas& canvas, const SheetContent& content) {
+std::string drawn(Canvas canvas, const SheetContent& content) {
   const SheetLayout page = sheet_layout();
   draw_header(canvas, content, page.header);
   draw_verdict(canvas, content, page.verdict);
@@ -24,6 +24,7 @@ void draw_page(Canvas& canvas, const SheetContent& content) {
   draw_joint_bars(canvas, content, page.joint_bars);
   draw_curves(canvas, content, page.curves);
   draw_footer(canvas, content, page.footer);
+  return canvas.finish();
 }
 
 }  // namespace
@@ -53,17 +54,13 @@ std::string beside_verdict(const motion::Distance& distance, const motion::Examp
 
 std::string sheet_as_pdf(const SheetContent& content) {
   const SheetLayout page = sheet_layout();
-  Canvas canvas = Canvas::pdf(page.width, page.height,
-                              content.created.id + " compared with " + content.target.id);
-  draw_page(canvas, content);
-  return canvas.finish();
+  const std::string title = content.created.id + " compared with " + content.target.id;
+  return drawn(Canvas::pdf(page.width, page.height, title), content);
 }
 
 std::string sheet_as_png(const SheetContent& content) {
   const SheetLayout page = sheet_layout();
-  Canvas canvas = Canvas::png(page.width, page.height, pixels_wide);
-  draw_page(canvas, content);
-  return canvas.finish();
+  return drawn(Canvas::png(page.width, page.height, pixels_wide), content);
 }
 
 }  // namespace mien::pipeline

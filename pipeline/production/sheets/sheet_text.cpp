@@ -17,15 +17,6 @@ void draw_unrated_mark(Canvas& canvas, const Box& box) {
               {.size = 8.0, .colour = caution_ink, .align = Align::right});
 }
 
-std::string joined(const std::vector<std::pair<std::string, std::string>>& facts) {
-  std::string line;
-  for (const auto& [name, value] : facts) {
-    if (!line.empty()) line += "  ·  ";
-    line += name + " " + value;
-  }
-  return line;
-}
-
 std::string definition(const motion::Distance& distance) {
   const char* alignment = distance.alignment == motion::Alignment::pelvis
                               ? "place on the floor and heading removed at every time, height kept"
@@ -113,9 +104,10 @@ void draw_footer(Canvas& canvas, const SheetContent& content, const Box& box) {
   canvas.line({box.x, box.y}, {box.right(), box.y}, {.width = 0.7, .colour = hairline});
   const TextStyle style = {.size = 7.5, .colour = quiet_ink, .max_width = box.width};
   canvas.text({box.x, box.y + 11.0}, definition(content.distance), style);
-  auto facts = content.provenance;
-  if (content.simulated_ratings) facts.emplace_back("simulated", "ratings");
-  canvas.text({box.x, box.y + 22.0}, joined(facts), style);
+  std::vector<std::string> facts;
+  for (const auto& [name, value] : content.provenance) facts.push_back(name + " " + value);
+  if (content.simulated_ratings) facts.emplace_back("simulated ratings");
+  canvas.text({box.x, box.y + 22.0}, fmt::format("{}", fmt::join(facts, "  ·  ")), style);
 }
 
 }  // namespace mien::pipeline

@@ -76,7 +76,7 @@ class Page {
   Box cell_;  // the first picture's place
 };
 
-void draw_page(Canvas& canvas, const StillsContent& content, const Page& page) {
+std::string drawn(Canvas canvas, const StillsContent& content, const Page& page) {
   const double baseline = stills_margin + 14.0;
   const double width = page.width() - 2.0 * stills_margin;
   const Box title = canvas.text({stills_margin, baseline}, content.title,
@@ -99,23 +99,20 @@ void draw_page(Canvas& canvas, const StillsContent& content, const Page& page) {
   for (const auto& [name, value] : content.provenance) facts += "  ·  " + name + " " + value;
   canvas.text({stills_margin, page.height() - stills_margin}, facts,
               {.size = 7.0, .colour = quiet_ink, .max_width = width});
+  return canvas.finish();
 }
 
 }  // namespace
 
 std::string stills_as_pdf(const StillsContent& content) {
   const Page page(content);
-  Canvas canvas = Canvas::pdf(page.width(), page.height(), content.title);
-  draw_page(canvas, content, page);
-  return canvas.finish();
+  return drawn(Canvas::pdf(page.width(), page.height(), content.title), content, page);
 }
 
 std::string stills_as_png(const StillsContent& content) {
   const Page page(content);
   const int wide = static_cast<int>(std::lround(page.width() * pixels_per_point));
-  Canvas canvas = Canvas::png(wide / pixels_per_point, page.height(), wide);
-  draw_page(canvas, content, page);
-  return canvas.finish();
+  return drawn(Canvas::png(wide / pixels_per_point, page.height(), wide), content, page);
 }
 
 }  // namespace mien::pipeline
