@@ -109,6 +109,15 @@ std::string excerpt(std::string_view text, std::size_t most, LineEnds line_ends)
 
 std::string in_quotes(std::string_view text) { return "\"" + excerpt(text) + "\""; }
 
+std::string first_of(std::span<const std::string> names, std::size_t most,
+                     std::string_view between) {
+  std::string text;
+  for (const std::string& name : names.first(std::min(most, names.size())))
+    text += (text.empty() ? "" : std::string(between)) + name;
+  if (names.size() <= most) return text;
+  return text + " and " + std::to_string(names.size() - most) + " more";
+}
+
 std::string listed(std::span<const std::string> names) {
   std::string text;
   for (const std::string& name : names.first(std::min(most_listed, names.size())))

@@ -31,6 +31,10 @@ std::string excerpt(std::string_view text, std::size_t most = most_quoted,
 /// The same in double quotes.
 std::string in_quotes(std::string_view text);
 
+/// The first of many names, and how many more there are: "a, b, c and 9 more".
+std::string first_of(std::span<const std::string> names, std::size_t most,
+                     std::string_view between = ", ");
+
 /// Names one after the other, an excerpt of each: "a, b, c"; after twelve, ", … (40 in all)".
 std::string listed(std::span<const std::string> names);
 

@@ -35,6 +35,8 @@ std::string with_escapes(std::string_view text) {
   return escaped;
 }
 
+}  // namespace
+
 std::string in_single_quotes(std::string_view text) {
   std::string quoted = "'";
   for (const char character : text) {
@@ -46,8 +48,6 @@ std::string in_single_quotes(std::string_view text) {
   }
   return quoted + "'";
 }
-
-}  // namespace
 
 std::string shell_word(std::string_view text) {
   if (printable(text) != text) return "$'" + with_escapes(text) + "'";

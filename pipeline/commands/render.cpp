@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
 #include "motion/skeleton/straighten.h"
+#include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/line/console.h"
@@ -98,10 +98,8 @@ int still_frame(const scenes::Shot& shot, const RenderOptions& options, double f
   const int last = shot.frame_count() - 1;
   const std::string moment = options.still.value_or("middle");
   if (moment == "middle") return shot.actors.front().trail ? last : last / 2;
-  double seconds = -1.0;
-  const char* end = moment.data() + moment.size();
-  const auto [stop, error] = std::from_chars(moment.data(), end, seconds);
-  if (error != std::errc{} || stop != end || !(seconds >= 0.0 && seconds * fps < last + 1.0)) {
+  const double seconds = motion::as_number<double>(moment).value_or(-1.0);
+  if (!(seconds >= 0.0 && seconds * fps < last + 1.0)) {
     throw Error(fmt::format("--still: {} is no moment of the motion", motion::in_quotes(moment)),
                 fmt::format("write seconds from 0 to {:.2f}, or no number", last / fps));
   }

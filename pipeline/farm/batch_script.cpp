@@ -1,8 +1,12 @@
 #include "pipeline/farm/batch_script.h"
 
+#include <iomanip>
+#include <sstream>
+
 #include <fmt/format.h>
 
 #include "motion/error.h"
+#include "motion/text/shell_word.h"
 #include "pipeline/farm/job_attempts.h"
 #include "pipeline/farm/worker_codes.h"
 
@@ -11,17 +15,9 @@ namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+using motion::in_single_quotes;
 
 constexpr int stopped_run = 130;  ///< how `mien run` ends that was told to stop
-
-std::string with_escapes(std::string_view text, std::string_view special, std::string_view escape) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (special.find(letter) != std::string_view::npos) escaped += escape;
-    escaped += letter;
-  }
-  return escaped;
-}
 
 std::string line(std::string_view option) { return fmt::format("#SBATCH --{}\n", option); }
 
@@ -67,9 +63,9 @@ std::string paths(const BatchJob& job, const fs::path& folder, const StudyCall& 
   std::string text = fmt::format(
       "\nmien={}\nmanifest={}\nout={}\nfolder={}\nstarted={}\n"
       "patience={}  # seconds that the job waits for a folder that is full, read-only or away\n\n",
-      shell_word(call.program.string()), shell_word(call.manifest.string()),
-      shell_word(call.out.string()), shell_word(folder.string()), shell_word(call.started.string()),
-      folder_patience_seconds);
+      in_single_quotes(call.program.string()), in_single_quotes(call.manifest.string()),
+      in_single_quotes(call.out.string()), in_single_quotes(folder.string()),
+      in_single_quotes(call.started.string()), folder_patience_seconds);
   if (job.elements > 0) {
     text +=
         "element=${SLURM_ARRAY_TASK_ID:-1}\n"
@@ -83,11 +79,12 @@ std::string paths(const BatchJob& job, const fs::path& folder, const StudyCall& 
                     "log=$folder/log/{}-$job.log\n"
                     "ended=$folder/ends/{}.$element  # there when it did not end well\n"
                     "restarts=${{SLURM_RESTART_COUNT:-0}}\n",
-                    shell_word(call.study + "-" + job.name), job.name);
+                    in_single_quotes(call.study + "-" + job.name), job.name);
 }
 
 std::string call_text(const BatchJob& job, const StudyCall& call, const JobRequest& request) {
-  const std::string quality = call.quality.empty() ? "" : " --quality " + shell_word(call.quality);
+  const std::string quality =
+      call.quality.empty() ? "" : " --quality " + in_single_quotes(call.quality);
   if (job.elements == 0) {
     return fmt::format("\"$mien\" run \"$manifest\" --out \"$out\" --jobs {}{}", request.processors,
                        quality);
@@ -159,15 +156,10 @@ std::string ending(const BatchJob& job, const SlurmSite& site) {
 
 }  // namespace
 
-std::string shell_word(std::string_view text) {
-  std::string word = "'";
-  for (const char letter : text)
-    word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return word + "'";
-}
-
 std::string batch_value(std::string_view text) {
-  return "\"" + with_escapes(text, "\"\\", "\\") + "\"";
+  std::ostringstream value;
+  value << std::quoted(text);
+  return value.str();
 }
 
 void refuse_unwritable(const fs::path& path) {

@@ -52,9 +52,6 @@ std::string batch_script(const BatchJob& job, const std::filesystem::path& folde
 /// Throws Error when a path cannot stand in a batch file: it has a line break or a backslash.
 void refuse_unwritable(const std::filesystem::path& path);
 
-/// A word of a shell: 'it'\''s'.
-std::string shell_word(std::string_view text);
-
 /// The value of an option in a line "#SBATCH --output=…".
 std::string batch_value(std::string_view text);
 

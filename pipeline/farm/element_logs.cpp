@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <map>
-#include <sstream>
+
+#include "motion/text/as_number.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/farm/task_list.h"
 
 namespace mien::pipeline {
 
@@ -13,24 +17,17 @@ namespace fs = std::filesystem;
 
 /// Files and folders of a folder by name, the last first.
 std::vector<fs::path> entries_of(const fs::path& folder) {
-  std::vector<fs::path> entries;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    entries.push_back(at->path());
-  }
-  std::sort(entries.rbegin(), entries.rend());
+  std::vector<fs::path> entries = paths_in(folder);
+  std::ranges::sort(entries, std::greater{});
   return entries;
-}
-
-bool is_number(const std::string& text) {
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
 /// Folders of submissions, the newest first.
 std::vector<fs::path> submissions_in(const fs::path& folder) {
   std::vector<fs::path> submissions = entries_of(folder / "farm");
-  std::erase_if(submissions,
-                [](const fs::path& path) { return !is_number(path.filename().string()); });
+  std::erase_if(submissions, [](const fs::path& path) {
+    return !motion::as_number<unsigned>(path.filename().string());
+  });
   return submissions;
 }
 
@@ -63,25 +60,18 @@ std::map<std::string, fs::path> logs_by_element(const fs::path& submission) {
   return logs;
 }
 
-bool makes(const std::string& line, const std::string& item) {
-  std::istringstream items(line);
-  for (std::string one; items >> one;) {
-    if (one == item || one.starts_with(item + "[")) return true;
-  }
-  return false;
-}
-
 std::vector<ElementLog> logs_in(const fs::path& submission, const std::string& item) {
   std::vector<ElementLog> found;
   const std::map<std::string, fs::path> logs = logs_by_element(submission);
   for (const auto& [element, log] : logs) {
     const std::size_t dot = element.rfind('.');
-    std::ifstream list(submission / (element.substr(0, dot) + ".tasks"));
-    const std::string number = element.substr(dot + 1);
-    int line = 1;
-    for (std::string text; std::getline(list, text); ++line) {
-      if (std::to_string(line) == number && makes(text, item)) found.push_back({item, log});
-    }
+    const auto lines = lines_of_list(submission / (element.substr(0, dot) + ".tasks"));
+    const auto line = motion::as_number<std::size_t>(element.substr(dot + 1)).value_or(0);
+    if (line < 1 || line > lines.size()) continue;
+    const bool has_item = std::ranges::any_of(lines[line - 1], [&](const std::string& one) {
+      return one == item || one.starts_with(item + "[");
+    });
+    if (has_item) found.push_back({item, log});
   }
   return found;
 }

@@ -1,25 +1,22 @@
 #include "pipeline/farm/ended_elements.h"
 
-#include <charconv>
 #include <fstream>
 #include <string>
-#include <system_error>
 
+#include "motion/text/as_number.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/farm/worker_codes.h"
 
 namespace mien::pipeline {
 
 std::map<std::pair<std::string, int>, ElementEnd> ends_in(const std::filesystem::path& submission) {
   std::map<std::pair<std::string, int>, ElementEnd> ends;
-  std::error_code error;
-  for (std::filesystem::directory_iterator at(submission / "ends", error), end; !error && at != end;
-       at.increment(error)) {
-    const std::string name = at->path().filename().string();
+  for (const std::filesystem::path& end : paths_in(submission / "ends")) {
+    const std::string name = end.filename().string();
     const std::size_t dot = name.rfind('.');
     if (dot == std::string::npos) continue;
-    int element = 0;
-    std::from_chars(name.data() + dot + 1, name.data() + name.size(), element);
-    std::ifstream file(at->path());
+    const int element = motion::as_number<int>(name.substr(dot + 1)).value_or(0);
+    std::ifstream file(end);
     ElementEnd told;
     if (element < 1 || !(file >> told.code)) continue;
     std::string node;

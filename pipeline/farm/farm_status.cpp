@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 
+#include "motion/text/as_number.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/silent_jobs.h"
 #include "pipeline/farm/stages.h"
@@ -29,9 +29,7 @@ std::vector<Share> stage_shares(const TaskGraph& graph, const std::vector<TaskOu
   std::vector<Share> shares;
   for (const char* name : share_names) shares.push_back({name, 0, 0});
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const std::string name = share_of(graph.tasks[i]);
-    const auto share = std::find_if(shares.begin(), shares.end(),
-                                    [&](const Share& one) { return one.name == name; });
+    const auto share = std::ranges::find(shares, share_of(graph.tasks[i]), &Share::name);
     ++share->total;
     share->done += outcomes[i].state == TaskState::cached ? 1 : 0;
   }
@@ -82,8 +80,7 @@ StudyState state_of(const Production& production, const std::vector<TaskOutcome>
 }
 
 NodeStatus& node_called(const std::string& name, std::vector<NodeStatus>& nodes) {
-  const auto found = std::find_if(nodes.begin(), nodes.end(),
-                                  [&](const NodeStatus& node) { return node.name == name; });
+  const auto found = std::ranges::find(nodes, name, &NodeStatus::name);
   if (found != nodes.end()) return *found;
   nodes.push_back({name, 0, 0, {}, 0.0});
   return nodes.back();
@@ -94,7 +91,7 @@ void add_workers(const std::vector<WorkerReport>& reports, FarmStatus& status) {
     if (!report.is_alive()) continue;
     NodeStatus& node = node_called(report.host, status.nodes);
     ++node.workers;
-    node.tasks.insert(node.tasks.end(), report.tasks.begin(), report.tasks.end());
+    for (const auto& [task, share] : report.tasks) node.tasks.push_back(task);
     node.frames_per_second += report.frames_per_second();
   }
 }
@@ -132,10 +129,7 @@ std::optional<double> seconds_left(const FarmStatus& status) {
 }
 
 bool is_frame(const fs::path& file) {
-  const std::string name = file.stem().string();
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char letter) {
-    return std::isdigit(letter) != 0;
-  });
+  return motion::as_number<unsigned>(file.stem().string()).has_value();
 }
 
 }  // namespace
@@ -148,8 +142,7 @@ int FarmStatus::running() const {
 
 bool FarmStatus::is_active() const {
   return running() > 0 || !waiting.empty() ||
-         std::any_of(nodes.begin(), nodes.end(),
-                     [](const NodeStatus& node) { return node.workers > 0; });
+         std::ranges::any_of(nodes, [](const NodeStatus& node) { return node.workers > 0; });
 }
 
 int frames_in_the_making(const fs::path& folder, const std::string& film) {
@@ -200,8 +193,7 @@ FarmStatus farm_status(const Production& production, const fs::path& folder,
   } else {
     status.without_slurm = fault;
   }
-  std::sort(status.nodes.begin(), status.nodes.end(),
-            [](const auto& left, const auto& right) { return left.name < right.name; });
+  std::ranges::sort(status.nodes, {}, &NodeStatus::name);
   status.seconds_left = seconds_left(status);
   return status;
 }

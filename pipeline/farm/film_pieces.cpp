@@ -1,10 +1,11 @@
 #include "pipeline/farm/film_pieces.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <set>
 
+#include "motion/text/as_number.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/farm/resumption.h"
 #include "pipeline/farm/task_list.h"
 #include "pipeline/production/film/film_task.h"
@@ -15,26 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "00012.png" → 12
-std::optional<std::size_t> frame_number(const std::string& name) {
-  std::size_t number = 0;
-  const std::string digits = name.substr(0, name.find('.'));
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size())
-    return std::nullopt;
-  return number;
-}
-
+/// `name`: "00012.png"
 void mark(const std::string& name, std::vector<bool>& is_there) {
-  const auto number = frame_number(name);
+  const auto number = motion::as_number<std::size_t>(name.substr(0, name.find('.')));
   if (number && *number < is_there.size()) is_there[*number] = true;
 }
 
 void mark_drawn(const KeptSequence& kept, const fs::path& folder, std::vector<bool>& is_there) {
-  std::error_code error;
   const fs::path frames = folder / ".mien" / "partial" / kept.path / kept.key / "frames";
-  for (fs::directory_iterator at(frames, error), end; !error && at != end; at.increment(error))
-    mark(at->path().filename().string(), is_there);
+  for (const fs::path& frame : paths_in(frames)) mark(frame.filename().string(), is_there);
 }
 
 void mark_published(const KeptSequence& kept, const fs::path& folder, std::vector<bool>& is_there) {

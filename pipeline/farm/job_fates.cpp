@@ -4,6 +4,8 @@
 #include <iterator>
 #include <map>
 
+#include "pipeline/base/documents/files.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -14,12 +16,10 @@ namespace fs = std::filesystem;
 bool has_begun(const JournalJob& job, const fs::path& folder) {
   const fs::path logs = folder / "farm" / job.submission / "log";
   const std::string stem = "-" + job.name + "-" + job.job;
-  std::error_code error;
-  for (fs::directory_iterator at(logs, error), end; !error && at != end; at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (name.find(stem + "_") != std::string::npos || name.ends_with(stem + ".log")) return true;
-  }
-  return false;
+  return std::ranges::any_of(paths_in(logs), [&](const fs::path& log) {
+    const std::string name = log.filename().string();
+    return name.find(stem + "_") != std::string::npos || name.ends_with(stem + ".log");
+  });
 }
 
 JobFate fate_of(const JournalJob& job, std::vector<QueueRow> rows, const fs::path& folder) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/farm/ended_elements.h"
 #include "pipeline/farm/task_list.h"
 #include "pipeline/farm/trouble_words.h"
@@ -170,16 +171,6 @@ class TroubleFinder {
   std::vector<JobTrouble> troubles_;
 };
 
-/// "17_3, 17_4, 17_5 and 9 more"
-std::string job_names(const std::vector<const JobTrouble*>& group) {
-  constexpr std::size_t most = 4;
-  std::string names;
-  for (std::size_t i = 0; i < group.size() && i < most; ++i)
-    names += (i == 0 ? "" : ", ") + group[i]->job;
-  if (group.size() > most) names += fmt::format(" and {} more", group.size() - most);
-  return names;
-}
-
 const char* title_of(JobTrouble::Kind kind) {
   switch (kind) {
     case JobTrouble::Kind::held:
@@ -209,8 +200,11 @@ std::string troubles_text(const std::vector<JobTrouble>& troubles) {
   for (const JobTrouble& one : troubles) groups[{one.kind, one.cause}].push_back(&one);
   std::string text;
   for (const auto& [kind_and_cause, group] : groups) {
-    text += fmt::format("{}: {} job{} ({})\n  {}\n", title_of(kind_and_cause.first), group.size(),
-                        group.size() == 1 ? "" : "s", job_names(group), kind_and_cause.second);
+    std::vector<std::string> jobs;
+    for (const JobTrouble* one : group) jobs.push_back(one->job);
+    text +=
+        fmt::format("{}: {} job{} ({})\n  {}\n", title_of(kind_and_cause.first), group.size(),
+                    group.size() == 1 ? "" : "s", motion::first_of(jobs, 4), kind_and_cause.second);
     if (!group.front()->remedy.empty()) text += "  " + group.front()->remedy + "\n";
   }
   return text;

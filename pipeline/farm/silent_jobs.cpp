@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -58,10 +60,9 @@ std::string silence_of(const QueueRow& row, const SignsOfLife& signs) {
 
 /// "scancel 17_3 17_4", of so many at most.
 std::string scancel_of(const std::vector<JobTrouble>& jobs) {
-  constexpr std::size_t most = 20;
-  std::string command = "scancel";
-  for (std::size_t i = 0; i < jobs.size() && i < most; ++i) command += " " + jobs[i].job;
-  return command + (jobs.size() > most ? fmt::format(" and {} more", jobs.size() - most) : "");
+  std::vector<std::string> names;
+  for (const JobTrouble& one : jobs) names.push_back(one.job);
+  return "scancel " + motion::first_of(names, 20, " ");
 }
 
 std::string remedy_for(const std::vector<JobTrouble>& jobs, const std::string& node,

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <regex>
 #include <sstream>
 #include <string_view>
+
+#include <fmt/format.h>
+
+#include "motion/text/as_number.h"
 
 namespace mien::pipeline {
 
@@ -72,10 +77,7 @@ std::string without_end(std::string text) {
 
 /// Lines of Slurm's below one of ours.
 std::string quoted(const std::string& words) {
-  std::string text = "  ";
-  for (const char letter : words)
-    text += letter == '\n' ? std::string("\n  ") : std::string(1, letter);
-  return text;
+  return "  " + std::regex_replace(words, std::regex("\n"), "\n  ");
 }
 
 /// A configuration that is not there is looked for during a minute.
@@ -109,12 +111,6 @@ bool had_ended(const CommandEnd& end) {
     }
   }
   return true;
-}
-
-std::string joined(const std::vector<std::string>& words, const char* between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
 }
 
 }  // namespace
@@ -172,7 +168,8 @@ std::string Slurm::submit(const std::filesystem::path& script,
                           const std::vector<std::string>& after,
                           const std::vector<std::string>& more) const {
   std::vector<std::string> words = {"sbatch", "--parsable"};
-  if (!after.empty()) words.push_back("--dependency=afterany:" + joined(after, ":"));
+  if (!after.empty())
+    words.push_back(fmt::format("--dependency=afterany:{}", fmt::join(after, ":")));
   words.insert(words.end(), more.begin(), more.end());
   words.push_back(script.string());
   const CommandEnd end = run_command(words, limit_);
@@ -181,10 +178,8 @@ std::string Slurm::submit(const std::filesystem::path& script,
   if (!end.is_done()) throw SlurmFault(slurm_fault("sbatch", end));
   // "17", or "17;cluster" where there are several.
   const std::string job = end.output.substr(0, end.output.find_first_of(";\n"));
-  if (job.empty() || job.find_first_not_of("0123456789") != std::string::npos) {
-    throw SlurmSilence("sbatch gave no job: " + without_end(end.output));
-  }
-  return job;
+  if (motion::as_number<unsigned>(job)) return job;
+  throw SlurmSilence("sbatch gave no job: " + without_end(end.output));
 }
 
 void Slurm::cancel(const std::vector<std::string>& jobs) const {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
+#include "motion/text/as_number.h"
 #include "pipeline/farm/worker_codes.h"
 
 namespace mien::pipeline {
@@ -20,13 +20,6 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-std::optional<int> whole_number(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 std::optional<QueueRow> row_of(std::string_view line) {
   constexpr std::size_t before_comment = 7;
   std::array<std::string, before_comment> fields;
@@ -36,9 +29,10 @@ std::optional<QueueRow> row_of(std::string_view line) {
     field = line.substr(0, bar);
     line.remove_prefix(bar + 1);
   }
-  if (!whole_number(fields[0]) || !whole_number(fields[1])) return std::nullopt;
-  QueueRow row{fields[0], fields[1], whole_number(fields[2]), fields[3], fields[4],
-               fields[5], fields[6], std::string(line)};
+  if (!motion::as_number<int>(fields[0]) || !motion::as_number<int>(fields[1])) return std::nullopt;
+  QueueRow row{fields[0], fields[1],        motion::as_number<int>(fields[2]),
+               fields[3], fields[4],        fields[5],
+               fields[6], std::string(line)};
   if (row.node == "(null)") row.node.clear();
   return row;
 }
@@ -55,8 +49,9 @@ bool has_code(std::string_view list, int code) {
     const std::size_t comma = std::min(list.find(','), list.size());
     const std::string_view part = trimmed(list.substr(0, comma));
     const std::size_t dash = part.find('-');
-    const auto first = whole_number(part.substr(0, dash));
-    const auto last = dash == std::string_view::npos ? first : whole_number(part.substr(dash + 1));
+    const auto first = motion::as_number<int>(part.substr(0, dash));
+    const auto last =
+        dash == std::string_view::npos ? first : motion::as_number<int>(part.substr(dash + 1));
     if (first && last && *first <= code && code <= *last) return true;
     list.remove_prefix(std::min(comma + 1, list.size()));
   }
@@ -106,13 +101,13 @@ double seconds_run(const QueueRow& row) {
   std::string_view text = row.elapsed;
   double days = 0.0;
   if (const std::size_t dash = text.find('-'); dash != std::string_view::npos) {
-    days = whole_number(text.substr(0, dash)).value_or(0);
+    days = motion::as_number<int>(text.substr(0, dash)).value_or(0);
     text.remove_prefix(dash + 1);
   }
   double seconds = 0.0;
   do {
     const std::size_t colon = std::min(text.find(':'), text.size());
-    const auto part = whole_number(text.substr(0, colon));
+    const auto part = motion::as_number<int>(text.substr(0, colon));
     if (!part) return 0.0;
     seconds = 60.0 * seconds + *part;
     text.remove_prefix(std::min(colon + 1, text.size()));
@@ -135,7 +130,7 @@ std::vector<NodeShape> node_shapes(std::string_view text) {
   for (const std::string_view line : lines_of(text)) {
     const std::size_t bar = line.rfind('|');
     if (bar == std::string_view::npos) continue;
-    const auto processors = whole_number(trimmed(line.substr(bar + 1)));
+    const auto processors = motion::as_number<int>(trimmed(line.substr(bar + 1)));
     std::string_view partition = line.substr(0, bar);
     const bool is_default = partition.ends_with('*');
     if (is_default) partition.remove_suffix(1);
@@ -164,8 +159,8 @@ SlurmSite site_told(std::string_view text) {
     if (equals == std::string_view::npos) continue;
     const std::string_view name = trimmed(line.substr(0, equals));
     const std::string_view value = trimmed(line.substr(equals + 1));
-    if (name == "MaxArraySize") site.max_array_size = whole_number(value).value_or(1001);
-    if (name == "MaxJobCount") site.max_job_count = whole_number(value).value_or(0);
+    if (name == "MaxArraySize") site.max_array_size = motion::as_number<int>(value).value_or(1001);
+    if (name == "MaxJobCount") site.max_job_count = motion::as_number<int>(value).value_or(0);
     if (name == "RequeueExit") site.requeues_transient = has_code(value, worker_transient);
     if (name == "RequeueExitHold") site.holds_wrong_setup = has_code(value, worker_wrong_setup);
   }

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "motion/text/as_number.h"
 #include "pipeline/farm/task_list.h"
 
 namespace mien::pipeline {
@@ -12,11 +13,6 @@ namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// "0001", and no other folder of the farm.
-bool is_submission_number(const std::string& name) {
-  return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
-}
 
 bool is_needed(const JobFate& fate, const std::set<std::string>& due, const fs::path& folder) {
   if (fate.kind == JobFate::Kind::live) return true;
@@ -36,7 +32,7 @@ std::vector<std::string> spent_submissions(const std::vector<JobFate>& fates,
   std::map<std::pair<std::size_t, std::string>, bool> needed;  // "9999" before "10000"
   for (const JobFate& fate : fates) {
     const std::string& number = fate.journal.submission;
-    if (!is_submission_number(number)) continue;
+    if (!motion::as_number<unsigned>(number)) continue;  // else it is no submission's folder
     bool& is = needed[{number.size(), number}];
     is = is || is_needed(fate, due, folder);
   }

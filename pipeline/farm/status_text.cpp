@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/shell_word.h"
 #include "pipeline/farm/farm_status.h"
 #include "pipeline/farm/job_attempts.h"
@@ -17,16 +18,6 @@ std::string share_text(const Share& share) {
   return fmt::format("  {:<8} {:>7} of {}\n", share.name, share.done, share.total);
 }
 
-std::string joined_tasks(const NodeStatus& node) {
-  constexpr std::size_t most = 3;
-  std::string text;
-  for (std::size_t i = 0; i < node.tasks.size() && i < most; ++i) {
-    text += (i == 0 ? "" : ", ") + node.tasks[i];
-  }
-  if (node.tasks.size() > most) text += fmt::format(" and {} more", node.tasks.size() - most);
-  return text;
-}
-
 std::string node_text(const NodeStatus& node) {
   std::string text = "  " + node.name + ":";
   if (node.elements > 0) {
@@ -38,7 +29,7 @@ std::string node_text(const NodeStatus& node) {
   }
   if (node.frames_per_second > 0.0)
     text += fmt::format(", {:.2f} frames/s", node.frames_per_second);
-  if (!node.tasks.empty()) text += ": " + joined_tasks(node);
+  if (!node.tasks.empty()) text += ": " + motion::first_of(node.tasks, 3);
   return text + "\n";
 }
 

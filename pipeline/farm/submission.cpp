@@ -118,14 +118,12 @@ std::string submitted(const fs::path& script, const BatchJob& job, const Slurm& 
 }
 
 JournalJob intent_of(const SubmissionJob& job) {
-  JournalJob intent;
-  intent.submission = job.job.submission;
-  intent.name = job.job.name;
-  intent.comment = job.job.comment;
-  intent.elements = job.job.elements;
-  intent.memory = job.request.memory;
-  intent.when = utc_now();
-  return intent;
+  return {.submission = job.job.submission,
+          .name = job.job.name,
+          .comment = job.job.comment,
+          .elements = job.job.elements,
+          .memory = job.request.memory,
+          .when = utc_now()};
 }
 
 std::vector<std::string> numbers_of(const std::vector<SubmittedJob>& jobs) {
@@ -152,13 +150,12 @@ std::vector<JournalJob> intents_of(const Submission& submission) {
 /// Takes back what Slurm took before it refused a job. What is to be said of that.
 std::string undo(const Submission& submission, const std::vector<SubmittedJob>& done,
                  const Slurm& slurm, const SubmissionJournal& journal, const std::string& why) {
-  std::string still_there;
+  const std::vector<std::string> taken = numbers_of(done);
   try {
-    slurm.cancel(numbers_of(done));
+    slurm.cancel(taken);
   } catch (const std::exception& fault) {
-    for (const SubmittedJob& job : done) still_there += (still_there.empty() ? "" : " ") + job.job;
-    return "\nwhat Slurm had taken before could not be taken back (scancel " + still_there +
-           "): " + fault.what();
+    return fmt::format("\nwhat Slurm had taken before could not be taken back (scancel {}): {}",
+                       fmt::join(taken, " "), fault.what());
   }
   withdraw(submission, journal, why);
   return done.empty() ? "" : "\nwhat Slurm had taken of the submission before is taken back";
@@ -250,12 +247,8 @@ std::string script_text(const Submission& submission, const SubmissionJob& job) 
 
 std::string list_text(const SubmissionJob& job) {
   std::string text;
-  for (const Element& element : job.elements) {
-    for (std::size_t i = 0; i < element.items.size(); ++i) {
-      text += (i == 0 ? "" : " ") + element.items[i];
-    }
-    text += '\n';
-  }
+  for (const Element& element : job.elements)
+    text += fmt::format("{}\n", fmt::join(element.items, " "));
   return text;
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <ctime>
 #include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
+#include <fmt/chrono.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -23,14 +23,12 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 JobRequest request_in(const ordered_json& told) {
-  JobRequest request;
-  request.partition = told.value("partition", "");
-  request.time = told.value("time", "");
-  request.memory = told.value("mem", "");
-  request.account = told.value("account", "");
-  request.array_limit = told.value("array_limit", 0);
-  request.processors = told.value("jobs", 1);
-  return request;
+  return {.partition = told.value("partition", ""),
+          .time = told.value("time", ""),
+          .memory = told.value("mem", ""),
+          .account = told.value("account", ""),
+          .array_limit = told.value("array_limit", 0),
+          .processors = told.value("jobs", 1)};
 }
 
 /// The last job of that comment, which is unlike that of any other job of the study.
@@ -79,14 +77,12 @@ void take_line(const ordered_json& told, JournalContent& content) {
   }
   const std::string comment = told.at("comment");
   if (event == "intent") {
-    JournalJob job;
-    job.submission = own_name(told, "submission");
-    job.name = own_name(told, "name");
-    job.comment = comment;
-    job.elements = told.at("elements");
-    job.memory = told.value("mem", "");
-    job.when = told.value("when", "");
-    content.jobs.push_back(std::move(job));
+    content.jobs.push_back({.submission = own_name(told, "submission"),
+                            .name = own_name(told, "name"),
+                            .comment = comment,
+                            .elements = told.at("elements"),
+                            .memory = told.value("mem", ""),
+                            .when = told.value("when", "")});
   } else if (JournalJob* job = job_called(content, comment)) {
     if (event == "submitted") job->job = told.at("job");
     if (event == "refused") job->was_refused = true;
@@ -96,14 +92,7 @@ void take_line(const ordered_json& told, JournalContent& content) {
 
 }  // namespace
 
-std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts = {};
-  ::gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
+std::string utc_now() { return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))); }
 
 SubmissionJournal::SubmissionJournal(const fs::path& folder)
     : file_(folder / "farm" / "journal.jsonl") {}
@@ -116,9 +105,7 @@ JournalContent SubmissionJournal::read() const {
   for (std::string line; std::getline(lines, line);) {
     try {
       take_line(ordered_json::parse(line), content);
-    } catch (const ordered_json::exception&) {
-      continue;
-    } catch (const Error&) {
+    } catch (const std::exception&) {  // of the JSON, or Error
       continue;
     }
   }
@@ -131,8 +118,6 @@ void SubmissionJournal::note_submission(const JournalSubmission& submission,
   for (const JournalJob& intent : intents) lines += "\n" + line_of(intent);
   append(lines);
 }
-
-void SubmissionJournal::note_intent(const JournalJob& job) const { append(line_of(job)); }
 
 void SubmissionJournal::note_job(const std::string& comment, const std::string& job) const {
   append(ordered_json{{"event", "submitted"}, {"comment", comment}, {"job", job}}.dump());

@@ -53,7 +53,6 @@ class SubmissionJournal {
   /// to be submitted of it, in one write.
   void note_submission(const JournalSubmission& submission,
                        const std::vector<JournalJob>& intents = {}) const;
-  void note_intent(const JournalJob& job) const;
   void note_job(const std::string& comment, const std::string& job) const;
   void note_refusal(const std::string& comment, const std::string& why) const;
   void note_cancel(const std::string& comment, const std::string& job) const;

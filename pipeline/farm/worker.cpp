@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <map>
 #include <set>
 
-#include <fmt/chrono.h>
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
@@ -15,6 +13,7 @@
 #include "motion/text/nearest_word.h"
 #include "motion/text/shell_word.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/farm/submission_journal.h"
 #include "pipeline/farm/work_item.h"
 #include "pipeline/farm/worker_codes.h"
 
@@ -118,7 +117,7 @@ void tell_failure(const fs::path& folder, const FailedWork& failed, const std::s
                              {"error", failed.error},
                              {"code", failed.code},
                              {"host", self.host},
-                             {"when", fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)))},
+                             {"when", utc_now()},
                              {"attempts", attempts_before(file) + 1},
                              {"command", command + " --tasks " + motion::shell_word(failed.item)}};
   make_folder(file.parent_path());

@@ -4,19 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/tasks/worker_record.h"
+
 namespace mien::pipeline {
 
-/// What a process that works on a study says of itself every few seconds
-/// (.mien/workers/<owner>.json).
-struct WorkerReport {
-  std::string host;
-  int process = 0;
-  std::string job;  ///< Slurm's, in which it runs: "17"; empty where there is none
+/// What a process that works on a study says of itself every few seconds, and what that tells now.
+struct WorkerReport : WorkerRecord {
   bool has_ended = false;
-  double silent_s = 0.0;           ///< since it was last heard of
-  std::vector<std::string> tasks;  ///< that it is at
-  long long frames = 0;            ///< drawn so far
-  double frame_seconds = 0.0;      ///< that they took
+  double silent_s = 0.0;  ///< since it was last heard of
 
   /// Whether it works now: it has not ended and was heard of a short time ago.
   bool is_alive() const;

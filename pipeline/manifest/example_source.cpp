@@ -1,23 +1,19 @@
 #include "pipeline/manifest/example_source.h"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <string_view>
 
 #include "motion/error.h"
+#include "motion/text/as_number.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 double share(std::string_view text, std::string_view whole) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(value) &&
-      value >= 0.0) {
-    return value;
-  }
+  const auto value = motion::as_number<double>(text);
+  if (value && std::isfinite(*value) && *value >= 0.0) return *value;
   throw Error("--weights: \"" + std::string(whole) + "\" gives no share",
               "write name=share with a share of at least 0, for example normal=0.6,proud=0.4");
 }

@@ -49,48 +49,39 @@ class Pipe {
 };
 
 /// What the child has open instead of ours.
-class FileActions {
- public:
-  FileActions() { posix_spawn_file_actions_init(&actions_); }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
+struct FileActions {
+  FileActions(const Pipe& output, const Pipe& errors) {
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, output.into(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, errors.into(), STDERR_FILENO);
+  }
+  ~FileActions() { posix_spawn_file_actions_destroy(&actions); }
   FileActions(const FileActions&) = delete;
   FileActions& operator=(const FileActions&) = delete;
 
-  void read_nothing() {
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  }
-  void write_into(const Pipe& pipe, int number) {
-    posix_spawn_file_actions_adddup2(&actions_, pipe.into(), number);
-  }
-  const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_;
+  posix_spawn_file_actions_t actions;
 };
 
 /// Signals as a program expects to find them: this one blocks some for its own threads, and ignores
 /// that of a pipe whose reader has gone.
-class PlainSignals {
- public:
+struct PlainSignals {
   PlainSignals() {
     sigset_t none;
     sigemptyset(&none);
-    posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setsigmask(&attributes_, &none);
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setsigmask(&attributes, &none);
     sigset_t ignored;
     sigemptyset(&ignored);
     sigaddset(&ignored, SIGPIPE);
-    posix_spawnattr_setsigdefault(&attributes_, &ignored);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setsigdefault(&attributes, &ignored);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }
-  ~PlainSignals() { posix_spawnattr_destroy(&attributes_); }
+  ~PlainSignals() { posix_spawnattr_destroy(&attributes); }
   PlainSignals(const PlainSignals&) = delete;
   PlainSignals& operator=(const PlainSignals&) = delete;
 
-  const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_;
+  posix_spawnattr_t attributes;
 };
 
 /// Appends what can be read; false at the end.
@@ -134,16 +125,13 @@ CommandEnd run_command(const std::vector<std::string>& words, std::chrono::milli
   arguments.push_back(nullptr);
   Pipe output;
   Pipe errors;
-  FileActions files;
-  files.read_nothing();
-  files.write_into(output, STDOUT_FILENO);
-  files.write_into(errors, STDERR_FILENO);
+  const FileActions files(output, errors);
   const PlainSignals signals;
 
   CommandEnd end;
   pid_t child = 0;
-  const int fault =
-      ::posix_spawnp(&child, arguments[0], files.get(), signals.get(), arguments.data(), environ);
+  const int fault = ::posix_spawnp(&child, arguments[0], &files.actions, &signals.attributes,
+                                   arguments.data(), environ);
   if (fault == ENOENT || fault == EACCES || fault == ENOTDIR) {
     end.is_missing = true;
     end.code = 127;

@@ -12,6 +12,9 @@
 
 namespace mien::pipeline {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameReceipt, name, hash, size)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Maker, host, instruction_set)
+
 namespace {
 
 using nlohmann::json;
@@ -23,10 +26,6 @@ bool is_of_its_folder(const Receipt& receipt) {
          std::ranges::all_of(receipt.frames, [](const FrameReceipt& frame) {
            return motion::fault_of_name(frame.name).empty();
          });
-}
-
-FrameReceipt frame_from(const json& entry) {
-  return {entry.at("name"), entry.at("hash"), entry.at("size")};
 }
 
 /// A network's file system may remember for a while that a file was not there. To open the folder
@@ -62,16 +61,12 @@ bool holds_for_files(const fs::path& folder, const Receipt& receipt, const Test&
 }
 
 json object_of(const Receipt& receipt) {
-  json object = {
-      {"key", receipt.key},
-      {"path", receipt.path},
-      {"hash", receipt.hash},
-      {"size", receipt.size},
-      {"made_by",
-       {{"host", receipt.maker.host}, {"instruction_set", receipt.maker.instruction_set}}}};
-  for (const FrameReceipt& frame : receipt.frames) {
-    object["frames"].push_back({{"name", frame.name}, {"hash", frame.hash}, {"size", frame.size}});
-  }
+  json object = {{"key", receipt.key},
+                 {"path", receipt.path},
+                 {"hash", receipt.hash},
+                 {"size", receipt.size},
+                 {"made_by", receipt.maker}};
+  if (!receipt.frames.empty()) object["frames"] = receipt.frames;
   return object;
 }
 
@@ -92,12 +87,12 @@ std::string to_json(const Receipt& receipt) {
 std::optional<Receipt> receipt_from_json(const std::string& text) {
   try {
     const json object = json::parse(text);
-    Receipt receipt{object.at("key"), object.at("path"), object.at("hash"), object.at("size"), {}};
-    const json& maker = object.at("made_by");
-    receipt.maker = {maker.at("host"), maker.at("instruction_set")};
-    if (object.contains("frames")) {
-      for (const json& frame : object["frames"]) receipt.frames.push_back(frame_from(frame));
-    }
+    const Receipt receipt{object.at("key"),
+                          object.at("path"),
+                          object.at("hash"),
+                          object.at("size"),
+                          object.value("frames", std::vector<FrameReceipt>()),
+                          object.at("made_by")};
     if (object.at("checksum") != hash_of(object_of(receipt).dump())) return std::nullopt;
     if (!is_of_its_folder(receipt)) return std::nullopt;
     return receipt;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/base/documents/files.h"
 #include "pipeline/tasks/claim.h"
 #include "pipeline/tasks/worker_record.h"
 
@@ -18,23 +19,13 @@ namespace fs = std::filesystem;
 /// What is written of a record before it takes the record's place lies there for a moment.
 constexpr double unfinished_for_seconds = 3600.0;
 
-/// What lies in a folder just now. Others may be clearing it away, too.
-std::vector<fs::path> in_folder(const fs::path& folder) {
-  std::vector<fs::path> paths;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error))
-    paths.push_back(entry->path());
-  return paths;
-}
-
 class Broom {
  public:
   Broom(const fs::path& folder, const fs::path& now) : folder_(folder), now_(now) {}
 
   /// Attempts lie in a folder with the name of the process, whose record was there before.
   void sweep_attempts() const {
-    for (const fs::path& attempts : in_folder(folder_ / ".mien/attempts")) {
+    for (const fs::path& attempts : paths_in(folder_ / ".mien/attempts")) {
       if (is_of_the_dead(attempts.filename())) remove(attempts);
     }
   }
@@ -42,14 +33,14 @@ class Broom {
   /// One that nobody has signed is that of a process that was killed at that moment, or will be
   /// signed in the next: then two may make the same, which harms nothing.
   void sweep_claims() const {
-    for (const fs::path& claim : in_folder(folder_ / ".mien/claims")) {
+    for (const fs::path& claim : paths_in(folder_ / ".mien/claims")) {
       const std::string holder = claim_holder(claim);
       if (holder.empty() || is_of_the_dead(holder)) remove(claim);
     }
   }
 
   void sweep_records() const {
-    for (const fs::path& file : in_folder(folder_ / ".mien/workers")) {
+    for (const fs::path& file : paths_in(folder_ / ".mien/workers")) {
       if (file.extension() == ".new" && is_given_up(file)) remove(file);
     }
     std::vector<std::pair<double, fs::path>> records;  // of the dead, the newest first

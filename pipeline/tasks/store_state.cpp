@@ -81,7 +81,7 @@ void Store::State::refuse_company(Sharing sharing) {
     if (other.name == worker() || !works_now(folder, other, presence.file())) continue;
     if (sharing == Sharing::shared && !other.exclusive) continue;
     throw StoreBusy("another process works in " + folder.string() + " (number " +
-                    std::to_string(other.process) + " on " + other.host +
+                    std::to_string(other.pid) + " on " + other.host +
                     "); wait for it to end, or choose another folder with --out");
   }
 }

@@ -23,6 +23,10 @@
 
 namespace mien::pipeline {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerRecord, name, host, boot, process_space, pid,
+                                   process_start, job, instruction_set, started, beats, exclusive,
+                                   ended, frames, frame_seconds)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,55 +111,28 @@ WorkerRecord record_of_this_process() {
   record.host = host_name();
   record.boot = first_line_of("/proc/sys/kernel/random/boot_id");
   record.process_space = process_space();
-  record.process = ::getpid();
-  record.process_start = start_of(record.process);
+  record.pid = ::getpid();
+  record.process_start = start_of(record.pid);
   if (const char* job = std::getenv("SLURM_JOB_ID"); job != nullptr) record.job = job;
   record.instruction_set = instructions;
   record.started = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
-  record.name = fmt::format("{}-{}-{}", record.host, record.process, random_word());
+  record.name = fmt::format("{}-{}-{}", record.host, record.pid, random_word());
   return record;
 }
 
 std::string to_json(const WorkerRecord& record) {
-  json tasks = json::array();
-  for (const auto& [id, share] : record.tasks) tasks.push_back({{"id", id}, {"share", share}});
-  const json object = {{"name", record.name},
-                       {"host", record.host},
-                       {"boot", record.boot},
-                       {"process_space", record.process_space},
-                       {"pid", record.process},
-                       {"process_start", record.process_start},
-                       {"job", record.job},
-                       {"instruction_set", record.instruction_set},
-                       {"started", record.started},
-                       {"beats", record.beats},
-                       {"exclusive", record.exclusive},
-                       {"ended", record.ended},
-                       {"tasks", tasks},
-                       {"frames", record.frames},
-                       {"frame_seconds", record.frame_seconds}};
+  json object = record;
+  object["tasks"] = json::array();
+  for (const auto& [id, share] : record.tasks)
+    object["tasks"].push_back({{"id", id}, {"share", share}});
   return object.dump(1) + "\n";
 }
 
 std::optional<WorkerRecord> worker_record_from_json(const std::string& text) {
   try {
     const json object = json::parse(text);
-    WorkerRecord record;
-    record.name = object.at("name");
-    record.host = object.at("host");
-    record.boot = object.at("boot");
-    record.process_space = object.at("process_space");
-    record.process = object.at("pid");
-    record.process_start = object.at("process_start");
-    record.job = object.value("job", "");
-    record.instruction_set = object.at("instruction_set");
-    record.started = object.at("started");
-    record.beats = object.at("beats");
-    record.exclusive = object.at("exclusive");
-    record.ended = object.at("ended");
+    auto record = object.get<WorkerRecord>();
     for (const json& task : object.at("tasks")) record.tasks[task.at("id")] = task.at("share");
-    record.frames = object.at("frames");
-    record.frame_seconds = object.at("frame_seconds");
     return record;
   } catch (const json::exception&) {
     return std::nullopt;
@@ -195,10 +172,10 @@ std::vector<WorkerRecord> read_worker_records(const fs::path& folder) {
 bool is_gone(const WorkerRecord& record) {
   if (record.ended) return true;
   if (!is_of_this_machine(record)) return false;
-  const std::string start = start_of(record.process);
+  const std::string start = start_of(record.pid);
   // Processes of other users may be hidden; whether there is one is told all the same.
-  if (start.empty()) return ::kill(static_cast<pid_t>(record.process), 0) != 0 && errno == ESRCH;
-  return start != record.process_start || is_zombie(record.process);
+  if (start.empty()) return ::kill(static_cast<pid_t>(record.pid), 0) != 0 && errno == ESRCH;
+  return start != record.process_start || is_zombie(record.pid);
 }
 
 bool works_now(const fs::path& folder, const WorkerRecord& record, const fs::path& now) {

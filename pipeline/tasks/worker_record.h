@@ -16,7 +16,7 @@ struct WorkerRecord {
   std::string host;             ///< the machine, or the node as Slurm calls it
   std::string boot;             ///< of the machine: another one after each start
   std::string process_space;    ///< in which the number counts (containers have their own)
-  std::int64_t process = 0;     ///< its number
+  std::int64_t pid = 0;         ///< its number
   std::string process_start;    ///< ticks after the boot, since numbers are used again
   std::string job;              ///< Slurm's, in which it runs: "17"; empty where there is none
   std::string instruction_set;  ///< of the processor, as far as pictures are concerned: "avx2"

@@ -68,6 +68,15 @@ void replace_file(const std::filesystem::path& file, const std::filesystem::path
   }
 }
 
+std::vector<std::filesystem::path> paths_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> paths;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error))
+    paths.push_back(at->path());
+  return paths;
+}
+
 void make_folder(const std::filesystem::path& folder) {
   if (folder.empty()) return;
   std::error_code error;

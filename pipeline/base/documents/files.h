@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "motion/text/result_file.h"
 
@@ -25,6 +26,10 @@ void write_file(const std::filesystem::path& file, std::string_view bytes);
 /// seconds. `next` is where they are written first; it is not there afterwards, whatever happens.
 void replace_file(const std::filesystem::path& file, const std::filesystem::path& next,
                   std::string_view bytes);
+
+/// What lies in a folder just now, in no order; nothing where it cannot be read. Others may be
+/// clearing it away.
+std::vector<std::filesystem::path> paths_in(const std::filesystem::path& folder);
 
 /// Makes a folder and those above it, unless they are there. Throws WriteFailure.
 void make_folder(const std::filesystem::path& folder);

@@ -1,7 +1,6 @@
 #include "pipeline/base/reading/yaml_json.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "motion/text/as_number.h"
 
 namespace mien::pipeline {
 
@@ -18,11 +19,7 @@ using nlohmann::json;
 
 template <class Number>
 std::optional<Number> parsed(std::string_view text) {
-  Number value{};
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return motion::as_number<Number>(text.substr(text.starts_with('+') ? 1 : 0));
 }
 
 bool looks_like_number(std::string_view text) {

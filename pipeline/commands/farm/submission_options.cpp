@@ -1,7 +1,6 @@
 #include "pipeline/commands/farm/submission_options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <regex>
 #include <set>
 
@@ -9,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/error.h"
+#include "motion/text/as_number.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/job_room.h"
 #include "pipeline/farm/spent_submissions.h"
@@ -23,10 +23,8 @@ using nlohmann::ordered_json;
 
 int chunk_frames(const std::string& chunk) {
   if (chunk == "auto") return 0;
-  int frames = 0;
-  const char* end = chunk.data() + chunk.size();
-  const auto [stop, error] = std::from_chars(chunk.data(), end, frames);
-  if (error == std::errc{} && stop == end && frames > 0) return frames;
+  const auto frames = motion::as_number<int>(chunk);
+  if (frames && *frames > 0) return *frames;
   throw Error("--chunk: \"" + chunk + "\" is no number of frames", "write auto, or 1 or more");
 }
 

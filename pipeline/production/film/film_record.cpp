@@ -94,8 +94,7 @@ FilmRecord parse_film_record(const std::string& text) {
                         .rms_contrast = luminance.at("rms_contrast"),
                         .darkest = luminance.at("darkest"),
                         .lightest = luminance.at("lightest")};
-    if (json.contains("warnings"))
-      record.warnings = json.at("warnings").get<std::vector<std::string>>();
+    record.warnings = json.value("warnings", record.warnings);
     for (const nlohmann::json& video : json.at("videos")) {
       record.videos.push_back(video_record_of(video));
       motion::safe_names(record.videos.back().file, {});

@@ -71,11 +71,9 @@ void keep_within(const Store& store, std::uintmax_t most) {
   std::vector<Kept> all;
   std::uintmax_t bytes = 0;
   std::error_code gone;  // another process may be faster
-  for (fs::directory_iterator entry(store.folder() / light_folder, gone);
-       !gone && entry != fs::directory_iterator(); entry.increment(gone)) {
-    std::error_code unknown;
-    const Kept kept{entry->last_write_time(unknown), entry->file_size(unknown), entry->path()};
-    if (unknown) continue;
+  for (const fs::path& file : paths_in(store.folder() / light_folder)) {
+    const Kept kept{fs::last_write_time(file, gone), fs::file_size(file, gone), file};
+    if (gone) continue;
     bytes += kept.bytes;
     all.push_back(kept);
   }

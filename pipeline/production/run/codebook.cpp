@@ -18,11 +18,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::vector<TableForm> forms_of_every_study() {
+std::vector<TableForm> table_forms(const Equalize& equalize, bool has_any_dots) {
   std::vector<TableForm> forms = {stimuli_form};
   for (const TableForm& form : study_table_forms()) forms.push_back(form);
   for (const TableForm& form : film_table_forms()) forms.push_back(form);
   forms.push_back(warnings_form);
+  if (equalize.duration) forms.push_back(durations_form);
+  if (equalize.size) forms.push_back(sizes_form);
+  if (equalize.place) forms.push_back(places_form);
+  if (equalize.luminance) forms.push_back(exposure_form);
+  if (has_any_dots) forms.push_back(dots_form);
   return forms;
 }
 
@@ -46,19 +51,12 @@ ordered_json as_json(const TableForm& form, const std::vector<std::string>& fact
 }  // namespace
 
 std::vector<TableForm> all_table_forms() {
-  std::vector<TableForm> forms = forms_of_every_study();
-  forms.insert(forms.end(), {durations_form, sizes_form, places_form, exposure_form, dots_form});
-  return forms;
+  constexpr Among study = Among::study;
+  return table_forms({.luminance = study, .size = study, .place = study, .duration = true}, true);
 }
 
 std::vector<TableForm> table_forms_of(const Manifest& manifest) {
-  std::vector<TableForm> forms = forms_of_every_study();
-  if (manifest.equalize.duration) forms.push_back(durations_form);
-  if (manifest.equalize.size) forms.push_back(sizes_form);
-  if (manifest.equalize.place) forms.push_back(places_form);
-  if (manifest.equalize.luminance) forms.push_back(exposure_form);
-  if (std::ranges::any_of(manifest.stimuli, has_dots)) forms.push_back(dots_form);
-  return forms;
+  return table_forms(manifest.equalize, std::ranges::any_of(manifest.stimuli, has_dots));
 }
 
 std::string codebook_json(const Manifest& manifest) {

@@ -34,7 +34,11 @@ class Rehearsal : public FaultList {
       });
     }
     if (manifest_.equalize.place) goes("equalize", [&] { check_places(manifest_, motions_); });
-    if (manifest_.equalize.luminance) check_luminance();
+    if (!manifest_.equalize.luminance) return;
+    goes("equalize", [&] {
+      for (const Fault& fault : faults_in_light(manifest_, motions_))
+        add(fault.path, fault.wrong, fault.remedy);
+    });
   }
 
  private:
@@ -83,13 +87,6 @@ class Rehearsal : public FaultList {
     if (wrong.empty()) return;
     const std::string own = member_path(film.path, "output.presentation");
     add(was_given(own) ? own : "output.presentation", wrong, fade_remedy);
-  }
-
-  void check_luminance() {
-    goes("equalize", [&] {
-      for (const Fault& fault : faults_in_light(manifest_, motions_))
-        add(fault.path, fault.wrong, fault.remedy);
-    });
   }
 
   const Manifest& manifest_;

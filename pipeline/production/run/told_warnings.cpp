@@ -2,20 +2,13 @@
 
 #include <algorithm>
 
+#include "motion/text/excerpt.h"
+
 namespace mien::pipeline {
 
 namespace {
 
 constexpr std::size_t most_names_told = 6;
-
-std::string names_told(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most_names_told); ++i)
-    text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > most_names_told)
-    text += " and " + std::to_string(names.size() - most_names_told) + " more";
-  return text;
-}
 
 }  // namespace
 
@@ -29,7 +22,8 @@ std::vector<std::string> told_warnings(
       group->second.push_back(name);
   }
   std::vector<std::string> told;
-  for (const auto& [warning, names] : groups) told.push_back(names_told(names) + ": " + warning);
+  for (const auto& [warning, names] : groups)
+    told.push_back(motion::first_of(names, most_names_told) + ": " + warning);
   return told;
 }
 

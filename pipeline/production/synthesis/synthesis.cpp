@@ -38,9 +38,7 @@ Eigen::VectorXd given_weights(const NamedValues& weights, const Repertoire& repe
   Eigen::VectorXd result =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(repertoire.names.size()));
   for (const auto& [name, value] : weights) {
-    const auto found =
-        std::find_if(repertoire.names.begin(), repertoire.names.end(),
-                     [&wanted = name](const RatedExample& e) { return e.name == wanted; });
+    const auto found = std::ranges::find(repertoire.names, name, &RatedExample::name);
     if (found == repertoire.names.end()) {
       throw Error(fmt::format("there is no example \"{}\"", name),
                   "name one of the set's examples");

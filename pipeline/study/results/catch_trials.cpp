@@ -1,12 +1,12 @@
 #include "pipeline/study/results/catch_trials.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
 
+#include "motion/text/as_number.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 
 namespace mien::pipeline {
@@ -27,14 +27,6 @@ bool is_answered(const AnswerRow& row) { return !row.value.empty() && row.value 
 /// A stimulus that is shown again: the columns of checks and of repetitions are one.
 bool is_shown_again(const AnswerRow& row) { return row.is_catch && row.kind != "attention"; }
 
-std::optional<double> rated(const std::string& text) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value;
-}
-
 CatchAnswer catch_answer(const Gathered& gathered, const AnswerRow& first,
                          const AnswerRow& second) {
   CatchAnswer answer;
@@ -48,8 +40,8 @@ CatchAnswer catch_answer(const Gathered& gathered, const AnswerRow& first,
   answer.first = first.value;
   answer.second = second.value;
   if (!is_on_scale(second) || !gathered.words.empty()) return answer;
-  const auto before = rated(first.value);
-  const auto after = rated(second.value);
+  const auto before = motion::as_number<double>(first.value);
+  const auto after = motion::as_number<double>(second.value);
   if (before && after) answer.difference = *after - *before;
   return answer;
 }
@@ -66,8 +58,8 @@ CatchSummary catch_summary(const std::vector<CatchAnswer>& answers, IsAsked is_a
     summary.equal += answer.is_equal() ? 1 : 0;
     if (!answer.difference) continue;
     sum += std::abs(*answer.difference);
-    first.push_back(*rated(answer.first));
-    second.push_back(*rated(answer.second));
+    first.push_back(*motion::as_number<double>(answer.first));
+    second.push_back(*motion::as_number<double>(answer.second));
   }
   summary.mean_difference = first.empty() ? std::numeric_limits<double>::quiet_NaN()
                                           : sum / static_cast<double>(first.size());

@@ -1,10 +1,10 @@
 #include "pipeline/study/studio/studio_service.h"
 
-#include <charconv>
 #include <optional>
 #include <utility>
 
 #include "motion/error.h"
+#include "motion/text/as_number.h"
 #include "motion/text/json_depth.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
@@ -45,13 +45,6 @@ Value member_or(const ordered_json& body, const char* name, Value usual) {
   return body.is_object() && body.contains(name) && !body[name].is_null()
              ? member<Value>(body, name)
              : usual;
-}
-
-std::optional<int> number_in(const std::string& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 std::optional<Quality> quality_in(const ordered_json& body) {
@@ -210,7 +203,7 @@ HttpResponse StudioService::begin_job(const Body& body) {
 
 HttpResponse StudioService::job(const HttpRequest& request) {
   const std::optional<int> number =
-      request.path.size() > 2 ? number_in(request.path[2]) : std::nullopt;
+      request.path.size() > 2 ? motion::as_number<int>(request.path[2]) : std::nullopt;
   if (!number) return unknown(request);
   if (request.path.size() == 3) {
     const Body told = jobs_.told(*number);

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "motion/error.h"
+#include "motion/text/shell_word.h"
 #include "pipeline/farm/fake_programs.h"
 #include "pipeline/tasks/command_run.h"
 #include "pipeline/temporary_folder.h"
@@ -43,7 +44,7 @@ class BatchScript : public testing::Test {
   /// A worker that writes its arguments and then does this.
   void write_worker(const std::string& then) const {
     std::ofstream(call.program) << "#!/bin/bash\nprintf '<%s>' \"$@\" >" +
-                                       shell_word((root / "words").string())
+                                       motion::in_single_quotes((root / "words").string())
                                 << "\n"
                                 << then << "\n";
     fs::permissions(call.program, fs::perms::owner_all);
@@ -127,7 +128,7 @@ TEST_F(BatchScript, DoesNotBringACancelledJobToLife) {
 
 TEST_F(BatchScript, WaitsForAFolderThatIsAwayBeforeItBegins) {
   const FakePrograms programs;
-  programs.add("sleep", "mkdir -p " + shell_word((folder / "ends").string()));
+  programs.add("sleep", "mkdir -p " + motion::in_single_quotes((folder / "ends").string()));
   write_worker("echo made");
   fs::remove_all(folder / "ends");
   const CommandEnd end = run_element(3);
@@ -139,8 +140,8 @@ TEST_F(BatchScript, WaitsForAFolderThatIsAwayBeforeItBegins) {
 
 TEST_F(BatchScript, CountsNoFailureOfAWorkerWhoseFolderWasNotWell) {
   const FakePrograms programs;
-  const std::string ends = shell_word((folder / "ends").string());
-  const std::string calls = shell_word((root / "calls").string());
+  const std::string ends = motion::in_single_quotes((folder / "ends").string());
+  const std::string calls = motion::in_single_quotes((root / "calls").string());
   programs.add("sleep", "mkdir -p " + ends);
   const std::string count = "echo x >>" + calls + "; [ $(wc -l <" + calls + ") -gt 2 ] && exit 0\n";
   for (const std::string& first : {std::string("exit 74"), "rmdir " + ends + "; exit 75",
@@ -171,11 +172,12 @@ TEST_F(BatchScript, WaitsForAFolderAsLongAsItHasPatienceAndIsHeldInTheEnd) {
 TEST_F(BatchScript, EndsWhileItWaitsWhenItIsToldToStop) {
   write_worker("exit 0");
   fs::remove_all(folder / "ends");
-  const std::string run = "bash " + shell_word(write_script({1001, true, true}).string()) + " >" +
-                          shell_word((root / "said").string()) +
+  const std::string run = "bash " +
+                          motion::in_single_quotes(write_script({1001, true, true}).string()) +
+                          " >" + motion::in_single_quotes((root / "said").string()) +
                           " & job=$!\n"
                           "until [ -s " +
-                          shell_word((root / "said").string()) +
+                          motion::in_single_quotes((root / "said").string()) +
                           " ]; do sleep 0.05; done\n"
                           "kill -TERM $job; wait $job; exit $?";
   EXPECT_EQ(run_command({"bash", "-c", run}, std::chrono::seconds(30)).code, 75);
@@ -245,8 +247,8 @@ TEST_F(BatchScript, NotesThatTheKernelCountsAKillForWantOfMemory) {
   const LittleMemory group(number);
   if (!group.is_there()) GTEST_SKIP() << "no control group of its own can be made here";
   const auto run_in_group = [&] {
-    const std::string script = "echo $$ >" + shell_word(group.processes()) + " && exec bash " +
-                               shell_word(write_script().string());
+    const std::string script = "echo $$ >" + motion::in_single_quotes(group.processes()) +
+                               " && exec bash " + motion::in_single_quotes(write_script().string());
     return run_command({"env", "SLURM_ARRAY_TASK_ID=3", "SLURMD_NODENAME=n1",
                         "SLURM_JOB_ID=" + number, "bash", "-c", script},
                        std::chrono::seconds(60));
@@ -276,12 +278,14 @@ TEST_F(BatchScript, TranslatesTheCodesOfMienRun) {
 }
 
 TEST_F(BatchScript, PassesSigtermOnAndWaitsForTheWorkersCode) {
-  write_worker("trap 'exit 75' TERM\necho here >" + shell_word((root / "begun").string()) +
+  write_worker("trap 'exit 75' TERM\necho here >" +
+               motion::in_single_quotes((root / "begun").string()) +
                "\nwhile :; do sleep 0.05; done");
-  const std::string run = "bash " + shell_word(write_script({1001, true, true}).string()) +
+  const std::string run = "bash " +
+                          motion::in_single_quotes(write_script({1001, true, true}).string()) +
                           " & job=$!\n"
                           "until [ -s " +
-                          shell_word((root / "begun").string()) +
+                          motion::in_single_quotes((root / "begun").string()) +
                           " ]; do sleep 0.05; done\n"
                           "kill -TERM $job; wait $job; exit $?";
   EXPECT_EQ(run_command({"bash", "-c", run}, std::chrono::seconds(30)).code, 75);

@@ -100,7 +100,7 @@ WorkerRecord worker(const std::string& name) {
   record.name = name;
   record.host = "n1";
   record.boot = "of n1";
-  record.process = 1;
+  record.pid = 1;
   record.frames = 20;
   record.frame_seconds = 1;
   return record;

@@ -38,10 +38,8 @@ TEST_F(Journal, TellsWhatWasWrittenIntoIt) {
   EXPECT_TRUE(journal.read().jobs.empty());
   JournalSubmission asked{
       "0001", "2026-11-23T00:00:00Z", "draft", 12, {"long", "1:00", "2G", "lab", 8, 3}};
-  journal.note_submission(asked);
-  journal.note_intent(intent("2-frames", 5));
+  journal.note_submission(asked, {intent("2-frames", 5), intent("3-films", 2)});
   journal.note_job("mien:abc:0001:2-frames", "17");
-  journal.note_intent(intent("3-films", 2));
   journal.note_refusal("mien:abc:0001:3-films", "no \xff such partition");
   const JournalContent content = journal.read();
   ASSERT_EQ(content.submissions.size(), 1u);
@@ -58,23 +56,24 @@ TEST_F(Journal, TellsWhatWasWrittenIntoIt) {
 }
 
 TEST_F(Journal, GoesOnBehindALineThatWasCutOffAnywhere) {
-  journal.note_intent(intent("2-frames", 5));
+  journal.note_submission({"0001"}, {intent("2-frames", 5)});
   journal.note_job("mien:abc:0001:2-frames", "17");
   std::ifstream stream(journal.file());
   const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t intended = whole.find('\n', whole.find('\n') + 1);
   for (std::size_t size = 0; size <= whole.size(); ++size) {
     std::ofstream(journal.file(), std::ios::trunc) << whole.substr(0, size);
     EXPECT_LE(journal.read().jobs.size(), 1u);
-    journal.note_intent(intent("3-films", 2));
+    journal.note_submission({"0001"}, {intent("3-films", 2)});
     const JournalContent content = journal.read();
     ASSERT_FALSE(content.jobs.empty());
     EXPECT_EQ(content.jobs.back().name, "3-films") << size;
-    EXPECT_EQ(content.jobs.front().name, size < whole.find('\n') ? "3-films" : "2-frames") << size;
+    EXPECT_EQ(content.jobs.front().name, size < intended ? "3-films" : "2-frames") << size;
   }
 }
 
 TEST_F(Journal, AdoptsAJobThatTheClientDidNotHearOf) {
-  journal.note_intent(intent("2-frames", 2));
+  journal.note_submission({"0001"}, {intent("2-frames", 2)});
   const auto found = fates("31|30|1|RUNNING|None|n1|0:01|mien:abc:0001:2-frames\n");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, JobFate::Kind::live);
@@ -83,14 +82,14 @@ TEST_F(Journal, AdoptsAJobThatTheClientDidNotHearOf) {
 }
 
 TEST_F(Journal, TellsAnIntentThatNoJobFollowed) {
-  journal.note_intent(intent("2-frames", 2));
+  journal.note_submission({"0001"}, {intent("2-frames", 2)});
   const auto found = fates("");
   EXPECT_EQ(found.at(0).kind, JobFate::Kind::unanswered);
   EXPECT_EQ(told_losses(found).size(), 1u);
 }
 
 TEST_F(Journal, NoticesAJobThatSlurmLostEvenIfItsNumberIsAnothers) {
-  journal.note_intent(intent("2-frames", 2));
+  journal.note_submission({"0001"}, {intent("2-frames", 2)});
   journal.note_job("mien:abc:0001:2-frames", "17");
   for (const char* queue : {"", "17|17|N/A|RUNNING|None|n1|0:01|somebody else's\n"}) {
     const auto found = fates(queue);
@@ -102,7 +101,7 @@ TEST_F(Journal, NoticesAJobThatSlurmLostEvenIfItsNumberIsAnothers) {
 }
 
 TEST_F(Journal, DoesNotTakeAJobThatRanAndWasForgottenForALostOne) {
-  journal.note_intent(intent("2-frames", 2));
+  journal.note_submission({"0001"}, {intent("2-frames", 2)});
   journal.note_job("mien:abc:0001:2-frames", "17");
   fs::create_directories(folder / "farm/0001/log");
   std::ofstream(folder / "farm/0001/log/walks-2-frames-17_2.log") << "\n";
@@ -110,7 +109,7 @@ TEST_F(Journal, DoesNotTakeAJobThatRanAndWasForgottenForALostOne) {
 }
 
 TEST_F(Journal, CountsWhatAPersonSubmittedAgainByHand) {
-  journal.note_intent(intent("2-frames", 3));
+  journal.note_submission({"0001"}, {intent("2-frames", 3)});
   journal.note_job("mien:abc:0001:2-frames", "17");
   const auto found = fates(
       "17|17|1|COMPLETED|None|n1|0:01|mien:abc:0001:2-frames\n"
@@ -120,11 +119,11 @@ TEST_F(Journal, CountsWhatAPersonSubmittedAgainByHand) {
 
 TEST_F(Journal, CannotBeWrittenWhereAFileIsInTheWay) {
   std::ofstream(folder / "farm") << "no folder";
-  EXPECT_THROW(journal.note_intent(intent("2-frames", 2)), std::runtime_error);
+  EXPECT_THROW(journal.note_submission({"0001"}, {intent("2-frames", 2)}), std::runtime_error);
 }
 
 TEST_F(Journal, SkipsNamesThatLeadOutOfTheFarm) {
-  journal.note_intent(intent("2-frames", 5));
+  journal.note_submission({"0001"}, {intent("2-frames", 5)});
   for (const char* name : {"../../x", "/etc/passwd", "..", "a/b", "a\nb"}) {
     journal.note_intent(intent(name, 1));
     JournalJob job = intent("3-films", 1);

@@ -1,7 +1,6 @@
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault.h"
 
@@ -201,11 +201,10 @@ class AnswerRowReader {
 
   std::uint64_t seed() {
     const std::string& digits = text("seed");
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (!digits.empty() && (error != std::errc{} || end != digits.data() + digits.size()))
+    const auto value = motion::as_number<std::uint64_t>(digits);
+    if (!digits.empty() && !value)
       fault("seed", motion::in_quotes(digits) + " is no seed", "write a whole number from 0 up");
-    return value;
+    return value.value_or(0);
   }
 
   const CsvTable& table_;

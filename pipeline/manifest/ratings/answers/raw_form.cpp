@@ -1,7 +1,6 @@
 #include "pipeline/manifest/ratings/answers/raw_form.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -10,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/as_number.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 
 namespace mien::pipeline {
@@ -32,11 +32,8 @@ struct RawAnswer {
 };
 
 std::optional<double> number_or_nothing(const std::string& text) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const auto value = motion::as_number<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::vector<RawAnswer> raw_answers(const std::vector<AnswerRow>& rows, const ScaleSet& scales) {
