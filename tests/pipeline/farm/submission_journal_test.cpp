@@ -125,14 +125,13 @@ TEST_F(Journal, CannotBeWrittenWhereAFileIsInTheWay) {
 TEST_F(Journal, SkipsNamesThatLeadOutOfTheFarm) {
   journal.note_submission({"0001"}, {intent("2-frames", 5)});
   for (const char* name : {"../../x", "/etc/passwd", "..", "a/b", "a\nb"}) {
-    journal.note_intent(intent(name, 1));
     JournalJob job = intent("3-films", 1);
     job.submission = name;
-    journal.note_intent(job);
+    journal.note_submission({"0001"}, {intent(name, 1), job});
     journal.note_submission({name, "2026-11-23T00:00:00Z", "draft", 12, {}});
   }
   const JournalContent content = journal.read();
-  EXPECT_TRUE(content.submissions.empty());
+  for (const JournalSubmission& one : content.submissions) EXPECT_EQ(one.number, "0001");
   ASSERT_EQ(content.jobs.size(), 1u);
   EXPECT_EQ(content.jobs[0].name, "2-frames");
 }
