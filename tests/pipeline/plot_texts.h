@@ -11,9 +11,9 @@ namespace mien::test {
 
 /// All text of a plot.
 inline std::vector<pipeline::DrawnText> texts_of(const pipeline::Plot& plot) {
-  pipeline::Canvas canvas = pipeline::Canvas::pdf(plot.width, plot.height, plot.title);
-  plot.draw(canvas);
-  return canvas.texts();
+  const auto canvas = pipeline::Canvas::pdf(plot.width, plot.height, plot.title);
+  plot.draw(*canvas);
+  return canvas->texts();
 }
 
 inline bool says(const pipeline::Plot& plot, const std::string& words) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -53,8 +54,6 @@ struct DrawnText {
   Box box;
 };
 
-class CanvasSurface;
-
 /// A page to draw on, as PDF (vector, text stays text), as SVG (vector, text as outlines, so that
 /// it looks the same without our fonts) or as pixels. Lines and corners are round.
 ///
@@ -64,46 +63,46 @@ class Canvas {
  public:
   /// A PDF page. Throws mien::Error when the system's fonts have no Japanese and render::Error
   /// when the part of mien that draws pages cannot be loaded.
-  static Canvas pdf(double width, double height, const std::string& title);
+  static std::unique_ptr<Canvas> pdf(double width, double height, const std::string& title);
   /// An SVG image. Throws as `pdf`.
-  static Canvas svg(double width, double height);
+  static std::unique_ptr<Canvas> svg(double width, double height);
   /// An image `pixels_wide` wide of a page of the given size in points. Throws as `pdf`.
-  static Canvas png(double width, double height, int pixels_wide);
+  static std::unique_ptr<Canvas> png(double width, double height, int pixels_wide);
 
-  Canvas(Canvas&&) noexcept;
-  Canvas& operator=(Canvas&&) noexcept;
-  ~Canvas();
+  virtual ~Canvas() = default;
 
-  void line(Point from, Point to, const LineStyle& style);
-  void polyline(std::span<const Point> points, const LineStyle& style);
-  void fill(const Box& box, const Colour& colour, double corner_radius = 0.0);
-  void outline(const Box& box, const LineStyle& style, double corner_radius = 0.0);
-  void fill(std::span<const Point> polygon, const Colour& colour, double opacity = 1.0);
-  void disc(Point centre, double radius, const Colour& colour);
-  void ring(Point centre, double radius, const LineStyle& style);
+  void line(Point from, Point to, const LineStyle& style) { polyline(std::array{from, to}, style); }
+  virtual void polyline(std::span<const Point> points, const LineStyle& style) = 0;
+  virtual void fill(const Box& box, const Colour& colour, double corner_radius = 0.0) = 0;
+  virtual void outline(const Box& box, const LineStyle& style, double corner_radius = 0.0) = 0;
+  virtual void fill(std::span<const Point> polygon, const Colour& colour, double opacity = 1.0) = 0;
+  virtual void disc(Point centre, double radius, const Colour& colour) = 0;
+  virtual void ring(Point centre, double radius, const LineStyle& style) = 0;
 
   /// A picture that fills the box. Pixels stay pixels where one falls on one.
-  void picture(const Box& box, const render::Image8& image);
+  virtual void picture(const Box& box, const render::Image8& image) = 0;
 
   /// Sets text with its baseline at `baseline` and returns the box of its ink.
-  Box text(Point baseline, std::string_view utf8, const TextStyle& style);
+  Box text(Point baseline, std::string_view utf8, const TextStyle& style) {
+    texts_.push_back({std::string(utf8), draw_text(baseline, utf8, style)});
+    return texts_.back().box;
+  }
 
   /// Advance width of a text, points; not shortened.
-  double text_width(std::string_view utf8, const TextStyle& style) const;
+  virtual double text_width(std::string_view utf8, const TextStyle& style) const = 0;
 
   /// All text drawn so far.
   const std::vector<DrawnText>& texts() const { return texts_; }
 
   /// Ends the page and returns the file's bytes. The canvas is used up.
-  std::string finish();
+  virtual std::string finish() = 0;
 
   /// Ends a page of pixels and returns them instead. The canvas is used up.
-  render::Image8 finish_picture();
+  virtual render::Image8 finish_picture() = 0;
 
  private:
-  explicit Canvas(std::unique_ptr<CanvasSurface> surface);
+  virtual Box draw_text(Point baseline, std::string_view utf8, const TextStyle& style) = 0;
 
-  std::unique_ptr<CanvasSurface> surface_;
   std::vector<DrawnText> texts_;
 };
 

@@ -21,22 +21,22 @@ double resolution_of(const Plot& plot) {
 }  // namespace
 
 std::string as_pdf(const Plot& plot) {
-  Canvas canvas = Canvas::pdf(plot.width, plot.height, plot.title);
-  plot.draw(canvas);
-  return canvas.finish();
+  const auto canvas = Canvas::pdf(plot.width, plot.height, plot.title);
+  plot.draw(*canvas);
+  return canvas->finish();
 }
 
 std::string as_svg(const Plot& plot) {
-  Canvas canvas = Canvas::svg(plot.width, plot.height);
-  plot.draw(canvas);
-  return canvas.finish();
+  const auto canvas = Canvas::svg(plot.width, plot.height);
+  plot.draw(*canvas);
+  return canvas->finish();
 }
 
 std::string as_png(const Plot& plot, double dots_per_inch) {
-  Canvas canvas = Canvas::png(plot.width, plot.height,
-                              static_cast<int>(std::lround(plot.width * dots_per_inch / 72.0)));
-  plot.draw(canvas);
-  return canvas.finish();
+  const auto canvas = Canvas::png(plot.width, plot.height,
+                                  static_cast<int>(std::lround(plot.width * dots_per_inch / 72.0)));
+  plot.draw(*canvas);
+  return canvas->finish();
 }
 
 void write_plot(const Plot& plot, const std::filesystem::path& folder, const std::string& name) {

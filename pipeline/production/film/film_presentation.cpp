@@ -133,9 +133,9 @@ render::Image8 fixation_picture(std::array<int, 2> size, std::uint8_t grey, int 
 render::Image8 card_picture(std::array<int, 2> size, std::uint8_t grey, const std::string& text) {
   const double width = size[0];
   const double height = size[1];
-  Canvas canvas = Canvas::png(width, height, size[0]);
+  const auto canvas = Canvas::png(width, height, size[0]);
   const double level = grey / 255.0;
-  canvas.fill(Box{0, 0, width, height}, Colour{level, level, level});
+  canvas->fill(Box{0, 0, width, height}, Colour{level, level, level});
   std::vector<std::string> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -144,7 +144,7 @@ render::Image8 card_picture(std::array<int, 2> size, std::uint8_t grey, const st
   constexpr double spacing = 1.5;
   double widest = 0.0;
   for (const std::string& line : lines) {
-    widest = std::max(widest, canvas.text_width(line, style));
+    widest = std::max(widest, canvas->text_width(line, style));
   }
   const double tallest = spacing * style.size * static_cast<double>(lines.size());
   style.size *= std::min({1.0, 0.9 * width / std::max(widest, 1.0), 0.9 * height / tallest});
@@ -153,10 +153,10 @@ render::Image8 card_picture(std::array<int, 2> size, std::uint8_t grey, const st
   double baseline =
       0.5 * (height - step * static_cast<double>(lines.size() - 1)) + 0.35 * style.size;
   for (const std::string& line : lines) {
-    canvas.text({0.5 * width, baseline}, line, style);
+    canvas->text({0.5 * width, baseline}, line, style);
     baseline += step;
   }
-  return canvas.finish_picture();
+  return canvas->finish_picture();
 }
 
 std::string fade_fault(const Stimulus& film, int film_frames) {

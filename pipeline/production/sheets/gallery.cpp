@@ -88,7 +88,7 @@ void draw_rows(Canvas& canvas, const GalleryContent& content) {
   }
 }
 
-std::string drawn(Canvas canvas, const GalleryContent& content) {
+std::string drawn(Canvas& canvas, const GalleryContent& content) {
   draw_title(canvas, content);
   draw_rows(canvas, content);
   std::string facts = "lighter limbs: left";
@@ -101,11 +101,11 @@ std::string drawn(Canvas canvas, const GalleryContent& content) {
 }  // namespace
 
 std::string gallery_as_pdf(const GalleryContent& content) {
-  return drawn(Canvas::pdf(page_width, page_height(content), content.title), content);
+  return drawn(*Canvas::pdf(page_width, page_height(content), content.title), content);
 }
 
 std::string gallery_as_png(const GalleryContent& content) {
-  return drawn(Canvas::png(page_width, page_height(content), gallery_pixels_wide), content);
+  return drawn(*Canvas::png(page_width, page_height(content), gallery_pixels_wide), content);
 }
 
 }  // namespace mien::pipeline

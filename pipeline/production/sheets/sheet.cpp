@@ -14,7 +14,7 @@ namespace {
 
 constexpr int pixels_wide = 3508;  // A4 at 300 dots an inch
 
-std::string drawn(Canvas canvas, const SheetContent& content) {
+std::string drawn(Canvas& canvas, const SheetContent& content) {
   const SheetLayout page = sheet_layout();
   draw_header(canvas, content, page.header);
   draw_verdict(canvas, content, page.verdict);
@@ -55,12 +55,12 @@ std::string beside_verdict(const motion::Distance& distance, const motion::Examp
 std::string sheet_as_pdf(const SheetContent& content) {
   const SheetLayout page = sheet_layout();
   const std::string title = content.created.id + " compared with " + content.target.id;
-  return drawn(Canvas::pdf(page.width, page.height, title), content);
+  return drawn(*Canvas::pdf(page.width, page.height, title), content);
 }
 
 std::string sheet_as_png(const SheetContent& content) {
   const SheetLayout page = sheet_layout();
-  return drawn(Canvas::png(page.width, page.height, pixels_wide), content);
+  return drawn(*Canvas::png(page.width, page.height, pixels_wide), content);
 }
 
 }  // namespace mien::pipeline

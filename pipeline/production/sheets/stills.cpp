@@ -76,7 +76,7 @@ class Page {
   Box cell_;  // the first picture's place
 };
 
-std::string drawn(Canvas canvas, const StillsContent& content, const Page& page) {
+std::string drawn(Canvas& canvas, const StillsContent& content, const Page& page) {
   const double baseline = stills_margin + 14.0;
   const double width = page.width() - 2.0 * stills_margin;
   const Box title = canvas.text({stills_margin, baseline}, content.title,
@@ -106,13 +106,13 @@ std::string drawn(Canvas canvas, const StillsContent& content, const Page& page)
 
 std::string stills_as_pdf(const StillsContent& content) {
   const Page page(content);
-  return drawn(Canvas::pdf(page.width(), page.height(), content.title), content, page);
+  return drawn(*Canvas::pdf(page.width(), page.height(), content.title), content, page);
 }
 
 std::string stills_as_png(const StillsContent& content) {
   const Page page(content);
   const int wide = static_cast<int>(std::lround(page.width() * pixels_per_point));
-  return drawn(Canvas::png(wide / pixels_per_point, page.height(), wide), content, page);
+  return drawn(*Canvas::png(wide / pixels_per_point, page.height(), wide), content, page);
 }
 
 }  // namespace mien::pipeline

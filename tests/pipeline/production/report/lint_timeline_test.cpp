@@ -18,9 +18,9 @@ Finding finding(const std::string& check, const std::string& joint, int first, i
 /// What the picture says; all of it lies on the page and no word on another.
 std::vector<DrawnText> texts_of(const LintedMotion& motion) {
   const Plot plot = lint_timeline(motion);
-  Canvas canvas = Canvas::pdf(plot.width, plot.height, plot.title);
-  plot.draw(canvas);
-  const std::vector<DrawnText>& texts = canvas.texts();
+  const auto canvas = Canvas::pdf(plot.width, plot.height, plot.title);
+  plot.draw(*canvas);
+  const std::vector<DrawnText>& texts = canvas->texts();
   for (const DrawnText& text : texts) {
     EXPECT_GE(text.box.x, 0.0) << text.text;
     EXPECT_LE(text.box.right(), plot.width) << text.text;

@@ -18,9 +18,9 @@ constexpr char holding_manifest[] =
 
 std::vector<DrawnText> texts_beside_each_other(const SheetContent& content) {
   const Box box = sheet_layout().settings;
-  Canvas canvas = Canvas::pdf(1200.0, 900.0, "settings");
-  draw_settings(canvas, content, box);
-  const std::vector<DrawnText>& texts = canvas.texts();
+  const auto canvas = Canvas::pdf(1200.0, 900.0, "settings");
+  draw_settings(*canvas, content, box);
+  const std::vector<DrawnText>& texts = canvas->texts();
   for (std::size_t i = 0; i < texts.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k)
       EXPECT_FALSE(overlap(texts[i].box, texts[k].box)) << texts[i].text << " on " << texts[k].text;

@@ -40,9 +40,9 @@ TEST(Dendrogram, TextsNeitherOverlapNorLeaveThePage) {
     Dendrogram d = sample(leaves, clusters);
     d.simulated = true;
     const Plot plot = dendrogram_plot(d);
-    Canvas canvas = Canvas::pdf(plot.width, plot.height, "t");
-    plot.draw(canvas);
-    const auto& texts = canvas.texts();
+    const auto canvas = Canvas::pdf(plot.width, plot.height, "t");
+    plot.draw(*canvas);
+    const auto& texts = canvas->texts();
     for (size_t i = 0; i < texts.size(); ++i) {
       const Box& box = texts[i].box;
       EXPECT_GE(box.x, 0.0) << texts[i].text;
@@ -62,10 +62,10 @@ TEST(Dendrogram, SaysWhenRatingsAreSimulated) {
     Dendrogram d = sample(5, 2);
     d.simulated = simulated;
     const Plot plot = dendrogram_plot(d);
-    Canvas canvas = Canvas::pdf(plot.width, plot.height, "t");
-    plot.draw(canvas);
+    const auto canvas = Canvas::pdf(plot.width, plot.height, "t");
+    plot.draw(*canvas);
     bool marked = false;
-    for (const DrawnText& text : canvas.texts()) {
+    for (const DrawnText& text : canvas->texts()) {
       marked = marked || text.text.starts_with("Simulated ratings");
     }
     EXPECT_EQ(marked, simulated);

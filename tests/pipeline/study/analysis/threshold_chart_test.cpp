@@ -14,14 +14,14 @@ std::vector<DrawnText> texts_of(int scales, bool simulated) {
     for (int i = 0; i <= 40; ++i) curve.push_back({condition, 0.05 * i, scales, scales / 2});
   }
   const Plot plot = threshold_chart(curve, {}, scales, simulated);
-  Canvas canvas = Canvas::pdf(plot.width, plot.height, plot.title);
-  plot.draw(canvas);
-  for (const DrawnText& text : canvas.texts()) {
+  const auto canvas = Canvas::pdf(plot.width, plot.height, plot.title);
+  plot.draw(*canvas);
+  for (const DrawnText& text : canvas->texts()) {
     EXPECT_GE(text.box.x, 0.0) << text.text;
     EXPECT_LE(text.box.x + text.box.width, plot.width) << text.text;
     EXPECT_LE(text.box.y + text.box.height, plot.height) << text.text;
   }
-  return canvas.texts();
+  return canvas->texts();
 }
 
 bool says(const std::vector<DrawnText>& texts, const std::string& words) {
