@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -16,6 +17,18 @@ std::optional<Number> as_number(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc{} || stop != end) return std::nullopt;
   return number;
+}
+
+/// The same; nothing for infinities and NaN, too.
+inline std::optional<double> as_finite_number(std::string_view text) {
+  const std::optional<double> number = as_number<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+/// A finite number as people write it: it may have a plus, too.
+inline std::optional<double> as_written_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  return as_finite_number(text);
 }
 
 }  // namespace mien::motion

@@ -1,7 +1,7 @@
 #include "pipeline/manifest/example_source.h"
 
-#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "motion/error.h"
@@ -12,8 +12,8 @@ namespace mien::pipeline {
 namespace {
 
 double share(std::string_view text, std::string_view whole) {
-  const auto value = motion::as_number<double>(text);
-  if (value && std::isfinite(*value) && *value >= 0.0) return *value;
+  const auto value = motion::as_finite_number(text);
+  if (value && *value >= 0.0) return *value;
   throw Error("--weights: \"" + std::string(whole) + "\" gives no share",
               "write name=share with a share of at least 0, for example normal=0.6,proud=0.4");
 }

@@ -223,10 +223,7 @@ Place place_of(const CsvTable& table, const CsvField& field) {
 }
 
 double number_in(const CsvTable& table, const CsvField& field) {
-  std::string_view text = field.text;
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto value = motion::as_number<double>(text);
-  if (value && std::isfinite(*value)) return *value;
+  if (const auto value = motion::as_written_number(field.text)) return *value;
   throw Error(place_of(table, field), motion::in_quotes(field.text) + " is not a number",
               "write a finite decimal number");
 }

@@ -10,6 +10,7 @@
 
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault.h"
+#include "motion/text/as_number.h"
 
 namespace mien::pipeline {
 
@@ -73,11 +74,8 @@ class TrialReader {
 
   std::optional<double> number(const CsvField& field) {
     if (field.text.empty() || field.text == "NA") return std::nullopt;
-    try {
-      const double value = number_in(table_, field);
-      if (value >= 0.0) return value;
-    } catch (const Error&) {
-    }
+    const std::optional<double> value = motion::as_written_number(field.text);
+    if (value >= 0.0) return value;
     add(field, motion::in_quotes(field.text) + " is no number from 0 up",
         "write a decimal number, or leave the field empty");
     return std::nullopt;

@@ -47,8 +47,7 @@ CatchAnswer catch_answer(const Gathered& gathered, const AnswerRow& first,
 }
 
 /// Of those among `answers` that `is_asked` takes.
-template <typename IsAsked>
-CatchSummary catch_summary(const std::vector<CatchAnswer>& answers, IsAsked is_asked) {
+CatchSummary catch_summary(const std::vector<CatchAnswer>& answers, auto is_asked) {
   CatchSummary summary;
   std::vector<double> first, second;
   double sum = 0.0;

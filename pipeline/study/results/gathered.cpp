@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -126,7 +123,7 @@ class AnswerSorter {
     }
     const auto scale = known_scale(row);
     if (!scale || row.value.empty() || row.value == "NA") return;
-    const auto value = number_from(row.value);
+    const auto value = motion::as_finite_number(row.value);
     const Scale& of = result_.scales[*scale];
     if (!value || *value < of.least || *value > of.most) {
       fault(row,
@@ -142,7 +139,7 @@ class AnswerSorter {
 
   /// The raw answer, turned by the side of the poles, must give the value.
   void check_orientation(const AnswerRow& row, const Scale& scale, double value) {
-    const auto raw = number_from(row.value_raw);
+    const auto raw = motion::as_finite_number(row.value_raw);
     if (!raw || row.pole_left.empty()) return;
     const double share = asked_.answer.slider
                              ? *raw / 100.0

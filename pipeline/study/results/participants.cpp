@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
+#include "motion/text/as_number.h"
 #include "pipeline/base/statistics/t_test.h"
 
 namespace mien::pipeline {
@@ -39,14 +39,6 @@ void add_trials(ParticipantSummary& summary, const std::vector<const AnswerRow*>
   summary.trials = static_cast<int>(met.size());
   summary.median_rt_ms = median_or_nothing(times);
   summary.is_constant = summary.answers >= 3 && values.size() == 1;
-}
-
-std::optional<double> as_number(const CsvTable& table, const CsvField& field) {
-  try {
-    return number_in(table, field);
-  } catch (const Error&) {
-    return std::nullopt;
-  }
 }
 
 void add_numbers(const std::string& question, const std::vector<double>& numbers,
@@ -157,7 +149,7 @@ std::vector<DemographicSummary> demographics_of(const ParticipantTable& particip
       if (!is_there || row[column].text.empty()) continue;
       ++people;
       ++words[row[column].text];
-      if (const auto number = as_number(table, row[column])) numbers.push_back(*number);
+      if (const auto number = motion::as_written_number(row[column].text)) numbers.push_back(*number);
     }
     if (people == 0) continue;
     const bool is_worded = gathered.worded_questions.contains(question);

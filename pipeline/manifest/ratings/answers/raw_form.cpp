@@ -42,8 +42,8 @@ std::vector<RawAnswer> raw_answers(const std::vector<AnswerRow>& rows, const Sca
   std::vector<RawAnswer> answers;
   for (const AnswerRow& row : rows) {
     const auto scale = known.find(row.item);
-    const auto raw = number_or_nothing(row.value_raw);
-    const auto value = number_or_nothing(row.value);
+    const auto raw = motion::as_finite_number(row.value_raw);
+    const auto value = motion::as_finite_number(row.value);
     const bool is_told = is_on_scale(row) && scale != known.end() && raw && value;
     if (!is_told || row.pole_left.empty()) continue;
     const Scale& of = *scale->second;
