@@ -47,20 +47,20 @@ void name_what_has_no_id(Manifest& manifest) {
 }  // namespace
 
 Manifest build_manifest(
-    const json& document, Places places, const std::filesystem::path& file,
+    JsonReading reading, const std::filesystem::path& file,
     const std::function<void(const std::string&, const std::filesystem::path&)>& names) {
   Manifest manifest;
   manifest.file = file;
-  manifest.places = std::move(places);
+  manifest.places = std::move(reading.places);
   const auto resolve = [&names, folder = file.parent_path()](const std::string& path) {
     std::filesystem::path resolved = (folder / path).lexically_normal();
     if (names) names(path, resolved);
     return resolved;
   };
   const ReadingContext context{manifest.places, resolve};
-  read({document, "", context}, manifest);
+  read({reading.document, "", context}, manifest);
   manifest.interpolation.weights.nearest.seed = manifest.seed;
-  add_builtin_ratings(document, manifest);
+  add_builtin_ratings(reading.document, manifest);
   name_places(manifest);
   name_what_has_no_id(manifest);
   return manifest;

@@ -6,12 +6,10 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
-#include "pipeline/base/documents/fault.h"
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/base/reading/yaml_json.h"
-#include "pipeline/base/reading/yaml_tree.h"
 #include "pipeline/manifest/own_seed.h"
 
 #include "embedded/emotions_recipes.h"
@@ -145,17 +143,9 @@ RecipeBook read_recipes(const std::string& source, const fs::path& file) {
 }
 
 RecipeBook parse_recipes(std::string_view yaml, const fs::path& file) {
-  std::vector<Fault> faults;
-  const YamlNode tree = read_yaml(yaml, file.string(), faults);
-  if (!faults.empty()) throw Faults(faults);
-  const json& schema = recipes_schema();
-  const JsonReading reading = to_json(tree, root_of(schema), process_environment(), faults);
-  for (Fault& fault : check_schema(reading.document, schema, reading.places)) {
-    faults.push_back(std::move(fault));
-  }
-  if (!faults.empty()) throw Faults(faults);
+  const JsonReading reading = read_valid_json(yaml, file.string(), recipes_schema());
   RecipeBook book = build(reading, file.parent_path());
-  faults = faults_of(book, reading.places);
+  std::vector<Fault> faults = faults_of(book, reading.places);
   if (!faults.empty()) throw Faults(faults);
   return book;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +15,19 @@ namespace mien::pipeline {
 void append(std::vector<Fault>& faults, std::vector<Fault> more) {
   faults.insert(faults.end(), std::make_move_iterator(more.begin()),
                 std::make_move_iterator(more.end()));
+}
+
+std::vector<Fault> told_once(std::vector<std::vector<Fault>> lists) {
+  std::vector<Fault> faults;
+  std::set<std::string> told;
+  for (std::vector<Fault>& list : lists) {
+    std::erase_if(list, [&](const Fault& fault) { return told.contains(fault.path); });
+    for (const Fault& fault : list) {
+      if (!fault.path.empty()) told.insert(fault.path);
+    }
+    append(faults, std::move(list));
+  }
+  return in_reading_order(std::move(faults));
 }
 
 void FaultList::add(const std::string& path, std::string wrong, std::string remedy) {

@@ -13,6 +13,10 @@ namespace mien::pipeline {
 /// Adds faults at the end.
 void append(std::vector<Fault>& faults, std::vector<Fault> more);
 
+/// The faults of several lists in reading order, each mistake told once: where a list has a fault
+/// of a value, those that later lists have of the same value are left out.
+std::vector<Fault> told_once(std::vector<std::vector<Fault>> lists);
+
 /// Faults of one document, found by its checks one after the other.
 class FaultList {
  public:

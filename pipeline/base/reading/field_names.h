@@ -32,16 +32,12 @@ class FieldNames {
     add(key, concerned);
   }
 
-  template <class Walk>
-  void group(const char* key, Walk&& walk_group) {
+  void group(const char* key, auto&& walk_group) {
     add(key, concerns::nothing);
     nested(key, inherited_, walk_group);
   }
 
-  template <class Value>
-  void whole(const char* key, Value& value, unsigned concerned) {
-    (*this)(key, value, concerned);
-  }
+  void whole(const char* key, auto& value, unsigned concerned) { (*this)(key, value, concerned); }
 
   template <class Element, class Prototype>
   void each(const char* key, std::vector<Element>&, unsigned concerned, Prototype&&) {
@@ -86,8 +82,7 @@ class FieldNames {
     static constexpr const char* mark = "";
   };
 
-  template <class Walk>
-  void nested(const std::string& key, unsigned concerned, Walk&& walk_inner) {
+  void nested(const std::string& key, unsigned concerned, auto&& walk_inner) {
     FieldNames inner(prefix_ + key + ".", concerned);
     walk_inner(inner);
     for (const auto& [path, concern] : inner.names_) names_[path] |= concern;

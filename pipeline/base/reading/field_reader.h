@@ -12,8 +12,7 @@ class FieldReader {
  public:
   explicit FieldReader(const Given& given) : given_(given) {}
 
-  template <class Value>
-  void operator()(const char* key, Value& value, unsigned concerned) {
+  void operator()(const char* key, auto& value, unsigned concerned) {
     with(key, concerned, [&](const Given& member) { read(member, value); });
   }
 
@@ -22,8 +21,7 @@ class FieldReader {
     with(key, concerned, [&](const Given& member) { assign(&member.value, value, words); });
   }
 
-  template <class Walk>
-  void group(const char* key, Walk&& walk) {
+  void group(const char* key, auto&& walk) {
     with(key, concerns::nothing, [&](const Given& member) {
       FieldReader inner(member);
       walk(inner);
@@ -62,8 +60,7 @@ class FieldReader {
   }
 
  private:
-  template <class Use>
-  void with(const char* key, unsigned concerned, Use&& use) {
+  void with(const char* key, unsigned concerned, auto&& use) {
     if (!given_.value.is_object()) {
       if ((concerned & concerns::alone) != 0) use(given_);
       return;

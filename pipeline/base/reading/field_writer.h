@@ -42,13 +42,9 @@ class FieldWriter {
     }
   }
 
-  template <class Walk>
-  void group(const char* key, Walk&& walk) {
-    nested(key, walk);
-  }
+  void group(const char* key, auto&& walk) { nested(key, walk); }
 
-  template <class Value>
-  void whole(const char* key, const Value& value, unsigned concerns) {
+  void whole(const char* key, const auto& value, unsigned concerns) {
     add(key, concerns, [&](const Writing& how) { return written(value, how); });
   }
 
@@ -70,8 +66,7 @@ class FieldWriter {
   }
 
  private:
-  template <class Walk>
-  void nested(const char* key, Walk&& walk) {
+  void nested(const char* key, auto&& walk) {
     FieldWriter inner(how_, entries_, prefix_ + key + ".");
     walk(inner);
   }
@@ -87,8 +82,7 @@ class FieldWriter {
     return how;
   }
 
-  template <class Write>
-  void add(const char* key, unsigned concerns, Write&& write) {
+  void add(const char* key, unsigned concerns, auto&& write) {
     if (!is_asked(concerns)) return;
     FieldEntry entry{prefix_ + key, concerns, {}, {}};
     Writing how = of_members();
@@ -102,8 +96,7 @@ class FieldWriter {
   std::string prefix_;
 };
 
-template <class Value>
-std::vector<FieldEntry> entries_of(const Value& value, const Writing& how) {
+std::vector<FieldEntry> entries_of(const auto& value, const Writing& how) {
   constexpr std::size_t usual_count = 64;
   std::vector<FieldEntry> entries;
   entries.reserve(usual_count);
@@ -122,8 +115,7 @@ OrderedJson nested_map(const std::vector<FieldEntry>& entries);
 
 /// What is to be written so that `value` is read when it is laid over the value of which `base` are
 /// the entries.
-template <class Value>
-OrderedJson written_over(const Value& value, const std::vector<FieldEntry>& base,
+OrderedJson written_over(const auto& value, const std::vector<FieldEntry>& base,
                          const Writing& how) {
   const std::vector<FieldEntry> entries = differences(entries_of(value, how), base);
   if (how.files != nullptr) {

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/base/reading/schema.h"
-#include "pipeline/base/reading/yaml_tree.h"
-
 namespace mien::pipeline {
 
 namespace {
@@ -23,14 +20,11 @@ std::string option_of(const std::string& path) {
 
 JsonReading read_options(const std::string& yaml, const nlohmann::json& schema,
                          const Environment& environment) {
-  std::vector<Fault> faults;
-  const YamlNode tree = read_yaml(yaml, options_name, faults);
-  if (!faults.empty()) throw as_options(std::move(faults));
-  JsonReading reading = to_json(tree, root_of(schema), environment, faults);
-  for (Fault& fault : check_schema(reading.document, schema, reading.places))
-    faults.push_back(std::move(fault));
-  if (!faults.empty()) throw as_options(std::move(faults));
-  return reading;
+  try {
+    return read_valid_json(yaml, options_name, schema, environment);
+  } catch (const Faults& faults) {
+    throw as_options(faults.list());
+  }
 }
 
 Faults as_options(std::vector<Fault> faults) {

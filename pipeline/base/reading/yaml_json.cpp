@@ -5,22 +5,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "motion/text/as_number.h"
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/base/reading/yaml_tree.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 using nlohmann::json;
-
-template <class Number>
-std::optional<Number> parsed(std::string_view text) {
-  return motion::as_number<Number>(text.substr(text.starts_with('+') ? 1 : 0));
-}
 
 bool looks_like_number(std::string_view text) {
   if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
@@ -37,10 +33,11 @@ bool is_infinity_or_nan(std::string_view text) {
 /// A number as JSON; whole values become integers however they are written.
 std::optional<json> number(std::string_view text) {
   if (!looks_like_number(text)) return std::nullopt;
-  if (const auto value = parsed<std::int64_t>(text)) return json(*value);
-  if (const auto value = parsed<std::uint64_t>(text)) return json(*value);
-  const auto value = parsed<double>(text);
-  if (!value || !std::isfinite(*value)) return std::nullopt;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  if (const auto value = motion::as_number<std::int64_t>(text)) return json(*value);
+  if (const auto value = motion::as_number<std::uint64_t>(text)) return json(*value);
+  const std::optional<double> value = motion::as_finite_number(text);
+  if (!value) return std::nullopt;
   constexpr double exact = 9007199254740992.0;
   if (std::nearbyint(*value) == *value && std::abs(*value) < exact) {
     return json(static_cast<std::int64_t>(*value));
@@ -133,14 +130,28 @@ class Converter {
   std::size_t path_bytes_ = 0;
 };
 
+JsonReading converted(const YamlNode& root, const json& schema, const Environment& environment,
+                      std::vector<Fault>& faults) {
+  Converter converter(environment, faults);
+  json document = converter.convert(root, root_of(schema), "");
+  return {std::move(document), converter.take_places()};
+}
+
 }  // namespace
 
-JsonReading to_json(const YamlNode& root, SchemaNode schema, const Environment& environment,
-                    std::vector<Fault>& faults) {
-  Converter converter(environment, faults);
-  JsonReading reading;
-  reading.document = converter.convert(root, schema, "");
-  reading.places = converter.take_places();
+JsonReading read_json(std::string_view yaml, const std::string& file, const json& schema,
+                      const Environment& environment, std::vector<Fault>& faults) {
+  return converted(read_yaml(yaml, file, faults), schema, environment, faults);
+}
+
+JsonReading read_valid_json(std::string_view yaml, const std::string& file, const json& schema,
+                            const Environment& environment) {
+  std::vector<Fault> faults;
+  const YamlNode root = read_yaml(yaml, file, faults);
+  if (!faults.empty()) throw Faults(std::move(faults));
+  JsonReading reading = converted(root, schema, environment, faults);
+  append(faults, check_schema(reading.document, schema, reading.places));
+  if (!faults.empty()) throw Faults(std::move(faults));
   return reading;
 }
 

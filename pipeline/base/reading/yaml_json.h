@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -8,8 +9,6 @@
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/places.h"
-#include "pipeline/base/reading/schema.h"
-#include "pipeline/base/reading/yaml_tree.h"
 
 namespace mien::pipeline {
 
@@ -21,9 +20,15 @@ struct JsonReading {
   Places places;
 };
 
-/// Faults: infinities and NaN, variables that are not set.
-JsonReading to_json(const YamlNode& root, SchemaNode schema, const Environment& environment,
-                    std::vector<Fault>& faults);
+/// Reads a document that is to have that schema, which is not checked. Faults are added: those of
+/// read_yaml, infinities and NaN, variables that are not set.
+JsonReading read_json(std::string_view yaml, const std::string& file, const nlohmann::json& schema,
+                      const Environment& environment, std::vector<Fault>& faults);
+
+/// A document without any such fault, and as its schema has it. Throws Faults.
+JsonReading read_valid_json(std::string_view yaml, const std::string& file,
+                            const nlohmann::json& schema,
+                            const Environment& environment = process_environment());
 
 /// Keys of the map at `path` in the order in which they were written. (JSON sorts them.)
 std::vector<std::string> written_order(const nlohmann::json& map, const std::string& path,

@@ -1,7 +1,6 @@
 #include "pipeline/base/reading/yaml_places.h"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "pipeline/base/documents/utf8.h"
 

@@ -17,20 +17,12 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Faults of the examples' files, unless the manifest's own part about them is at fault already:
-/// one mistake is told once. What has no line of its own, as a folder, is told where it is named.
-void add_faults_of_examples(std::vector<Fault>& faults, const Error& error, const Places& places) {
-  const auto is_about_examples = [](const Fault& fault) {
-    return fault.path.starts_with("examples");
-  };
-  if (std::any_of(faults.begin(), faults.end(), is_about_examples)) return;
-  if (const auto* several = dynamic_cast<const Faults*>(&error)) {
-    faults.insert(faults.end(), several->list().begin(), several->list().end());
-  } else if (error.place().line > 0) {
-    faults.push_back({{}, "", error.what(), ""});
-  } else {
-    faults.push_back({place_of(places, "examples.set"), "examples.set", error.what(), ""});
-  }
+/// Faults of the examples' files. What has no line of its own, as a folder, is told where it is
+/// named.
+std::vector<Fault> faults_of_examples(const Error& error, const Places& places) {
+  if (const auto* several = dynamic_cast<const Faults*>(&error)) return several->list();
+  if (error.place().line > 0) return {{{}, "", error.what(), ""}};
+  return {{place_of(places, "examples.set"), "examples.set", error.what(), ""}};
 }
 
 /// A study is made again under the name of the manifest that it was made from, so that it comes out
@@ -53,27 +45,37 @@ ManifestReading read_again(const StudyRecord& record, const std::filesystem::pat
   return reading;
 }
 
-/// What of it is known although something is wrong with the examples, which is added to the faults.
-Vocabulary known_vocabulary(ManifestReading& reading) {
-  const ScalesSource& scales = reading.manifest.scales;
+/// The names that are known, be something wrong with the examples or not.
+struct KnownVocabulary {
+  Vocabulary vocabulary;
+  std::vector<Fault> faults;  ///< of the examples
+};
+
+KnownVocabulary known_vocabulary(const Manifest& manifest) {
+  const ScalesSource& scales = manifest.scales;
   const bool has_scales = scales.file.empty() || !scales.set.scales.empty();  // else as was told
+  if (!has_scales) return {certain_vocabulary(manifest), {}};
   try {
-    if (has_scales) return vocabulary_of(reading.manifest);
+    return {vocabulary_of(manifest), {}};
   } catch (const Error& error) {
-    add_faults_of_examples(reading.faults, error, reading.manifest.places);
+    return {certain_vocabulary(manifest), faults_of_examples(error, manifest.places)};
   }
-  return certain_vocabulary(reading.manifest);
 }
 
-/// The reading with what names of examples and parameters are at fault.
+bool is_about_examples(const Fault& fault) { return fault.path.starts_with("examples"); }
+
+/// The reading with what names of examples and parameters are at fault. Faults of the examples'
+/// files are told unless the manifest's own part about them is at fault already.
 ManifestReading checked(ManifestReading reading, const std::filesystem::path& out) {
-  if (!out.empty() && !reading.manifest.study.empty())
-    append(reading.faults, check_sources(reading.manifest, out / reading.manifest.study));
-  const Vocabulary vocabulary = known_vocabulary(reading);
-  append(reading.faults, check_names(reading.manifest, vocabulary));
-  append(reading.faults, check_modification_names(reading.manifest, vocabulary));
-  reading.faults = in_reading_order(std::move(reading.faults));
-  return reading;
+  const Manifest& manifest = reading.manifest;
+  std::vector<Fault> faults = std::move(reading.faults);
+  if (!out.empty() && !manifest.study.empty())
+    append(faults, check_sources(manifest, out / manifest.study));
+  KnownVocabulary known = known_vocabulary(manifest);
+  if (std::ranges::none_of(faults, is_about_examples)) append(faults, std::move(known.faults));
+  append(faults, check_names(manifest, known.vocabulary));
+  append(faults, check_modification_names(manifest, known.vocabulary));
+  return {std::move(reading.manifest), in_reading_order(std::move(faults))};
 }
 
 }  // namespace

@@ -1,12 +1,18 @@
 #include "pipeline/manifest/checks/manifest_checks.h"
 
+#include "motion/skeleton/body.h"
+#include <string>
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/examples_checks.h"
 #include "pipeline/manifest/checks/film_checks.h"
+#include "pipeline/manifest/checks/matching_checks.h"
 #include "pipeline/manifest/checks/modification_checks.h"
 #include "pipeline/manifest/checks/name_checks.h"
+#include "pipeline/manifest/checks/questionnaire_checks.h"
 #include "pipeline/manifest/checks/sheet_checks.h"
 #include "pipeline/manifest/checks/stimulus_checks.h"
+#include "pipeline/manifest/look/look_checks.h"
+#include "scenes/point_light/dot_joints.h"
 
 namespace mien::pipeline {
 
@@ -50,9 +56,28 @@ std::vector<Fault> check_equalized_places(const Manifest& manifest) {
   return list.take();
 }
 
-}  // namespace
+std::vector<Fault> check_looks(const Manifest& manifest) {
+  const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
+  SeenFiles characters;
+  std::vector<Fault> faults =
+      check_look(manifest.look, "look", manifest.places, joints, characters);
+  for (const Stimulus* film : films_of(manifest)) {
+    const std::string path = member_path(film->path, "look");
+    if (manifest.places.values.contains(path))
+      append(faults, check_look(film->look, path, manifest.places, joints, characters));
+  }
+  return faults;
+}
 
-std::vector<Fault> check_meaning(const Manifest& manifest) {
+/// What people are asked can be held against what they see where all of it is known.
+std::vector<Fault> check_asked(const ResolvedManifest& resolved) {
+  if (!resolved.knows_what_is_asked) return {};
+  std::vector<Fault> faults = check_questionnaire(resolved.manifest);
+  append(faults, check_matching(resolved.manifest));
+  return faults;
+}
+
+std::vector<Fault> check_parts(const Manifest& manifest) {
   std::vector<Fault> faults = check_examples(manifest);
   append(faults, check_stimuli(manifest));
   append(faults, check_overlays(manifest));
@@ -63,6 +88,13 @@ std::vector<Fault> check_meaning(const Manifest& manifest) {
   append(faults, check_equalized_places(manifest));
   append(faults, check_modifications(manifest));
   return faults;
+}
+
+}  // namespace
+
+std::vector<Fault> check_meaning(const ResolvedManifest& resolved) {
+  return told_once(
+      {check_parts(resolved.manifest), check_looks(resolved.manifest), check_asked(resolved)});
 }
 
 }  // namespace mien::pipeline

@@ -3,12 +3,13 @@
 #include <vector>
 
 #include "pipeline/base/documents/fault.h"
-#include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/resolved_manifest.h"
 
 namespace mien::pipeline {
 
 /// What a schema cannot say: ids that occur twice, files that are missing, sizes that no encoder
-/// takes, values that need examples or ratings where there are none, sheets of one motion.
-std::vector<Fault> check_meaning(const Manifest& manifest);
+/// takes, values that need examples or ratings where there are none, sheets of one motion, looks
+/// and questionnaires that contradict themselves. No check needs that others went before.
+std::vector<Fault> check_meaning(const ResolvedManifest& resolved);
 
 }  // namespace mien::pipeline

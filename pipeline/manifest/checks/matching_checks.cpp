@@ -6,8 +6,8 @@
 #include <string>
 
 #include "motion/text/excerpt.h"
+#include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/asked.h"
-#include "pipeline/manifest/checks/questionnaire_checks.h"
 #include "pipeline/manifest/ratings/scales/feature_parameters.h"
 
 namespace mien::pipeline {
@@ -132,15 +132,6 @@ class MatchingCheck {
 };
 
 }  // namespace
-
-std::vector<Fault> complete_matching(Manifest& manifest) {
-  if (!manifest.matching) return {};
-  FaultList list(manifest.places);
-  complete_text(matching_path("consent"), manifest.matching->consent, list);
-  complete_text(matching_path("instructions"), manifest.matching->instructions, list);
-  complete_text(matching_path("ending"), manifest.matching->ending, list);
-  return list.take();
-}
 
 std::vector<Fault> check_matching(const Manifest& manifest) {
   return manifest.matching ? MatchingCheck(manifest).faults() : std::vector<Fault>();

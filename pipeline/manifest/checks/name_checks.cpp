@@ -202,8 +202,7 @@ void check_stems(const Manifest& manifest, const Names& stems, FaultList& list) 
   check("examples.set.keytimes", manifest.examples.keytimes);
 }
 
-template <class Compared>
-void check_compared(const std::string& path, const Compared& compared, const NameIndex& motions,
+void check_compared(const std::string& path, const auto& compared, const NameIndex& motions,
                     FaultList& list) {
   check_motion(member_path(path, "target"), compared.target, motions, list);
   check_motion(member_path(path, "created"), compared.created, motions, list);

@@ -33,8 +33,7 @@ std::vector<std::string> walks_and_adjectives(std::vector<std::string> walks,
   return walks;
 }
 
-template <class IsAdjective>
-void check_adjectives(const std::string& path, const Mood& mood, const IsAdjective& is_adjective,
+void check_adjectives(const std::string& path, const Mood& mood, const auto& is_adjective,
                       FaultList& list) {
   for (const auto& [name, value] : mood) {
     if (!is_adjective(name)) {

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <set>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
-#include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault_list.h"
-#include "pipeline/base/documents/utf8.h"
 #include "pipeline/manifest/asked.h"
 #include "pipeline/manifest/checks/session_checks.h"
 
@@ -22,21 +19,6 @@ namespace {
 using Names = std::vector<std::string>;
 
 std::string at(const char* key) { return member_path("questionnaire", key); }
-
-std::vector<Fault> complete_own_scales(ScaleChoice& scales, const Places& places) {
-  FaultList list(places);
-  if (scales.file.empty()) return {};
-  const std::string path = member_path(at("scales"), "file");
-  list.check_file(path, scales.file, "a scales file (YAML)", motion::most_of_document);
-  std::vector<Fault> faults = list.take();
-  if (!faults.empty()) return faults;
-  try {
-    scales.own = read_scales(scales.file);
-  } catch (const Faults& wrong) {
-    return wrong.list();
-  }
-  return {};
-}
 
 /// Holds a questionnaire against the manifest around it.
 class QuestionnaireCheck {
@@ -252,32 +234,6 @@ class QuestionnaireCheck {
 };
 
 }  // namespace
-
-void complete_text(const std::string& path, TextSource& source, FaultList& list) {
-  if (source.file.empty()) return;
-  const motion::FileReading read = motion::bytes_of_file(source.file, motion::most_of_document);
-  if (!read.bytes) {
-    list.check_file(member_path(path, "file"), source.file, "a text file",
-                    motion::most_of_document);
-  } else if (first_invalid_utf8(*read.bytes)) {
-    list.add(member_path(path, "file"), source.file.string() + " is not UTF-8", "save it as UTF-8");
-  } else {
-    source.text = *read.bytes;
-  }
-}
-
-std::vector<Fault> complete_questionnaire(Manifest& manifest) {
-  if (!manifest.questionnaire) return {};
-  Questionnaire& asked = *manifest.questionnaire;
-  FaultList list(manifest.places);
-  complete_text(at("consent"), asked.consent, list);
-  complete_text(at("instructions"), asked.instructions, list);
-  complete_text(at("ending"), asked.ending, list);
-  complete_text(member_path(at("analysis"), "plan"), asked.analysis.plan, list);
-  std::vector<Fault> faults = list.take();
-  append(faults, complete_own_scales(asked.scales, manifest.places));
-  return faults;
-}
 
 std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   if (!manifest.questionnaire) return {};

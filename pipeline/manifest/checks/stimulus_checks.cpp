@@ -48,8 +48,7 @@ bool uses(const motion::InterpolationOptions& options, Method method) {
   return options.method == method || (by_grid && method == Method::nearest);
 }
 
-template <class IsUsed>
-void check_method_options(const std::string& path, FaultList& list, IsUsed is_used) {
+void check_method_options(const std::string& path, FaultList& list, auto is_used) {
   for (const MethodOption& option : method_options) {
     const std::string at = member_path(path, option.key);
     if (!list.was_given(at) || is_used(option.method)) continue;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
 
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/ratings/answers/impressions.h"

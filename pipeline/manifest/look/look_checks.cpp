@@ -1,8 +1,6 @@
 #include "pipeline/manifest/look/look_checks.h"
 
-#include <filesystem>
 #include <system_error>
-#include <utility>
 #include <variant>
 
 #include "motion/text/excerpt.h"
@@ -16,29 +14,6 @@
 namespace mien::pipeline {
 
 namespace {
-
-void read_scene(Look& look, const std::string& path, FaultList& list, std::vector<Fault>& faults,
-                LookFiles& files) {
-  const std::pair named(scene_of(look), look.scene_file);
-  if (const auto read = files.sets.find(named); read != files.sets.end()) {
-    look.set = read->second;
-    return;
-  }
-  std::error_code unknown;
-  if (!look.scene_file.empty() && !std::filesystem::exists(look.scene_file, unknown)) {
-    const std::string names = motion::did_you_mean(look.scene, set_names());
-    list.add(path, motion::in_quotes(look.scene) + " is neither a set nor a file", names);
-    return;
-  }
-  try {
-    look.set = read_set(named.first, named.second);
-    files.sets.emplace(named, look.set);
-  } catch (const Faults& wrong) {
-    faults.insert(faults.end(), wrong.list().begin(), wrong.list().end());
-  } catch (const Error& wrong) {
-    list.add(path, wrong.what(), "name another file");
-  }
-}
 
 void check_dots(const scenes::PointLightOptions& dots, const std::string& path,
                 const std::vector<std::string>& joints, FaultList& list) {
@@ -66,14 +41,14 @@ void check_trail(const scenes::TrailOptions& trail, const std::string& path,
 }
 
 void check_character(const scenes::CharacterOptions& character, const std::string& path,
-                     FaultList& list, LookFiles& files) {
-  if (files.characters.contains(character.file)) return;
+                     FaultList& list, SeenFiles& characters) {
+  if (characters.contains(character.file)) return;
   list.check_file(path, character.file, "a skinned character (.gltf, .glb, .vrm)",
                   motion::most_of_recording);
   if (!motion::hindrance_of(character.file, motion::most_of_recording).empty()) return;
   try {
     scenes::read_character(character.file);
-    files.characters.insert(character.file);
+    characters.insert(character.file);
   } catch (const Error& wrong) {
     list.add(path, wrong.what(), "name another file");
   }
@@ -93,9 +68,9 @@ void check_contrast(const Look& look, const std::string& path, FaultList& list) 
 }
 
 void check_figure(const Look& look, const std::string& path, const std::vector<std::string>& joints,
-                  FaultList& list, LookFiles& files) {
+                  FaultList& list, SeenFiles& characters) {
   if (const auto* character = std::get_if<scenes::CharacterOptions>(&look.figure)) {
-    check_character(*character, member_path(path, "character"), list, files);
+    check_character(*character, member_path(path, "character"), list, characters);
   }
   if (const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure)) {
     check_dots(*dots, member_path(path, "point-light"), joints, list);
@@ -103,7 +78,7 @@ void check_figure(const Look& look, const std::string& path, const std::vector<s
   }
   if (const auto* trail = std::get_if<scenes::TrailOptions>(&look.figure)) {
     if (const auto* character = std::get_if<scenes::CharacterOptions>(&trail->figure)) {
-      check_character(*character, member_path(path, "trail.figure.character"), list, files);
+      check_character(*character, member_path(path, "trail.figure.character"), list, characters);
     }
     check_trail(*trail, member_path(path, "trail"), joints, list);
   }
@@ -165,15 +140,34 @@ void check_camera(const Look& look, const std::string& path, FaultList& list) {
 
 }  // namespace
 
-std::vector<Fault> complete_look(Look& look, const std::string& path, const Places& places,
-                                 const std::vector<std::string>& joints, LookFiles& files) {
+std::vector<Fault> resolve_set(Look& look, const std::string& path, const Places& places,
+                               ReadSets& sets) {
+  const auto fault = [&](const std::string& wrong, std::string remedy) -> std::vector<Fault> {
+    const std::string scene = member_path(path, "scene");
+    return {{place_of(places, scene), scene, wrong, std::move(remedy)}};
+  };
+  const std::pair named(scene_of(look), look.scene_file);
+  std::error_code unknown;
+  if (!look.scene_file.empty() && !std::filesystem::exists(look.scene_file, unknown))
+    return fault(motion::in_quotes(look.scene) + " is neither a set nor a file",
+                 motion::did_you_mean(look.scene, set_names()));
+  try {
+    if (!sets.contains(named)) sets.emplace(named, read_set(named.first, named.second));
+    look.set = sets.at(named);
+  } catch (const Faults& wrong) {
+    return wrong.list();
+  } catch (const Error& wrong) {
+    return fault(wrong.what(), "name another file");
+  }
+  return {};
+}
+
+std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places,
+                              const std::vector<std::string>& joints, SeenFiles& characters) {
   FaultList list(places);
-  std::vector<Fault> faults;
-  read_scene(look, member_path(path, "scene"), list, faults, files);
-  check_figure(look, member_path(path, "figure"), joints, list, files);
+  check_figure(look, member_path(path, "figure"), joints, list, characters);
   check_camera(look, member_path(path, "camera"), list);
-  for (Fault& fault : list.take()) faults.push_back(std::move(fault));
-  return faults;
+  return list.take();
 }
 
 }  // namespace mien::pipeline

@@ -13,16 +13,19 @@
 
 namespace mien::pipeline {
 
-/// What the looks of one document named and was found good, so that each file is read once.
-struct LookFiles {
-  std::map<std::pair<std::string, std::filesystem::path>, scenes::SetPlan> sets;
-  std::set<std::filesystem::path> characters;
-};
+/// Sets that looks of one document named, by name and file, so that each is read once.
+using ReadSets = std::map<std::pair<std::string, std::filesystem::path>, scenes::SetPlan>;
 
-/// Reads the set that a look names, and finds what is wrong with the look that the schema cannot
-/// tell; `path` is the look's. `joints` are those that point lights and traces may name; none: not
-/// known before the motion is read.
-std::vector<Fault> complete_look(Look& look, const std::string& path, const Places& places,
-                                 const std::vector<std::string>& joints, LookFiles& files);
+/// Characters that looks of one document named and that were found good.
+using SeenFiles = std::set<std::filesystem::path>;
+
+/// Reads the set that a look names; `path` is the look's. Faults: those of the set.
+std::vector<Fault> resolve_set(Look& look, const std::string& path, const Places& places,
+                               ReadSets& sets);
+
+/// What is wrong with a look that the schema cannot tell. `joints` are those that point lights and
+/// traces may name; none: not known before the motion is read.
+std::vector<Fault> check_look(const Look& look, const std::string& path, const Places& places,
+                              const std::vector<std::string>& joints, SeenFiles& characters);
 
 }  // namespace mien::pipeline

@@ -10,8 +10,7 @@ namespace mien::pipeline {
 // What `look:` of a manifest says. All of it concerns the picture. Figure and camera are replaced
 // as a whole; of a scene, so is the background.
 
-template <class Field, MaybeConst<scenes::MannequinOptions> M>
-void fields_of(Field&& field, M& mannequin) {
+void fields_of(auto&& field, MaybeConst<scenes::MannequinOptions> auto& mannequin) {
   field("build", mannequin.build, concerns::picture);
   field("sex", mannequin.sex, concerns::picture);
 }
@@ -24,8 +23,7 @@ struct JointsForm {
 
 inline constexpr Words<bool> polarity_words = {{"light-on-dark", false}, {"dark-on-light", true}};
 
-template <class Field, MaybeConst<scenes::PointLightOptions> P>
-void fields_of(Field&& field, P& dots) {
+void fields_of(auto&& field, MaybeConst<scenes::PointLightOptions> auto& dots) {
   field.by("joints", dots, concerns::picture, JointsForm());
   field("size", dots.size_px, concerns::picture);
   field("size_m", dots.size_m, concerns::picture);
@@ -50,16 +48,14 @@ void fields_of(Field&& field, P& dots) {
 struct BodyFigureForm {
   static void read(const Given& given, scenes::BodyFigure& figure);
   static nlohmann::ordered_json write(const scenes::BodyFigure& figure, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
+  static void walk(auto& names) {
     scenes::MannequinOptions mannequin;
     names("mannequin", mannequin, concerns::picture);
     names.add("character");
   }
 };
 
-template <class Field, MaybeConst<scenes::TrailOptions> T>
-void fields_of(Field&& field, T& trail) {
+void fields_of(auto&& field, MaybeConst<scenes::TrailOptions> auto& trail) {
   field.by("figure", trail.figure, concerns::picture, BodyFigureForm());
   field("poses", trail.poses, concerns::picture);
   field("before", trail.before, concerns::picture);
@@ -74,8 +70,7 @@ void fields_of(Field&& field, T& trail) {
 struct FigureForm {
   static void read(const Given& given, scenes::Figure& figure);
   static nlohmann::ordered_json write(const scenes::Figure& figure, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
+  static void walk(auto& names) {
     names.add("stick");
     BodyFigureForm::walk(names);
     scenes::PointLightOptions dots;
@@ -85,22 +80,19 @@ struct FigureForm {
   }
 };
 
-template <class Field, MaybeConst<scenes::CameraKey> K>
-void fields_of(Field&& field, K& key) {
+void fields_of(auto&& field, MaybeConst<scenes::CameraKey> auto& key) {
   field("at", key.seconds, concerns::picture | concerns::required);
   field("position", key.position, concerns::picture | concerns::required);
   field("target", key.target, concerns::picture | concerns::required);
 }
 
-template <class Field, MaybeConst<scenes::ScreenSettings> S>
-void fields_of(Field&& field, S& screen) {
+void fields_of(auto&& field, MaybeConst<scenes::ScreenSettings> auto& screen) {
   field("distance_cm", screen.distance_cm, concerns::picture | concerns::required);
   field("width_cm", screen.width_cm, concerns::picture | concerns::required);
   field("degrees", screen.degrees, concerns::picture);
 }
 
-template <class Field, MaybeConst<scenes::DepthOfField> D>
-void fields_of(Field&& field, D& lens) {
+void fields_of(auto&& field, MaybeConst<scenes::DepthOfField> auto& lens) {
   field("aperture", lens.aperture_m, concerns::picture);
   field("focus", lens.focus_m, concerns::picture);
 }
@@ -109,14 +101,10 @@ void fields_of(Field&& field, D& lens) {
 struct StereoForm {
   static void read(const Given& given, std::optional<double>& separation_m);
   static nlohmann::ordered_json write(const std::optional<double>& separation_m, const Writing&);
-  template <class Names>
-  static void walk(Names& names) {
-    names.add("separation");
-  }
+  static void walk(auto& names) { names.add("separation"); }
 };
 
-template <class Field, MaybeConst<scenes::CameraSettings> C>
-void fields_of(Field&& field, C& camera) {
+void fields_of(auto&& field, MaybeConst<scenes::CameraSettings> auto& camera) {
   field("view", camera.view, concerns::picture | concerns::alone);
   field("orthographic", camera.orthographic, concerns::picture);
   field("fov", camera.fov_degrees, concerns::picture);
@@ -133,8 +121,7 @@ void fields_of(Field&& field, C& camera) {
 struct SceneForm {
   static void read(const Given& given, Look& look);
   static nlohmann::ordered_json write(const Look& look, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
+  static void walk(auto& names) {
     names.add("set");
     names.add("background");
   }
@@ -143,8 +130,7 @@ struct SceneForm {
 inline constexpr Words<Colours> colours_words = {{"neutral", Colours::neutral},
                                                  {"role", Colours::role}};
 
-template <class Field, MaybeConst<Look> L>
-void fields_of(Field&& field, L& look) {
+void fields_of(auto&& field, MaybeConst<Look> auto& look) {
   field.by("scene", look, concerns::picture, SceneForm());
   field.by("figure", look.figure, concerns::picture, FigureForm());
   field.whole("camera", look.camera, concerns::picture);

@@ -44,8 +44,7 @@ scenes::TrailOptions trail_before(const Given& given) {
 }
 
 /// A map of one figure.
-template <class Options>
-OrderedJson figure_map(const char* name, const Options& options, const Writing& how) {
+OrderedJson figure_map(const char* name, const auto& options, const Writing& how) {
   OrderedJson map;
   map[name] = written(options, how);
   return map;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/environment.h"
+#include "pipeline/base/documents/fault_list.h"
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/option_document.h"
 #include "pipeline/base/reading/schema.h"
@@ -62,8 +63,10 @@ Look look_of(const LookOptions& options) {
   const ReadingContext context{reading.places, [](const std::string& path) { return path; }};
   Look look;
   read({reading.document, "", context}, look);
-  LookFiles files;
-  std::vector<Fault> faults = complete_look(look, "", reading.places, {}, files);
+  ReadSets sets;
+  SeenFiles characters;
+  std::vector<Fault> faults = resolve_set(look, "", reading.places, sets);
+  append(faults, check_look(look, "", reading.places, {}, characters));
   if (!faults.empty()) throw as_options(std::move(faults));
   return look;
 }

@@ -20,8 +20,7 @@ inline constexpr Words<scenes::Side> side_words = {{"left", scenes::Side::left},
 struct BackgroundForm {
   static void read(const Given& given, render::Sky& sky);
   static nlohmann::ordered_json write(const render::Sky& sky, const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
+  static void walk(auto& names) {
     names.add("horizon");
     names.add("zenith");
   }
@@ -33,8 +32,7 @@ struct FadeForm {
   static nlohmann::ordered_json write(const render::Ground& ground, const Writing&);
 };
 
-template <class Field, MaybeConst<render::Ground> G>
-void fields_of(Field&& field, G& ground) {
+void fields_of(auto&& field, MaybeConst<render::Ground> auto& ground) {
   field("colour", ground.albedo, concerns::picture);
   field.group("lines", [&](auto& lines) {
     lines("colour", ground.line_albedo, concerns::picture);
@@ -51,14 +49,10 @@ struct GroundForm {
   static void read(const Given& given, std::optional<render::Ground>& ground);
   static nlohmann::ordered_json write(const std::optional<render::Ground>& ground,
                                       const Writing& how);
-  template <class Names>
-  static void walk(Names& names) {
-    names.template of<render::Ground>();
-  }
+  static void walk(auto& names) { names.template of<render::Ground>(); }
 };
 
-template <class Field, MaybeConst<scenes::KeyLight> L>
-void fields_of(Field&& field, L& light) {
+void fields_of(auto&& field, MaybeConst<scenes::KeyLight> auto& light) {
   field("azimuth", light.azimuth_degrees, concerns::picture);
   field("elevation", light.elevation_degrees, concerns::picture);
   field("distance", light.distance_m, concerns::picture);
@@ -67,8 +61,7 @@ void fields_of(Field&& field, L& light) {
   field("colour", light.colour, concerns::picture);
 }
 
-template <class Field, MaybeConst<scenes::Wall> W>
-void fields_of(Field&& field, W& wall) {
+void fields_of(auto&& field, MaybeConst<scenes::Wall> auto& wall) {
   field("at", wall.side, concerns::picture | concerns::required, side_words);
   field("distance", wall.distance_m, concerns::picture);
   field("height", wall.height_m, concerns::picture);
@@ -76,15 +69,13 @@ void fields_of(Field&& field, W& wall) {
   field("colour", wall.albedo, concerns::picture);
 }
 
-template <class Field, MaybeConst<scenes::Box> B>
-void fields_of(Field&& field, B& box) {
+void fields_of(auto&& field, MaybeConst<scenes::Box> auto& box) {
   field("centre", box.centre, concerns::picture | concerns::required);
   field("size", box.size, concerns::picture | concerns::required);
   field("colour", box.albedo, concerns::picture);
 }
 
-template <class Field, MaybeConst<scenes::Belt> B>
-void fields_of(Field&& field, B& belt) {
+void fields_of(auto&& field, MaybeConst<scenes::Belt> auto& belt) {
   field("width", belt.width_m, concerns::picture);
   field("length", belt.length_m, concerns::picture);
   field("colour", belt.albedo, concerns::picture);
@@ -95,8 +86,7 @@ void fields_of(Field&& field, B& belt) {
   });
 }
 
-template <class Field, MaybeConst<scenes::SetPlan> S>
-void fields_of(Field&& field, S& set) {
+void fields_of(auto&& field, MaybeConst<scenes::SetPlan> auto& set) {
   field("name", set.name, concerns::nothing);
   field("in_place", set.in_place, concerns::picture);
   field.by("background", set.sky, concerns::picture, BackgroundForm());

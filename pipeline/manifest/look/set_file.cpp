@@ -1,7 +1,5 @@
 #include "pipeline/manifest/look/set_file.h"
 
-#include <utility>
-
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault.h"
@@ -9,7 +7,6 @@
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/base/reading/yaml_json.h"
-#include "pipeline/base/reading/yaml_tree.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
 
@@ -109,19 +106,11 @@ scenes::SetPlan read_set(const std::string& name, const fs::path& file) {
 }
 
 scenes::SetPlan parse_set(std::string_view yaml, const fs::path& file) {
-  std::vector<Fault> faults;
-  const YamlNode tree = read_yaml(yaml, file.string(), faults);
-  if (!faults.empty()) throw Faults(faults);
-  const json& schema = set_schema();
-  const JsonReading reading = to_json(tree, root_of(schema), process_environment(), faults);
-  for (Fault& fault : check_schema(reading.document, schema, reading.places)) {
-    faults.push_back(std::move(fault));
-  }
-  if (!faults.empty()) throw Faults(in_reading_order(std::move(faults)));
+  const JsonReading reading = read_valid_json(yaml, file.string(), set_schema());
   const ReadingContext context{reading.places, [](const std::string& path) { return path; }};
   scenes::SetPlan plan = plain_set();
   read({reading.document, "", context}, plan);
-  faults = faults_of(plan, reading.places);
+  std::vector<Fault> faults = faults_of(plan, reading.places);
   if (!faults.empty()) throw Faults(faults);
   return plan;
 }

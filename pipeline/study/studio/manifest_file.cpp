@@ -38,10 +38,8 @@ ordered_json in_written_order(const json& value, const std::string& path, const 
 ordered_json document_of(const std::string& text, const std::string& file,
                          const Environment& environment) {
   std::vector<Fault> faults;
-  const YamlNode tree = read_yaml(text, file, faults);
-  if (!faults.empty()) throw Faults(in_reading_order(std::move(faults)));
-  const JsonReading reading = to_json(tree, root_of(manifest_schema()), environment, faults);
-  if (!faults.empty()) throw Faults(in_reading_order(std::move(faults)));
+  const JsonReading reading = read_json(text, file, manifest_schema(), environment, faults);
+  if (!faults.empty()) throw Faults(std::move(faults));
   return in_written_order(reading.document, "", reading.places);
 }
 

@@ -2,16 +2,13 @@
 
 #include <array>
 #include <map>
-#include <utility>
 
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
-#include "pipeline/base/documents/environment.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/base/reading/yaml_json.h"
-#include "pipeline/base/reading/yaml_tree.h"
 #include "pipeline/manifest/ratings/words/adjective_pairs.h"
 
 namespace mien::pipeline {
@@ -130,17 +127,9 @@ ScaleSet read_scales(const std::filesystem::path& file) {
 }
 
 ScaleSet parse_scales(std::string_view yaml, const std::string& file) {
-  std::vector<Fault> faults;
-  const YamlNode tree = read_yaml(yaml, file, faults);
-  if (!faults.empty()) throw Faults(faults);
-  const json& schema = scales_schema();
-  const JsonReading reading = to_json(tree, root_of(schema), process_environment(), faults);
-  for (Fault& fault : check_schema(reading.document, schema, reading.places)) {
-    faults.push_back(std::move(fault));
-  }
-  if (!faults.empty()) throw Faults(faults);
+  const JsonReading reading = read_valid_json(yaml, file, scales_schema());
   ScaleSet set = build(reading);
-  faults = check(set, reading.places);
+  std::vector<Fault> faults = check(set, reading.places);
   set.lexicon = lexicon_from(reading.document, ids_of(set), reading.places, faults);
   if (!faults.empty()) throw Faults(faults);
   return set;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/base/documents/fault_list.h"
+
 namespace mien::pipeline {
 namespace {
 
@@ -19,6 +21,18 @@ auto lines_in(const std::string& text) { return std::ranges::count(text, '\n') +
 TEST(Fault, IsToldAtItsPlace) {
   EXPECT_EQ(to_string({{"m.yaml", 14, 7}, "stimuli[2].look", "no such look", "leave it out"}),
             "m.yaml:14:7: stimuli[2].look: no such look; leave it out");
+}
+
+TEST(Fault, OfAValueIsToldByTheFirstListThatKnowsOneAndInReadingOrder) {
+  const Fault kind = {{"m.yaml", 3, 1}, "seed", "no number", ""};
+  const Fault also = {{"m.yaml", 3, 1}, "seed", "no whole number", ""};
+  const Fault later = {{"m.yaml", 3, 1}, "seed", "too large", ""};
+  const Fault above = {{"m.yaml", 1, 1}, "study", "no name", ""};
+  const Fault whole = {{"m.yaml", 2, 1}, "", "no manifest", ""};
+  std::string told;
+  for (const Fault& fault : told_once({{kind, also}, {later, above}, {whole, kind}, {whole}}))
+    told += fault.wrong + "; ";
+  EXPECT_EQ(told, "no name; no manifest; no number; no whole number; ");
 }
 
 TEST(Fault, IsToldOneByOneUpToTwenty) {
