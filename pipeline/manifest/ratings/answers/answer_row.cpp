@@ -5,62 +5,97 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
-#include "pipeline/base/documents/fault.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-constexpr std::array answer_row_columns = {
-    Column{"participant", "", "who answered: the place in the design, no name"},
-    Column{"session", "", "random name of the browser session in which the answer was given"},
-    Column{"trial", "", "number of the trial in the participant's order, from 1"},
-    Column{"block", "", "practice, main, or the level of the factor that the order is blocked by"},
-    Column{"kind", "", "rating, emotion (which of a list), pair (which of two) or attention"},
-    Column{"stimulus", "", "the stimulus that was rated; of a pair the one at the left"},
-    Column{"stimulus_sha256", "", "SHA-256 of the media that was shown"},
-    Column{"against", "", "the reference that was shown beside, or the other stimulus of a pair"},
-    Column{"item", "", "the scale that was answered on; emotion where one of a list was chosen"},
-    Column{"value_raw", "",
-           "the answer as given: place from the left from 1 (points) or 0–100 (slider), the word "
-           "that was chosen or written, left or right"},
-    Column{"value", "",
-           "the answer re-oriented into the scale's own range, its high pole being the most; or "
-           "the emotion or stimulus that was chosen"},
-    Column{"pole_left", "", "which pole was at the left: low or high"},
-    Column{"rt_ms", "ms", "time from when the answer could be given until it was"},
-    Column{"is_practice", "", "1 for practice trials, which are not analysed"},
-    Column{"is_warmup", "", "1 for the first trials of the main part that are not analysed"},
-    Column{"is_catch", "", "1 for attention checks and repeated stimuli"},
-    Column{"expected", "", "the raw answer that passes the check"},
-    Column{"passed", "", "1 when the check was passed, 0 when not; empty without a check"},
-    Column{"replays", "", "how often the video was played again"},
-    Column{"trial_ms", "ms", "time from the beginning of the trial to its end"},
-    Column{"play_start_ms", "ms", "time from the beginning of the trial until the video played"},
-    Column{"ended_ms", "ms", "time from the beginning of the trial until the video had ended"},
-    Column{"stalls", "", "how often the video stopped for want of data"},
-    Column{"stall_ms", "ms", "how long it stood still"},
-    Column{"dropped_frames", "", "frames that the browser did not show"},
-    Column{"blurs", "", "how often the window was left during the trial"},
-    Column{"viewport_width", "px", "width of the browser's page"},
-    Column{"viewport_height", "px", "height of the browser's page"},
-    Column{"refresh_hz", "Hz", "measured refresh rate of the screen"},
-    Column{"comment", "", "what the participant wrote about the video; on a trial's first row"},
-    Column{"seed", "", "seed of the participant's order"},
-    Column{"design", "", "hash of the questionnaire that was run"},
-    Column{"simulated", "", "1 for answers that nobody gave"},
+using Row = AnswerRow;
+
+/// A column, and what it holds of a row.
+struct AnswerColumn {
+  Column column;
+  std::variant<std::string Row::*, int Row::*, std::uint64_t Row::*, bool Row::*,
+               std::optional<bool> Row::*, std::optional<int> Row::*, std::optional<double> Row::*>
+      member;
 };
 
-template <class Number>
-std::string text_or_empty(const std::optional<Number>& number) {
-  return number ? shortest(static_cast<double>(*number)) : "";
+constexpr auto answer_columns = std::to_array<AnswerColumn>({
+    {{"participant", "", "who answered: the place in the design, no name"}, &Row::participant},
+    {{"session", "", "random name of the browser session in which the answer was given"},
+     &Row::session},
+    {{"trial", "", "number of the trial in the participant's order, from 1"}, &Row::trial},
+    {{"block", "", "practice, main, or the level of the factor that the order is blocked by"},
+     &Row::block},
+    {{"kind", "", "rating, emotion (which of a list), pair (which of two) or attention"},
+     &Row::kind},
+    {{"stimulus", "", "the stimulus that was rated; of a pair the one at the left"},
+     &Row::stimulus},
+    {{"stimulus_sha256", "", "SHA-256 of the media that was shown"}, &Row::stimulus_sha256},
+    {{"against", "", "the reference that was shown beside, or the other stimulus of a pair"},
+     &Row::against},
+    {{"item", "", "the scale that was answered on; emotion where one of a list was chosen"},
+     &Row::item},
+    {{"value_raw", "",
+      "the answer as given: place from the left from 1 (points) or 0–100 (slider), the word "
+      "that was chosen or written, left or right"},
+     &Row::value_raw},
+    {{"value", "",
+      "the answer re-oriented into the scale's own range, its high pole being the most; or "
+      "the emotion or stimulus that was chosen"},
+     &Row::value},
+    {{"pole_left", "", "which pole was at the left: low or high"}, &Row::pole_left},
+    {{"rt_ms", "ms", "time from when the answer could be given until it was"}, &Row::rt_ms},
+    {{"is_practice", "", "1 for practice trials, which are not analysed"}, &Row::is_practice},
+    {{"is_warmup", "", "1 for the first trials of the main part that are not analysed"},
+     &Row::is_warmup},
+    {{"is_catch", "", "1 for attention checks and repeated stimuli"}, &Row::is_catch},
+    {{"expected", "", "the raw answer that passes the check"}, &Row::expected},
+    {{"passed", "", "1 when the check was passed, 0 when not; empty without a check"},
+     &Row::passed},
+    {{"replays", "", "how often the video was played again"}, &Row::replays},
+    {{"trial_ms", "ms", "time from the beginning of the trial to its end"}, &Row::trial_ms},
+    {{"play_start_ms", "ms", "time from the beginning of the trial until the video played"},
+     &Row::play_start_ms},
+    {{"ended_ms", "ms", "time from the beginning of the trial until the video had ended"},
+     &Row::ended_ms},
+    {{"stalls", "", "how often the video stopped for want of data"}, &Row::stalls},
+    {{"stall_ms", "ms", "how long it stood still"}, &Row::stall_ms},
+    {{"dropped_frames", "", "frames that the browser did not show"}, &Row::dropped_frames},
+    {{"blurs", "", "how often the window was left during the trial"}, &Row::blurs},
+    {{"viewport_width", "px", "width of the browser's page"}, &Row::viewport_width},
+    {{"viewport_height", "px", "height of the browser's page"}, &Row::viewport_height},
+    {{"refresh_hz", "Hz", "measured refresh rate of the screen"}, &Row::refresh_hz},
+    {{"comment", "", "what the participant wrote about the video; on a trial's first row"},
+     &Row::comment},
+    {{"seed", "", "seed of the participant's order"}, &Row::seed},
+    {{"design", "", "hash of the questionnaire that was run"}, &Row::design},
+    {{"simulated", "", "1 for answers that nobody gave"}, &Row::simulated},
+});
+
+constexpr auto answer_row_columns = [] {
+  std::array<Column, answer_columns.size()> columns;
+  std::ranges::transform(answer_columns, columns.begin(), &AnswerColumn::column);
+  return columns;
+}();
+
+std::string field_text(const std::string& text) { return text; }
+std::string field_text(bool value) { return value ? "1" : "0"; }
+std::string field_text(int number) { return std::to_string(number); }
+std::string field_text(std::uint64_t number) { return std::to_string(number); }
+std::string field_text(std::optional<bool> value) { return value ? field_text(*value) : ""; }
+std::string field_text(std::optional<double> number) { return number ? shortest(*number) : ""; }
+std::string field_text(std::optional<int> number) {
+  return field_text(std::optional<double>(number));
 }
 
 /// Fills rows from fields and gathers what is wrong with them.
@@ -84,53 +119,37 @@ class AnswerRowReader {
   AnswerRow row(const std::vector<CsvField>& fields) {
     fields_ = &fields;
     AnswerRow row;
-    row.participant = needed("participant");
-    row.session = text("session");
-    row.trial = whole("trial").value_or(0);
-    if (row.trial < 1 && !text("trial").empty() && is_number("trial"))
+    for (const AnswerColumn& one : answer_columns)
+      std::visit([&](auto member) { read(one.column.name, row.*member); }, one.member);
+    row.place = place_of(table_, field("value"));
+    refuse_empty("participant");
+    refuse_empty("trial");
+    if (row.trial < 1 && !text("trial").empty() && motion::as_written_number(text("trial")))
       fault("trial", fmt::format("there is no trial {}", motion::excerpt(text("trial"))),
             "trials count from 1");
-    if (text("trial").empty()) needed("trial");
-    row.block = text("block");
-    row.kind = one_of("kind", answer_kinds);
-    row.stimulus = row.kind == "attention" ? text("stimulus") : needed("stimulus");
-    row.stimulus_sha256 = text("stimulus_sha256");
-    row.against = text("against");
-    row.item = row.kind == "attention" ? text("item") : needed("item");
-    row.value_raw = text("value_raw");
-    row.value = text("value");
-    row.pole_left = text("pole_left");
-    if (!row.pole_left.empty()) one_of("pole_left", std::array<std::string_view, 2>{"low", "high"});
-    row.is_practice = truth("is_practice").value_or(false);
-    row.is_warmup = truth("is_warmup").value_or(false);
-    row.is_catch = truth("is_catch").value_or(false);
-    row.expected = text("expected");
-    row.passed = truth("passed");
-    row.comment = text("comment");
-    row.seed = seed();
-    row.design = text("design");
-    row.simulated = truth("simulated").value_or(false);
-    row.place = place_of(table_, field("value"));
-    read_measurements(row);
+    refuse_other("kind", answer_kinds);
+    if (row.kind != "attention") refuse_empty("stimulus");
+    if (row.kind != "attention") refuse_empty("item");
+    if (!row.pole_left.empty())
+      refuse_other("pole_left", std::array<std::string_view, 2>{"low", "high"});
     return row;
   }
 
   std::vector<Fault> faults;
 
  private:
-  void read_measurements(AnswerRow& row) {
-    row.rt_ms = amount("rt_ms");
-    row.replays = whole("replays");
-    row.trial_ms = amount("trial_ms");
-    row.play_start_ms = amount("play_start_ms");
-    row.ended_ms = amount("ended_ms");
-    row.stalls = whole("stalls");
-    row.stall_ms = amount("stall_ms");
-    row.dropped_frames = whole("dropped_frames");
-    row.blurs = whole("blurs");
-    row.viewport_width = whole("viewport_width");
-    row.viewport_height = whole("viewport_height");
-    row.refresh_hz = amount("refresh_hz");
+  void read(std::string_view column, std::string& value) { value = text(column); }
+  void read(std::string_view column, int& value) { value = whole(column).value_or(0); }
+  void read(std::string_view column, bool& value) { value = truth(column).value_or(false); }
+  void read(std::string_view column, std::optional<bool>& value) { value = truth(column); }
+  void read(std::string_view column, std::optional<int>& value) { value = whole(column); }
+  void read(std::string_view column, std::optional<double>& value) { value = amount(column); }
+  void read(std::string_view column, std::uint64_t& value) {
+    const auto number = motion::as_number<std::uint64_t>(text(column));
+    if (!number && !text(column).empty())
+      fault(column, fmt::format("{} is no {}", motion::in_quotes(text(column)), column),
+            "write a whole number from 0 up");
+    value = number.value_or(0);
   }
 
   const CsvField& field(std::string_view column) const {
@@ -142,42 +161,29 @@ class AnswerRowReader {
     faults.push_back({place_of(table_, field(column)), "", std::move(wrong), std::move(remedy)});
   }
 
-  std::string needed(std::string_view column) {
+  void refuse_empty(std::string_view column) {
     if (text(column).empty())
       fault(column, fmt::format("the {} is not told", column),
             "give the file as the questionnaire wrote it");
-    return text(column);
   }
 
-  template <std::size_t count>
-  std::string one_of(std::string_view column, const std::array<std::string_view, count>& words) {
+  void refuse_other(std::string_view column, std::span<const std::string_view> words) {
     if (std::ranges::find(words, text(column)) == words.end())
       fault(column, fmt::format("{} is no {}", motion::in_quotes(text(column)), column),
             fmt::format("there are {}", fmt::join(words, ", ")));
-    return text(column);
-  }
-
-  bool is_number(std::string_view column) const {
-    try {
-      number_in(table_, field(column));
-      return true;
-    } catch (const Error&) {
-      return false;
-    }
   }
 
   /// From 0 up; empty and "NA" are nothing.
   std::optional<double> amount(std::string_view column) {
     if (text(column).empty() || text(column) == "NA") return std::nullopt;
-    if (!is_number(column)) {
+    const std::optional<double> value = motion::as_written_number(text(column));
+    if (value >= 0.0) return value;
+    if (value)
+      fault(column, fmt::format("{} is below 0", motion::excerpt(text(column))),
+            "leave the field empty");
+    else
       fault(column, fmt::format("{} is not a number", motion::in_quotes(text(column))),
             "write a finite decimal number, or leave the field empty");
-      return std::nullopt;
-    }
-    const double value = number_in(table_, field(column));
-    if (value >= 0.0) return value;
-    fault(column, fmt::format("{} is below 0", motion::excerpt(text(column))),
-          "leave the field empty");
     return std::nullopt;
   }
 
@@ -197,14 +203,6 @@ class AnswerRowReader {
       fault(column, fmt::format("{} is neither 0 nor 1", motion::in_quotes(text(column))),
             "write 0 or 1");
     return false;
-  }
-
-  std::uint64_t seed() {
-    const std::string& digits = text("seed");
-    const auto value = motion::as_number<std::uint64_t>(digits);
-    if (!digits.empty() && !value)
-      fault("seed", motion::in_quotes(digits) + " is no seed", "write a whole number from 0 up");
-    return value.value_or(0);
   }
 
   const CsvTable& table_;
@@ -227,40 +225,10 @@ bool holds_answer_rows(const CsvTable& table) {
 }
 
 std::vector<std::string> fields_of_row(const AnswerRow& row) {
-  const auto truth = [](bool value) { return std::string(value ? "1" : "0"); };
-  return {row.participant,
-          row.session,
-          std::to_string(row.trial),
-          row.block,
-          row.kind,
-          row.stimulus,
-          row.stimulus_sha256,
-          row.against,
-          row.item,
-          row.value_raw,
-          row.value,
-          row.pole_left,
-          text_or_empty(row.rt_ms),
-          truth(row.is_practice),
-          truth(row.is_warmup),
-          truth(row.is_catch),
-          row.expected,
-          row.passed ? truth(*row.passed) : "",
-          text_or_empty(row.replays),
-          text_or_empty(row.trial_ms),
-          text_or_empty(row.play_start_ms),
-          text_or_empty(row.ended_ms),
-          text_or_empty(row.stalls),
-          text_or_empty(row.stall_ms),
-          text_or_empty(row.dropped_frames),
-          text_or_empty(row.blurs),
-          text_or_empty(row.viewport_width),
-          text_or_empty(row.viewport_height),
-          text_or_empty(row.refresh_hz),
-          row.comment,
-          std::to_string(row.seed),
-          row.design,
-          truth(row.simulated)};
+  std::vector<std::string> fields;
+  for (const AnswerColumn& one : answer_columns)
+    fields.push_back(std::visit([&](auto member) { return field_text(row.*member); }, one.member));
+  return fields;
 }
 
 std::string to_csv(const std::vector<AnswerRow>& rows) {

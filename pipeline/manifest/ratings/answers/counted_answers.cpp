@@ -3,13 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <set>
-#include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
-#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/attention.h"
 #include "pipeline/manifest/ratings/answers/raw_form.h"
 
