@@ -1,7 +1,6 @@
 #include "pipeline/study/results/group_comparisons.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>

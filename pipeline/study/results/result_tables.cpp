@@ -1,7 +1,7 @@
 #include "pipeline/study/results/result_tables.h"
 
 #include <cmath>
-#include <utility>
+#include <string_view>
 
 #include "pipeline/base/documents/p_value.h"
 #include "pipeline/study/results/table_columns.h"
@@ -39,7 +39,20 @@ class ResultWriter {
   int rows_ = 0;
 };
 
-std::string whole(int value) { return std::to_string(value); }
+/// A p value, which is not rounded as other numbers are.
+struct PValue {
+  double p = 0.0;
+};
+
+std::string text_of(const std::string& text) { return text; }
+std::string text_of(const char* text) { return text; }
+std::string text_of(std::string_view text) { return std::string(text); }
+std::string text_of(bool value) { return value ? "1" : "0"; }
+std::string text_of(int number) { return std::to_string(number); }
+std::string text_of(double number) { return field_of(number); }
+std::string text_of(PValue value) { return p_of_table(value.p); }
+
+std::vector<std::string> fields(const auto&... values) { return {text_of(values)...}; }
 
 /// The beginning of a row about a stimulus: id, made, emotion, setting.
 std::vector<std::string> about(const Gathered& gathered, std::size_t stimulus) {
@@ -47,8 +60,8 @@ std::vector<std::string> about(const Gathered& gathered, std::size_t stimulus) {
   return {one.id, one.made, one.emotion, one.setting};
 }
 
-void add(std::vector<std::string>& row, std::vector<std::string> more) {
-  row.insert(row.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+void add(std::vector<std::string>& row, const std::vector<std::string>& more) {
+  row.insert(row.end(), more.begin(), more.end());
 }
 
 void add_means(const Results& results, std::vector<ResultTable>& tables) {
@@ -58,13 +71,12 @@ void add_means(const Results& results, std::vector<ResultTable>& tables) {
   for (const RatingSummary& s : results.summaries) {
     const Scale& scale = gathered.scales[s.scale];
     std::vector<std::string> row = about(gathered, s.stimulus);
-    add(row, {scale.id, whole(s.answers), field_of(s.mean), field_of(s.deviation), field_of(s.low),
-              field_of(s.high), field_of(s.median)});
+    add(row, fields(scale.id, s.answers, s.mean, s.deviation, s.low, s.high, s.median));
     means.row(row);
     const std::vector<double> places = places_of(scale, gathered.points);
     for (std::size_t i = 0; i < places.size(); ++i)
-      histograms.row({gathered.stimuli[s.stimulus].id, scale.id, field_of(places[i]),
-                      whole(s.counts[i]), field_of(1.0 * s.counts[i] / s.answers)});
+      histograms.row(fields(gathered.stimuli[s.stimulus].id, scale.id, places[i], s.counts[i],
+                            1.0 * s.counts[i] / s.answers));
   }
   means.finish(tables);
   histograms.finish(tables);
@@ -73,45 +85,25 @@ void add_means(const Results& results, std::vector<ResultTable>& tables) {
 /// As overall_columns and comparison_columns end.
 std::vector<std::string> within_fields(const WithinPersons& w, double paired_adjusted,
                                        double wilcoxon_adjusted) {
-  return {field_of(w.t.mean),
-          field_of(w.t.low(0.95)),
-          field_of(w.t.high(0.95)),
-          field_of(w.t.t),
-          field_of(w.t.degrees),
-          p_of_table(w.t.p),
-          p_of_table(paired_adjusted),
-          field_of(w.dz),
-          field_of(w.gz),
-          field_of(w.wilcoxon.w_plus),
-          whole(w.wilcoxon.used),
-          whole(w.wilcoxon.zeros),
-          whole(w.wilcoxon.tied),
-          p_of_table(w.wilcoxon.p),
-          p_of_table(wilcoxon_adjusted),
-          p_of_table(w.wilcoxon_normal),
-          p_of_table(w.wilcoxon_normal_corrected),
-          field_of(w.pratt.w_plus),
-          p_of_table(w.pratt.p),
-          p_of_table(w.wilcoxon_zsplit),
-          field_of(w.location.estimate),
-          field_of(w.location.low),
-          field_of(w.location.high),
-          field_of(w.wilcoxon.rank_biserial),
-          w.all_alike ? "1" : "0"};
+  return fields(w.t.mean, w.t.low(0.95), w.t.high(0.95), w.t.t, w.t.degrees, PValue{w.t.p},
+                PValue{paired_adjusted}, w.dz, w.gz, w.wilcoxon.w_plus, w.wilcoxon.used,
+                w.wilcoxon.zeros, w.wilcoxon.tied, PValue{w.wilcoxon.p}, PValue{wilcoxon_adjusted},
+                PValue{w.wilcoxon_normal}, PValue{w.wilcoxon_normal_corrected}, w.pratt.w_plus,
+                PValue{w.pratt.p}, PValue{w.wilcoxon_zsplit}, w.location.estimate, w.location.low,
+                w.location.high, w.wilcoxon.rank_biserial, w.all_alike);
 }
 
 std::vector<std::string> comparison_row(const Gathered& gathered, const Comparison& c) {
-  std::vector<std::string> row = {std::string(word_of(family_words, c.family))};
+  std::vector<std::string> row = fields(word_of(family_words, c.family));
   add(row, about(gathered, c.stimulus));
-  add(row, {c.against ? gathered.stimuli[*c.against].id : "", c.factor, gathered.scales[c.scale].id,
-            c.own_end == 0  ? ""
-            : c.own_end > 0 ? "high"
-                            : "low"});
-  add(row, {whole(c.answers), field_of(c.mean), whole(c.answers_against), field_of(c.mean_against),
-            field_of(c.welch.mean), field_of(c.welch.low(0.95)), field_of(c.welch.high(0.95)),
-            field_of(c.welch.t), field_of(c.welch.degrees), p_of_table(c.welch.p),
-            p_of_table(c.welch_adjusted), field_of(c.d), field_of(c.g)});
-  add(row, {whole(c.within.people)});
+  add(row, fields(c.against ? gathered.stimuli[*c.against].id : "", c.factor,
+                  gathered.scales[c.scale].id,
+                  c.own_end == 0  ? ""
+                  : c.own_end > 0 ? "high"
+                                  : "low"));
+  add(row, fields(c.answers, c.mean, c.answers_against, c.mean_against, c.welch.mean,
+                  c.welch.low(0.95), c.welch.high(0.95), c.welch.t, c.welch.degrees,
+                  PValue{c.welch.p}, PValue{c.welch_adjusted}, c.d, c.g, c.within.people));
   add(row, within_fields(c.within, c.paired_adjusted, c.wilcoxon_adjusted));
   return row;
 }
@@ -122,13 +114,8 @@ void add_comparisons(const Results& results, std::vector<ResultTable>& tables) {
   writer.finish(tables);
   ResultWriter overall(overall_form, results.gathered.simulated);
   for (const OverallComparison& c : results.overall) {
-    std::vector<std::string> row = {std::string(word_of(family_words, c.family)),
-                                    c.emotion,
-                                    whole(c.matched),
-                                    whole(c.unmatched),
-                                    field_of(c.mean),
-                                    field_of(c.mean_against),
-                                    whole(c.within.people)};
+    std::vector<std::string> row = fields(word_of(family_words, c.family), c.emotion, c.matched,
+                                          c.unmatched, c.mean, c.mean_against, c.within.people);
     add(row, within_fields(c.within, c.paired_adjusted, c.wilcoxon_adjusted));
     overall.row(row);
   }
@@ -138,12 +125,10 @@ void add_comparisons(const Results& results, std::vector<ResultTable>& tables) {
 void add_groups(const Results& results, std::vector<ResultTable>& tables) {
   ResultWriter writer(groups_form, results.gathered.simulated);
   for (const GroupComparison& c : results.groups)
-    writer.row({c.question, c.one, c.other, results.gathered.stimuli[c.stimulus].id,
-                results.gathered.scales[c.scale].id, whole(c.people_one), field_of(c.mean_one),
-                whole(c.people_other), field_of(c.mean_other), field_of(c.welch.mean),
-                field_of(c.welch.low(0.95)), field_of(c.welch.high(0.95)), field_of(c.welch.t),
-                field_of(c.welch.degrees), p_of_table(c.welch.p), p_of_table(c.adjusted),
-                field_of(c.g)});
+    writer.row(fields(c.question, c.one, c.other, results.gathered.stimuli[c.stimulus].id,
+                      results.gathered.scales[c.scale].id, c.people_one, c.mean_one, c.people_other,
+                      c.mean_other, c.welch.mean, c.welch.low(0.95), c.welch.high(0.95), c.welch.t,
+                      c.welch.degrees, PValue{c.welch.p}, PValue{c.adjusted}, c.g));
   writer.finish(tables);
 }
 
@@ -154,13 +139,12 @@ void add_confusion_tables(const Results& results, std::vector<ResultTable>& tabl
     const std::string by = confusion.by_points ? "ratings" : "choices";
     for (const ConfusionRow& row : confusion.rows) {
       for (std::size_t i = 0; i < confusion.columns.size(); ++i)
-        cells.row({by, confusion.of, row.emotion, confusion.columns[i], field_of(row.points[i]),
-                   field_of(row.points[i] / row.total)});
+        cells.row(fields(by, confusion.of, row.emotion, confusion.columns[i], row.points[i],
+                         row.points[i] / row.total));
       if (row.own < 0) continue;
-      recalls.row({by, confusion.of, row.emotion, whole(row.showings), whole(row.judged),
-                   field_of(row.total), field_of(row.recall), field_of(row.low), field_of(row.high),
-                   field_of(confusion.chance), whole(row.hits), p_of_table(row.p),
-                   p_of_table(row.adjusted)});
+      recalls.row(fields(by, confusion.of, row.emotion, row.showings, row.judged, row.total,
+                         row.recall, row.low, row.high, confusion.chance, row.hits, PValue{row.p},
+                         PValue{row.adjusted}));
     }
   }
   cells.finish(tables);
@@ -172,9 +156,8 @@ void add_correlations(const Results& results, std::vector<ResultTable>& tables) 
   const std::vector<std::string> ends = ends_of(results.gathered.scales);
   for (const EndCorrelation& pair : results.correlations) {
     const Correlation& c = pair.correlation;
-    writer.row({ends[pair.one], ends[pair.other], pair.same_scale ? "1" : "0", whole(c.pairs),
-                field_of(c.r), field_of(c.low), field_of(c.high), p_of_table(c.p),
-                p_of_table(pair.adjusted)});
+    writer.row(fields(ends[pair.one], ends[pair.other], pair.same_scale, c.pairs, c.r, c.low,
+                      c.high, PValue{c.p}, PValue{pair.adjusted}));
   }
   writer.finish(tables);
 }
@@ -183,10 +166,9 @@ void add_reliability(const Results& results, std::vector<ResultTable>& tables) {
   ResultWriter writer(agreement_form, results.gathered.simulated);
   for (const Reliability& r : results.reliability) {
     const Intraclass& icc = r.intraclass;
-    writer.row({results.gathered.scales[r.scale].id, whole(icc.stimuli), whole(icc.raters),
-                whole(icc.answers), field_of(icc.answers_per_stimulus), field_of(icc.one),
-                field_of(icc.one_k), field_of(icc.two), field_of(icc.two_k), field_of(icc.three),
-                field_of(icc.three_k), whole(r.complete_people), field_of(r.alpha)});
+    writer.row(fields(results.gathered.scales[r.scale].id, icc.stimuli, icc.raters, icc.answers,
+                      icc.answers_per_stimulus, icc.one, icc.one_k, icc.two, icc.two_k, icc.three,
+                      icc.three_k, r.complete_people, r.alpha));
   }
   writer.finish(tables);
 }
@@ -194,52 +176,51 @@ void add_reliability(const Results& results, std::vector<ResultTable>& tables) {
 void add_preferences(const Results& results, std::vector<ResultTable>& tables) {
   ResultWriter writer(preferences_form, results.gathered.simulated);
   for (const PreferenceCount& c : results.preferences)
-    writer.row({c.item, results.gathered.stimuli[c.one].id, results.gathered.stimuli[c.other].id,
-                whole(c.trials), whole(c.for_one), field_of(1.0 * c.for_one / c.trials),
-                field_of(c.low), field_of(c.high), p_of_table(c.p), p_of_table(c.adjusted)});
+    writer.row(fields(c.item, results.gathered.stimuli[c.one].id,
+                      results.gathered.stimuli[c.other].id, c.trials, c.for_one,
+                      1.0 * c.for_one / c.trials, c.low, c.high, PValue{c.p}, PValue{c.adjusted}));
   writer.finish(tables);
 }
 
 void add_people(const Results& results, std::vector<ResultTable>& tables) {
   ResultWriter people(people_form, results.gathered.simulated);
   for (const ParticipantSummary& p : results.participants)
-    people.row({p.participant, whole(p.trials), whole(p.answers), whole(p.checks), whole(p.passed),
-                p.is_excluded ? "1" : "0", field_of(p.median_rt_ms), whole(p.stalls),
-                whole(p.dropped_frames), whole(p.blurs), p.is_constant ? "1" : "0",
-                p.is_unfinished ? "1" : "0"});
+    people.row(fields(p.participant, p.trials, p.answers, p.checks, p.passed, p.is_excluded,
+                      p.median_rt_ms, p.stalls, p.dropped_frames, p.blurs, p.is_constant,
+                      p.is_unfinished));
   people.finish(tables);
   ResultWriter demographics(demographics_form, results.gathered.simulated);
   for (const DemographicSummary& d : demographics_of(results.demographics, results.gathered))
-    demographics.row({d.question, d.answer, field_of(d.value), whole(d.people)});
+    demographics.row(fields(d.question, d.answer, d.value, d.people));
   demographics.finish(tables);
 }
 
 void add_catch_trials(const Results& results, std::vector<ResultTable>& tables) {
   ResultWriter answers(catch_form, results.gathered.simulated);
   for (const CatchAnswer& a : results.catch_answers)
-    answers.row({a.participant, a.is_excluded ? "1" : "0", a.stimulus, a.against, a.item,
-                 whole(a.first_trial), whole(a.second_trial), a.first, a.second,
-                 a.difference ? field_of(*a.difference) : "", a.is_equal() ? "1" : "0"});
+    answers.row(fields(a.participant, a.is_excluded, a.stimulus, a.against, a.item, a.first_trial,
+                       a.second_trial, a.first, a.second,
+                       a.difference ? field_of(*a.difference) : "", a.is_equal()));
   answers.finish(tables);
   ResultWriter summaries(catch_summary_form, results.gathered.simulated);
   for (const CatchSummary& s : results.catch_summaries)
-    summaries.row({s.participant, s.item, s.is_excluded ? "1" : "0", whole(s.answers),
-                   whole(s.equal), field_of(1.0 * s.equal / s.answers), field_of(s.mean_difference),
-                   field_of(s.retest.r), field_of(s.retest.low), field_of(s.retest.high)});
+    summaries.row(fields(s.participant, s.item, s.is_excluded, s.answers, s.equal,
+                         1.0 * s.equal / s.answers, s.mean_difference, s.retest.r, s.retest.low,
+                         s.retest.high));
   summaries.finish(tables);
 }
 
 void add_remarks(const Results& results, std::vector<ResultTable>& tables) {
   const auto write = [&](const TableForm& form, const std::vector<Remark>& remarks) {
     ResultWriter writer(form, results.gathered.simulated);
-    for (const Remark& r : remarks) writer.row({r.participant, r.stimulus, r.item, r.text});
+    for (const Remark& r : remarks) writer.row(fields(r.participant, r.stimulus, r.item, r.text));
     writer.finish(tables);
   };
   write(comments_form, results.gathered.remarks);
   write(words_form, results.gathered.words);
   ResultWriter counts(word_counts_form, results.gathered.simulated);
   for (const GivenWord& c : results.words)
-    counts.row({c.stimulus, c.item, c.word, whole(c.people), whole(c.asked)});
+    counts.row(fields(c.stimulus, c.item, c.word, c.people, c.asked));
   counts.finish(tables);
 }
 

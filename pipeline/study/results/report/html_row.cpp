@@ -38,22 +38,13 @@ std::string p_text(double p) {
 
 std::string scale_name(const Scale& scale) { return scale.low + " – " + scale.high; }
 
-HtmlRow& HtmlRow::text(const std::string& plain) { return cell("text", html_escaped(plain)); }
-
-HtmlRow& HtmlRow::prose(const std::string& plain) { return cell("prose", html_escaped(plain)); }
-
-HtmlRow& HtmlRow::number(const std::string& plain) { return cell("", html_escaped(plain)); }
-
-HtmlRow& HtmlRow::number(int count) { return cell("", std::to_string(count)); }
-
 std::string HtmlRow::html(bool is_found) const {
   return (is_found ? "<tr class=\"found\">" : "<tr>") + cells_ + "</tr>\n";
 }
 
-HtmlRow& HtmlRow::cell(std::string_view css_class, const std::string& html) {
+void HtmlRow::add(std::string_view css_class, const std::string& plain) {
   cells_ += css_class.empty() ? "<td>" : fmt::format("<td class=\"{}\">", css_class);
-  cells_ += html + "</td>";
-  return *this;
+  cells_ += html_escaped(plain) + "</td>";
 }
 
 std::string wide_table(std::initializer_list<std::string_view> heads, const std::string& rows) {

@@ -24,14 +24,16 @@ std::string scale_name(const Scale& scale);
 /// A row of cells; those of `text` and `prose` are set left, and prose may break.
 class HtmlRow {
  public:
-  HtmlRow& text(const std::string& plain);
-  HtmlRow& prose(const std::string& plain);
-  HtmlRow& number(const std::string& plain);
-  HtmlRow& number(int count);
+  HtmlRow& text(const auto&... plain) { return (add("text", plain), ..., *this); }
+  HtmlRow& prose(const std::string& plain) { return add("prose", plain), *this; }
+  /// Numbers of two decimals, whole ones, or as they are written already.
+  HtmlRow& number(const auto&... shown) { return (add("", shown), ..., *this); }
   std::string html(bool is_found = false) const;
 
  private:
-  HtmlRow& cell(std::string_view css_class, const std::string& html);
+  void add(std::string_view css_class, const std::string& plain);
+  void add(std::string_view css_class, int count) { add(css_class, std::to_string(count)); }
+  void add(std::string_view css_class, double value) { add(css_class, decimal(value)); }
 
   std::string cells_;
 };

@@ -13,33 +13,22 @@ namespace {
 /// What was found within persons.
 HtmlRow& within_cells(HtmlRow& row, const WithinPersons& w, double paired_adjusted,
                       double wilcoxon_adjusted) {
-  return row.number(w.people)
-      .number(decimal(w.t.mean))
-      .number(interval_text(w.t.low(0.95), w.t.high(0.95)))
-      .number(w.all_alike ? "all alike" : decimal(w.t.t))
-      .number(p_text(w.t.p))
-      .number(p_text(paired_adjusted))
-      .number(decimal(w.gz))
-      .number(fmt::format("{:g}", w.wilcoxon.w_plus))
-      .number(fmt::format("{}, {}, {}", w.wilcoxon.used, w.wilcoxon.zeros, w.wilcoxon.tied))
-      .number(p_text(w.wilcoxon.p))
-      .number(p_text(wilcoxon_adjusted))
-      .number(decimal(w.location.estimate))
-      .number(interval_text(w.location.low, w.location.high))
-      .number(decimal(w.wilcoxon.rank_biserial));
+  return row.number(w.people, w.t.mean, interval_text(w.t.low(0.95), w.t.high(0.95)),
+                    w.all_alike ? "all alike" : decimal(w.t.t), p_text(w.t.p),
+                    p_text(paired_adjusted), w.gz, fmt::format("{:g}", w.wilcoxon.w_plus),
+                    fmt::format("{}, {}, {}", w.wilcoxon.used, w.wilcoxon.zeros, w.wilcoxon.tied),
+                    p_text(w.wilcoxon.p), p_text(wilcoxon_adjusted), w.location.estimate,
+                    interval_text(w.location.low, w.location.high), w.wilcoxon.rank_biserial);
 }
 
 std::string comparison_html(const Gathered& gathered, const Comparison& c) {
   const ReportedStimulus& stimulus = gathered.stimuli[c.stimulus];
   const std::string against = c.against ? gathered.stimuli[*c.against].id : "its setting";
   HtmlRow row;
-  row.text(stimulus.id)
-      .text(against)
-      .text(scale_name(gathered.scales[c.scale]))
-      .number(decimal(c.mean))
-      .number(decimal(c.mean_against))
-      .number(fmt::format("{} ({})", decimal(c.welch.t), decimal(c.welch.degrees, 1)))
-      .number(p_text(c.welch.p));
+  row.text(stimulus.id, against, scale_name(gathered.scales[c.scale]))
+      .number(c.mean, c.mean_against,
+              fmt::format("{} ({})", decimal(c.welch.t), decimal(c.welch.degrees, 1)),
+              p_text(c.welch.p));
   return within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
       .html(c.paired_adjusted < gathered.alpha);
 }
@@ -55,16 +44,12 @@ std::string best_seen_html(const Results& results) {
     const double low = c.within.t.low(0.95);
     const double high = c.within.t.high(0.95);
     rows += HtmlRow()
-                .text(best.end)
-                .text(best.setting.empty() ? "all" : best.setting)
-                .text(gathered.stimuli[c.stimulus].id)
-                .number(decimal(sign * c.within.t.mean))
-                .number(best.is_high ? interval_text(low, high) : interval_text(-high, -low))
-                .number(c.within.people)
-                .number(p_text(c.welch.p))
-                .number(p_text(c.within.t.p))
-                .number(p_text(c.paired_adjusted))
-                .number(decimal(sign * c.within.gz))
+                .text(best.end, best.setting.empty() ? "all" : best.setting,
+                      gathered.stimuli[c.stimulus].id)
+                .number(sign * c.within.t.mean,
+                        best.is_high ? interval_text(low, high) : interval_text(-high, -low),
+                        c.within.people, p_text(c.welch.p), p_text(c.within.t.p),
+                        p_text(c.paired_adjusted), sign * c.within.gz)
                 .html(best.is_found);
   }
   return wide_table({"<seen", "<setting", "<most in", "above the other videos", "95 % interval",
@@ -113,10 +98,7 @@ std::string overall_html(const Results& results, ComparisonFamily family) {
   for (const OverallComparison& c : results.overall) {
     if (c.family != family) continue;
     HtmlRow row;
-    row.text(c.emotion.empty() ? "all" : c.emotion)
-        .number(c.matched)
-        .number(decimal(c.mean))
-        .number(decimal(c.mean_against));
+    row.text(c.emotion.empty() ? "all" : c.emotion).number(c.matched, c.mean, c.mean_against);
     rows += within_cells(row, c.within, c.paired_adjusted, c.wilcoxon_adjusted)
                 .html(c.paired_adjusted < results.gathered.alpha);
   }
